@@ -1,0 +1,35 @@
+#pragma once
+// A command of the program: it declares its arguments and, once chosen, runs. To add one, write its file and add a
+// line to all_commands.hpp.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "specs/input_error.hpp"
+
+namespace kempe::app {
+
+enum ExitCode : int {
+  done = 0, failed = 1, bad_input = 2, no_design = 3, verification_failed = 4, cannot_write = 5, interrupted = 130
+};
+
+/// What every command shares: the options --json and --quiet, and the run that the arguments chose.
+struct Session {
+  bool json = false;
+  bool quiet = false;
+  std::function<int()> chosen;  ///< set by the sub-command's callback; returns an ExitCode
+};
+
+/// Adds a sub-command with the shared options; `example` closes its --help.
+CLI::App* add_command(CLI::App& program, Session& session, const std::string& name, const std::string& description,
+                      const std::string& example);
+
+/// Prints "kempe: MESSAGE" to stderr and returns the code.
+int fail(ExitCode code, const std::string& message);
+int fail(const InputError& error);
+
+/// Prints to stdout; a closed stdout makes the program end with `cannot_write`.
+void print(const std::string& text);
+
+}  // namespace kempe::app

@@ -1,0 +1,16 @@
+include(CMakePackageConfigHelpers)
+
+get_property(rooms GLOBAL PROPERTY KEMPE_ROOMS)
+foreach(room IN LISTS rooms)
+  install(TARGETS kempe_${room} EXPORT kempe-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kempe/${room} FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(TARGETS kempe EXPORT kempe-targets)
+install(TARGETS kempe_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT kempe-targets NAMESPACE kempe:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
+
+configure_package_config_file(cmake/kempe-config.cmake.in ${PROJECT_BINARY_DIR}/kempe-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/kempe-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/kempe-config.cmake ${PROJECT_BINARY_DIR}/kempe-config-version.cmake
+  cmake/FindIpopt.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)

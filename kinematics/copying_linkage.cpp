@@ -1,0 +1,265 @@
+#include "kinematics/copying_linkage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+/// Plates whose angle differs from a straight line by less than this are straight bars: sin(pi) in doubles is 1e-16.
+constexpr double straight_tolerance = 1e-12;
+
+/// arg s brought into [0, pi); exactly 0 for straight plates.
+double dead_point_opening(Complex shape) {
+  double angle = std::arg(shape);
+  if (angle < 0) angle += pi;
+  return angle < straight_tolerance || pi - angle < straight_tolerance ? 0 : angle;
+}
+
+int sign(double value) { return (value > 0) - (value < 0); }
+
+/// Rounding may leave a cosine just outside [-1, 1] at a dead point.
+constexpr double cosine_slack = 1e-12;
+
+}  // namespace
+
+Complex copy_ratio(double scale, double rotation) {
+  const double quarters = rotation / (pi / 2);
+  const double whole = std::round(quarters);
+  if (std::abs(quarters - whole) > 1e-15 * std::max(1.0, std::abs(quarters))) return std::polar(scale, rotation);
+  constexpr std::array<Complex, 4> unit{Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  return scale * unit[static_cast<std::size_t>(static_cast<long long>(whole) & 3)];
+}
+
+std::string_view name(Vertex vertex) {
+  switch (vertex) {
+    case Vertex::pole: return "pole";
+    case Vertex::tracer: return "tracer";
+    case Vertex::pen: return "pen";
+  }
+  return "";
+}
+
+char letter(Joint joint) { return "VABCXY"[static_cast<int>(joint)]; }
+
+std::string_view name(Unreachable why) {
+  switch (why) {
+    case Unreachable::too_far: return "beyond the outer reach";
+    case Unreachable::too_near: return "inside the inner reach";
+    case Unreachable::beyond_change_point: return "beyond the change point";
+  }
+  return "";
+}
+
+std::string_view name(LinkageFault fault) {
+  switch (fault) {
+    case LinkageFault::ratio_not_finite: return "the copy ratio is not a finite number";
+    case LinkageFault::ratio_zero: return "a copy ratio of 0 copies everything onto one point";
+    case LinkageFault::ratio_one: return "scale 1 without rotation is a translation, which has no pole";
+    case LinkageFault::length_not_positive: return "a link length is not a positive finite number";
+    case LinkageFault::no_such_assembly: return "the linkage has no assembly of this number";
+  }
+  return "";
+}
+
+const Point& Pose::operator[](Joint joint) const { return const_cast<Pose&>(*this)[joint]; }
+
+Point& Pose::operator[](Joint joint) {
+  switch (joint) {
+    case Joint::V: return V;
+    case Joint::A: return A;
+    case Joint::B: return B;
+    case Joint::C: return C;
+    case Joint::X: return X;
+    case Joint::Y: break;
+  }
+  return Y;
+}
+
+Complex shape_of(Complex k, Vertex vertex) {
+  switch (vertex) {
+    case Vertex::pole: return k;
+    case Vertex::tracer: return 1.0 - k;
+    case Vertex::pen: break;
+  }
+  return 1.0 - 1.0 / k;
+}
+
+bool is_straight(Complex shape) { return dead_point_opening(shape) == 0; }
+
+std::vector<OpeningInterval> assemblies(Complex shape) {
+  const double dead = dead_point_opening(shape);
+  if (dead == 0) return {{-pi, 0}, {0, pi}};
+  return {{-pi, dead - pi}, {dead - pi, 0}, {0, dead}, {dead, pi}};
+}
+
+tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Vertex vertex, double VA, double VB,
+                                                                int assembly, Point pole) {
+  if (!std::isfinite(k.real()) || !std::isfinite(k.imag())) return tl::unexpected(LinkageFault::ratio_not_finite);
+  if (std::abs(k) == 0) return tl::unexpected(LinkageFault::ratio_zero);
+  const Complex s = shape_of(k, vertex);
+  if (std::abs(1.0 - k) < straight_tolerance || std::abs(s) == 0) return tl::unexpected(LinkageFault::ratio_one);
+  const auto positive = [](double length) { return std::isfinite(length) && length > 0; };
+  if (!positive(VA) || !positive(VB)) return tl::unexpected(LinkageFault::length_not_positive);
+  if (assembly < 0 || static_cast<std::size_t>(assembly) >= assemblies(s).size())
+    return tl::unexpected(LinkageFault::no_such_assembly);
+  return CopyingLinkage(k, vertex, VA, VB, assembly, pole);
+}
+
+CopyingLinkage::CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly, Point pole)
+    : k_(k), vertex_(vertex), VA_(VA), VB_(VB), assembly_(assembly), pole_(pole), s_(shape_of(k, vertex)),
+      interval_(assemblies(s_)[static_cast<std::size_t>(assembly)]) {}
+
+Joint CopyingLinkage::pole_joint() const { return vertex_ == Vertex::pole ? Joint::V : Joint::X; }
+
+Joint CopyingLinkage::tracer_joint() const {
+  switch (vertex_) {
+    case Vertex::pole: return Joint::X;
+    case Vertex::tracer: return Joint::V;
+    case Vertex::pen: break;
+  }
+  return Joint::Y;
+}
+
+Joint CopyingLinkage::pen_joint() const { return vertex_ == Vertex::pen ? Joint::V : Joint::Y; }
+
+LinkLengths CopyingLinkage::lengths() const {
+  const double scale = std::abs(s_);
+  const double turn = std::abs(1.0 - s_);
+  return {.VA = VA_, .VB = VB_, .AC = VB_, .BC = VA_, .AX = VB_ / scale, .CX = VB_ * turn / scale,
+          .BY = VA_ * scale, .CY = VA_ * turn};
+}
+
+double CopyingLinkage::size() const {
+  const LinkLengths l = lengths();
+  return l.VA + l.VB + 0.5 * (l.AC + l.AX + l.CX) + 0.5 * (l.BC + l.BY + l.CY);
+}
+
+double CopyingLinkage::transmission_angle(double opening) const {
+  return std::min(std::asin(std::min(1.0, std::abs(std::sin(opening - std::arg(s_))))),
+                  std::asin(std::min(1.0, std::abs(std::sin(opening)))));
+}
+
+Complex CopyingLinkage::chain_per_tracer() const {
+  switch (vertex_) {
+    case Vertex::pole: return 1;
+    case Vertex::tracer: return -1;
+    case Vertex::pen: break;
+  }
+  return -k_;
+}
+
+double CopyingLinkage::radius_at(double opening) const {
+  // |p + q/s| with p = VA and q = VB e^{id}; hypot of the components keeps digits near the folded dead point.
+  return std::abs(VA_ + std::polar(VB_, opening) / s_) / std::abs(chain_per_tracer());
+}
+
+double CopyingLinkage::radius_slope_at(double opening) const {
+  const double a = VA_, b = VB_ / std::abs(s_);
+  const double scale = std::abs(chain_per_tracer());
+  const double radius = radius_at(opening) * scale;
+  return radius > 0 ? -a * b * std::sin(opening - std::arg(s_)) / radius / scale : 0;
+}
+
+bool CopyingLinkage::radius_grows_with_opening() const {
+  return std::sin(interval_.middle() - std::arg(s_)) < 0;
+}
+
+tl::expected<double, Unreachable> CopyingLinkage::opening_at(double radius) const {
+  const double a = VA_, b = VB_ / std::abs(s_);
+  const double chain = radius * std::abs(chain_per_tracer());
+  if (!(chain > 0)) return tl::unexpected(Unreachable::too_near);
+  // tan^2(e/2) = ((a+b)^2 - w^2) / (w^2 - (a-b)^2) keeps full precision at both dead points, unlike acos.
+  const double outer = (a + b - chain) * (a + b + chain);
+  const double inner = (chain - std::abs(a - b)) * (chain + std::abs(a - b));
+  const double slack = cosine_slack * (a + b) * (a + b);
+  if (outer < -slack) return tl::unexpected(Unreachable::too_far);
+  if (inner < -slack) return tl::unexpected(Unreachable::too_near);
+  const double elbow = 2 * std::atan2(std::sqrt(std::max(0.0, outer)), std::sqrt(std::max(0.0, inner)));
+  const double side = radius_grows_with_opening() ? -1 : 1;
+  double opening = side * elbow + std::arg(s_);
+  const double middle = interval_.middle();
+  opening -= 2 * pi * std::round((opening - middle) / (2 * pi));
+  constexpr double rounding = 4e-16 * 8;
+  if (opening < interval_.lower - rounding || opening > interval_.upper + rounding)
+    return tl::unexpected(Unreachable::beyond_change_point);
+  return std::clamp(opening, interval_.lower, interval_.upper);
+}
+
+CopyingLinkage::RadiusRange CopyingLinkage::radii_over(const OpeningInterval& openings) const {
+  const double a = radius_at(openings.lower), b = radius_at(openings.upper);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Pose CopyingLinkage::pose_from_vectors(Complex p, Complex q) const {
+  const Complex A = p, B = q, C = p + q, X = p + q / s_, Y = q + s_ * p;  // V at the origin
+  const Complex ground = pole_joint() == Joint::V ? Complex{} : X;
+  const auto place = [&](Complex z) { return Point(pole_ + as_point(z - ground)); };
+  return {place(0), place(A), place(B), place(C), place(X), place(Y)};
+}
+
+tl::expected<Pose, Unreachable> CopyingLinkage::pose_with_tracer_at(const Point& tracer) const {
+  const Complex reach = as_complex(tracer - pole_);
+  return opening_at(std::abs(reach)).map([&](double opening) {
+    Pose pose = pose_at(opening, std::arg(reach));
+    return pose;
+  });
+}
+
+Pose CopyingLinkage::pose_at(double opening, double bearing) const {
+  const Complex unturned = (VA_ + std::polar(VB_, opening) / s_) / chain_per_tracer();
+  const Complex turn = std::polar(1.0, bearing) * std::abs(unturned) / unturned;
+  return pose_from_vectors(VA_ * turn, std::polar(VB_, opening) * turn);
+}
+
+Point CopyingLinkage::tracer_at(double opening, double bearing) const {
+  return pole_ + as_point(std::polar(radius_at(opening), bearing));
+}
+
+namespace {
+
+/// Real u, v with u a + v b = c; nothing if a and b are parallel.
+tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, Complex c) {
+  const auto wedge = [](Complex m, Complex n) { return m.real() * n.imag() - m.imag() * n.real(); };
+  const double det = wedge(a, b);
+  if (std::abs(det) <= 1e-14 * std::abs(a) * std::abs(b)) return tl::unexpected(Unreachable::too_far);
+  return std::array{wedge(c, b) / det, wedge(a, c) / det};
+}
+
+}  // namespace
+
+tl::expected<Pose, Unreachable> CopyingLinkage::velocities(const Pose& pose, const Point& tracer_velocity) const {
+  // chain w = p + q/s turns as w' = i alpha' p + i beta' q/s, alpha and beta the directions of p and q.
+  constexpr Complex i{0, 1};
+  const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
+  const Complex chain = as_complex(tracer_velocity) * chain_per_tracer();
+  return resolve(i * p, i * q / s_, chain).map([&](const std::array<double, 2>& rate) {
+    CopyingLinkage at_rest = *this;
+    at_rest.pole_ = Point::Zero();
+    return at_rest.pose_from_vectors(i * rate[0] * p, i * rate[1] * q);
+  });
+}
+
+tl::expected<Pose, Unreachable> CopyingLinkage::accelerations(const Pose& pose, const Point& tracer_velocity,
+                                                              const Point& tracer_acceleration) const {
+  constexpr Complex i{0, 1};
+  const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
+  const auto rate = resolve(i * p, i * q / s_, as_complex(tracer_velocity) * chain_per_tracer());
+  if (!rate) return tl::unexpected(rate.error());
+  const double alpha1 = (*rate)[0], beta1 = (*rate)[1];
+  // w'' = (i alpha'' - alpha'^2) p + (i beta'' - beta'^2) q/s
+  const Complex centripetal = -alpha1 * alpha1 * p - beta1 * beta1 * q / s_;
+  const Complex chain = as_complex(tracer_acceleration) * chain_per_tracer();
+  return resolve(i * p, i * q / s_, chain - centripetal).map([&](const std::array<double, 2>& second) {
+    CopyingLinkage at_rest = *this;
+    at_rest.pole_ = Point::Zero();
+    return at_rest.pose_from_vectors((i * second[0] - alpha1 * alpha1) * p, (i * second[1] - beta1 * beta1) * q);
+  });
+}
+
+CopyingLinkage::Orientation CopyingLinkage::orientation() const {
+  const int turn = is_straight(s_) ? 0 : sign(s_.imag());
+  return {sign(std::sin(interval_.middle())), -turn, turn};
+}
+
+}  // namespace kempe

@@ -1,0 +1,181 @@
+#pragma once
+// The copying linkage in closed form: one five-link mechanism, three groundings.
+//
+//   p = A - V,  q = B - V,  C = V + p + q         the parallelogram V-A-C-B
+//   X = A + q/s,  Y = B + s p                     the plates A-C-X and B-C-Y, both given by the shape s
+//   Y - V = s (X - V)                             so V, X, Y are corners of a triangle similar to (0, 1, s)
+//
+// One of V, X, Y is the pole, one carries the tracer, one the pen:  pen - pole = k (tracer - pole).
+// Everything inside the mechanism depends only on the opening d = arg q - arg p.
+
+#include <array>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "kinematics/opening_interval.hpp"
+#include "kinematics/point.hpp"
+
+namespace kempe {
+
+/// Which of the three homologous points stands at the parallelogram's vertex V: the three groundings.
+enum class Vertex {
+  pole,    ///< pole V, tracer X, pen Y; s = k        (plagiograph)
+  tracer,  ///< pole X, tracer V, pen Y; s = 1 - k    (drawing pantograph)
+  pen      ///< pole X, tracer Y, pen V; s = 1 - 1/k  (variable ratio pantograph)
+};
+inline constexpr std::array<Vertex, 3> all_vertices{Vertex::pole, Vertex::tracer, Vertex::pen};
+
+/// "pole", "tracer" or "pen".
+std::string_view name(Vertex vertex);
+
+/// The six named points of the drawing.
+enum class Joint { V, A, B, C, X, Y };
+inline constexpr std::array<Joint, 6> all_joints{Joint::V, Joint::A, Joint::B, Joint::C, Joint::X, Joint::Y};
+/// 'V', 'A', 'B', 'C', 'X' or 'Y'.
+char letter(Joint joint);
+
+/// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
+struct Pose {
+  Point V, A, B, C, X, Y;
+  const Point& operator[](Joint joint) const;
+  Point& operator[](Joint joint);
+};
+
+/// The eight distances between joints of one link, mm.
+struct LinkLengths {
+  double VA, VB, AC, BC, AX, CX, BY, CY;
+  static constexpr std::array<std::string_view, 8> names{"VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY"};
+  std::array<double, 8> values() const { return {VA, VB, AC, BC, AX, CX, BY, CY}; }
+};
+
+/// Why a pose does not exist: an outcome of the domain, not an error.
+enum class Unreachable {
+  too_far,              ///< beyond the outer reach (serial dead point V, A, X stretched)
+  too_near,             ///< inside the inner reach (serial dead point folded), the pole itself included
+  beyond_change_point   ///< the chain reaches it, but only with the parallelogram past its flat position
+};
+std::string_view name(Unreachable why);
+
+/// Why a ratio or a pair of lengths is no copying linkage.
+enum class LinkageFault {
+  ratio_not_finite,      ///< k is NaN or infinite
+  ratio_zero,            ///< k = 0 copies everything onto the pole
+  ratio_one,             ///< k = 1 without rotation: the linkage degenerates (the pole lies at infinity)
+  length_not_positive,   ///< VA or VB is not a positive finite number
+  no_such_assembly       ///< the index is not below assembly_count(s)
+};
+std::string_view name(LinkageFault fault);
+
+/// The shape s for a copy ratio k under a grounding (geometry of the three groundings above).
+Complex shape_of(Complex k, Vertex vertex);
+
+/// True if the plates have collinear joints (s real): then every plate is a straight bar.
+bool is_straight(Complex shape);
+
+/// The usable assemblies: open intervals of the opening between neighbours among {0, pi, arg s mod pi}, from -pi
+/// upward. Four of them, or two if the plates are straight. At each end the linkage meets its change point (0, pi)
+/// or its serial dead point (arg s mod pi).
+std::vector<OpeningInterval> assemblies(Complex shape);
+
+/// A copying linkage of given ratio, grounding, lengths, assembly and pole.
+///
+/// Invariant: k is finite and neither 0 nor 1, VA and VB are positive and finite, the assembly exists.
+/// A value: copyable and comparable. All lengths mm, angles rad, points in the table's frame.
+///
+/// Guarantees, for every pose it returns:
+///  1. pen - pole = k (tracer - pole);
+///  2. every link has its length;
+///  3. the opening lies in assembly_interval(): poses of one linkage never differ in assembly.
+class CopyingLinkage {
+ public:
+  static tl::expected<CopyingLinkage, LinkageFault> make(Complex k, Vertex vertex, double VA, double VB,
+                                                         int assembly, Point pole = Point::Zero());
+
+  Complex k() const { return k_; }
+  Vertex vertex() const { return vertex_; }
+  Complex shape() const { return s_; }
+  double VA() const { return VA_; }
+  double VB() const { return VB_; }
+  int assembly() const { return assembly_; }
+  const Point& pole() const { return pole_; }
+
+  Joint pole_joint() const;
+  Joint tracer_joint() const;
+  Joint pen_joint() const;
+
+  LinkLengths lengths() const;
+
+  /// Sum over the four moving links of half the perimeter of the hull of their joints, mm. Linear in VA and VB.
+  double size() const;
+
+  /// The open interval of the opening that this assembly never leaves (returned by its closure), rad.
+  const OpeningInterval& assembly_interval() const { return interval_; }
+
+  /// The openings at which the transmission angle is at least `transmission` (rad, >= 0); perhaps empty.
+  OpeningInterval openings_with_transmission(double transmission) const { return shrink(interval_, transmission); }
+
+  /// mu = min(asin|sin(d - arg s)|, asin|sin d|): how far the linkage stands from its nearest dead or change point.
+  double transmission_angle(double opening) const;
+
+  /// Distance pole to tracer at an opening, mm: c |p + q/s|, monotone over the assembly interval.
+  double radius_at(double opening) const;
+
+  /// d radius / d opening, mm/rad; 0 at a serial dead point.
+  double radius_slope_at(double opening) const;
+
+  /// True if the radius grows with the opening over the assembly interval.
+  bool radius_grows_with_opening() const;
+
+  /// The opening at which the tracer is `radius` (mm) from the pole, within the closure of the assembly interval.
+  tl::expected<double, Unreachable> opening_at(double radius) const;
+
+  /// Smallest and largest distance pole to tracer over an interval of openings, mm.
+  struct RadiusRange {
+    double lower, upper;
+  };
+  RadiusRange radii_over(const OpeningInterval& openings) const;
+
+  /// The pose whose tracer stands at `tracer`.
+  tl::expected<Pose, Unreachable> pose_with_tracer_at(const Point& tracer) const;
+
+  /// The pose at an opening with the tracer in direction `bearing` (rad) from the pole. Defined for any opening.
+  Pose pose_at(double opening, double bearing) const;
+
+  /// The tracer's place at an opening and bearing.
+  Point tracer_at(double opening, double bearing) const;
+
+  /// Velocities of the six points while the tracer moves with `tracer_velocity`, at a pose of this linkage.
+  /// Nothing comes back at a serial dead point, where the tracer cannot be driven radially.
+  tl::expected<Pose, Unreachable> velocities(const Pose& pose, const Point& tracer_velocity) const;
+
+  /// Accelerations of the six points for the tracer's velocity and acceleration; nothing at a serial dead point.
+  tl::expected<Pose, Unreachable> accelerations(const Pose& pose, const Point& tracer_velocity,
+                                                const Point& tracer_acceleration) const;
+
+  /// Signs of (A-V)x(B-V), (C-A)x(X-A), (C-B)x(Y-B); 0 where a plate is straight.
+  struct Orientation {
+    int parallelogram, plate_ACX, plate_BCY;
+    bool operator==(const Orientation&) const = default;
+  };
+  Orientation orientation() const;
+
+  bool operator==(const CopyingLinkage&) const = default;
+
+ private:
+  CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly, Point pole);
+
+  /// chain = X - V as a factor of tracer - pole: 1, -1 or -k.
+  Complex chain_per_tracer() const;
+  Pose pose_from_vectors(Complex p, Complex q) const;
+
+  Complex k_;
+  Vertex vertex_;
+  double VA_, VB_;
+  int assembly_;
+  Point pole_;
+  Complex s_;
+  OpeningInterval interval_;
+};
+
+}  // namespace kempe

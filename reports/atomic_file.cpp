@@ -1,0 +1,91 @@
+#include "reports/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace kempe {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string cannot(const fs::path& path, int error) {
+  return "cannot write " + path.string() + ": " + std::strerror(error);
+}
+
+/// A file under a name of its own beside its final place; removed unless put in place.
+class Draft {
+ public:
+  explicit Draft(fs::path target) : target_(std::move(target)) {}
+  Draft(Draft&& other) noexcept : target_(std::move(other.target_)), draft_(std::move(other.draft_)) {
+    other.draft_.clear();
+  }
+  Draft& operator=(Draft&&) = delete;
+  ~Draft() {
+    if (!draft_.empty()) ::unlink(draft_.c_str());
+  }
+
+  tl::expected<void, std::string> fill(std::string_view contents) {
+    std::string pattern = target_.string() + ".XXXXXX.tmp";
+    const int file = ::mkstemps(pattern.data(), 4);
+    if (file < 0) return tl::unexpected(cannot(target_, errno));
+    draft_ = pattern;
+    const int error = write_all(file, contents);
+    if (::close(file) != 0 && error == 0) return tl::unexpected(cannot(target_, errno));
+    if (error != 0) return tl::unexpected(cannot(target_, error));
+    return {};
+  }
+
+  tl::expected<void, std::string> put_in_place() {
+    if (::rename(draft_.c_str(), target_.c_str()) != 0) return tl::unexpected(cannot(target_, errno));
+    draft_.clear();
+    return {};
+  }
+
+ private:
+  /// 0 or errno. Synchronised to disk: a rename may otherwise survive a crash that the contents do not.
+  static int write_all(int file, std::string_view contents) {
+    while (!contents.empty()) {
+      const ssize_t written = ::write(file, contents.data(), contents.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return errno;
+      contents.remove_prefix(static_cast<std::size_t>(written));
+    }
+    // mkstemp makes files private; an output is an ordinary file.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(file, 0666 & ~mask) != 0) return errno;
+    return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+  }
+
+  fs::path target_;
+  fs::path draft_;
+};
+
+}  // namespace
+
+tl::expected<void, std::string> write_whole(const fs::path& path, std::string_view contents) {
+  Draft draft(path);
+  return draft.fill(contents).and_then([&] { return draft.put_in_place(); });
+}
+
+tl::expected<void, std::string> write_whole(const fs::path& folder, const std::vector<OutputFile>& files) {
+  std::error_code error;
+  std::vector<Draft> drafts;
+  drafts.reserve(files.size());
+  for (const OutputFile& file : files) {
+    const fs::path target = folder / file.name;
+    fs::create_directories(target.parent_path(), error);
+    if (error) return tl::unexpected("cannot make the folder " + target.parent_path().string() + ": " + error.message());
+    if (auto filled = drafts.emplace_back(target).fill(file.contents); !filled) return filled;
+  }
+  for (Draft& draft : drafts)
+    if (auto placed = draft.put_in_place(); !placed) return placed;
+  return {};
+}
+
+}  // namespace kempe

@@ -1,0 +1,19 @@
+#pragma once
+// What is wrong with something that came from outside: where, what was found, what is allowed.
+
+#include <string>
+
+namespace kempe {
+
+struct InputError {
+  std::string file;     ///< as the user named it; empty if not from a file
+  int line = 0;         ///< from 1; 0: no one line
+  std::string key;      ///< dotted, "copy.scale"; empty: no one key
+  std::string found;    ///< what stands there
+  std::string allowed;  ///< what may stand there
+
+  /// "FILE:LINE: KEY: found FOUND; allowed: ALLOWED" without the parts that are empty.
+  std::string message() const;
+};
+
+}  // namespace kempe

@@ -1,0 +1,59 @@
+#pragma once
+// A finished design as a value: everything design.json holds.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workspace/workspace_map.hpp"
+
+namespace kempe {
+
+/// Figures of merit. NaN never appears: an absent value is an empty optional.
+struct Quality {
+  double size = 0;                  ///< mm
+  double transmission_min = 0;      ///< rad, smallest over the region
+  double clearance_min = 0;         ///< mm, smallest over the region
+  std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;  ///< mm; absent without [tolerance]
+  double footprint = 0;             ///< mm^2, outer bound of the area swept while the tracer covers the region
+  std::optional<double> lower_bound;  ///< of the objective, in its own unit (mm, rad, mm^2): no design can beat it
+};
+
+/// What the independent verification found (verification.hpp).
+struct Verification {
+  std::size_t samples = 0;
+  double copy_error_max = 0;     ///< mm
+  double loop_residual_max = 0;  ///< mm
+  double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
+  int flips = 0;                 ///< changes of assembly seen
+  bool certified = false;
+  std::string failure;           ///< a sentence; empty if certified
+};
+
+struct SearchRecord {
+  Objective objective = Objective::size;
+  double value = 0;                  ///< mm, rad or mm^2
+  std::vector<std::string> solvers;  ///< names with versions, in the order of use
+  std::uint64_t evaluations = 0;
+  std::uint64_t seed = 0;
+  bool complete = true;              ///< false if stopped early (time limit, Ctrl-C)
+};
+
+struct Design {
+  CopyingLinkage linkage;
+  double scale = 1, rotation = 0;   ///< as the spec gave them; rotation rad
+  Region region;
+  LinkStyle style;
+  LayerAssignment layers;
+  Limits limits;
+  std::optional<Tolerance> tolerance;
+  std::vector<Obstacle> obstacles;
+  OpeningInterval opening;          ///< certified
+  Quality quality;
+  WorkspaceMap map;
+  Verification verification;
+  std::optional<SearchRecord> search;  ///< absent for `kempe workspace`
+};
+
+}  // namespace kempe

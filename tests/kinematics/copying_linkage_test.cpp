@@ -1,0 +1,3 @@
+#include "kinematics/copying_linkage.hpp"
+
+#include <gtest/gtest.h>

@@ -1,0 +1,57 @@
+#pragma once
+// The real parts of a copying linkage: four links in layers, pins at the joints, posts down to the table.
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/copying_linkage.hpp"
+#include "specs/spec.hpp"
+#include "workspace/arc_polygon.hpp"
+
+namespace kempe {
+
+/// The four moving links, in the order of every array over links.
+enum class Link { VA, VB, ACX, BCY };
+inline constexpr std::array<Link, 4> all_links{Link::VA, Link::VB, Link::ACX, Link::BCY};
+/// "VA", "VB", "ACX" or "BCY".
+std::string_view name(Link link);
+/// The link's joints: two for a bar (the third entry of `joints` unused), three for a plate, in the order of the name.
+struct LinkJoints {
+  std::array<Joint, 3> joints;
+  int count;
+};
+LinkJoints joints_of(Link link);
+
+/// In which layer each link lies; 1 is next to the table.
+struct LayerAssignment {
+  std::array<int, 4> of{1, 2, 2, 1};
+  int operator[](Link link) const { return of[static_cast<std::size_t>(link)]; }
+  int highest() const;
+  bool operator==(const LayerAssignment&) const = default;
+};
+
+/// Every assignment to layers 1..layers in which links that share a joint lie in different layers and no layer
+/// below the highest one used is empty, in lexicographic order. layers >= 2; never empty.
+std::vector<LayerAssignment> layer_assignments(int layers);
+
+/// A part that can touch another: a link, a pin at A, B, C or V, or a post (pole, tracer, pen) at V, X or Y.
+struct Part {
+  enum class Kind { link, pin, pole_post, tracer_post, pen_post } kind;
+  Link link{};    ///< of a link
+  Joint joint{};  ///< of a pin or a post
+  int lowest_layer = 1, highest_layer = 1;  ///< layers it occupies; a post of the lowest layer's link occupies none
+                                            ///< above the table: highest_layer = 0
+  bool operator==(const Part&) const = default;
+};
+/// "link ACX", "pin C", "pole post V", "tracer X", "pen Y".
+std::string name(const Part& part);
+
+/// All parts of a linkage in the given layers: four links, the pins that pass a layer, the three posts.
+std::vector<Part> parts_of(const CopyingLinkage& linkage, const LayerAssignment& layers);
+
+/// The outline of a link in a pose: the segment or arms or hull grown by half the width; arcs are true arcs.
+ArcPolygon link_outline(Link link, const Pose& pose, const LinkStyle& style);
+
+}  // namespace kempe

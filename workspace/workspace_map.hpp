@@ -1,0 +1,87 @@
+#pragma once
+// The map: where the tracer can go, where the real links can follow, and why not elsewhere.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workspace/self_contact.hpp"
+
+namespace kempe {
+
+/// Why a part of the plane is lost.
+enum class Cause {
+  out_of_reach, beyond_change_point, transmission_below_limit, self_contact, obstacle_contact, sheet_overlap
+};
+/// "out of reach", "beyond the change point", "transmission below the limit", "contact", "contact", "sheet overlap".
+std::string_view name(Cause cause);
+
+/// A lost part of the plane with its cause.
+struct LostArea {
+  Cause cause;
+  std::vector<std::string> parts;  ///< the two parts in contact ("link ACX", "obstacle 2"); else empty
+  ArcRegion area;
+};
+
+/// What is mapped: a linkage with its parts, and what it must respect.
+struct MapTask {
+  CopyingLinkage linkage;
+  LinkStyle style;
+  LayerAssignment layers;
+  double clearance = 0;         ///< mm
+  double transmission = 0;      ///< rad
+  std::vector<Obstacle> obstacles;
+  Region region;                ///< what must be covered; may be empty
+  std::optional<double> sheets_gap;  ///< mm
+};
+
+struct MapOptions {
+  /// The uncertain band may take this share of the collision-free area before refinement stops.
+  double map_tolerance = 0.005;
+};
+
+/// The largest rectangle of a kind that fits the collision-free workspace.
+struct FittingSheet {
+  std::string name;   ///< "A4", or "region's proportions"
+  double width = 0, height = 0;  ///< mm
+  Point centre = Point::Zero();
+  double turn = 0;    ///< rad, of the width's direction against the x axis
+};
+
+/// Is the region covered by one component of the collision-free workspace?
+struct Coverage {
+  bool covered = false;
+  std::string why_not;                ///< a sentence for a person; empty if covered
+  std::optional<Point> witness;       ///< a point of the region that is not covered
+  std::optional<Cause> cause;
+  std::vector<std::string> parts;
+};
+
+struct WorkspaceMap {
+  OpeningInterval certified_opening;  ///< reach, change point, transmission and self-contact kept all over it
+  ArcRegion reachable;                ///< the reach of the chosen assembly
+  ArcRegion usable;                   ///< transmission kept
+  ArcRegion collision_free;           ///< usable, certainly without contact
+  ArcRegion uncertain;                ///< neither proven free nor proven in contact
+  std::vector<LostArea> lost;
+  Coverage coverage;
+  std::vector<FittingSheet> largest_sheets;
+  double clearance_min = 0;           ///< mm, smallest gap while the tracer covers the region
+  std::string clearance_min_parts;    ///< "link VA and link BCY"
+  Point clearance_min_at = Point::Zero();  ///< tracer's place
+};
+
+/// Maps a linkage. Deterministic.
+WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options);
+
+/// Why the tracer cannot stand at a point, or nothing if it can. One sentence's worth.
+struct Verdict {
+  bool free = false;
+  bool uncertain = false;
+  std::optional<Cause> cause;
+  std::vector<std::string> parts;
+  std::string sentence;  ///< for a person, with figures
+};
+Verdict verdict_at(const MapTask& task, const Point& tracer);
+
+}  // namespace kempe
