@@ -4,10 +4,15 @@ namespace kempe {
 
 std::string InputError::message() const {
   std::string text = file;
-  if (line > 0) text += ":" + std::to_string(line);
-  if (!key.empty()) text += (text.empty() ? "" : ": ") + key;
-  if (!found.empty()) text += (text.empty() ? "found " : ": found ") + found;
-  if (!allowed.empty()) text += (text.empty() ? "allowed: " : "; allowed: ") + allowed;
+  const auto add = [&text](const char* separator, const char* label, const std::string& part) {
+    if (part.empty()) return;
+    if (!text.empty()) text.append(separator);
+    text.append(label).append(part);
+  };
+  if (line > 0) text.append(":").append(std::to_string(line));
+  add(": ", "", key);
+  add(": ", "found ", found);
+  add("; ", "allowed: ", allowed);
   return text;
 }
 

@@ -1,0 +1,31 @@
+#include "app/interrupt.hpp"
+
+#include <csignal>
+
+namespace kempe::app {
+namespace {
+
+// A signal handler can reach nothing but a variable of the program.
+std::atomic<bool> interrupted{false};
+
+extern "C" void note_interrupt(int signal) {
+  interrupted.store(true);
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  interrupted.store(false);
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+}
+
+Interrupt::~Interrupt() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+const std::atomic<bool>& Interrupt::requested() const { return interrupted; }
+
+}  // namespace kempe::app

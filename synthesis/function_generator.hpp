@@ -1,0 +1,81 @@
+#pragma once
+// Four-bar function generators: link lengths for which the output crank's dial shows a function of the input crank's.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/four_bar.hpp"
+#include "tl/expected.hpp"
+
+namespace kempe {
+
+/// How the free parameters are spent.
+enum class FunctionMethod {
+  precision_points,  ///< exact at n = 3, 4 or 5 Chebyshev points
+  least_squares,     ///< smallest mean square structural error over many points
+  minimax            ///< smallest largest structural error: its ripples come out equal
+};
+std::string_view name(FunctionMethod method);
+
+/// What is asked for. Angles rad, measured from the ground link (input pivot to output pivot), counter-clockwise.
+struct FunctionTask {
+  std::function<double(double)> wanted;  ///< y(x), finite on [x_lower, x_upper]
+  double x_lower = 0, x_upper = 1;
+  double input_range = 0;                ///< turn of the input crank from x_lower to x_upper, != 0
+  double output_range = 0;               ///< turn of the output crank while y goes from its smallest to its largest, != 0
+  std::optional<double> input_start;     ///< the input crank's angle at x_lower; absent: chosen
+  std::optional<double> output_start;    ///< the output crank's angle at y's smallest value; absent: chosen
+  int points = 3;                        ///< precision points, 3..5; ignored by the other methods
+  FunctionMethod method = FunctionMethod::precision_points;
+  double ground = 100;                   ///< mm, > 0
+  double transmission = 0;               ///< rad, limit kept over the range
+  double longest_ratio = 20;             ///< longest over shortest link, at most
+};
+
+/// What stands against a candidate.
+enum class FunctionDefect {
+  none,
+  does_not_assemble,  ///< the loop comes apart within the range
+  branch,             ///< the precision points lie on both branches
+  order,              ///< the output crank passes the points in another order (it turns back within the range)
+  transmission,       ///< the transmission angle falls below the limit
+  lengths             ///< a link vanishes or outgrows longest_ratio
+};
+std::string_view name(FunctionDefect defect);
+
+/// One place of the structural error's curve.
+struct StructuralErrorSample {
+  double x, y_wanted, y_generated;
+  double input_angle, output_angle;  ///< rad
+  double error;                      ///< rad at the output crank: generated - wanted
+};
+
+struct FunctionDesign {
+  FourBar linkage;
+  double input_start = 0, output_start = 0;  ///< rad
+  double y_lower = 0, y_upper = 0;           ///< smallest and largest wanted value: the dial's ends
+  std::vector<double> precision_points;      ///< x where the error is meant to vanish (or vanishes)
+  std::vector<StructuralErrorSample> curve;  ///< over the range, 181 places
+  double error_largest = 0, error_rms = 0;   ///< rad
+  double transmission_min = 0;               ///< rad
+  CrankMotion motion = CrankMotion::double_rocker;
+  std::size_t rejected_branch = 0, rejected_order = 0, rejected_other = 0;  ///< candidates with defects
+};
+
+/// Why no design came out, for a person.
+struct NoFunctionDesign {
+  FunctionDefect commonest = FunctionDefect::none;  ///< of the candidates
+  std::string sentence;
+};
+
+/// The best design without defect: smallest largest structural error. Three points with both starts given: the linear
+/// equations of Freudenstein; free starts are searched on a grid and refined. Deterministic.
+tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& task);
+
+/// Coefficients through three pairs of angles (Freudenstein's linear equations); nothing if they are dependent.
+std::optional<FreudensteinCoefficients> freudenstein_three_points(const std::vector<double>& input_angles,
+                                                                  const std::vector<double>& output_angles);
+
+}  // namespace kempe

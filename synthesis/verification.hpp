@@ -1,0 +1,53 @@
+#pragma once
+// The independent check of a design: build the linkage from its eight lengths alone, drive the tracer over the region
+// by closing the loops numerically, and see what the pen did.
+//
+// Shares no formula with the closed form: bodies and joints go to the general planar solver.
+
+#include <optional>
+#include <string>
+
+#include "synthesis/design.hpp"
+
+namespace kempe {
+
+/// A mechanism as its drawing gives it: eight lengths, how the triangles are turned, which joint does what.
+struct DrawnMechanism {
+  LinkLengths lengths;                        ///< mm
+  CopyingLinkage::Orientation orientation;    ///< signs that pick the assembly
+  Joint pole = Joint::V, tracer = Joint::X, pen = Joint::Y;
+  Point pole_position = Point::Zero();        ///< mm
+  OpeningInterval opening;                    ///< certified usable opening, rad: poses must stay inside
+};
+
+/// What must be shown.
+struct VerificationTask {
+  DrawnMechanism mechanism;
+  Complex k;              ///< the copy ratio wanted
+  Region region;          ///< what the tracer must cover
+  bool region_covered = true;  ///< false: only the part of the region within reach is driven over
+  LinkStyle style;
+  LayerAssignment layers;
+  double transmission = 0;              ///< rad, limit kept over the region; 0: not checked
+  std::optional<double> clearance;      ///< mm, limit kept between the linkage's own parts; absent: not checked
+  double shortest = 0, longest = 1e300; ///< mm, limits of every length
+};
+
+struct VerificationOptions {
+  std::size_t outline_samples = 600;  ///< about this many places along the region's rings, corners preferred
+  int hatch_lines = 12;               ///< inside, each direction
+  double copy_error_share = 1e-9;     ///< copy error allowed, as a share of the mechanism's size
+};
+
+/// The task of checking a finished design.
+VerificationTask verification_task(const Design& design);
+
+/// Drives the mechanism over the region's outline and inside. `certified` is true only if
+///  1. the loops close at every place, to 1e-12 of the mechanism's size;
+///  2. the pen is where k puts it, to copy_error_share of the size, and the similarity fitted to all pairs is k;
+///  3. the assembly never changes and the opening never leaves its certified interval;
+///  4. every limit of the task holds at every place.
+/// Otherwise `failure` says what failed first and where. Deterministic; takes well under a second.
+Verification verify(const VerificationTask& task, const VerificationOptions& options = {});
+
+}  // namespace kempe
