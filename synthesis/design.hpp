@@ -28,13 +28,13 @@ struct Verification {
   double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
   int flips = 0;                 ///< changes of assembly seen
   bool certified = false;
-  std::string failure;           ///< a sentence; empty if certified
+  std::string failure{};           ///< a sentence; empty if certified
 };
 
 struct SearchRecord {
   Objective objective = Objective::size;
   double value = 0;                  ///< mm, rad or mm^2
-  std::vector<std::string> solvers;  ///< names with versions, in the order of use
+  std::vector<std::string> solvers{};  ///< names with versions, in the order of use
   std::uint64_t evaluations = 0;
   std::uint64_t seed = 0;
   bool complete = true;              ///< false if stopped early (time limit, Ctrl-C)
@@ -43,17 +43,17 @@ struct SearchRecord {
 struct Design {
   CopyingLinkage linkage;
   double scale = 1, rotation = 0;   ///< as the spec gave them; rotation rad
-  Region region;
-  LinkStyle style;
-  LayerAssignment layers;
-  Limits limits;
-  std::optional<Tolerance> tolerance;
-  std::vector<Obstacle> obstacles;
-  OpeningInterval opening;          ///< certified
-  Quality quality;
-  WorkspaceMap map;
-  Verification verification;
-  std::optional<SearchRecord> search;  ///< absent for `kempe workspace`
+  Region region{};
+  LinkStyle style{};
+  LayerAssignment layers{};
+  Limits limits{};
+  std::optional<Tolerance> tolerance{};
+  std::vector<Obstacle> obstacles{};
+  OpeningInterval opening{};          ///< certified
+  Quality quality{};
+  WorkspaceMap map{};
+  Verification verification{};
+  std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
 };
 
 }  // namespace kempe

@@ -1,0 +1,183 @@
+#include "reports/design_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/geojson_geometry.hpp"
+#include "reports/stated_angle.hpp"
+
+namespace kempe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Infinity (no pair of parts can touch) has no JSON form, and NaN must never pass for a figure.
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json finite_or_null(const std::optional<double>& value) {
+  return value ? finite_or_null(*value) : Json(nullptr);
+}
+
+Json opening_json(const OpeningInterval& opening) {
+  return opening.empty() ? Json(nullptr)
+                         : Json::array({stated_degrees(opening.lower), stated_degrees(opening.upper)});
+}
+
+Json lengths_json(const LinkLengths& lengths) {
+  Json json = Json::object();
+  const auto values = lengths.values();
+  for (std::size_t i = 0; i < values.size(); ++i) json[std::string(LinkLengths::names[i])] = values[i];
+  return json;
+}
+
+std::string shape_name(Link link, const LinkStyle& style) {
+  if (joints_of(link).count == 2) return "bar";
+  return style.plate == PlateStyle::bent ? "bent" : "triangle";
+}
+
+Json links_json(const Design& design) {
+  Json links = Json::array();
+  for (const Link link : all_links) {
+    const LinkJoints joints = joints_of(link);
+    Json letters = Json::array();
+    for (int i = 0; i < joints.count; ++i)
+      letters.push_back(std::string(1, letter(joints.joints[static_cast<std::size_t>(i)])));
+    links.push_back({{"name", name(link)},
+                     {"joints", std::move(letters)},
+                     {"shape", shape_name(link, design.style)},
+                     {"layer", design.layers[link]}});
+  }
+  return links;
+}
+
+Json mechanism_json(const Design& design) {
+  const CopyingLinkage& linkage = design.linkage;
+  const auto orientation = linkage.orientation();
+  const auto text = [](Joint joint) { return std::string(1, letter(joint)); };
+  return {{"vertex", name(linkage.vertex())},
+          {"pole", text(linkage.pole_joint())},
+          {"tracer", text(linkage.tracer_joint())},
+          {"pen", text(linkage.pen_joint())},
+          {"pole_position_mm", position(linkage.pole())},
+          {"shape", Json::array({linkage.shape().real(), linkage.shape().imag()})},
+          {"assembly", linkage.assembly()},
+          {"opening_deg", opening_json(design.opening)},
+          {"lengths_mm", lengths_json(linkage.lengths())},
+          {"orientation",
+           {{"parallelogram", orientation.parallelogram},
+            {"plate_ACX", orientation.plate_ACX},
+            {"plate_BCY", orientation.plate_BCY}}},
+          {"links", links_json(design)},
+          {"link_width_mm", design.style.width},
+          {"pin_diameter_mm", design.style.pin_diameter},
+          {"thickness_mm", design.style.thickness}};
+}
+
+/// A figure of the objective in the file's unit: degrees for a transmission angle, mm or mm^2 as it is.
+Json in_file_unit(const std::optional<double>& value, const std::optional<SearchRecord>& search) {
+  const bool is_angle = search && search->objective == Objective::transmission;
+  return value ? finite_or_null(is_angle ? degrees(*value) : *value) : Json(nullptr);
+}
+
+Json quality_json(const Design& design) {
+  const Quality& quality = design.quality;
+  return {{"size_mm", finite_or_null(quality.size)},
+          {"transmission_min_deg", finite_or_null(degrees(quality.transmission_min))},
+          {"clearance_min_mm", finite_or_null(quality.clearance_min)},
+          {"copy_error_worst_mm", finite_or_null(quality.copy_error_worst)},
+          {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
+          {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
+          {"footprint_mm2", finite_or_null(quality.footprint)},
+          {"lower_bound", in_file_unit(quality.lower_bound, design.search)}};
+}
+
+Json sheet_json(const FittingSheet& sheet) {
+  return {{"name", sheet.name},
+          {"width_mm", sheet.width},
+          {"height_mm", sheet.height},
+          {"centre_mm", position(sheet.centre)},
+          {"turn_deg", degrees(sheet.turn)}};
+}
+
+Json workspace_json(const WorkspaceMap& map) {
+  Json sheets = Json::array();
+  const FittingSheet* largest = nullptr;
+  for (const FittingSheet& sheet : map.largest_sheets) {
+    sheets.push_back(sheet_json(sheet));
+    if (largest == nullptr || sheet.width * sheet.height > largest->width * largest->height) largest = &sheet;
+  }
+  return {{"reachable_mm2", area(map.reachable)},
+          {"usable_mm2", area(map.usable)},
+          {"collision_free_mm2", area(map.collision_free)},
+          {"uncertain_mm2", area(map.uncertain)},
+          {"region_covered", map.coverage.covered},
+          {"why_not_covered", map.coverage.why_not},
+          {"largest_sheet", largest != nullptr ? sheet_json(*largest) : Json::object()},
+          {"sheets", std::move(sheets)},
+          {"tightest_parts", map.clearance_min_parts}};
+}
+
+Json verification_json(const Verification& verification) {
+  return {{"samples", verification.samples},
+          {"copy_error_max_mm", finite_or_null(verification.copy_error_max)},
+          {"loop_residual_max_mm", finite_or_null(verification.loop_residual_max)},
+          {"scale", finite_or_null(verification.scale)},
+          {"rotation_deg", finite_or_null(stated_degrees(verification.rotation))},
+          {"flips", verification.flips},
+          {"certified", verification.certified},
+          {"failure", verification.failure}};
+}
+
+/// `kempe workspace` searches nothing: the same keys, without values.
+Json search_json(const std::optional<SearchRecord>& search) {
+  if (!search)
+    return {{"objective", nullptr},
+            {"value", nullptr},
+            {"solvers", Json::array()},
+            {"evaluations", 0},
+            {"seed", 0}};
+  return {{"objective", name(search->objective)},
+          {"value", in_file_unit(search->value, search)},
+          {"solvers", search->solvers},
+          {"evaluations", search->evaluations},
+          {"seed", search->seed},
+          {"complete", search->complete}};
+}
+
+Json limits_json(const Limits& limits) {
+  return {{"clearance_mm", limits.clearance},
+          {"transmission_deg", stated_degrees(limits.transmission)},
+          {"sheets_gap_mm", finite_or_null(limits.sheets_gap)},
+          {"copy_error_mm", finite_or_null(limits.copy_error)}};
+}
+
+Json tolerance_json(const std::optional<Tolerance>& tolerance) {
+  if (!tolerance) return nullptr;
+  return {{"length_mm", tolerance->length}, {"play_mm", tolerance->play}};
+}
+
+Json obstacles_json(const std::vector<Obstacle>& obstacles) {
+  Json json = Json::array();
+  for (const Obstacle& obstacle : obstacles)
+    json.push_back({{"shape", multi_polygon(Region{{obstacle.shape}})},
+                    {"layers", Json::array({obstacle.lowest_layer, obstacle.highest_layer})}});
+  return json;
+}
+
+}  // namespace
+
+std::string design_json(const Design& design) {
+  const Json json{{"format", "kempe-design/1"},
+                  {"copy", {{"scale", design.scale}, {"rotation_deg", stated_degrees(design.rotation)}}},
+                  {"region", multi_polygon(design.region)},
+                  {"mechanism", mechanism_json(design)},
+                  {"quality", quality_json(design)},
+                  {"workspace", workspace_json(design.map)},
+                  {"verification", verification_json(design.verification)},
+                  {"search", search_json(design.search)},
+                  {"limits", limits_json(design.limits)},
+                  {"tolerance", tolerance_json(design.tolerance)},
+                  {"obstacles", obstacles_json(design.obstacles)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace kempe

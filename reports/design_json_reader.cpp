@@ -1,0 +1,312 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reports/design_json.hpp"
+#include "reports/json_fields.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr double largest_coordinate = 1e7;  ///< mm; ten kilometres: beyond it squares lose the micrometre
+constexpr std::size_t many = 10'000'000;
+
+template <class Value>
+Value one_of(const JsonField& field, const std::vector<std::pair<std::string, Value>>& choices) {
+  const std::string text = field.text();
+  std::string allowed;
+  for (const auto& [word, value] : choices) {
+    if (text == word) return value;
+    allowed += (allowed.empty() ? "\"" : ", \"") + word + "\"";
+  }
+  field.refuse(allowed);
+  return choices.front().second;
+}
+
+double coordinate(const JsonField& field) { return field.number(-largest_coordinate, largest_coordinate); }
+
+double length(const JsonField& field) {
+  const double value = field.positive();
+  if (value > largest_coordinate) field.refuse(fmt::format("a length up to {} mm", largest_coordinate));
+  return value;
+}
+
+Point point(const JsonField& field) {
+  const auto both = field.elements(2, 2);
+  return both.size() == 2 ? Point(coordinate(both[0]), coordinate(both[1])) : Point(Point::Zero());
+}
+
+Ring ring(const JsonField& field) {
+  Ring result;
+  for (const JsonField& place : field.elements(4, many)) {
+    result.push_back(point(place));
+    if (field.failed()) return {};
+  }
+  if (result.empty()) return result;
+  if (result.front() != result.back())
+    field.refuse("an open ring", "a ring whose last position repeats the first");
+  result.pop_back();
+  return result;
+}
+
+Region region(const JsonField& field) {
+  Region result;
+  if (field["type"].text() != "MultiPolygon") field["type"].refuse("\"MultiPolygon\"");
+  for (const JsonField& rings : field["coordinates"].elements(0, many)) {
+    Polygon polygon;
+    for (const JsonField& one : rings.elements(1, many)) {
+      if (polygon.outer.empty())
+        polygon.outer = ring(one);
+      else
+        polygon.holes.push_back(ring(one));
+      if (field.failed()) return {};
+    }
+    result.polygons.push_back(std::move(polygon));
+  }
+  return result;
+}
+
+Joint joint(const JsonField& field) {
+  std::vector<std::pair<std::string, Joint>> choices;
+  for (const Joint one : all_joints) choices.emplace_back(std::string(1, letter(one)), one);
+  return one_of(field, choices);
+}
+
+OpeningInterval opening(const JsonField& field) {
+  const auto ends = field.elements(2, 2);
+  if (ends.size() != 2) return {};
+  const OpeningInterval result{radians(ends[0].number(-180, 180)), radians(ends[1].number(-180, 180))};
+  if (result.empty()) field.refuse("[lower, upper] with lower <= upper, degrees");
+  return result;
+}
+
+LinkLengths lengths(const JsonField& field) {
+  const auto at = [&](std::size_t i) { return length(field[LinkLengths::names[i]]); };
+  return {
+      .VA = at(0), .VB = at(1), .AC = at(2), .BC = at(3), .AX = at(4), .CX = at(5), .BY = at(6), .CY = at(7)};
+}
+
+CopyingLinkage::Orientation orientation(const JsonField& field) {
+  const auto sign = [](const JsonField& one) { return static_cast<int>(one.integer(-1, 1)); };
+  CopyingLinkage::Orientation result{sign(field["parallelogram"]), sign(field["plate_ACX"]),
+                                     sign(field["plate_BCY"])};
+  if (result.parallelogram == 0) field["parallelogram"].refuse("1 or -1");
+  return result;
+}
+
+/// Which points pole, tracer and pen are, for each vertex.
+struct Carriers {
+  Joint pole, tracer, pen;
+};
+Carriers carriers(Vertex vertex) {
+  switch (vertex) {
+    case Vertex::pole:
+      return {Joint::V, Joint::X, Joint::Y};
+    case Vertex::tracer:
+      return {Joint::X, Joint::V, Joint::Y};
+    case Vertex::pen:
+      break;
+  }
+  return {Joint::X, Joint::Y, Joint::V};
+}
+
+Joint carrier(const JsonField& field, Joint expected) {
+  const Joint stored = joint(field);
+  if (stored != expected) field.refuse(fmt::format("\"{}\" with this vertex", letter(expected)));
+  return stored;
+}
+
+DrawnMechanism drawn_mechanism(const JsonField& field, Vertex vertex) {
+  const Carriers expected = carriers(vertex);
+  return {.lengths = lengths(field["lengths_mm"]),
+          .orientation = orientation(field["orientation"]),
+          .pole = carrier(field["pole"], expected.pole),
+          .tracer = carrier(field["tracer"], expected.tracer),
+          .pen = carrier(field["pen"], expected.pen),
+          .pole_position = point(field["pole_position_mm"]),
+          .opening = opening(field["opening_deg"])};
+}
+
+/// The link's layer; its name and joints must be those of the mechanism.
+void read_link(const JsonField& field, Link expected, StoredDesign& design) {
+  const LinkJoints joints = joints_of(expected);
+  if (field["name"].text() != name(expected)) field["name"].refuse(fmt::format("\"{}\"", name(expected)));
+  const auto count = static_cast<std::size_t>(joints.count);
+  const auto stored = field["joints"].elements(count, count);
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    if (joint(stored[i]) != joints.joints[i])
+      stored[i].refuse(fmt::format("\"{}\"", letter(joints.joints[i])));
+  design.layers.of[static_cast<std::size_t>(expected)] = static_cast<int>(field["layer"].integer(1, 100));
+  if (joints.count == 2 && field["shape"].text() != "bar") field["shape"].refuse("\"bar\"");
+  if (joints.count == 3)
+    design.style.plate =
+        one_of<PlateStyle>(field["shape"], {{"bent", PlateStyle::bent}, {"triangle", PlateStyle::triangle}});
+}
+
+void read_links(const JsonField& field, StoredDesign& design) {
+  const auto links = field.elements(all_links.size(), all_links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) read_link(links[i], all_links[i], design);
+}
+
+void read_mechanism(const JsonField& field, StoredDesign& design) {
+  design.vertex = one_of<Vertex>(field["vertex"],
+                                 {{"pole", Vertex::pole}, {"tracer", Vertex::tracer}, {"pen", Vertex::pen}});
+  design.mechanism = drawn_mechanism(field, design.vertex);
+  const auto [real, imaginary] = field["shape"].pair();
+  design.shape = {real, imaginary};
+  read_links(field["links"], design);
+  design.style.width = length(field["link_width_mm"]);
+  design.style.pin_diameter = length(field["pin_diameter_mm"]);
+  design.style.thickness = length(field["thickness_mm"]);
+}
+
+void read_copy(const JsonField& field, StoredDesign& design) {
+  design.scale = field["scale"].positive();
+  design.rotation = radians(field["rotation_deg"].number(-360, 360));
+  design.k = copy_ratio(design.scale, design.rotation);
+  if (std::abs(design.k - 1.0) < 1e-12)
+    field.refuse("a ratio other than 1 without rotation, which is no similarity with a pole");
+}
+
+Quality quality(const JsonField& field) {
+  Quality result;
+  result.size = field["size_mm"].number();
+  result.transmission_min = radians(field["transmission_min_deg"].number(0, 90));
+  result.clearance_min = field["clearance_min_mm"].number_or_null().value_or(HUGE_VAL);
+  result.copy_error_worst = field["copy_error_worst_mm"].number_or_null();
+  result.copy_error_rss = field["copy_error_rss_mm"].number_or_null();
+  result.distortion_worst = field["distortion_worst_mm"].number_or_null();
+  result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
+  result.lower_bound = field["lower_bound"].number_or_null();
+  return result;
+}
+
+Verification verification(const JsonField& field) {
+  constexpr std::int64_t most = 1'000'000'000;
+  Verification result;
+  result.samples = static_cast<std::size_t>(field["samples"].integer(0, most));
+  result.copy_error_max = field["copy_error_max_mm"].number_or_null().value_or(HUGE_VAL);
+  result.loop_residual_max = field["loop_residual_max_mm"].number_or_null().value_or(HUGE_VAL);
+  result.scale = field["scale"].number();
+  result.rotation = radians(field["rotation_deg"].number());
+  result.flips = static_cast<int>(field["flips"].integer(0, most));
+  result.certified = field["certified"].boolean();
+  if (const auto failure = field.find("failure")) result.failure = failure->text();
+  return result;
+}
+
+Limits limits(const JsonField& field) {
+  Limits result;
+  result.clearance = field["clearance_mm"].number(0, largest_coordinate);
+  result.transmission = radians(field["transmission_deg"].number(0, 90));
+  if (const auto gap = field.find("sheets_gap_mm")) result.sheets_gap = gap->number();
+  if (const auto error = field.find("copy_error_mm")) result.copy_error = error->number();
+  return result;
+}
+
+Tolerance tolerance(const JsonField& field) {
+  return {.length = field["length_mm"].number(0, largest_coordinate),
+          .play = field["play_mm"].number(0, largest_coordinate)};
+}
+
+Obstacle obstacle(const JsonField& field) {
+  Obstacle result;
+  const Region shape = region(field["shape"]);
+  if (shape.polygons.size() != 1) field["shape"].refuse("one polygon");
+  if (!shape.polygons.empty()) result.shape = shape.polygons.front();
+  const auto layers = field["layers"].elements(2, 2);
+  if (layers.size() != 2) return result;
+  result.lowest_layer = static_cast<int>(layers[0].integer(1, 100));
+  result.highest_layer = static_cast<int>(layers[1].integer(result.lowest_layer, 100));
+  return result;
+}
+
+void read_extras(const JsonField& root, StoredDesign& design) {
+  if (const auto field = root.find("limits")) design.limits = limits(*field);
+  if (const auto field = root.find("tolerance")) design.tolerance = tolerance(*field);
+  if (const auto field = root.find("obstacles"))
+    for (const JsonField& one : field->elements(0, many)) design.obstacles.push_back(obstacle(one));
+}
+
+StoredDesign read_fields(const JsonField& root) {
+  StoredDesign design;
+  if (root["format"].text() != "kempe-design/1") root["format"].refuse("\"kempe-design/1\"");
+  if (root.failed()) return design;
+  read_copy(root["copy"], design);
+  design.region = region(root["region"]);
+  read_mechanism(root["mechanism"], design);
+  design.quality = quality(root["quality"]);
+  design.region_covered = root["workspace"]["region_covered"].boolean();
+  design.verification = verification(root["verification"]);
+  read_extras(root, design);
+  return design;
+}
+
+}  // namespace
+
+tl::expected<StoredDesign, InputError> read_design(std::string_view text, const std::string& file) {
+  const auto json = parse_json(text, file);
+  if (!json) return tl::unexpected(json.error());
+  JsonField::Log log{file, std::nullopt};
+  StoredDesign design = read_fields(JsonField(*json, log));
+  if (log.first) return tl::unexpected(*log.first);
+  return design;
+}
+
+VerificationTask verification_task(const StoredDesign& design) {
+  VerificationTask task;
+  task.mechanism = design.mechanism;
+  task.k = design.k;
+  task.region = design.region;
+  task.region_covered = design.region_covered;
+  task.style = design.style;
+  task.layers = design.layers;
+  if (design.limits) {
+    task.transmission = design.limits->transmission;
+    task.clearance = design.limits->clearance;
+  }
+  return task;
+}
+
+namespace {
+
+/// The assembly whose interval holds the stored opening and whose orientation is the stored one.
+std::optional<CopyingLinkage> fitting_assembly(const StoredDesign& design) {
+  const DrawnMechanism& drawn = design.mechanism;
+  constexpr double slack = 1e-9;
+  const auto intervals = assemblies(shape_of(design.k, design.vertex));
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const OpeningInterval widened{intervals[i].lower - slack, intervals[i].upper + slack};
+    if (!widened.contains(drawn.opening)) continue;
+    const auto linkage = CopyingLinkage::make(design.k, design.vertex, drawn.lengths.VA, drawn.lengths.VB,
+                                              static_cast<int>(i), drawn.pole_position);
+    if (linkage && linkage->orientation() == drawn.orientation) return *linkage;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, const std::string& file) {
+  const auto refused = [&](const std::string& key, const std::string& found, const std::string& allowed) {
+    return tl::unexpected(InputError{file, 0, "mechanism." + key, found, allowed});
+  };
+  const Complex shape = shape_of(design.k, design.vertex);
+  if (std::abs(shape - design.shape) > 1e-9 * (1 + std::abs(shape)))
+    return refused("shape", fmt::format("[{}, {}]", design.shape.real(), design.shape.imag()),
+                   fmt::format("[{}, {}] for this copy ratio and vertex", shape.real(), shape.imag()));
+  const auto linkage = fitting_assembly(design);
+  if (!linkage)
+    return refused("opening_deg", "an opening or an orientation of no assembly",
+                   "those of one assembly of this shape");
+  const auto stored = design.mechanism.lengths.values(), exact = linkage->lengths().values();
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    if (std::abs(stored[i] - exact[i]) > 1e-9 * linkage->size())
+      return refused(fmt::format("lengths_mm.{}", LinkLengths::names[i]), fmt::format("{}", stored[i]),
+                     fmt::format("{} to close and copy with VA, VB and the shape", exact[i]));
+  return *linkage;
+}
+
+}  // namespace kempe

@@ -1,0 +1,171 @@
+#include "reports/json_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace kempe {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int deepest = 64;
+
+int line_of(std::string_view text, std::size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+/// What the parser's callback finds wrong; nlohmann itself lets the last of two equal keys win in silence.
+class ShapeCheck {
+ public:
+  bool operator()(int depth, ordered_json::parse_event_t event, const ordered_json& parsed) {
+    using Event = ordered_json::parse_event_t;
+    if (depth > deepest) too_deep_ = true;
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end && !keys_.empty()) keys_.pop_back();
+    if (event == Event::key && !keys_.empty() && !keys_.back().insert(parsed.get<std::string>()).second &&
+        !twice_)
+      twice_ = parsed.get<std::string>();
+    return !too_deep_;
+  }
+  const std::optional<std::string>& twice() const { return twice_; }
+  bool too_deep() const { return too_deep_; }
+
+ private:
+  std::vector<std::set<std::string>> keys_;
+  std::optional<std::string> twice_;
+  bool too_deep_ = false;
+};
+
+/// A value as it may be shown in a message: on one line and short.
+std::string quoted(const ordered_json& value) {
+  std::string text = value.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
+  constexpr std::size_t longest = 60;
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  return text;
+}
+
+}  // namespace
+
+tl::expected<ordered_json, InputError> parse_json(std::string_view text, const std::string& file) {
+  const auto refused = [&](int line, const std::string& key, const std::string& found,
+                           const std::string& allowed) {
+    return tl::unexpected(InputError{file, line, key, found, allowed});
+  };
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return refused(0, "", "an empty file", "JSON");
+  ShapeCheck check;
+  try {
+    ordered_json value = ordered_json::parse(text.begin(), text.end(), std::ref(check));
+    if (check.too_deep()) return refused(0, "", "nesting deeper than 64", "a design");
+    if (check.twice()) return refused(0, *check.twice(), "the key twice in one object", "once");
+    return value;
+  } catch (const ordered_json::parse_error& error) {
+    const bool cut_short = error.byte > text.size();
+    return refused(line_of(text, error.byte), "", cut_short ? "the end of the text" : "text that is not JSON",
+                   cut_short ? "the rest of the JSON value: the file is cut short" : "JSON");
+  } catch (const ordered_json::exception&) {
+    return refused(0, "", "a number beyond double precision", "finite numbers");
+  }
+}
+
+void JsonField::refuse(const std::string& found, const std::string& allowed) const {
+  if (!log_->first) log_->first = InputError{log_->file, 0, path_, found, allowed};
+}
+
+void JsonField::refuse(const std::string& allowed) const {
+  if (value_ != nullptr) refuse(quoted(*value_), allowed);
+}
+
+JsonField JsonField::operator[](std::string_view key) const {
+  const std::string path = path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+  if (value_ == nullptr) return {nullptr, path, *log_};
+  if (!value_->is_object()) refuse("an object");
+  const auto member = value_->is_object() ? value_->find(std::string(key)) : value_->end();
+  if (value_->is_object() && member == value_->end())
+    JsonField(nullptr, path, *log_).refuse("nothing", "this key is needed");
+  const bool there = value_->is_object() && member != value_->end();
+  return {there ? &*member : nullptr, path, *log_};
+}
+
+std::optional<JsonField> JsonField::find(std::string_view key) const {
+  if (value_ == nullptr || !value_->is_object()) return std::nullopt;
+  const auto member = value_->find(std::string(key));
+  if (member == value_->end() || member->is_null()) return std::nullopt;
+  return (*this)[key];
+}
+
+std::vector<JsonField> JsonField::elements(std::size_t least, std::size_t most) const {
+  std::vector<JsonField> result;
+  if (value_ == nullptr) return result;
+  if (!value_->is_array() || value_->size() < least || value_->size() > most) {
+    refuse(least == most ? fmt::format("an array of {}", least)
+                         : fmt::format("an array of at least {}", least));
+    return result;
+  }
+  result.reserve(value_->size());
+  std::size_t index = 0;
+  for (const auto& element : *value_)
+    result.push_back({&element, fmt::format("{}[{}]", path_, index++), *log_});
+  return result;
+}
+
+double JsonField::number(double lower, double upper) const {
+  const double value = number();
+  if (lower <= value && value <= upper) return value;
+  refuse(fmt::format("a number from {} to {}", lower, upper));
+  return std::clamp(0.0, lower, upper);
+}
+
+double JsonField::number() const {
+  if (value_ == nullptr) return 0;
+  const double value = value_->is_number() ? value_->get<double>() : std::numeric_limits<double>::quiet_NaN();
+  if (std::isfinite(value)) return value;
+  refuse("a finite number");
+  return 0;
+}
+
+double JsonField::positive() const {
+  const double value = number();
+  if (value > 0) return value;
+  refuse("a number above 0");
+  return 1;
+}
+
+std::optional<double> JsonField::number_or_null() const {
+  if (value_ == nullptr || value_->is_null()) return std::nullopt;
+  return number();
+}
+
+std::int64_t JsonField::integer(std::int64_t lower, std::int64_t upper) const {
+  if (value_ == nullptr) return lower;
+  const bool whole = value_->is_number_integer() &&
+                     !(value_->is_number_unsigned() && value_->get<std::uint64_t>() > std::uint64_t{1} << 62);
+  const std::int64_t value = whole ? value_->get<std::int64_t>() : lower;
+  if (whole && lower <= value && value <= upper) return value;
+  refuse(fmt::format("a whole number from {} to {}", lower, upper));
+  return lower;
+}
+
+bool JsonField::boolean() const {
+  if (value_ == nullptr) return false;
+  if (!value_->is_boolean()) refuse("true or false");
+  return value_->is_boolean() && value_->get<bool>();
+}
+
+std::string JsonField::text() const {
+  if (value_ == nullptr) return {};
+  if (!value_->is_string()) refuse("a text in quotes");
+  return value_->is_string() ? value_->get<std::string>() : std::string();
+}
+
+std::pair<double, double> JsonField::pair() const {
+  const auto both = elements(2, 2);
+  return both.size() == 2 ? std::pair{both[0].number(), both[1].number()} : std::pair{0.0, 0.0};
+}
+
+}  // namespace kempe

@@ -1,0 +1,65 @@
+#pragma once
+// Hostile JSON as values: every field is asked for by key and type, the first thing wrong is remembered.
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "specs/input_error.hpp"
+
+namespace kempe {
+
+/// Parses a whole text. Refused: text that is no JSON (with its line), a key that stands twice in one object,
+/// nesting deeper than 64, numbers beyond double.
+tl::expected<nlohmann::ordered_json, InputError> parse_json(std::string_view text, const std::string& file);
+
+/// A place in a parsed file. Asking for what is not there notes an error in the file's log and returns a
+/// harmless value, so that a reader reads as a list of fields; look at the log once at the end.
+class JsonField {
+ public:
+  struct Log {
+    std::string file;
+    std::optional<InputError> first;
+  };
+
+  JsonField(const nlohmann::ordered_json& root, Log& log) : JsonField(&root, "", log) {}
+
+  /// The member `key`, which must be there; `this` must be an object.
+  JsonField operator[](std::string_view key) const;
+  /// The member `key` if it is there and not null.
+  std::optional<JsonField> find(std::string_view key) const;
+  /// The elements of an array of `least` to `most` entries.
+  std::vector<JsonField> elements(std::size_t least, std::size_t most) const;
+
+  /// A finite number in [lower, upper].
+  double number(double lower, double upper) const;
+  double number() const;
+  double positive() const;
+  /// A finite number; nothing for null.
+  std::optional<double> number_or_null() const;
+  std::int64_t integer(std::int64_t lower, std::int64_t upper) const;
+  bool boolean() const;
+  std::string text() const;
+  /// [x, y]
+  std::pair<double, double> pair() const;
+
+  /// Notes that this field is wrong; what stands there is quoted.
+  void refuse(const std::string& allowed) const;
+  void refuse(const std::string& found, const std::string& allowed) const;
+  bool failed() const { return log_->first.has_value(); }
+
+ private:
+  JsonField(const nlohmann::ordered_json* value, std::string path, Log& log)
+      : value_(value), path_(std::move(path)), log_(&log) {}
+
+  const nlohmann::ordered_json* value_;  ///< null after an error
+  std::string path_;
+  Log* log_;
+};
+
+}  // namespace kempe
