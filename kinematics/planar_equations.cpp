@@ -1,0 +1,338 @@
+#include "kinematics/planar_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+Point left_of(const Point& v) { return {-v.y(), v.x()}; }
+
+/// Where a constraint keeps its value; nothing for a revolute joint.
+double* value_in(Constraint& constraint) {
+  return std::visit(
+      [](auto& c) -> double* {
+        if constexpr (requires { c.value; })
+          return &c.value;
+        else
+          return nullptr;
+      },
+      constraint);
+}
+
+double value_of(const Constraint& constraint) { return *value_in(const_cast<Constraint&>(constraint)); }
+
+constexpr bool moves(int body) { return body != PlanarLinkage::ground; }
+
+/// How far the places of two bodies may part within the step control's ball of radius 1/2, in sizes.
+constexpr double drift = 1.0;
+
+}  // namespace
+
+PlanarEquations::PlanarEquations(const PlanarLinkage& linkage)
+    : values_(linkage.driver_values()),
+      angle_bends_(static_cast<std::size_t>(linkage.body_count()), false),
+      place_bends_(static_cast<std::size_t>(linkage.body_count()), false),
+      directions_(static_cast<std::size_t>(linkage.body_count()), Point(1, 0)),
+      unknowns_(linkage.unknown_count()),
+      rows_(0),
+      size_(linkage.size()) {
+  for (const auto& [name, constraint] : linkage.constraints()) {
+    const bool two = equation_count(constraint) == 2;
+    const auto* distance = std::get_if<Distance>(&constraint);
+    entries_.push_back({constraint, rows_, two ? rows_ + 1 : -1, distance ? distance->value : 0});
+    rows_ += two ? 2 : 1;
+    mark_bends(constraint);
+  }
+  driver_entries_ = linkage.drivers();
+  for (const int driver : driver_entries_)
+    has_distance_driver_ |=
+        std::holds_alternative<Distance>(entries_[static_cast<std::size_t>(driver)].constraint);
+}
+
+void PlanarEquations::mark_bends(const Constraint& constraint) {
+  const auto mark_arm = [&](const BodyPoint& point) {
+    if (point.local != Point::Zero()) angle_bends_[static_cast<std::size_t>(point.body)] = true;
+  };
+  const auto mark_line = [&](const BodyPoint& point, const BodyPoint& origin) {
+    mark_arm(point);
+    if (!moves(origin.body)) return;
+    angle_bends_[static_cast<std::size_t>(origin.body)] = true;
+    for (const int body : {point.body, origin.body}) place_bends_[static_cast<std::size_t>(body)] = true;
+  };
+  std::visit(Overloaded{[&](const Revolute& c) { mark_arm(c.a), mark_arm(c.b); },
+                        [&](const Coordinate& c) { mark_line(c.point, c.origin); },
+                        [&](const Distance& c) {
+                          for (const BodyPoint& point : {c.a, c.b}) {
+                            mark_arm(point);
+                            place_bends_[static_cast<std::size_t>(point.body)] = true;
+                          }
+                        },
+                        [&](const RelativeAngle&) {}, [&](const GearPair&) {},
+                        [&](const RackAndPinion& c) { mark_line(c.centre, c.rack_origin); }},
+             constraint);
+}
+
+void PlanarEquations::reorder(const std::vector<int>& place_of_row) {
+  for (Entry& entry : entries_) {
+    entry.row = place_of_row[static_cast<std::size_t>(entry.row)];
+    if (entry.second_row >= 0) entry.second_row = place_of_row[static_cast<std::size_t>(entry.second_row)];
+  }
+}
+
+void PlanarEquations::set_values(const std::vector<double>& values) {
+  values_ = values;
+  for (std::size_t i = 0; i < driver_entries_.size(); ++i)
+    *value_in(entries_[static_cast<std::size_t>(driver_entries_[i])].constraint) = values[i];
+}
+
+int PlanarEquations::driver_row(int driver) const {
+  return entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])].row;
+}
+
+double PlanarEquations::driver_slope(int driver) const {
+  const Entry& entry = entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])];
+  if (std::holds_alternative<Distance>(entry.constraint)) return value_of(entry.constraint) / entry.scale;
+  return std::holds_alternative<RelativeAngle>(entry.constraint) ? size_ : 1;
+}
+
+double PlanarEquations::driver_bend(int driver, double speed) const {
+  const Entry& entry = entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])];
+  return std::holds_alternative<Distance>(entry.constraint) ? speed * speed / entry.scale : 0;
+}
+
+void PlanarEquations::turn_bodies(const Eigen::VectorXd& q) {
+  for (std::size_t body = 1; body < directions_.size(); ++body) {
+    const double angle = q[3 * static_cast<Eigen::Index>(body) - 1];
+    directions_[body] = {std::cos(angle), std::sin(angle)};
+  }
+}
+
+Point PlanarEquations::turned(int body, const Point& local) const {
+  const Point& d = directions_[static_cast<std::size_t>(body)];
+  return {d.x() * local.x() - d.y() * local.y(), d.y() * local.x() + d.x() * local.y()};
+}
+
+PlanarEquations::Arm PlanarEquations::arm(const Eigen::VectorXd& q, const BodyPoint& point) const {
+  const Point r = turned(point.body, point.local);
+  if (!moves(point.body)) return {point.body, r, r};
+  const Eigen::Index x = 3 * point.body - 3;
+  return {point.body, r, Point(q[x] + r.x(), q[x + 1] + r.y())};
+}
+
+void PlanarEquations::add_angle(Eigen::MatrixXd& jacobian, int row, int body, double slope) const {
+  if (moves(body)) jacobian(row, 3 * body - 1) += slope;
+}
+
+/// Adds the derivative of along . P to a row.
+void PlanarEquations::add_point(Eigen::MatrixXd& jacobian, int row, const Arm& arm,
+                                const Point& along) const {
+  if (!moves(arm.body)) return;
+  const Eigen::Index x = 3 * arm.body - 3;
+  jacobian(row, x) += along.x();
+  jacobian(row, x + 1) += along.y();
+  jacobian(row, x + 2) += along.dot(left_of(arm.turned));
+}
+
+void PlanarEquations::evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian) {
+  turn_bodies(q);
+  if (jacobian) jacobian->setZero(rows_, unknowns_);
+  f.resize(rows_);
+  const auto angle = [&](int body) { return moves(body) ? q[3 * body - 1] : 0.0; };
+  /// u . (P - O), u turning with O's body; its derivative goes to the row.
+  const auto along_line = [&](int row, const BodyPoint& point, const BodyPoint& origin,
+                              const Point& direction) {
+    const Arm p = arm(q, point), o = arm(q, origin);
+    const Point u = turned(origin.body, direction), d = p.at - o.at;
+    if (jacobian) {
+      add_point(*jacobian, row, p, u);
+      add_point(*jacobian, row, o, -u);
+      add_angle(*jacobian, row, origin.body, left_of(u).dot(d));
+    }
+    return u.dot(d);
+  };
+  for (const Entry& entry : entries_) {
+    const int row = entry.row;
+    std::visit(
+        Overloaded{
+            [&](const Revolute& c) {
+              const Arm a = arm(q, c.a), b = arm(q, c.b);
+              f[row] = a.at.x() - b.at.x();
+              f[entry.second_row] = a.at.y() - b.at.y();
+              if (!jacobian) return;
+              for (const auto& [r, unit] : {std::pair{row, Point(1, 0)}, {entry.second_row, Point(0, 1)}}) {
+                add_point(*jacobian, r, a, unit);
+                add_point(*jacobian, r, b, -unit);
+              }
+            },
+            [&](const Coordinate& c) { f[row] = along_line(row, c.point, c.origin, c.direction) - c.value; },
+            [&](const Distance& c) {
+              const Arm a = arm(q, c.a), b = arm(q, c.b);
+              const Point d = a.at - b.at;
+              f[row] = (d.norm() - c.value) * (d.norm() + c.value) / (2 * entry.scale);
+              if (!jacobian) return;
+              add_point(*jacobian, row, a, d / entry.scale);
+              add_point(*jacobian, row, b, -d / entry.scale);
+            },
+            [&](const RelativeAngle& c) {
+              f[row] = size_ * (angle(c.body) - angle(c.reference) - c.value);
+              if (!jacobian) return;
+              add_angle(*jacobian, row, c.body, size_);
+              add_angle(*jacobian, row, c.reference, -size_);
+            },
+            [&](const GearPair& c) {
+              const double a = c.first_radius, b = c.second_radius;
+              f[row] = a * (angle(c.first) - angle(c.carrier)) + b * (angle(c.second) - angle(c.carrier)) -
+                       c.value;
+              if (!jacobian) return;
+              add_angle(*jacobian, row, c.first, a);
+              add_angle(*jacobian, row, c.second, b);
+              add_angle(*jacobian, row, c.carrier, -a - b);
+            },
+            [&](const RackAndPinion& c) {
+              const int pinion = c.centre.body, rack = c.rack_origin.body;
+              f[row] = along_line(row, c.centre, c.rack_origin, c.direction) +
+                       c.radius * (angle(pinion) - angle(rack)) - c.value;
+              if (!jacobian) return;
+              add_angle(*jacobian, row, pinion, c.radius);
+              add_angle(*jacobian, row, rack, -c.radius);
+            }},
+        entry.constraint);
+  }
+}
+
+void PlanarEquations::residual(const Eigen::VectorXd& q, Eigen::VectorXd& f) { evaluate(q, f, nullptr); }
+
+void PlanarEquations::residual_and_jacobian(const Eigen::VectorXd& q, Eigen::VectorXd& f,
+                                            Eigen::MatrixXd& jacobian) {
+  evaluate(q, f, &jacobian);
+}
+
+void PlanarEquations::second_derivative(const Eigen::VectorXd& q, const Eigen::VectorXd& rate,
+                                        Eigen::VectorXd& f) {
+  turn_bodies(q);
+  f.setZero(rows_);
+  const auto spin = [&](int body) { return moves(body) ? rate[3 * body - 1] : 0.0; };
+  /// Velocity of a point, and the part of its acceleration that the rates cause (centripetal).
+  const auto velocity = [&](const Arm& a) -> Point {
+    if (!moves(a.body)) return Point::Zero();
+    return rate.segment<2>(3 * a.body - 3) + spin(a.body) * left_of(a.turned);
+  };
+  const auto centripetal = [&](const Arm& a) -> Point { return -spin(a.body) * spin(a.body) * a.turned; };
+  const auto along_line = [&](const BodyPoint& point, const BodyPoint& origin, const Point& direction) {
+    const Arm p = arm(q, point), o = arm(q, origin);
+    const Point u = turned(origin.body, direction);
+    const double w = spin(origin.body);
+    return u.dot(centripetal(p) - centripetal(o)) + 2 * w * left_of(u).dot(velocity(p) - velocity(o)) -
+           w * w * u.dot(p.at - o.at);
+  };
+  for (const Entry& entry : entries_) {
+    const int row = entry.row;
+    std::visit(
+        Overloaded{
+            [&](const Revolute& c) {
+              const Point bend = centripetal(arm(q, c.a)) - centripetal(arm(q, c.b));
+              f[row] = bend.x();
+              f[entry.second_row] = bend.y();
+            },
+            [&](const Coordinate& c) { f[row] = along_line(c.point, c.origin, c.direction); },
+            [&](const Distance& c) {
+              const Arm a = arm(q, c.a), b = arm(q, c.b);
+              const Point relative = velocity(a) - velocity(b);
+              f[row] =
+                  (relative.squaredNorm() + (a.at - b.at).dot(centripetal(a) - centripetal(b))) / entry.scale;
+            },
+            [&](const RelativeAngle&) {}, [&](const GearPair&) {},
+            [&](const RackAndPinion& c) { f[row] = along_line(c.centre, c.rack_origin, c.direction); }},
+        entry.constraint);
+  }
+}
+
+void PlanarEquations::bends(const Eigen::VectorXd& q, std::vector<Bend>& result) {
+  turn_bodies(q);
+  result.clear();
+  const auto reach = [](const BodyPoint& point) { return moves(point.body) ? point.local.norm() : 0.0; };
+  const auto bound_along_line = [&](const BodyPoint& point, const BodyPoint& origin) {
+    if (!moves(origin.body)) return reach(point);
+    const Point other = moves(point.body) ? Point(q.segment<2>(3 * point.body - 3)) : point.local;
+    const Point between = other - q.segment<2>(3 * origin.body - 3);
+    const double bodies = moves(point.body) ? 2 : 1;
+    const double local = point.local.norm() * (moves(point.body) ? 4 : 0);
+    return between.norm() + drift * size_ + 2 * bodies * size_ + local;
+  };
+  for (const Entry& entry : entries_) {
+    const auto add = [&](double bound) {
+      if (bound > 0) result.push_back({entry.row, entry.second_row, bound});
+    };
+    std::visit(Overloaded{[&](const Revolute& c) { add(reach(c.a) + reach(c.b)); },
+                          [&](const Coordinate& c) { add(bound_along_line(c.point, c.origin)); },
+                          [&](const Distance& c) {
+                            const auto speed = [&](const BodyPoint& p) {
+                              return moves(p.body) ? size_ + reach(p) : 0.0;
+                            };
+                            const double s = speed(c.a) + speed(c.b);
+                            const double d = (arm(q, c.a).at - arm(q, c.b).at).norm() + 0.5 * s;
+                            add((s * s + d * (reach(c.a) + reach(c.b))) / entry.scale);
+                          },
+                          [&](const RelativeAngle&) {}, [&](const GearPair&) {},
+                          [&](const RackAndPinion& c) { add(bound_along_line(c.centre, c.rack_origin)); }},
+               entry.constraint);
+  }
+}
+
+Eigen::VectorXd unknowns_of(const PlanarPosition& position) {
+  Eigen::VectorXd q(3 * static_cast<Eigen::Index>(position.size()) - 3);
+  for (std::size_t body = 1; body < position.size(); ++body)
+    q.segment<3>(3 * static_cast<Eigen::Index>(body) - 3) << position[body].at, position[body].angle;
+  return q;
+}
+
+PlanarPosition position_of(const Eigen::VectorXd& q) {
+  PlanarPosition position(static_cast<std::size_t>(q.size() / 3 + 1));
+  for (std::size_t body = 1; body < position.size(); ++body) {
+    const Eigen::Index x = 3 * static_cast<Eigen::Index>(body) - 3;
+    position[body] = {Point(q[x], q[x + 1]), q[x + 2]};
+  }
+  return position;
+}
+
+ClosureError closure_error(const PlanarLinkage& linkage, const PlanarPosition& position,
+                           const std::vector<double>& driver_values) {
+  const double size = linkage.size();
+  const auto along_line = [&](const BodyPoint& point, const BodyPoint& origin, const Point& direction) {
+    const Point from = place(position, origin), to = place(position, {origin.body, origin.local + direction});
+    return (to - from).dot(place(position, point) - from);
+  };
+  const auto angle = [&](int body) { return position[static_cast<std::size_t>(body)].angle; };
+  ClosureError result;
+  std::vector<Constraint> constraints;
+  for (const auto& each : linkage.constraints()) constraints.push_back(each.constraint);
+  for (std::size_t i = 0; i < driver_values.size(); ++i)
+    *value_in(constraints[static_cast<std::size_t>(linkage.drivers()[i])]) = driver_values[i];
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const double error = std::visit(
+        Overloaded{
+            [&](const Revolute& c) { return (place(position, c.a) - place(position, c.b)).norm(); },
+            [&](const Coordinate& c) { return along_line(c.point, c.origin, c.direction) - c.value; },
+            [&](const Distance& c) { return (place(position, c.a) - place(position, c.b)).norm() - c.value; },
+            [&](const RelativeAngle& c) { return size * (angle(c.body) - angle(c.reference) - c.value); },
+            [&](const GearPair& c) {
+              return c.first_radius * (angle(c.first) - angle(c.carrier)) +
+                     c.second_radius * (angle(c.second) - angle(c.carrier)) - c.value;
+            },
+            [&](const RackAndPinion& c) {
+              return along_line(c.centre, c.rack_origin, c.direction) +
+                     c.radius * (angle(c.centre.body) - angle(c.rack_origin.body)) - c.value;
+            }},
+        constraints[i]);
+    if (!(std::abs(error) <= result.largest)) result = {std::abs(error), static_cast<int>(i)};
+  }
+  return result;
+}
+
+}  // namespace kempe

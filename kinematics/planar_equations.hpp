@@ -1,0 +1,117 @@
+#pragma once
+// The equations of a planar linkage and their derivatives, ready for Newton's method.
+//
+// Unknowns q: x, y, angle of each body but the ground. With r = R(angle) local, P = (x, y) + r and u =
+// R(angle) direction:
+//   Revolute        F = A - B                                   (2 rows)
+//   Coordinate      F = u . (P - O) - value
+//   Distance        F = (|A - B|^2 - value^2) / (2 scale)
+//   RelativeAngle   F = size (angle - angle' - value)
+//   GearPair        F = a (angle1 - angle3) + b (angle2 - angle3) - value
+//   RackAndPinion   F = u . (C - O) + radius (angle - angle') - value
+// All rows are lengths (mm). A revolute joint is linear in the places and bends only in the angles, which is
+// what the step control lives on.
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "kinematics/planar_linkage.hpp"
+
+namespace kempe {
+
+/// The equations of one linkage at changing driver values. Keeps its own room for sines and cosines: one
+/// object a thread.
+class PlanarEquations {
+ public:
+  explicit PlanarEquations(const PlanarLinkage& linkage);
+
+  int unknown_count() const { return unknowns_; }
+  int row_count() const { return rows_; }
+  double size() const { return size_; }
+
+  /// Puts the rows in this order (a permutation of all rows, new place by old row): the first of them are
+  /// then the top rows of every result.
+  void reorder(const std::vector<int>& place_of_row);
+
+  /// Driver values in force, in the linkage's order of drivers.
+  const std::vector<double>& values() const { return values_; }
+  void set_values(const std::vector<double>& values);
+
+  /// Row of a driver's equation.
+  int driver_row(int driver) const;
+
+  /// F(q), mm.
+  void residual(const Eigen::VectorXd& q, Eigen::VectorXd& f);
+
+  /// F(q) and dF/dq.
+  void residual_and_jacobian(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd& jacobian);
+
+  /// D^2F(q)(rate, rate): the part of F's second time derivative that is quadratic in the rates.
+  void second_derivative(const Eigen::VectorXd& q, const Eigen::VectorXd& rate, Eigen::VectorXd& f);
+
+  /// -dF/dvalue of a driver at its present value, and the part of -F'' that its speed adds: what stands on
+  /// the right of J q' = ... and J q'' = ... in the driver's row.
+  double driver_slope(int driver) const;
+  double driver_bend(int driver, double speed) const;
+
+  /// How strongly F bends: with |v| the largest over bodies of |angle| and |place|/size, within |v| <= 1/2 of
+  /// q,
+  ///   |D^2F(v, w)| over the row or the two rows  <=  bound |v| |w|.
+  struct Bend {
+    int row, second_row;  ///< second_row is -1 where there is one only
+    double bound;         ///< mm
+  };
+  /// One entry a constraint that is not linear.
+  void bends(const Eigen::VectorXd& q, std::vector<Bend>& result);
+
+  /// Bodies whose angle, or whose place, enters some equation in a bent way: |v| above may leave out all
+  /// others.
+  const std::vector<bool>& angle_bends() const { return angle_bends_; }
+  const std::vector<bool>& place_bends() const { return place_bends_; }
+
+  bool has_distance_driver() const { return has_distance_driver_; }
+
+ private:
+  struct Arm {  ///< a point as seen from its body's origin, turned into the table's frame
+    int body;
+    Point turned, at;
+  };
+  void mark_bends(const Constraint& constraint);
+  void turn_bodies(const Eigen::VectorXd& q);
+  Arm arm(const Eigen::VectorXd& q, const BodyPoint& point) const;
+  Point turned(int body, const Point& local) const;
+  void add_angle(Eigen::MatrixXd& jacobian, int row, int body, double slope) const;
+  void add_point(Eigen::MatrixXd& jacobian, int row, const Arm& arm, const Point& along) const;
+  void evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian);
+
+  struct Entry {
+    Constraint constraint;
+    int row;         ///< first row
+    int second_row;  ///< of a revolute joint; else -1
+    double scale;    ///< of a distance, mm
+  };
+  std::vector<Entry> entries_;
+  std::vector<int> driver_entries_;
+  std::vector<double> values_;
+  std::vector<bool> angle_bends_, place_bends_;
+  bool has_distance_driver_ = false;
+  std::vector<Point> directions_;  ///< (cos, sin) of each body's angle
+  int unknowns_, rows_;
+  double size_;
+};
+
+/// The unknowns of a position, and back.
+Eigen::VectorXd unknowns_of(const PlanarPosition& position);
+PlanarPosition position_of(const Eigen::VectorXd& unknowns);
+
+/// The largest error over all constraints, each measured as a length in mm without the equations above: the
+/// distance between the two points of a joint, the error of a distance, an angle's error times the linkage's
+/// size.
+struct ClosureError {
+  double largest = 0;
+  int constraint = 0;  ///< whose it is
+};
+ClosureError closure_error(const PlanarLinkage& linkage, const PlanarPosition& position,
+                           const std::vector<double>& driver_values);
+
+}  // namespace kempe

@@ -1,0 +1,166 @@
+#include "kinematics/planar_linkage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+/// The points that a constraint mentions.
+std::vector<BodyPoint> points_of(const Constraint& constraint) {
+  return std::visit(Overloaded{[](const Revolute& c) {
+                                 return std::vector{c.a, c.b};
+                               },
+                               [](const Coordinate& c) {
+                                 return std::vector{c.point, c.origin};
+                               },
+                               [](const Distance& c) {
+                                 return std::vector{c.a, c.b};
+                               },
+                               [](const RelativeAngle&) { return std::vector<BodyPoint>{}; },
+                               [](const GearPair&) { return std::vector<BodyPoint>{}; },
+                               [](const RackAndPinion& c) {
+                                 return std::vector{c.centre, c.rack_origin};
+                               }},
+                    constraint);
+}
+
+double value_of(const Constraint& constraint) {
+  return std::visit(
+      [](const auto& c) {
+        if constexpr (requires { c.value; })
+          return c.value;
+        else
+          return 0.0;
+      },
+      constraint);
+}
+
+bool is_unit(const Point& direction) { return std::abs(direction.norm() - 1) < 1e-12; }
+
+std::string fault_of(const Constraint& constraint) {
+  if (!std::isfinite(value_of(constraint))) return "a value that is not finite";
+  for (const BodyPoint& point : points_of(constraint))
+    if (!point.local.allFinite()) return "a point that is not finite";
+  std::vector<int> bodies = bodies_of(constraint);
+  bodies.resize(std::min<std::size_t>(bodies.size(), 2));
+  if (bodies[0] == bodies[1]) return "both sides lie on the same body";
+  return std::visit(
+      Overloaded{
+          [](const Revolute&) { return std::string(); },
+          [](const Coordinate& c) {
+            return std::string(is_unit(c.direction) ? "" : "a direction that is no unit vector");
+          },
+          [](const Distance& c) { return std::string(c.value > 0 ? "" : "a distance that is not positive"); },
+          [](const RelativeAngle&) { return std::string(); },
+          [](const GearPair& c) {
+            const bool good = std::isfinite(c.first_radius) && std::isfinite(c.second_radius) &&
+                              c.first_radius != 0 && c.second_radius != 0;
+            return std::string(good ? "" : "a wheel of radius zero");
+          },
+          [](const RackAndPinion& c) {
+            if (!is_unit(c.direction)) return std::string("a direction that is no unit vector");
+            return std::string(std::isfinite(c.radius) && c.radius != 0 ? "" : "a pinion of radius zero");
+          }},
+      constraint);
+}
+
+}  // namespace
+
+int equation_count(const Constraint& constraint) {
+  return std::holds_alternative<Revolute>(constraint) ? 2 : 1;
+}
+
+std::vector<int> bodies_of(const Constraint& constraint) {
+  if (const auto* angle = std::get_if<RelativeAngle>(&constraint)) return {angle->body, angle->reference};
+  if (const auto* gears = std::get_if<GearPair>(&constraint))
+    return {gears->first, gears->second, gears->carrier};
+  std::vector<int> bodies;
+  for (const BodyPoint& point : points_of(constraint)) bodies.push_back(point.body);
+  return bodies;
+}
+
+Point place(const PlanarPosition& position, const BodyPoint& point) {
+  const Placement& body = position[static_cast<std::size_t>(point.body)];
+  const double c = std::cos(body.angle), s = std::sin(body.angle);
+  return body.at +
+         Point(c * point.local.x() - s * point.local.y(), s * point.local.x() + c * point.local.y());
+}
+
+int PlanarLinkage::add_body(std::string name) {
+  bodies_.push_back(std::move(name));
+  return body_count() - 1;
+}
+
+int PlanarLinkage::add_particle(std::string name) {
+  const int body = add_body(name);
+  add(RelativeAngle{body, ground, 0}, name + " does not turn");
+  return body;
+}
+
+int PlanarLinkage::add(const Constraint& constraint, std::string name) {
+  constraints_.push_back({std::move(name), constraint});
+  return static_cast<int>(constraints_.size()) - 1;
+}
+
+int PlanarLinkage::drive(const Constraint& constraint, std::string name) {
+  drivers_.push_back(add(constraint, std::move(name)));
+  return static_cast<int>(drivers_.size()) - 1;
+}
+
+int PlanarLinkage::drive_point(const BodyPoint& point, const std::string& name) {
+  const BodyPoint table{ground, Point::Zero()};
+  const int first = drive(Coordinate{point, table, Point(1, 0), 0}, name + ".x");
+  drive(Coordinate{point, table, Point(0, 1), 0}, name + ".y");
+  return first;
+}
+
+std::vector<double> PlanarLinkage::driver_values() const {
+  std::vector<double> values;
+  for (const int driver : drivers_)
+    values.push_back(value_of(constraints_[static_cast<std::size_t>(driver)].constraint));
+  return values;
+}
+
+int PlanarLinkage::equation_count() const {
+  int count = 0;
+  for (const auto& named : constraints_) count += kempe::equation_count(named.constraint);
+  return count;
+}
+
+double PlanarLinkage::size() const {
+  std::vector<BodyPoint> points;
+  double size = 0;
+  for (std::size_t i = 0; i < constraints_.size(); ++i) {
+    if (std::find(drivers_.begin(), drivers_.end(), static_cast<int>(i)) != drivers_.end()) continue;
+    const Constraint& constraint = constraints_[i].constraint;
+    for (const BodyPoint& point : points_of(constraint)) points.push_back(point);
+    if (const auto* distance = std::get_if<Distance>(&constraint)) size = std::max(size, distance->value);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (points[i].body == points[j].body) size = std::max(size, (points[i].local - points[j].local).norm());
+  return size > 0 ? size : 1;
+}
+
+PlanarLinkage PlanarLinkage::undriven() const {
+  PlanarLinkage result;
+  result.bodies_ = bodies_;
+  for (std::size_t i = 0; i < constraints_.size(); ++i)
+    if (std::find(drivers_.begin(), drivers_.end(), static_cast<int>(i)) == drivers_.end())
+      result.constraints_.push_back(constraints_[i]);
+  return result;
+}
+
+std::string PlanarLinkage::fault() const {
+  for (const auto& [name, constraint] : constraints_)
+    if (const std::string fault = fault_of(constraint); !fault.empty()) return name + ": " + fault;
+  return {};
+}
+
+}  // namespace kempe

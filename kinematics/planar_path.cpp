@@ -1,0 +1,300 @@
+#include "kinematics/planar_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+constexpr double kantorovich_limit = 0.4;  ///< omega eta; the theorem asks for 1/2
+constexpr double longest_step = 0.2;       ///< eta, rad: keeps the ball of 2 eta inside the 1/2 of the bends
+constexpr double ball = 0.5;               ///< rad, within which the bends hold
+constexpr double singular_turn = 1e-8;     ///< rad: a certified step this short means a singular position
+constexpr double crossing_share =
+    1e-5;  ///< drivers' part of the left null vector below which assemblies cross
+constexpr int most_corrections = 12;
+constexpr double rounding = 2.220446049250313e-16;
+
+double magnitude_of(const Eigen::VectorXd& q, double size) {
+  double magnitude = size;
+  for (Eigen::Index i = 0; i + 2 < q.size(); i += 3)
+    magnitude = std::max({magnitude, std::abs(q[i]), std::abs(q[i + 1])});
+  return magnitude;
+}
+
+int sign_of_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu) {
+  int sign = static_cast<int>(lu.permutationP().determinant());
+  for (Eigen::Index i = 0; i < lu.matrixLU().rows(); ++i) {
+    const double pivot = lu.matrixLU()(i, i);
+    if (pivot == 0 || !std::isfinite(pivot)) return 0;
+    if (pivot < 0) sign = -sign;
+  }
+  return sign;
+}
+
+/// Which rows to solve for: as many independent ones as can be, constraints before drivers, drivers all. The
+/// new place of each row, or nothing if constraints and drivers together are not regular.
+struct RowChoice {
+  int freedoms = 0;  ///< unknowns less the rank of the constraints alone
+  bool regular = false;
+  std::vector<int> place_of_row;
+};
+
+RowChoice choose_rows(const Eigen::MatrixXd& jacobian, const std::vector<int>& driver_rows) {
+  const int rows = static_cast<int>(jacobian.rows()), unknowns = static_cast<int>(jacobian.cols());
+  std::vector<int> others;
+  for (int row = 0; row < rows; ++row)
+    if (std::find(driver_rows.begin(), driver_rows.end(), row) == driver_rows.end()) others.push_back(row);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(1e-9);
+  qr.compute(jacobian(others, Eigen::all).transpose());
+  const int rank = others.empty() ? 0 : static_cast<int>(qr.rank());
+  RowChoice choice;
+  choice.freedoms = unknowns - rank;
+  if (choice.freedoms != static_cast<int>(driver_rows.size())) return choice;
+  std::vector<int> order;
+  for (int i = 0; i < rank; ++i)
+    order.push_back(others[static_cast<std::size_t>(qr.colsPermutation().indices()[i])]);
+  std::sort(order.begin(), order.end());
+  order.insert(order.end(), driver_rows.begin(), driver_rows.end());
+  qr.compute(jacobian(order, Eigen::all));
+  choice.regular = qr.rank() == unknowns;
+  choice.place_of_row.assign(static_cast<std::size_t>(rows), -1);
+  int next = 0;
+  for (const int row : order) choice.place_of_row[static_cast<std::size_t>(row)] = next++;
+  for (int& place : choice.place_of_row)
+    if (place < 0) place = next++;
+  return choice;
+}
+
+}  // namespace
+
+std::string_view name(PathEnd end) {
+  switch (end) {
+    case PathEnd::dead_point:
+      return "dead point";
+    case PathEnd::change_point:
+      return "change point";
+    case PathEnd::over_constrained:
+      return "over-constrained";
+  }
+  return {};
+}
+
+std::string_view name(NoPath why) {
+  switch (why) {
+    case NoPath::does_not_assemble:
+      return "does not assemble";
+    case NoPath::freedom_left:
+      return "freedom left";
+    case NoPath::drivers_dependent:
+      return "drivers not independent";
+  }
+  return {};
+}
+
+tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linkage,
+                                                      const PlanarPosition& guess,
+                                                      const std::vector<double>& driver_values) {
+  auto closed = solve_from(linkage, guess, driver_values);
+  if (!closed) return tl::unexpected(NoPathHere{NoPath::does_not_assemble, 0, std::move(closed.error()), {}});
+  PlanarEquations equations(linkage);
+  equations.set_values(driver_values);
+  Eigen::VectorXd q = unknowns_of(closed->position), f;
+  Eigen::MatrixXd jacobian;
+  equations.residual_and_jacobian(q, f, jacobian);
+  for (Eigen::Index angle = 2; angle < q.size(); angle += 3) jacobian.col(angle) /= equations.size();
+  std::vector<int> driver_rows;
+  for (int driver = 0; driver < static_cast<int>(driver_values.size()); ++driver)
+    driver_rows.push_back(equations.driver_row(driver));
+  const RowChoice choice = choose_rows(jacobian, driver_rows);
+  const bool too_few = choice.freedoms > static_cast<int>(driver_values.size());
+  if (too_few || !choice.regular)
+    return tl::unexpected(NoPathHere{too_few ? NoPath::freedom_left : NoPath::drivers_dependent,
+                                     choice.freedoms,
+                                     {},
+                                     std::move(closed->position)});
+  equations.reorder(choice.place_of_row);
+  return PlanarPath(std::move(equations), std::move(q));
+}
+
+PlanarPath::PlanarPath(PlanarEquations equations, Eigen::VectorXd q)
+    : equations_(std::move(equations)), q_(std::move(q)) {
+  linearise();
+  orientation_ = sign_of_determinant(lu_);
+}
+
+Point PlanarPath::at(const BodyPoint& point) const {
+  if (point.body == PlanarLinkage::ground) return point.local;
+  const double c = std::cos(angle(point.body)), s = std::sin(angle(point.body));
+  return q_.segment<2>(3 * point.body - 3) +
+         Point(c * point.local.x() - s * point.local.y(), s * point.local.x() + c * point.local.y());
+}
+
+/// J and its factors at q_; false if J is singular to rounding.
+bool PlanarPath::linearise() {
+  if (!linear_) equations_.residual_and_jacobian(q_, f_, jacobian_);
+  linear_ = true;
+  if (!factored_) lu_.compute(jacobian_.topRows(q_.size()));
+  factored_ = true;
+  return sign_of_determinant(lu_) != 0;
+}
+
+/// The norm of the step control: the largest turn of a body whose angle bends something, and the largest
+/// shift (in sizes) of a body whose place does.
+double PlanarPath::longest(const Eigen::VectorXd& change) const {
+  double result = 0;
+  for (std::size_t body = 1; body < equations_.angle_bends().size(); ++body) {
+    const Eigen::Index x = 3 * static_cast<Eigen::Index>(body) - 3;
+    if (equations_.angle_bends()[body]) result = std::max(result, std::abs(change[x + 2]));
+    if (equations_.place_bends()[body])
+      result = std::max(result, change.segment<2>(x).norm() / equations_.size());
+  }
+  return result;
+}
+
+/// omega at q_: the norm of J^-1 D^2F, from the rows of J^-1 and the bends.
+void PlanarPath::bound_bending() {
+  const Eigen::Index square = q_.size();
+  inverse_.noalias() = lu_.inverse();
+  equations_.bends(q_, bends_);
+  bending_ = 0;
+  const auto gain = [&](Eigen::Index unknown) {  // of one unknown, summed over all bends
+    double sum = 0;
+    for (const auto& bend : bends_) {
+      const double first = bend.row < square ? inverse_(unknown, bend.row) : 0;
+      const double second =
+          bend.second_row >= 0 && bend.second_row < square ? inverse_(unknown, bend.second_row) : 0;
+      sum += bend.bound * std::sqrt(first * first + second * second);
+    }
+    return sum;
+  };
+  for (std::size_t body = 1; body < equations_.angle_bends().size(); ++body) {
+    const Eigen::Index x = 3 * static_cast<Eigen::Index>(body) - 3;
+    if (equations_.angle_bends()[body]) bending_ = std::max(bending_, gain(x + 2));
+    if (equations_.place_bends()[body])
+      bending_ = std::max(bending_, std::hypot(gain(x), gain(x + 1)) / equations_.size());
+  }
+  anchor_ = q_;
+  moved_ = 0;
+}
+
+/// omega at q_ carried over from the anchor; negative if it has to be computed anew.
+double PlanarPath::bending_here() const {
+  if (bending_ < 0 || bending_ * moved_ > 0.3) return -1;
+  return bending_ / (1 - bending_ * moved_);
+}
+
+/// The share of the way to the target that one step may take, 0 at a singular position. Leaves in change_ the
+/// first Newton step for the whole way.
+double PlanarPath::certified_share(const std::vector<double>& target) {
+  const std::vector<double>& now = equations_.values();
+  step_.setZero(q_.size());
+  double reach = 0;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    const int driver = static_cast<int>(i);
+    step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
+    if (!equations_.has_distance_driver()) continue;
+    const double way =
+        equations_.driver_slope(driver) * std::abs(target[i] - now[i]) * std::max(1.0, target[i] / now[i]);
+    trial_.setZero(q_.size());
+    trial_[equations_.driver_row(driver)] = way;
+    reach += longest(lu_.solve(trial_));
+  }
+  change_.noalias() = lu_.solve(step_);
+  if (!change_.allFinite()) return 0;
+  if (!equations_.has_distance_driver()) reach = longest(change_);
+  double omega = bending_here();
+  if (omega < 0 || omega * reach > kantorovich_limit || moved_ + 2 * reach > ball) {
+    if (moved_ > 0 || bending_ < 0) bound_bending();
+    omega = bending_;
+  }
+  const double allowed = omega * longest_step > kantorovich_limit ? kantorovich_limit / omega : longest_step;
+  if (!(allowed > singular_turn)) return 0;
+  return reach <= allowed ? 1 : allowed / reach;
+}
+
+/// Newton from q_ to the position at `values`: true if it converges to rounding. The first step uses the
+/// factors at q_.
+bool PlanarPath::correct(const std::vector<double>& values) {
+  equations_.set_values(values);
+  const Eigen::Index square = q_.size();
+  const double exact = 4 * rounding * magnitude_of(q_, equations_.size());
+  equations_.residual(q_, trial_f_);
+  trial_ = q_;
+  trial_.noalias() -= lu_.solve(trial_f_.head(square));
+  double previous = 1e300;
+  for (int i = 0; i < most_corrections; ++i) {
+    equations_.residual_and_jacobian(trial_, trial_f_, trial_jacobian_);
+    const double now = trial_f_.head(square).lpNorm<Eigen::Infinity>();
+    const bool settled = now <= exact || (now > 0.25 * previous && previous <= 64 * exact);
+    if (settled) {
+      factored_ = false;
+      return true;
+    }
+    if (!(now < previous)) break;
+    previous = now;
+    lu_.compute(trial_jacobian_.topRows(square));
+    trial_.noalias() -= lu_.solve(trial_f_.head(square));
+  }
+  factored_ = false;
+  return false;
+}
+
+/// What the constraints that are not solved for may be off, mm: looser than Newton's own residual, since they
+/// only follow from the others.
+double PlanarPath::closing_limit() const { return 1e-11 * magnitude_of(q_, equations_.size()); }
+
+PathStop PlanarPath::stop(PathEnd end, double share) const { return {end, share, equations_.values()}; }
+
+/// At a singular position the left null vector tells: a dead point resists the drivers, a change point does
+/// not.
+PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) const {
+  const Eigen::Index square = q_.size();
+  Eigen::MatrixXd scaled = jacobian_.topRows(square);
+  for (Eigen::Index angle = 2; angle < square; angle += 3) scaled.col(angle) /= equations_.size();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU);
+  const Eigen::VectorXd null = svd.matrixU().col(square - 1);
+  double along = 0, all = 0;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    const int driver = static_cast<int>(i);
+    const double way = equations_.driver_slope(driver) * (target[i] - equations_.values()[i]);
+    along += null[equations_.driver_row(driver)] * way;
+    all += way * way;
+  }
+  return std::abs(along) <= crossing_share * std::sqrt(all) ? PathEnd::change_point : PathEnd::dead_point;
+}
+
+tl::expected<void, PathStop> PlanarPath::advance(const std::vector<double>& target) {
+  double left = 1, trust = 1;
+  while (left > 0) {
+    if (!linearise()) return tl::unexpected(stop(kind_of_singularity(target), 1 - left));
+    const double share = certified_share(target) * trust;
+    if (!(share > 0) || trust < 1e-3) return tl::unexpected(stop(kind_of_singularity(target), 1 - left));
+    const std::vector<double> before = equations_.values();
+    std::vector<double> next = target;
+    if (share < 1)
+      for (std::size_t i = 0; i < next.size(); ++i) next[i] = before[i] + share * (target[i] - before[i]);
+    if (!correct(next)) {
+      equations_.set_values(before);
+      trust *= 0.5;
+      continue;
+    }
+    const double closed = closing_limit();
+    if (trial_f_.size() > q_.size() && trial_f_.lpNorm<Eigen::Infinity>() > closed) {
+      equations_.set_values(before);
+      return tl::unexpected(stop(PathEnd::over_constrained, 1 - left));
+    }
+    q_.swap(trial_);
+    f_.swap(trial_f_);
+    jacobian_.swap(trial_jacobian_);
+    step_ = q_ - anchor_;
+    moved_ = longest(step_);
+    ++steps_;
+    left = share < 1 ? left * (1 - share) : 0;
+    trust = std::min(1.0, 2 * trust);
+  }
+  return {};
+}
+
+}  // namespace kempe

@@ -1,0 +1,110 @@
+#pragma once
+// Moving a linkage by its drivers without ever changing its assembly.
+//
+// Each step is certified by the Newton-Kantorovich theorem: with J the Jacobian at the last good position q,
+// eta the length of Newton's first step towards the new driver values and omega a bound of how strongly J^-1
+// F bends (known in advance: a joint bends only with the angles of its bodies, at most by the joint's arm),
+//   omega eta < 1/2
+// says that the closed position moves continuously from q to exactly one position in the ball of radius 2
+// eta, that J stays regular on the way, and that Newton converges to it. Steps that are too long for this are
+// cut, so a path either arrives on its own assembly or stops at a singular position; it cannot jump.
+// (Rounding is not part of the proof.)
+
+#include <Eigen/Dense>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "kinematics/planar_equations.hpp"
+#include "kinematics/planar_solver.hpp"
+
+namespace kempe {
+
+/// Why a path ends before its target. Outcomes of the domain.
+enum class PathEnd {
+  dead_point,       ///< the drivers cannot go on in this direction: the linkage can only turn back
+  change_point,     ///< another assembly touches here: the linkage may leave either way
+  over_constrained  ///< a constraint that was redundant at the start is violated: the linkage locks
+};
+std::string_view name(PathEnd end);
+
+struct PathStop {
+  PathEnd end = PathEnd::dead_point;
+  double share = 0;            ///< of the wanted change of driver values that was covered, 0..1
+  std::vector<double> values;  ///< driver values of the last good position
+};
+
+/// Why there is no path from a guess.
+enum class NoPath {
+  does_not_assemble,  ///< the loops do not close near the guess
+  freedom_left,       ///< fewer drivers than freedoms
+  drivers_dependent,  ///< drivers more than freedoms, or not independent at this position
+};
+std::string_view name(NoPath why);
+
+struct NoPathHere {
+  NoPath why = NoPath::does_not_assemble;
+  int freedoms = 0;         ///< of the linkage without drivers, at the closed position
+  NotAssembled assembly;    ///< for does_not_assemble
+  PlanarPosition position;  ///< the closed position, for the others
+};
+
+/// A linkage on the move. Invariant: it is closed at position() with the drivers at values(), its Jacobian is
+/// regular there, and every position it has shown lies on one assembly. Copyable; not to be shared by
+/// threads.
+class PlanarPath {
+ public:
+  /// Closes the loops near the guess (solve_from) and starts there.
+  static tl::expected<PlanarPath, NoPathHere> from(const PlanarLinkage& linkage, const PlanarPosition& guess,
+                                                   const std::vector<double>& driver_values);
+
+  /// Moves all drivers straight from values() to `target`, in as many certified steps as it takes. On a stop
+  /// the path stays at the last good position before the singular one, within about 1e-8 rad of it.
+  tl::expected<void, PathStop> advance(const std::vector<double>& target);
+
+  PlanarPosition position() const { return position_of(q_); }
+  Point at(const BodyPoint& point) const;
+  double angle(int body) const { return body == PlanarLinkage::ground ? 0 : q_[3 * body - 1]; }
+  const Eigen::VectorXd& unknowns() const { return q_; }
+  const std::vector<double>& values() const { return equations_.values(); }
+
+  /// Largest residual of the equations at the last good position, mm.
+  double residual() const { return f_.size() == 0 ? 0 : f_.lpNorm<Eigen::Infinity>(); }
+
+  /// Sign of the Jacobian's determinant, +1 or -1: never changes along a path.
+  int orientation() const { return orientation_; }
+
+  /// Certified steps taken so far.
+  std::size_t steps() const { return steps_; }
+
+  /// The equations, square part first, at the last good position.
+  const PlanarEquations& equations() const { return equations_; }
+
+ private:
+  PlanarPath(PlanarEquations equations, Eigen::VectorXd q);
+
+  bool linearise();
+  void bound_bending();
+  double bending_here() const;
+  double longest(const Eigen::VectorXd& change) const;
+  double certified_share(const std::vector<double>& target);
+  double closing_limit() const;
+  bool correct(const std::vector<double>& values);
+  PathStop stop(PathEnd end, double share) const;
+  PathEnd kind_of_singularity(const std::vector<double>& target) const;
+
+  PlanarEquations equations_;
+  Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_;
+  Eigen::MatrixXd jacobian_, trial_jacobian_, inverse_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  std::vector<PlanarEquations::Bend> bends_;
+  Eigen::VectorXd anchor_;  ///< where bending_ was computed
+  double bending_ = -1;     ///< omega at the anchor, 1/rad; -1: not computed
+  double moved_ = 0;        ///< from the anchor, rad
+  bool linear_ = false;     ///< jacobian_ belongs to q_
+  bool factored_ = false;   ///< lu_ belongs to q_
+  int orientation_ = 1;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace kempe

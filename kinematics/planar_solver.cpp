@@ -1,0 +1,112 @@
+#include "kinematics/planar_solver.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/planar_equations.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr double singular_below = 1e-11;  ///< of the largest pivot: what counts as no pivot at all
+constexpr int most_damped_steps = 120, most_newton_steps = 40;
+
+/// Newton and its damped form on one linkage. Angles are scaled by the linkage's size, so that every unknown
+/// is a length.
+class Closing {
+ public:
+  Closing(const PlanarLinkage& linkage, const std::vector<double>& values) : equations_(linkage) {
+    equations_.set_values(values);
+    scale_ = Eigen::VectorXd::Ones(equations_.unknown_count());
+    for (Eigen::Index i = 2; i < scale_.size(); i += 3) scale_[i] = 1 / equations_.size();
+  }
+
+  int iterations = 0;
+
+  /// Levenberg-Marquardt with gain control, until Newton's own region is reached or nothing is gained.
+  void approach(Eigen::VectorXd& q) {
+    double damping = 1e-3, previous = linearise(q);
+    for (int step = 0; step < most_damped_steps && previous > 1e-7 * equations_.size();
+         ++step, ++iterations) {
+      Eigen::MatrixXd normal = jacobian_.transpose() * jacobian_;
+      const Eigen::VectorXd slope = jacobian_.transpose() * f_;
+      normal.diagonal().array() += damping;
+      const Eigen::VectorXd trial = q - scale_.cwiseProduct(normal.ldlt().solve(slope));
+      equations_.residual(trial, f_);
+      const double now = f_.norm();
+      if (now < previous) {
+        const bool stuck = now > previous * (1 - 1e-9) && damping < 1e-9;
+        q = trial;
+        previous = linearise(q);
+        damping = std::max(damping * 0.2, 1e-14);
+        if (stuck) return;
+      } else {
+        damping *= 6;
+        if (damping > 1e9) return;
+        previous = linearise(q);
+      }
+    }
+  }
+
+  /// Newton to the last digit: stops when the residual no longer falls.
+  void finish(Eigen::VectorXd& q) {
+    double best = linearise(q);
+    for (int step = 0; step < most_newton_steps && best > 0; ++step, ++iterations) {
+      const Eigen::VectorXd trial = q - scale_.cwiseProduct(least_squares_step());
+      equations_.residual(trial, f_);
+      const double now = f_.norm();
+      if (!(now < best)) return;
+      const bool at_rounding = now > 0.5 * best && now < 1e-13 * equations_.size();
+      q = trial;
+      best = linearise(q);
+      if (at_rounding) return;
+    }
+  }
+
+ private:
+  double linearise(const Eigen::VectorXd& q) {
+    equations_.residual_and_jacobian(q, f_, jacobian_);
+    jacobian_ = jacobian_ * scale_.asDiagonal();
+    return f_.norm();
+  }
+
+  Eigen::VectorXd least_squares_step() {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(singular_below);
+    decomposition.compute(jacobian_);
+    return decomposition.solve(f_);
+  }
+
+  PlanarEquations equations_;
+  Eigen::VectorXd scale_, f_;
+  Eigen::MatrixXd jacobian_;
+};
+
+}  // namespace
+
+double closing_tolerance(const PlanarLinkage& linkage, const PlanarPosition& position) {
+  double magnitude = linkage.size();
+  for (const Placement& body : position) magnitude = std::max(magnitude, body.at.norm());
+  return 1e-13 * magnitude;
+}
+
+tl::expected<Assembled, NotAssembled> solve_from(const PlanarLinkage& linkage, const PlanarPosition& guess,
+                                                 const std::vector<double>& driver_values) {
+  Closing closing(linkage, driver_values);
+  Eigen::VectorXd q = unknowns_of(guess);
+  closing.approach(q);
+  closing.finish(q);
+  PlanarPosition position = position_of(q);
+  const ClosureError error = closure_error(linkage, position, driver_values);
+  if (error.largest <= closing_tolerance(linkage, position))
+    return Assembled{std::move(position), error.largest, closing.iterations};
+  const auto& worst = linkage.constraints()[static_cast<std::size_t>(error.constraint)];
+  return tl::unexpected(NotAssembled{std::move(position), error.largest, worst.name});
+}
+
+tl::expected<Assembled, NotAssembled> solve_from(const PlanarLinkage& linkage, const PlanarPosition& guess) {
+  return solve_from(linkage, guess, linkage.driver_values());
+}
+
+}  // namespace kempe
