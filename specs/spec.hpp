@@ -106,6 +106,14 @@ struct MechanismSpec {
   std::optional<std::array<int, 4>> layers;  ///< of VA, VB, ACX, BCY; absent: the best assignment is sought
 };
 
+/// How the parts are cut: what their drawings allow for.
+struct CuttingSpec {
+  double hole_fit = 0;         ///< mm, a hole's diameter less the pin's; negative for a press fit
+  double kerf = 0;             ///< mm, >= 0, the width that the cut takes away; drawings compensate half on each side
+  std::optional<Point> sheet;  ///< mm, width and height of the sheet to nest on; absent: parts are not nested
+  double gap = 5;              ///< mm, >= 0, between parts on a sheet and to its edge
+};
+
 struct Spec {
   CopySpec copy;
   Region region;
@@ -117,6 +125,7 @@ struct Spec {
   std::vector<Obstacle> obstacles;
   ObjectiveSpec objective;
   std::optional<MechanismSpec> mechanism;
+  CuttingSpec cutting;
 };
 
 }  // namespace kempe
