@@ -7,7 +7,8 @@
 
 namespace kempe {
 
-/// A corner and the edge that leaves it. bulge = tan(sweep / 4), positive to the left (counter-clockwise), 0: straight.
+/// A corner and the edge that leaves it. bulge = tan(sweep / 4), positive to the left (counter-clockwise), 0:
+/// straight.
 struct ArcVertex {
   Point at;
   double bulge = 0;

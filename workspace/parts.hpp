@@ -17,12 +17,15 @@ enum class Link { VA, VB, ACX, BCY };
 inline constexpr std::array<Link, 4> all_links{Link::VA, Link::VB, Link::ACX, Link::BCY};
 /// "VA", "VB", "ACX" or "BCY".
 std::string_view name(Link link);
-/// The link's joints: two for a bar (the third entry of `joints` unused), three for a plate, in the order of the name.
+/// The link's joints: two for a bar (the third entry of `joints` unused), three for a plate, in the order of
+/// the name.
 struct LinkJoints {
   std::array<Joint, 3> joints;
   int count;
 };
 LinkJoints joints_of(Link link);
+/// True if the joint is one of the link's.
+bool has_joint(Link link, Joint joint);
 
 /// In which layer each link lies; 1 is next to the table.
 struct LayerAssignment {
@@ -32,17 +35,18 @@ struct LayerAssignment {
   bool operator==(const LayerAssignment&) const = default;
 };
 
-/// Every assignment to layers 1..layers in which links that share a joint lie in different layers and no layer
-/// below the highest one used is empty, in lexicographic order. layers >= 2; never empty.
+/// Every assignment to layers 1..layers in which links that share a joint lie in different layers and no
+/// layer below the highest one used is empty, in lexicographic order. layers >= 2; never empty.
 std::vector<LayerAssignment> layer_assignments(int layers);
 
 /// A part that can touch another: a link, a pin at A, B, C or V, or a post (pole, tracer, pen) at V, X or Y.
 struct Part {
-  enum class Kind { link, pin, pole_post, tracer_post, pen_post } kind;
-  Link link{};    ///< of a link
-  Joint joint{};  ///< of a pin or a post
-  int lowest_layer = 1, highest_layer = 1;  ///< layers it occupies; a post of the lowest layer's link occupies none
-                                            ///< above the table: highest_layer = 0
+  enum class Kind { link, pin, pole_post, tracer_post, pen_post } kind = Kind::link;
+  Link link{};                              ///< of a link
+  Joint joint{};                            ///< of a pin or a post
+  int lowest_layer = 1, highest_layer = 1;  ///< layers it occupies; a post of the lowest layer's link
+                                            ///< occupies none above the table: highest_layer = 0
+  bool is_post() const { return kind != Kind::link && kind != Kind::pin; }
   bool operator==(const Part&) const = default;
 };
 /// "link ACX", "pin C", "pole post V", "tracer X", "pen Y".
@@ -51,7 +55,20 @@ std::string name(const Part& part);
 /// All parts of a linkage in the given layers: four links, the pins that pass a layer, the three posts.
 std::vector<Part> parts_of(const CopyingLinkage& linkage, const LayerAssignment& layers);
 
-/// The outline of a link in a pose: the segment or arms or hull grown by half the width; arcs are true arcs.
+/// How far a part's outline lies from its axis, mm: half the link's width, half the pin's diameter.
+double half_width(const Part& part, const LinkStyle& style);
+
+/// The hull of one, two or three joints: a point, a segment or a triangle.
+struct AxisPiece {
+  std::array<Joint, 3> joints;
+  int count;
+};
+/// The pieces of a part's axis; the part's outline is their union grown by half_width. A bent plate has two,
+/// all other parts one. Straight plates are one segment between the outermost of their joints.
+std::vector<AxisPiece> axis_of(const Part& part, Complex shape, PlateStyle plate);
+
+/// The outline of a link in a pose, pin holes not cut out: its axis grown by half the width; arcs are true
+/// arcs.
 ArcPolygon link_outline(Link link, const Pose& pose, const LinkStyle& style);
 
 }  // namespace kempe

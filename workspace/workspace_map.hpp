@@ -11,9 +11,15 @@ namespace kempe {
 
 /// Why a part of the plane is lost.
 enum class Cause {
-  out_of_reach, beyond_change_point, transmission_below_limit, self_contact, obstacle_contact, sheet_overlap
+  out_of_reach,
+  beyond_change_point,
+  transmission_below_limit,
+  self_contact,
+  obstacle_contact,
+  sheet_overlap
 };
-/// "out of reach", "beyond the change point", "transmission below the limit", "contact", "contact", "sheet overlap".
+/// "out of reach", "beyond the change point", "transmission below the limit", "contact", "contact", "sheet
+/// overlap".
 std::string_view name(Cause cause);
 
 /// A lost part of the plane with its cause.
@@ -28,10 +34,10 @@ struct MapTask {
   CopyingLinkage linkage;
   LinkStyle style;
   LayerAssignment layers;
-  double clearance = 0;         ///< mm
-  double transmission = 0;      ///< rad
+  double clearance = 0;     ///< mm
+  double transmission = 0;  ///< rad
   std::vector<Obstacle> obstacles;
-  Region region;                ///< what must be covered; may be empty
+  Region region;                     ///< what must be covered; may be empty
   std::optional<double> sheets_gap;  ///< mm
 };
 
@@ -42,17 +48,17 @@ struct MapOptions {
 
 /// The largest rectangle of a kind that fits the collision-free workspace.
 struct FittingSheet {
-  std::string name;   ///< "A4", or "region's proportions"
+  std::string name;              ///< "A4", or "region's proportions"
   double width = 0, height = 0;  ///< mm
   Point centre = Point::Zero();
-  double turn = 0;    ///< rad, of the width's direction against the x axis
+  double turn = 0;  ///< rad, of the width's direction against the x axis
 };
 
 /// Is the region covered by one component of the collision-free workspace?
 struct Coverage {
   bool covered = false;
-  std::string why_not;                ///< a sentence for a person; empty if covered
-  std::optional<Point> witness;       ///< a point of the region that is not covered
+  std::string why_not;           ///< a sentence for a person; empty if covered
+  std::optional<Point> witness;  ///< a point of the region that is not covered
   std::optional<Cause> cause;
   std::vector<std::string> parts;
 };
@@ -66,8 +72,8 @@ struct WorkspaceMap {
   std::vector<LostArea> lost;
   Coverage coverage;
   std::vector<FittingSheet> largest_sheets;
-  double clearance_min = 0;           ///< mm, smallest gap while the tracer covers the region
-  std::string clearance_min_parts;    ///< "link VA and link BCY"
+  double clearance_min = 0;                ///< mm, smallest gap while the tracer covers the region
+  std::string clearance_min_parts;         ///< "link VA and link BCY"
   Point clearance_min_at = Point::Zero();  ///< tracer's place
 };
 
