@@ -110,19 +110,19 @@ double half_width(const Part& part, const LinkStyle& style) {
 namespace {
 
 /// A straight plate's outermost joints: `corner` at 0, `C` at 1 and `tip` at `place` along the plate.
-AxisPiece straight_plate(Joint corner, Joint tip, double place) {
+JointHull straight_plate(Joint corner, Joint tip, double place) {
   if (place < 0) return {{tip, Joint::C, Joint::C}, 2};
   return {{corner, place > 1 ? tip : Joint::C, Joint::C}, 2};
 }
 
-std::vector<AxisPiece> plate_axis(Joint corner, Joint tip, PlateStyle plate) {
+std::vector<JointHull> plate_axis(Joint corner, Joint tip, PlateStyle plate) {
   if (plate == PlateStyle::triangle) return {{{corner, Joint::C, tip}, 3}};
   return {{{Joint::C, corner, corner}, 2}, {{corner, tip, tip}, 2}};
 }
 
 }  // namespace
 
-std::vector<AxisPiece> axis_of(const Part& part, Complex shape, PlateStyle plate) {
+std::vector<JointHull> axis_of(const Part& part, Complex shape, PlateStyle plate) {
   if (part.kind != Part::Kind::link) return {{{part.joint, part.joint, part.joint}, 1}};
   switch (part.link) {
     case Link::VA:

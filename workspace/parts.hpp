@@ -59,13 +59,13 @@ std::vector<Part> parts_of(const CopyingLinkage& linkage, const LayerAssignment&
 double half_width(const Part& part, const LinkStyle& style);
 
 /// The hull of one, two or three joints: a point, a segment or a triangle.
-struct AxisPiece {
+struct JointHull {
   std::array<Joint, 3> joints;
   int count;
 };
 /// The pieces of a part's axis; the part's outline is their union grown by half_width. A bent plate has two,
 /// all other parts one. Straight plates are one segment between the outermost of their joints.
-std::vector<AxisPiece> axis_of(const Part& part, Complex shape, PlateStyle plate);
+std::vector<JointHull> axis_of(const Part& part, Complex shape, PlateStyle plate);
 
 /// The outline of a link in a pose, pin holes not cut out: its axis grown by half the width; arcs are true
 /// arcs.

@@ -207,7 +207,7 @@ bool seen_from_p(const ContactPair& pair) {
   return link.kind != Part::Kind::link || link.link == Link::VA || link.link == Link::BCY;
 }
 
-RelativeMotion relative_motion(const CopyingLinkage& linkage, const AxisPiece& one, const AxisPiece& other,
+RelativeMotion relative_motion(const CopyingLinkage& linkage, const JointHull& one, const JointHull& other,
                                bool from_p, double kept) {
   const auto fixed = [&](const Weights& w) {
     return from_p ? linkage.VA() * w.alpha : linkage.VB() * w.beta;
@@ -215,7 +215,7 @@ RelativeMotion relative_motion(const CopyingLinkage& linkage, const AxisPiece& o
   const auto moving = [&](const Weights& w) {
     return from_p ? linkage.VB() * w.beta : linkage.VA() * w.alpha;
   };
-  const auto weights = [&](const AxisPiece& piece, int i) {
+  const auto weights = [&](const JointHull& piece, int i) {
     return weights_of(piece.joints[static_cast<std::size_t>(i)], linkage.shape());
   };
   std::array<Point, 9> differences;
@@ -236,8 +236,8 @@ void for_each_motion(const CopyingLinkage& linkage, const LinkStyle& style,
     const ContactPair& pair = pairs[i];
     const double kept = half_width(pair.first, style) + half_width(pair.second, style);
     const auto others = axis_of(pair.second, linkage.shape(), style.plate);
-    for (const AxisPiece& one : axis_of(pair.first, linkage.shape(), style.plate))
-      for (const AxisPiece& other : others)
+    for (const JointHull& one : axis_of(pair.first, linkage.shape(), style.plate))
+      for (const JointHull& other : others)
         use(i, relative_motion(linkage, one, other, seen_from_p(pair), kept));
   }
 }
@@ -251,7 +251,7 @@ bool have_common_joint(const Part& a, const Part& b) {
                      [&](Joint joint) { return has_joint(b.link, joint); });
 }
 
-Hull hull_in(const AxisPiece& piece, const Pose& pose) {
+Hull hull_in(const JointHull& piece, const Pose& pose) {
   return {{pose[piece.joints[0]], pose[piece.joints[1]], pose[piece.joints[2]]}, piece.count};
 }
 
@@ -299,8 +299,8 @@ std::vector<ContactPair> contact_pairs(const CopyingLinkage& linkage, const Laye
 double gap(const ContactPair& pair, const Pose& pose, Complex shape, const LinkStyle& style) {
   double least = std::numeric_limits<double>::infinity();
   const auto others = axis_of(pair.second, shape, style.plate);
-  for (const AxisPiece& one : axis_of(pair.first, shape, style.plate))
-    for (const AxisPiece& other : others)
+  for (const JointHull& one : axis_of(pair.first, shape, style.plate))
+    for (const JointHull& other : others)
       least = std::min(least, distance(hull_in(one, pose), hull_in(other, pose)));
   return least - half_width(pair.first, style) - half_width(pair.second, style);
 }

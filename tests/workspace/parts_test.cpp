@@ -80,7 +80,7 @@ TEST(Parts, OutlineIsTheAxisGrownByHalfTheWidth) {
       const Point point =
           middle + as_point(std::polar(style.width * dice.between(0, 3), dice.between(-pi, pi)));
       double from_axis = 1e300;
-      for (const AxisPiece& piece : axis) {
+      for (const JointHull& piece : axis) {
         if (piece.count == 3 &&
             inside({pose[piece.joints[0]], pose[piece.joints[1]], pose[piece.joints[2]]}, point))
           from_axis = 0;

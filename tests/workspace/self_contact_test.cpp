@@ -13,7 +13,7 @@ using test::Dice;
 double sampled_gap(const ContactPair& pair, const Pose& pose, Complex shape, const LinkStyle& style) {
   const auto strewn = [&](const Part& part) {
     std::vector<Point> points;
-    for (const AxisPiece& piece : axis_of(part, shape, style.plate)) {
+    for (const JointHull& piece : axis_of(part, shape, style.plate)) {
       const Point &a = pose[piece.joints[0]], &b = pose[piece.joints[1]], &c = pose[piece.joints[2]];
       const int steps = piece.count == 1 ? 0 : 40;
       for (int i = 0; i <= steps; ++i)
