@@ -86,6 +86,7 @@ struct Obstacle {
   Polygon shape;
   int lowest_layer = 1;   ///< 1 is next to the table
   int highest_layer = 1;
+  std::string name = {};  ///< for people: "obstacle 2" unless the spec names it; empty if not from a spec
 };
 
 enum class Objective { size, transmission, copy_error, footprint };
