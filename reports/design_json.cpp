@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/geojson_geometry.hpp"
+#include "reports/link_shape.hpp"
 #include "reports/stated_angle.hpp"
 
 namespace kempe {
@@ -27,11 +28,6 @@ Json lengths_json(const LinkLengths& lengths) {
   const auto values = lengths.values();
   for (std::size_t i = 0; i < values.size(); ++i) json[std::string(LinkLengths::names[i])] = values[i];
   return json;
-}
-
-std::string shape_name(Link link, const LinkStyle& style) {
-  if (joints_of(link).count == 2) return "bar";
-  return style.plate == PlateStyle::bent ? "bent" : "triangle";
 }
 
 Json links_json(const Design& design) {

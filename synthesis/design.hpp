@@ -52,6 +52,7 @@ struct Design {
   OpeningInterval opening{};          ///< certified
   Quality quality{};
   WorkspaceMap map{};
+  Region footprint{};               ///< outer bound of what all links sweep; empty if it was not asked for
   Verification verification{};
   std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
 };
