@@ -1,0 +1,204 @@
+// Steps: bodies from lengths - a first position near the middle of the opening - drive to the region - follow its rings
+// and hatch its inside - compare the pen with k - fit a similarity - check the limits.
+
+#include "synthesis/verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "synthesis/verification_drive.hpp"
+
+namespace kempe {
+namespace {
+
+/// Complex least squares of pen = m * tracer + t over what was driven; m alone is wanted.
+class SimilarityFit {
+ public:
+  void add(Complex tracer, Complex pen) { pairs_.emplace_back(tracer, pen); }
+
+  Complex ratio() const {
+    Complex tracer_mean = 0, pen_mean = 0;
+    const double count = static_cast<double>(pairs_.size());
+    for (const auto& [tracer, pen] : pairs_) {
+      tracer_mean += tracer / count;
+      pen_mean += pen / count;
+    }
+    Complex moment = 0;
+    double spread = 0;
+    for (const auto& [tracer, pen] : pairs_) {
+      moment += std::conj(tracer - tracer_mean) * (pen - pen_mean);
+      spread += std::norm(tracer - tracer_mean);
+    }
+    return spread > 0 ? moment / spread : 0;
+  }
+
+ private:
+  std::vector<std::pair<Complex, Complex>> pairs_;
+};
+
+constexpr double opening_slack = 1e-7;        // rad
+constexpr double transmission_slack = 1e-7;   // rad
+constexpr double length_slack = 1e-9;         // share of the length
+constexpr double loop_residual_share = 1e-12;
+
+/// The checks of one task while it is driven; remembers the first failure.
+class Checks {
+ public:
+  Checks(const VerificationTask& task, double size, double copy_error_allowed)
+      : task_(task), size_(size), copy_error_allowed_(copy_error_allowed) {
+    const Vertex vertex = task.mechanism.pole == Joint::V     ? Vertex::pole
+                          : task.mechanism.tracer == Joint::V ? Vertex::tracer
+                                                              : Vertex::pen;
+    const auto roles = CopyingLinkage::make(task.k, vertex, task.mechanism.lengths.VA, task.mechanism.lengths.VB, 0);
+    if (roles) {
+      pairs_ = contact_pairs(*roles, task.layers);
+      shape_ = roles->shape();
+    }
+    check_lengths();
+  }
+
+  void see(const Pose& pose, double residual) {
+    ++result_.samples;
+    const Point& tracer = pose[task_.mechanism.tracer];
+    const Point& pen = pose[task_.mechanism.pen];
+    const Complex reach = as_complex(tracer - task_.mechanism.pole_position);
+    const double copy_error = std::abs(as_complex(pen - task_.mechanism.pole_position) - task_.k * reach);
+    result_.copy_error_max = std::max(result_.copy_error_max, copy_error);
+    result_.loop_residual_max = std::max(result_.loop_residual_max, residual);
+    fit_.add(reach, as_complex(pen - task_.mechanism.pole_position));
+    if (!(residual <= loop_residual_share * size_))
+      fail(fmt::format("the loops stay open by {:.3g} mm", residual), tracer);
+    if (!(copy_error <= copy_error_allowed_))
+      fail(fmt::format("the pen is {:.3g} mm from where the ratio puts it", copy_error), tracer);
+    check_assembly(pose, tracer);
+    check_transmission(pose, tracer);
+    check_clearance(pose, tracer);
+  }
+
+  void fail(const std::string& what, const Point& tracer) {
+    if (result_.failure.empty())
+      result_.failure = fmt::format("{} with the tracer at ({:.3f}, {:.3f})", what, tracer.x(), tracer.y());
+  }
+  void fail(const std::string& what) {
+    if (result_.failure.empty()) result_.failure = what;
+  }
+
+  Verification result() {
+    const Complex ratio = fit_.ratio();
+    result_.scale = std::abs(ratio);
+    result_.rotation = std::arg(ratio);
+    if (result_.samples < 3) fail("the tracer could not be driven over the region");
+    if (result_.samples >= 3 && std::abs(ratio - task_.k) > 1e-8 * (1 + std::abs(task_.k)))
+      fail(fmt::format("the driven pairs fit scale {:.9g} and rotation {:.9g} degrees", result_.scale,
+                       degrees(result_.rotation)));
+    result_.certified = result_.failure.empty();
+    return result_;
+  }
+
+ private:
+  void check_lengths() {
+    const auto values = task_.mechanism.lengths.values();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] < task_.shortest * (1 - length_slack) || values[i] > task_.longest * (1 + length_slack))
+        fail(fmt::format("{} = {:.6g} mm lies outside {:.6g} .. {:.6g} mm", LinkLengths::names[i], values[i],
+                         task_.shortest, task_.longest));
+  }
+
+  void check_assembly(const Pose& pose, const Point& tracer) {
+    const auto side = [](const Point& a, const Point& b) { return (cross(a, b) > 0) - (cross(a, b) < 0); };
+    const std::array<int, 2> sides{side(pose.A - pose.V, pose.B - pose.V), side(pose.A - pose.V, pose.X - pose.A)};
+    if (result_.samples > 1 && sides != sides_) {
+      ++result_.flips;
+      fail("the linkage changed its assembly", tracer);
+    }
+    sides_ = sides;
+    const OpeningInterval& allowed = task_.mechanism.opening;
+    double opening = std::arg(as_complex(pose.B - pose.V) / as_complex(pose.A - pose.V));
+    opening -= 2 * pi * std::round((opening - allowed.middle()) / (2 * pi));
+    if (opening < allowed.lower - opening_slack || opening > allowed.upper + opening_slack)
+      fail(fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening), degrees(allowed.lower),
+                       degrees(allowed.upper)),
+           tracer);
+  }
+
+  void check_transmission(const Pose& pose, const Point& tracer) {
+    const auto angle = [](const Point& a, const Point& b) { return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b))); };
+    const double seen = std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
+    if (seen < task_.transmission - transmission_slack)
+      fail(fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
+                       degrees(task_.transmission)),
+           tracer);
+  }
+
+  void check_clearance(const Pose& pose, const Point& tracer) {
+    if (!task_.clearance) return;
+    for (const ContactPair& pair : pairs_) {
+      const double free = gap(pair, pose, shape_, task_.style);
+      if (free < *task_.clearance - 1e-6)
+        fail(fmt::format("{} are {:.4f} mm apart, less than {:.4f}", name(pair), free, *task_.clearance),
+             tracer);
+    }
+  }
+
+  const VerificationTask& task_;
+  double size_, copy_error_allowed_;
+  std::vector<ContactPair> pairs_;
+  Complex shape_{};
+  std::array<int, 2> sides_{};
+  SimilarityFit fit_;
+  Verification result_;
+};
+
+double sum_of_lengths(const LinkLengths& lengths) {
+  double sum = 0;
+  for (const double length : lengths.values()) sum += length;
+  return sum;
+}
+
+}  // namespace
+
+VerificationTask verification_task(const Design& design) {
+  const CopyingLinkage& l = design.linkage;
+  VerificationTask task;
+  task.mechanism = {l.lengths(), l.orientation(), l.pole_joint(), l.tracer_joint(), l.pen_joint(), l.pole(),
+                    design.opening};
+  task.k = l.k();
+  task.region = design.region;
+  task.region_covered = design.map.coverage.covered;
+  task.style = design.style;
+  task.layers = design.layers;
+  if (task.region_covered) {
+    task.transmission = design.limits.transmission;
+    task.clearance = design.limits.clearance;
+  }
+  return task;
+}
+
+Verification verify(const VerificationTask& task, const VerificationOptions& options) {
+  const double size = sum_of_lengths(task.mechanism.lengths);
+  Checks checks(task, size, options.copy_error_share * size);
+  const auto stations = stations_over(task.region, task.mechanism.pole_position, options);
+  if (stations.empty()) {
+    checks.fail("there is no region to drive over");
+    return checks.result();
+  }
+  auto drive = Drive::make(task.mechanism, stations.front());
+  if (!drive) {
+    checks.fail(drive.error());
+    return checks.result();
+  }
+  for (const Point& station : stations) {
+    if (const auto arrived = drive->go_to(station)) {
+      checks.see(drive->pose(), drive->residual());
+    } else if (task.region_covered) {
+      checks.fail(arrived.error(), station);
+      break;
+    }
+  }
+  return checks.result();
+}
+
+}  // namespace kempe
