@@ -185,33 +185,57 @@ double PlanarPath::bending_here() const {
   return bending_ / (1 - bending_ * moved_);
 }
 
-/// The share of the way to the target that one step may take, 0 at a singular position. Leaves in change_ the
-/// first Newton step for the whole way.
-double PlanarPath::certified_share(const std::vector<double>& target) {
-  const std::vector<double>& now = equations_.values();
-  step_.setZero(q_.size());
-  double reach = 0;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    const int driver = static_cast<int>(i);
-    step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
-    if (!equations_.has_distance_driver()) continue;
-    const double way =
-        equations_.driver_slope(driver) * std::abs(target[i] - now[i]) * std::max(1.0, target[i] / now[i]);
-    trial_.setZero(q_.size());
-    trial_[equations_.driver_row(driver)] = way;
-    reach += longest(lu_.solve(trial_));
-  }
-  change_.noalias() = lu_.solve(step_);
-  if (!change_.allFinite()) return 0;
-  if (!equations_.has_distance_driver()) reach = longest(change_);
+/// How much of a step whose first Newton step is at most `reach` long may be taken: its certified length,
+/// rad; 0 at a singular position.
+double PlanarPath::allowed_step(double reach) {
   double omega = bending_here();
   if (omega < 0 || omega * reach > kantorovich_limit || moved_ + 2 * reach > ball) {
     if (moved_ > 0 || bending_ < 0) bound_bending();
     omega = bending_;
   }
   const double allowed = omega * longest_step > kantorovich_limit ? kantorovich_limit / omega : longest_step;
-  if (!(allowed > singular_turn)) return 0;
+  return allowed > singular_turn ? allowed : 0;
+}
+
+/// Length of the first Newton step if one driver moves by at most `way`.
+double PlanarPath::reach_of(int driver, double way) {
+  const double value = equations_.values()[static_cast<std::size_t>(driver)];
+  const double growth = equations_.has_distance_driver() ? std::max(1.0, 1 + way / std::abs(value)) : 1;
+  step_.setZero(q_.size());
+  step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * way * growth;
+  trial_.noalias() = lu_.solve(step_);
+  return longest(trial_);
+}
+
+/// The share of the straight way to the target that one step may take, 0 at a singular position.
+double PlanarPath::straight_share(const std::vector<double>& target) {
+  const std::vector<double>& now = equations_.values();
+  double reach = 0;
+  if (equations_.has_distance_driver()) {
+    for (std::size_t i = 0; i < target.size(); ++i)
+      reach += reach_of(static_cast<int>(i), std::abs(target[i] - now[i]));
+  } else {
+    step_.setZero(q_.size());
+    for (std::size_t i = 0; i < target.size(); ++i) {
+      const int driver = static_cast<int>(i);
+      step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
+    }
+    trial_.noalias() = lu_.solve(step_);
+    reach = longest(trial_);
+  }
+  if (!std::isfinite(reach)) return 0;
+  const double allowed = allowed_step(reach);
   return reach <= allowed ? 1 : allowed / reach;
+}
+
+/// The share of a curve that one step may take when `left` of it is left.
+double PlanarPath::curve_share(const DriverCurve& curve, double left) {
+  double reach = 0;
+  for (std::size_t i = 0; i < curve.fastest.size(); ++i)
+    reach += reach_of(static_cast<int>(i), curve.fastest[i] * left);
+  if (!std::isfinite(reach)) return 0;
+  const double allowed = allowed_step(reach);
+  return reach <= allowed ? left : left * allowed / reach;
 }
 
 /// Newton from q_ to the position at `values`: true if it converges to rounding. The first step uses the
@@ -245,8 +269,6 @@ bool PlanarPath::correct(const std::vector<double>& values) {
 /// only follow from the others.
 double PlanarPath::closing_limit() const { return 1e-11 * magnitude_of(q_, equations_.size()); }
 
-PathStop PlanarPath::stop(PathEnd end, double share) const { return {end, share, equations_.values()}; }
-
 /// At a singular position the left null vector tells: a dead point resists the drivers, a change point does
 /// not.
 PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) const {
@@ -265,36 +287,91 @@ PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) const
   return std::abs(along) <= crossing_share * std::sqrt(all) ? PathEnd::change_point : PathEnd::dead_point;
 }
 
-tl::expected<void, PathStop> PlanarPath::advance(const std::vector<double>& target) {
-  double left = 1, trust = 1;
-  while (left > 0) {
-    if (!linearise()) return tl::unexpected(stop(kind_of_singularity(target), 1 - left));
-    const double share = certified_share(target) * trust;
-    if (!(share > 0) || trust < 1e-3) return tl::unexpected(stop(kind_of_singularity(target), 1 - left));
-    const std::vector<double> before = equations_.values();
-    std::vector<double> next = target;
-    if (share < 1)
-      for (std::size_t i = 0; i < next.size(); ++i) next[i] = before[i] + share * (target[i] - before[i]);
+void PlanarPath::accept() {
+  q_.swap(trial_);
+  f_.swap(trial_f_);
+  jacobian_.swap(trial_jacobian_);
+  if (bending_ >= 0) {
+    step_ = q_ - anchor_;
+    moved_ = longest(step_);
+  }
+  ++steps_;
+}
+
+/// The loop of all motion. `certified_share(covered)` is how much further the next step may go,
+/// `values_at(share, values)` the drivers there.
+template <class Share, class Values>
+tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, const Values& values_at) {
+  double covered = 0, trust = 1;
+  std::vector<double> before, next;
+  const auto stopped = [&](PathEnd end) {
+    return tl::unexpected(PathStop{end, covered, equations_.values()});
+  };
+  const auto singular = [&] {
+    values_at(std::min(1.0, covered + 1e-3), next);
+    return stopped(kind_of_singularity(next));
+  };
+  while (covered < 1) {
+    if (!linearise()) return singular();
+    const double share = certified_share(covered) * trust;
+    if (!(share > 0) || trust < 1e-3) return singular();
+    const double reached = covered + share >= 1 ? 1 : covered + share;
+    if (!(reached > covered)) return singular();
+    before = equations_.values();
+    values_at(reached, next);
     if (!correct(next)) {
       equations_.set_values(before);
       trust *= 0.5;
       continue;
     }
-    const double closed = closing_limit();
-    if (trial_f_.size() > q_.size() && trial_f_.lpNorm<Eigen::Infinity>() > closed) {
+    if (trial_f_.size() > q_.size() && trial_f_.lpNorm<Eigen::Infinity>() > closing_limit()) {
       equations_.set_values(before);
-      return tl::unexpected(stop(PathEnd::over_constrained, 1 - left));
+      return stopped(PathEnd::over_constrained);
     }
-    q_.swap(trial_);
-    f_.swap(trial_f_);
-    jacobian_.swap(trial_jacobian_);
-    step_ = q_ - anchor_;
-    moved_ = longest(step_);
-    ++steps_;
-    left = share < 1 ? left * (1 - share) : 0;
+    accept();
+    covered = reached;
     trust = std::min(1.0, 2 * trust);
   }
   return {};
+}
+
+tl::expected<void, PathStop> PlanarPath::advance(const std::vector<double>& target) {
+  const std::vector<double> from = equations_.values();
+  return move([&](double covered) { return (1 - covered) * straight_share(target); },
+              [&](double share, std::vector<double>& values) {
+                values = target;
+                if (share < 1)
+                  for (std::size_t i = 0; i < values.size(); ++i)
+                    values[i] = from[i] + share * (target[i] - from[i]);
+              });
+}
+
+tl::expected<void, PathStop> PlanarPath::follow(const DriverCurve& curve) {
+  return move([&](double covered) { return curve_share(curve, 1 - covered); }, curve.values_at);
+}
+
+Eigen::VectorXd PlanarPath::velocity(const std::vector<double>& speeds) {
+  linearise();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(q_.size());
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const int driver = static_cast<int>(i);
+    right[equations_.driver_row(driver)] = equations_.driver_slope(driver) * speeds[i];
+  }
+  return lu_.solve(right);
+}
+
+Eigen::VectorXd PlanarPath::acceleration(const Eigen::VectorXd& rate, const std::vector<double>& speeds,
+                                         const std::vector<double>& accelerations) {
+  linearise();
+  Eigen::VectorXd bend;
+  equations_.second_derivative(q_, rate, bend);
+  Eigen::VectorXd right = -bend.head(q_.size());
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const int driver = static_cast<int>(i);
+    right[equations_.driver_row(driver)] +=
+        equations_.driver_slope(driver) * accelerations[i] + equations_.driver_bend(driver, speeds[i]);
+  }
+  return lu_.solve(right);
 }
 
 }  // namespace kempe

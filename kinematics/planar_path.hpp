@@ -11,6 +11,7 @@
 // (Rounding is not part of the proof.)
 
 #include <Eigen/Dense>
+#include <functional>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
@@ -49,6 +50,14 @@ struct NoPathHere {
   PlanarPosition position;  ///< the closed position, for the others
 };
 
+/// A curve of driver values for PlanarPath::follow.
+struct DriverCurve {
+  /// Writes the driver values at a share of the curve, 0..1; continuous, and at 0 where the path stands.
+  std::function<void(double share, std::vector<double>& values)> values_at;
+  /// A bound of |dvalue/dshare| for each driver.
+  std::vector<double> fastest;
+};
+
 /// A linkage on the move. Invariant: it is closed at position() with the drivers at values(), its Jacobian is
 /// regular there, and every position it has shown lies on one assembly. Copyable; not to be shared by
 /// threads.
@@ -61,6 +70,17 @@ class PlanarPath {
   /// Moves all drivers straight from values() to `target`, in as many certified steps as it takes. On a stop
   /// the path stays at the last good position before the singular one, within about 1e-8 rad of it.
   tl::expected<void, PathStop> advance(const std::vector<double>& target);
+
+  /// Moves the drivers along a curve, with the same certificate for the curve itself (not for its chords).
+  tl::expected<void, PathStop> follow(const DriverCurve& curve);
+
+  /// Rates of all unknowns (mm/s, rad/s) for speeds of the drivers (mm/s, rad/s): J q' = -F', exactly.
+  Eigen::VectorXd velocity(const std::vector<double>& speeds);
+
+  /// Second derivatives (mm/s^2, rad/s^2) for the drivers' speeds and accelerations; `rate` is
+  /// velocity(speeds).
+  Eigen::VectorXd acceleration(const Eigen::VectorXd& rate, const std::vector<double>& speeds,
+                               const std::vector<double>& accelerations);
 
   PlanarPosition position() const { return position_of(q_); }
   Point at(const BodyPoint& point) const;
@@ -86,11 +106,16 @@ class PlanarPath {
   bool linearise();
   void bound_bending();
   double bending_here() const;
+  template <class Share, class Values>
+  tl::expected<void, PathStop> move(const Share& certified_share, const Values& values_at);
   double longest(const Eigen::VectorXd& change) const;
-  double certified_share(const std::vector<double>& target);
+  double allowed_step(double reach);
+  double reach_of(int driver, double way);
+  double straight_share(const std::vector<double>& target);
+  double curve_share(const DriverCurve& curve, double left);
+  void accept();
   double closing_limit() const;
   bool correct(const std::vector<double>& values);
-  PathStop stop(PathEnd end, double share) const;
   PathEnd kind_of_singularity(const std::vector<double>& target) const;
 
   PlanarEquations equations_;
