@@ -11,25 +11,6 @@ struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 
-/// The points that a constraint mentions.
-std::vector<BodyPoint> points_of(const Constraint& constraint) {
-  return std::visit(Overloaded{[](const Revolute& c) {
-                                 return std::vector{c.a, c.b};
-                               },
-                               [](const Coordinate& c) {
-                                 return std::vector{c.point, c.origin};
-                               },
-                               [](const Distance& c) {
-                                 return std::vector{c.a, c.b};
-                               },
-                               [](const RelativeAngle&) { return std::vector<BodyPoint>{}; },
-                               [](const GearPair&) { return std::vector<BodyPoint>{}; },
-                               [](const RackAndPinion& c) {
-                                 return std::vector{c.centre, c.rack_origin};
-                               }},
-                    constraint);
-}
-
 double value_of(const Constraint& constraint) {
   return std::visit(
       [](const auto& c) {
@@ -72,6 +53,24 @@ std::string fault_of(const Constraint& constraint) {
 
 }  // namespace
 
+std::vector<BodyPoint> points_of(const Constraint& constraint) {
+  return std::visit(Overloaded{[](const Revolute& c) {
+                                 return std::vector{c.a, c.b};
+                               },
+                               [](const Coordinate& c) {
+                                 return std::vector{c.point, c.origin};
+                               },
+                               [](const Distance& c) {
+                                 return std::vector{c.a, c.b};
+                               },
+                               [](const RelativeAngle&) { return std::vector<BodyPoint>{}; },
+                               [](const GearPair&) { return std::vector<BodyPoint>{}; },
+                               [](const RackAndPinion& c) {
+                                 return std::vector{c.centre, c.rack_origin};
+                               }},
+                    constraint);
+}
+
 int equation_count(const Constraint& constraint) {
   return std::holds_alternative<Revolute>(constraint) ? 2 : 1;
 }
@@ -86,7 +85,7 @@ std::vector<int> bodies_of(const Constraint& constraint) {
 }
 
 Point place(const PlanarPosition& position, const BodyPoint& point) {
-  const Placement& body = position[static_cast<std::size_t>(point.body)];
+  const BodyPlacement& body = position[static_cast<std::size_t>(point.body)];
   const double c = std::cos(body.angle), s = std::sin(body.angle);
   return body.at +
          Point(c * point.local.x() - s * point.local.y(), s * point.local.x() + c * point.local.y());
@@ -94,11 +93,13 @@ Point place(const PlanarPosition& position, const BodyPoint& point) {
 
 int PlanarLinkage::add_body(std::string name) {
   bodies_.push_back(std::move(name));
+  is_particle_.push_back(false);
   return body_count() - 1;
 }
 
 int PlanarLinkage::add_particle(std::string name) {
   const int body = add_body(name);
+  is_particle_.back() = true;
   add(RelativeAngle{body, ground, 0}, name + " does not turn");
   return body;
 }
@@ -120,6 +121,14 @@ int PlanarLinkage::drive_point(const BodyPoint& point, const std::string& name) 
   return first;
 }
 
+int PlanarLinkage::particle_count() const {
+  return static_cast<int>(std::count(is_particle_.begin(), is_particle_.end(), true));
+}
+
+bool PlanarLinkage::is_driver(int constraint) const {
+  return std::find(drivers_.begin(), drivers_.end(), constraint) != drivers_.end();
+}
+
 std::vector<double> PlanarLinkage::driver_values() const {
   std::vector<double> values;
   for (const int driver : drivers_)
@@ -137,7 +146,7 @@ double PlanarLinkage::size() const {
   std::vector<BodyPoint> points;
   double size = 0;
   for (std::size_t i = 0; i < constraints_.size(); ++i) {
-    if (std::find(drivers_.begin(), drivers_.end(), static_cast<int>(i)) != drivers_.end()) continue;
+    if (is_driver(static_cast<int>(i))) continue;
     const Constraint& constraint = constraints_[i].constraint;
     for (const BodyPoint& point : points_of(constraint)) points.push_back(point);
     if (const auto* distance = std::get_if<Distance>(&constraint)) size = std::max(size, distance->value);
@@ -151,9 +160,9 @@ double PlanarLinkage::size() const {
 PlanarLinkage PlanarLinkage::undriven() const {
   PlanarLinkage result;
   result.bodies_ = bodies_;
+  result.is_particle_ = is_particle_;
   for (std::size_t i = 0; i < constraints_.size(); ++i)
-    if (std::find(drivers_.begin(), drivers_.end(), static_cast<int>(i)) == drivers_.end())
-      result.constraints_.push_back(constraints_[i]);
+    if (!is_driver(static_cast<int>(i))) result.constraints_.push_back(constraints_[i]);
   return result;
 }
 

@@ -79,15 +79,18 @@ int equation_count(const Constraint& constraint);
 /// The bodies that a constraint mentions.
 std::vector<int> bodies_of(const Constraint& constraint);
 
+/// The points that a constraint mentions.
+std::vector<BodyPoint> points_of(const Constraint& constraint);
+
 /// Where a body is: the place of its frame's origin and its direction.
-struct Placement {
+struct BodyPlacement {
   Point at = Point::Zero();
   double angle = 0;  ///< rad, continuous
-  bool operator==(const Placement&) const = default;
+  bool operator==(const BodyPlacement&) const = default;
 };
 
 /// A position of a whole linkage: one placement a body, the ground (always at rest) first.
-using PlanarPosition = std::vector<Placement>;
+using PlanarPosition = std::vector<BodyPlacement>;
 
 /// Where a body's point is, table frame, mm.
 Point place(const PlanarPosition& position, const BodyPoint& point);
@@ -123,9 +126,12 @@ class PlanarLinkage {
 
   int body_count() const { return static_cast<int>(bodies_.size()); }  ///< the ground included
   const std::string& body_name(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
+  bool is_particle(int body) const { return is_particle_[static_cast<std::size_t>(body)]; }
+  int particle_count() const;
   const std::vector<NamedConstraint>& constraints() const { return constraints_; }
   /// Numbers of the constraints that are drivers, in the order of adding.
   const std::vector<int>& drivers() const { return drivers_; }
+  bool is_driver(int constraint) const;
   /// The values at which the drivers were added.
   std::vector<double> driver_values() const;
 
@@ -147,6 +153,7 @@ class PlanarLinkage {
 
  private:
   std::vector<std::string> bodies_{"ground"};
+  std::vector<bool> is_particle_{false};
   std::vector<NamedConstraint> constraints_;
   std::vector<int> drivers_;
 };
