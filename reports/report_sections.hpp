@@ -1,0 +1,32 @@
+#pragma once
+// The report's sections, each as an HTML fragment; an empty string where there is nothing to say.
+
+#include <string>
+
+#include "reports/html_report.hpp"
+#include "reports/map_picture.hpp"
+
+namespace kempe::report_sections {
+
+/// Title, one sentence about what the linkage does, and whether it may be believed.
+std::string header(const Design& design, const ReportExtras& extras);
+/// The few figures a reader looks for first.
+std::string key_figures(const Design& design);
+/// The picture with its legend; the live part hooks in here.
+std::string map(const MapPicture& picture, bool live);
+/// Lengths to cut, joints and layers.
+std::string making(const Design& design);
+std::string quality(const Design& design);
+std::string workspace(const Design& design);
+std::string tolerance(const Design& design, const ReportExtras& extras);
+std::string verification(const Design& design);
+std::string search(const Design& design);
+std::string pareto(const ReportExtras& extras);
+std::string parts(const ReportExtras& extras);
+std::string spec(const ReportExtras& extras);
+std::string footer(const ReportExtras& extras, bool live);
+
+/// "Copying linkage 1.4 : 1, turned 90°" unless the extras name one; not escaped.
+std::string title(const Design& design, const ReportExtras& extras);
+
+}  // namespace kempe::report_sections

@@ -1,0 +1,220 @@
+#include "tests/reports/report_specimens.hpp"
+
+#include <cmath>
+
+namespace kempe::testing {
+namespace {
+
+ArcRegion annulus(const Point& centre, double inner, double outer) {
+  return {{circle(centre, outer), {reversed(circle(centre, inner))}}};
+}
+
+ArcRegion annulus_of(const CopyingLinkage& linkage, const OpeningInterval& openings) {
+  const auto radii = linkage.radii_over(openings);
+  return annulus(linkage.pole(), radii.lower, radii.upper);
+}
+
+Ring ellipse(const Point& centre, double a, double b, int corners) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * pi * i / corners;
+    ring.push_back(centre + Point(a * std::cos(angle), b * std::sin(angle)));
+  }
+  return ring;
+}
+
+Ring rectangle(const Point& lower, const Point& size) {
+  return {lower, lower + Point(size.x(), 0), lower + size, lower + Point(0, size.y())};
+}
+
+/// Everything that follows from linkage, style, limits and region, as far as a picture needs it.
+Design design_of(const CopyingLinkage& linkage, double scale, double rotation, const Region& region,
+                 const LinkStyle& style, double transmission) {
+  Design design{.linkage = linkage};
+  design.scale = scale;
+  design.rotation = rotation;
+  design.region = region;
+  design.style = style;
+  design.limits.transmission = transmission;
+  design.opening = linkage.openings_with_transmission(transmission);
+  const auto range = distance_range(region, linkage.pole());
+  double least = pi / 2;
+  for (const double radius : {range.nearest, range.farthest})
+    if (const auto opening = linkage.opening_at(radius))
+      least = std::min(least, linkage.transmission_angle(*opening));
+  design.quality.size = linkage.size();
+  design.quality.transmission_min = least;
+  design.quality.clearance_min = 1.273;
+  design.quality.footprint = 9137.5;
+  WorkspaceMap& map = design.map;
+  map.certified_opening = design.opening;
+  map.reachable = annulus_of(linkage, linkage.assembly_interval());
+  map.usable = annulus_of(linkage, design.opening);
+  map.collision_free = map.usable;
+  const OpeningInterval whole = linkage.assembly_interval();
+  map.lost.push_back(
+      {Cause::transmission_below_limit, {}, annulus_of(linkage, {whole.lower, design.opening.lower})});
+  map.lost.push_back(
+      {Cause::transmission_below_limit, {}, annulus_of(linkage, {design.opening.upper, whole.upper})});
+  map.coverage.covered = true;
+  map.clearance_min = 1.273;
+  map.clearance_min_parts = "link VA and link BCY";
+  map.clearance_min_at = region.polygons.front().outer.front();
+  design.verification = {.samples = 2048,
+                         .copy_error_max = 3.1e-13,
+                         .loop_residual_max = 8.4e-14,
+                         .scale = scale,
+                         .rotation = rotation,
+                         .flips = 0,
+                         .certified = true};
+  design.search = SearchRecord{.objective = Objective::size,
+                               .value = linkage.size(),
+                               .solvers = {"NLopt 2.7.1 SLSQP", "Ipopt 3.11.9"},
+                               .evaluations = 48210,
+                               .seed = 1};
+  return design;
+}
+
+std::string part_svg(const char* outline) {
+  return std::string("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-10 -10 120 40\">") + outline +
+         "</svg>";
+}
+
+}  // namespace
+
+ReportSpecimen plagiograph_specimen() {
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3);
+  Region region{{Polygon{rectangle({64, -7}, {7, 14}), {}}}};
+  ReportSpecimen specimen{
+      "plagiograph",
+      design_of(linkage, 1.4, pi / 2, region, {.width = 8, .pin_diameter = 4, .thickness = 3}, radians(15)),
+      {}};
+  Design& design = specimen.design;
+  design.tolerance = Tolerance{0.05, 0.02};
+  design.quality.copy_error_worst = 0.4127;
+  design.quality.copy_error_rss = 0.1382;
+  design.quality.distortion_worst = 0.0931;
+  design.quality.lower_bound = linkage.size() * 0.985;
+  design.limits.copy_error = 0.5;
+  design.obstacles.push_back({Polygon{rectangle({20, 62}, {26, 14}), {}}, 1, 4});
+  // As if the obstacle took a bay out of the annulus.
+  const ArcVertex a{design.linkage.tracer_at(design.opening.lower, 0.9), 0};
+  const Point b = design.linkage.tracer_at(design.opening.lower, 1.5),
+              c = design.linkage.tracer_at(design.opening.upper, 1.5),
+              d = design.linkage.tracer_at(design.opening.upper, 0.9);
+  ArcRing bay{{a.at, std::tan(0.15)}, {b, 0}, {c, -std::tan(0.15)}, {d, 0}};
+  if (signed_area(bay) < 0) bay = reversed(bay);
+  design.map.lost.push_back({Cause::obstacle_contact, {"link ACX", "obstacle 1"}, {{bay, {}}}});
+  design.map.uncertain = {
+      {ArcRing{{a.at, 0}, {d, 0}, {d + Point(0.7, -0.7), 0}, {a.at + Point(0.7, -0.7), 0}}, {}}};
+  design.map.largest_sheets = {{"A7", 10.5, 7.4, {67.5, 0}, 0}};
+  specimen.extras = {
+      .title = "",
+      .program_version = "0.1.0",
+      .spec_name = "plagiograph.toml",
+      .spec_text =
+          "# The report's plagiograph\n[copy]\nscale = 1.4\nrotation_deg = 90\n\n[region]\nrectangle_mm = "
+          "{at = [64, -7], size = [7, 14]}\n\n[pole]\nat_mm = [0, 0]\n",
+      .copy_errors = {},
+      .tolerance_budget = {{"length CY", 0.14},
+                           {"length BY", 0.09},
+                           {"length BC", 0.07},
+                           {"play of pin C", 0.05},
+                           {"length AC", 0.03}},
+      .pareto = ParetoFront{"size", "mm", "copy error", "mm", {}},
+      .parts = {}};
+  for (int i = 0; i <= 40; ++i) {
+    const double opening = design.opening.lower + design.opening.width() * i / 40;
+    const double mu = design.linkage.transmission_angle(opening);
+    specimen.extras.copy_errors.push_back(
+        {opening, 0.12 / std::sin(mu), 0.04 / std::sin(mu), 0.03 / std::sin(mu)});
+  }
+  for (int i = 0; i < 9; ++i)
+    specimen.extras.pareto->rows.push_back(
+        {"design " + std::to_string(i + 1), 250.0 + 40 * i, 0.2 + 0.35 / (1 + i), i == 3});
+  specimen.extras.parts = {
+      {"VA.svg",
+       part_svg("<path d='M0,-6H50A6,6 0 0 1 50,6H0A6,6 0 0 1 0,-6Z' fill='none' stroke='black'/>")},
+      {"VB.svg",
+       part_svg("<path d='M0,-6H35A6,6 0 0 1 35,6H0A6,6 0 0 1 0,-6Z' fill='none' stroke='black'/>")}};
+  return specimen;
+}
+
+ReportSpecimen matlab_circle_specimen() {
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1.5, 0), Vertex::tracer, 40, 30, 1);
+  ReportSpecimen specimen{"matlab-circle",
+                          design_of(linkage, 1.5, 0, {{Polygon{ellipse({50, 50}, 10, 10, 96), {}}}},
+                                    {.width = 5, .pin_diameter = 3, .thickness = 3}, radians(20)),
+                          {}};
+  specimen.design.search.reset();
+  specimen.extras = {
+      .title = "",
+      .program_version = "0.1.0",
+      .spec_name = "matlab-circle.toml",
+      .spec_text = "[copy]\nscale = 1.5\n\n[region]\ncircle_mm = {centre = [50, 50], radius = 10}\n",
+      .copy_errors = {},
+      .tolerance_budget = {},
+      .pareto = {},
+      .parts = {}};
+  return specimen;
+}
+
+ReportSpecimen half_turn_specimen() {
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1.0 / 3, pi), Vertex::pole, 210, 70, 1, {-40, -220});
+  Region region{{Polygon{rectangle({-90, -60}, {60, 40}), {}}, Polygon{ellipse({20, -30}, 30, 22, 60), {}},
+                 Polygon{rectangle({70, -55}, {30, 60}), {}}}};
+  ReportSpecimen specimen{
+      "half-turn",
+      design_of(linkage, 1.0 / 3, pi, region, {.width = 14, .pin_diameter = 6, .thickness = 5}, radians(25)),
+      {}};
+  specimen.extras = {.title = "",
+                     .program_version = "0.1.0",
+                     .spec_name = "half-turn.toml",
+                     .spec_text = "[copy]\nscale = 0.3333333333333333\nrotation_deg = 180\n",
+                     .copy_errors = {},
+                     .tolerance_budget = {},
+                     .pareto = {},
+                     .parts = {}};
+  return specimen;
+}
+
+ReportSpecimen hostile_specimen() {
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1, pi / 3), Vertex::pen, 120, 110, 2, {10, 5});
+  const Point at = linkage.tracer_at(linkage.assembly_interval().middle(), 2.1);
+  ReportSpecimen specimen{
+      "hostile",
+      design_of(linkage, 1, pi / 3, {{Polygon{ellipse(at, 20, 9, 40), {ellipse(at, 5, 5, 12)}}}},
+                {.width = 12, .pin_diameter = 6, .thickness = 4, .plate = PlateStyle::triangle}, radians(12)),
+      {}};
+  specimen.design.map.coverage = {
+      false,
+      "The region leaves the workspace near (12.3, 45.6): <b>links</b> touch & \"jam\".",
+      at,
+      Cause::self_contact,
+      {"link VA", "link BCY"}};
+  specimen.design.verification.certified = false;
+  specimen.design.verification.failure = "<script>alert('failure')</script> the loop does not close";
+  specimen.extras = {
+      .title = "</title><script>window.hostile = 1</script> \"quoted\" & 'single'",
+      .program_version = "0.1.0<script>",
+      .spec_name = "a b\"'<img src=x onerror=window.hostile=1>.toml",
+      .spec_text = "# </pre><script>window.hostile = 1</script>\n<!-- <script> -->\n[copy]\nscale = 1\x01\n",
+      .copy_errors = {},
+      .tolerance_budget = {},
+      .pareto =
+          ParetoFront{"<b>size</b>",
+                      "mm",
+                      "x\" onload=\"window.hostile=1",
+                      "\xc2\xb0",
+                      {{"<i>one</i>", 1, 2, false}, {"</svg><script>window.hostile=1</script>", 2, 1, true}}},
+      .parts = {{"<script>window.hostile=1</script>",
+                 "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                 "onload=\"parent.hostile=1\"><script>parent.hostile=1</script></svg>"}}};
+  return specimen;
+}
+
+std::vector<ReportSpecimen> report_specimens() {
+  return {plagiograph_specimen(), matlab_circle_specimen(), half_turn_specimen(), hostile_specimen()};
+}
+
+}  // namespace kempe::testing
