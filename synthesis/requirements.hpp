@@ -1,0 +1,61 @@
+#pragma once
+// What a search must respect and what it makes as good as it can be.
+
+#include <optional>
+#include <string_view>
+
+#include "specs/spec.hpp"
+#include "workspace/parts.hpp"
+
+namespace kempe {
+
+/// Everything discrete about a design.
+struct Choice {
+  Vertex vertex = Vertex::pole;
+  int assembly = 0;
+  LayerAssignment layers;
+  bool operator==(const Choice&) const = default;
+};
+
+/// The limits in force: those of a spec, or with one of them moved.
+struct Requirements {
+  double transmission = 0;             ///< rad, at least
+  double clearance = 0;                ///< mm, at least
+  double shortest = 0;                 ///< mm, at least
+  double longest = 0;                  ///< mm, at most
+  std::optional<double> sheets_gap{};  ///< mm, at least
+  std::optional<double> copy_error{};  ///< mm, at most
+  double pole_margin = 0;              ///< mm, the pole may stand so far outside its area
+  std::optional<double> size{};        ///< mm, at most
+  std::optional<double> footprint{};   ///< mm^2, at most
+};
+Requirements requirements_of(const Spec& spec);
+
+/// What is made as small (size, copy_error, footprint, longest, pole_margin) or as large (transmission,
+/// clearance, shortest, sheets_gap) as it can be: the objectives of a spec, and every limit as an objective
+/// of its own.
+enum class Goal {
+  size,
+  transmission,
+  copy_error,
+  footprint,
+  clearance,
+  shortest,
+  longest,
+  sheets_gap,
+  pole_margin
+};
+std::string_view name(Goal goal);
+bool is_maximized(Goal goal);
+Goal goal_of(Objective objective);
+
+/// What a design has of each, in the goals' units: mm, rad, mm^2.
+struct Attained {
+  double size = 0, transmission = 0, clearance = 0, shortest = 0, longest = 0;
+  double sheets_gap = 0;   ///< negative: original and copy overlap
+  double pole_margin = 0;  ///< distance of the pole from its area
+  double copy_error = 0, footprint = 0;
+  double of(Goal goal) const;
+};
+
+}  // namespace kempe

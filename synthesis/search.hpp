@@ -1,0 +1,69 @@
+#pragma once
+// The search: from a spec to the best design that keeps every limit, or to the reason why there is none.
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "synthesis/requirements.hpp"
+
+namespace kempe {
+
+struct SearchOptions {
+  std::uint64_t seed = 1;
+  int threads = 1;                          ///< >= 1; the result does not depend on it
+  double time_limit = 1e9;                  ///< s of wall clock, > 0; at its end the best so far comes back
+  const std::atomic<bool>* stop = nullptr;  ///< set: the same at once
+  /// Share of the work done, 0..1, and what is being done; called from one thread at a time.
+  std::function<void(double share, std::string_view what)> progress;
+  bool diagnose = true;  ///< look for the least relaxations where there is no design
+};
+
+/// A design found: everything that assemble_design() needs beside the spec.
+struct FoundDesign {
+  CopyingLinkage linkage;
+  LayerAssignment layers;
+  Goal goal = Goal::size;
+  double value = 0;                    ///< of the goal: mm, rad or mm^2
+  OpeningInterval opening{};           ///< certified: transmission and contact kept all over it
+  Attained attained{};                 ///< evaluated anew at the design returned
+  std::vector<std::string> solvers{};  ///< names with versions, in the order of use
+  std::uint64_t evaluations = 0;
+  std::uint64_t seed = 0;
+  bool complete = true;  ///< false: stopped early, a better one may exist
+};
+
+/// One limit that, moved so far and alone, makes a design possible.
+struct Relaxation {
+  Goal limit = Goal::transmission;
+  double demanded = 0, possible = 0;  ///< mm or rad
+  std::string sentence;               ///< "transmission_deg = 30 is in the way; 27.4 would do"
+  FoundDesign design;                 ///< that keeps all other limits
+};
+
+/// Why there is no design.
+struct NoDesign {
+  std::string requirement;  ///< the limit's key, "limits.transmission_deg"
+  std::string sentence;     ///< for a person
+  std::vector<Relaxation> relaxations;
+  std::uint64_t evaluations = 0;
+};
+
+/// The search was stopped before it found a design; nothing is known.
+struct Stopped {
+  std::uint64_t evaluations = 0;
+};
+
+using SearchOutcome = std::variant<FoundDesign, NoDesign, Stopped>;
+
+/// The best design for a spec. Guarantees:
+///  1. a design returned keeps every limit of the spec, evaluated anew and its contact certified;
+///  2. the same spec and seed give the same outcome, bit for bit, for any number of threads (unless stopped
+///  early);
+///  3. what comes back after a stop is marked as incomplete.
+SearchOutcome synthesize(const Spec& spec, const SearchOptions& options);
+
+}  // namespace kempe

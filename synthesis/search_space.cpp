@@ -1,0 +1,117 @@
+#include "synthesis/search_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+/// Relative distance kept from a bound of lengths, so that rounding a length cannot pass it.
+constexpr double inward = 1e-11;
+
+Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : std::get<Region>(pole.place); }
+
+}  // namespace
+
+SearchSpace::SearchSpace(const Spec& spec) : spec_(spec), region_(spec.region) {
+  if (!spec.pole.is_fixed()) area_.emplace(pole_region(spec.pole));
+  layout_.pole_is_free = area_.has_value();
+  if (area_) {
+    layout_.origin = region_.centre();
+    layout_.unit = std::max(region_.diagonal(), std::abs(area_->nearest(region_.centre()).distance));
+  } else {
+    layout_.origin = std::get<Point>(spec.pole.place);
+    fixed_annulus_ =
+        Annulus{region_.nearest(layout_.origin).distance, region_.farthest(layout_.origin).distance};
+    layout_.unit = fixed_annulus_->farthest;
+  }
+}
+
+SearchSpace::Annulus SearchSpace::annulus(const Point& pole) const {
+  if (fixed_annulus_ && pole == layout_.origin) return *fixed_annulus_;
+  return {region_.nearest(pole).distance, region_.farthest(pole).distance};
+}
+
+double SearchSpace::pole_distance(const Point& place) const {
+  return area_ ? std::max(0.0, area_->nearest(place).distance) : (place - layout_.origin).norm();
+}
+
+Point SearchSpace::nearest_pole(const Point& place) const {
+  if (!area_) return layout_.origin;
+  const RegionReach::Nearest nearest = area_->nearest(place);
+  return nearest.distance <= 0 ? place : nearest.place;
+}
+
+bool SearchSpace::is_on_edge(const Point& place) const {
+  if (!area_) return false;
+  const BoundaryEdge& edge = area_->edges()[area_->nearest(place).edge];
+  return place != edge.from && place != edge.to;
+}
+
+Box SearchSpace::pole_box(double margin) const {
+  const Box box = area_ ? area_->box() : Box{layout_.origin, layout_.origin};
+  return {box.lower - Point(margin, margin), box.upper + Point(margin, margin)};
+}
+
+std::vector<HalfPlane> SearchSpace::room_around(const Point& pole) const {
+  struct Cut {
+    double distance;
+    Point place;
+    std::size_t edge;
+  };
+  std::vector<Cut> cuts;
+  for (std::size_t i = 0; i < area_->edges().size(); ++i) {
+    const BoundaryEdge& edge = area_->edges()[i];
+    const Point place = nearest_on_segment(pole, edge.from, edge.to);
+    cuts.push_back({(place - pole).norm(), place, i});
+  }
+  std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.edge < b.edge);
+  });
+  std::vector<HalfPlane> room;
+  const double touching = 1e-9 * layout_.unit;
+  for (const Cut& cut : cuts) {
+    const auto& [from, to] = area_->edges()[cut.edge];
+    const auto beyond = [&](const HalfPlane& plane) {
+      return plane.inside(from) <= touching && plane.inside(to) <= touching;
+    };
+    if (std::any_of(room.begin(), room.end(), beyond)) continue;
+    const Point along = (to - from).normalized();
+    const HalfPlane edge_line{Point(along.y(), -along.x()), cut.place};
+    const bool at_corner = cut.place == from || cut.place == to;
+    const bool on_hull = std::all_of(area_->hull().begin(), area_->hull().end(), [&](const Point& corner) {
+      return edge_line.inside(corner) >= -touching;
+    });
+    if (at_corner && !on_hull && cut.distance > touching)
+      room.push_back({(cut.place - pole) / cut.distance, cut.place});
+    else
+      room.push_back(edge_line);
+  }
+  return room;
+}
+
+LogBox length_box(const Reach& reach, const Requirements& limits, const WorkshopSpec& workshop) {
+  const Reach::LengthFactors& f = reach.factors();
+  const double low = std::max(limits.shortest, 1e-9 * limits.longest);
+  LogBox box{{std::log(low / f.least_of_VA) + inward, std::log(limits.longest / f.most_of_VA) - inward},
+             {std::log(low / f.least_of_VB) + inward, std::log(limits.longest / f.most_of_VB) - inward}};
+  const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
+  // VA, VB, AC, BC, AX, CX, BY, CY as multiples of VA (true) or VB
+  const std::array<std::pair<bool, double>, 8> multiples{{{true, 1},
+                                                          {false, 1},
+                                                          {false, 1},
+                                                          {true, 1},
+                                                          {false, 1 / scale},
+                                                          {false, turn / scale},
+                                                          {true, scale},
+                                                          {true, turn}}};
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (!workshop.locked[i]) continue;
+    LogRange& range = multiples[i].first ? box.u : box.v;
+    const double locked = std::log(*workshop.locked[i] / multiples[i].second);
+    range = {std::max(range.lower, locked), std::min(range.upper, locked)};
+  }
+  return box;
+}
+
+}  // namespace kempe
