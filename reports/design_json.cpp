@@ -154,7 +154,8 @@ Json tolerance_json(const std::optional<Tolerance>& tolerance) {
 Json obstacles_json(const std::vector<Obstacle>& obstacles) {
   Json json = Json::array();
   for (const Obstacle& obstacle : obstacles)
-    json.push_back({{"shape", multi_polygon(Region{{obstacle.shape}})},
+    json.push_back({{"name", obstacle.name},
+                    {"shape", multi_polygon(Region{{obstacle.shape}})},
                     {"layers", Json::array({obstacle.lowest_layer, obstacle.highest_layer})}});
   return json;
 }

@@ -215,6 +215,7 @@ Obstacle obstacle(const JsonField& field) {
   Obstacle result;
   const Region shape = region(field["shape"]);
   if (shape.polygons.size() != 1) field["shape"].refuse("one polygon");
+  if (const auto name = field.find("name")) result.name = name->text();
   if (!shape.polygons.empty()) result.shape = shape.polygons.front();
   const auto layers = field["layers"].elements(2, 2);
   if (layers.size() != 2) return result;

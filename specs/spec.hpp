@@ -111,7 +111,7 @@ struct MechanismSpec {
 struct CuttingSpec {
   double hole_fit = 0;         ///< mm, a hole's diameter less the pin's; negative for a press fit
   double kerf = 0;             ///< mm, >= 0, the width that the cut takes away; drawings compensate half on each side
-  std::optional<Point> sheet;  ///< mm, width and height of the sheet to nest on; absent: parts are not nested
+  std::optional<Point> sheet{};  ///< mm, width and height of the sheet to nest on; absent: parts are not nested
   double gap = 5;              ///< mm, >= 0, between parts on a sheet and to its edge
 };
 

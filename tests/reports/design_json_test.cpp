@@ -35,7 +35,8 @@ TEST(DesignJson, HasEveryKeyOfTheContract) {
     "usable_mm2":0,"collision_free_mm2":0,"uncertain_mm2":0,"region_covered":0,"largest_sheet":0},"verification":{
     "samples":0,"copy_error_max_mm":0,"loop_residual_max_mm":0,"scale":0,"rotation_deg":0,"flips":0,"certified":0},
     "search":{"objective":0,"value":0,"solvers":0,"evaluations":0,"seed":0}})");
-  for (const auto& [pointer, value] : contract.flatten().items())
+  const Json flat = contract.flatten();
+  for (const auto& [pointer, value] : flat.items())
     EXPECT_TRUE(json.contains(Json::json_pointer(pointer))) << pointer;
   EXPECT_EQ(json["mechanism"]["orientation"].dump(), R"({"parallelogram":1,"plate_ACX":-1,"plate_BCY":1})");
   EXPECT_EQ(json["mechanism"]["links"][2].dump(),

@@ -1,0 +1,44 @@
+#pragma once
+// The links as parts to cut: outline, holes and engraving of each, in a frame of its own.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "reports/drawing.hpp"
+#include "synthesis/design.hpp"
+
+namespace kempe {
+
+/// A link as it lies on the sheet, seen from above (never mirrored). Its first joint is the origin; it is
+/// turned so that its bounding box is smallest and lies down.
+struct CutPart {
+  struct Hole {
+    Joint joint;
+    Point centre;  ///< mm
+  };
+  std::string name;               ///< "ACX"
+  int layer = 1;                  ///< of the mechanism, 1 is next to the table
+  double thickness = 4;           ///< mm
+  double hole_diameter = 6;       ///< mm: of the pin, plus the fit, less the kerf
+  ArcRing outline;                ///< counter-clockwise, grown by half the kerf
+  std::vector<Hole> holes;        ///< at every joint, as far apart as the link's lengths say
+  std::vector<TextShape> labels;  ///< engraved: the name and the joints' letters
+};
+
+/// The part of one link. `cutting` as the spec reader checked it: the hole's diameter stays positive and
+/// below the width.
+CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting);
+/// All four, in the order of all_links.
+std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cutting);
+
+/// Area of the part as drawn, mm^2: the outline less its holes.
+double area(const CutPart& part);
+
+/// The part alone: its outline and holes on a layer of its name, the engraving on the layer LABELS.
+Drawing part_drawing(const CutPart& part);
+
+/// The name of the layer that carries everything engraved.
+inline constexpr std::string_view label_layer = "LABELS";
+
+}  // namespace kempe
