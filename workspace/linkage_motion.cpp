@@ -1,0 +1,81 @@
+#include "workspace/linkage_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kempe {
+namespace {
+
+/// Joint places as multiples of p and of q, V at the origin.
+std::array<std::array<Complex, 2>, 6> multiples(Complex s) {
+  return {{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 1.0 / s}, {s, 1}}};
+}
+
+}  // namespace
+
+LinkageMotion::LinkageMotion(const CopyingLinkage& linkage)
+    : VA_(linkage.VA()),
+      VB_(linkage.VB()),
+      chain_end_(linkage.VB() / std::abs(linkage.shape())),
+      shape_(linkage.shape()),
+      chain_per_tracer_(1),
+      dead_(std::arg(linkage.shape())) {
+  const auto of = multiples(shape_);
+  const auto pole = static_cast<std::size_t>(linkage.pole_joint());
+  const auto tracer = static_cast<std::size_t>(linkage.tracer_joint());
+  for (std::size_t joint = 0; joint < 6; ++joint) {
+    a_[joint] = of[joint][0] - of[pole][0];
+    b_[joint] = of[joint][1] - of[pole][1];
+  }
+  // The tracer is a fixed multiple of the chain p + q/s: its multiple of p.
+  chain_per_tracer_ = 1.0 / a_[tracer];
+}
+
+double LinkageMotion::squared_chain(double opening) const {
+  return VA_ * VA_ + chain_end_ * chain_end_ + 2 * VA_ * chain_end_ * std::cos(opening - dead_);
+}
+
+MovingJoints LinkageMotion::over(double opening, double half_opening, double bearing,
+                                 double half_bearing) const {
+  const Complex q_from_p = std::polar(VB_ / VA_, opening);
+  const Complex unturned = (1.0 + q_from_p / shape_) / chain_per_tracer_;  // the tracer for p = 1
+  const double length = std::abs(unturned);
+  const Complex p = VA_ * std::polar(1.0, bearing) * std::conj(unturned) / length;
+  const Complex q = p * q_from_p;
+  const double difference = VA_ * VA_ - chain_end_ * chain_end_;
+  const auto turning = [&](double squared) { return 0.5 + 0.5 * difference / squared; };  // g'
+  const double here = turning(std::max(squared_chain(opening), std::numeric_limits<double>::min()));
+  const double one = squared_chain(opening - half_opening), other = squared_chain(opening + half_opening);
+  const double least = std::max(std::min(one, other), std::numeric_limits<double>::min());
+  const double g1 =
+      std::max(std::abs(turning(std::max(one, least))), std::abs(turning(std::max(other, least))));
+  const double f1 =
+      std::max(std::abs(turning(std::max(one, least)) - 1), std::abs(turning(std::max(other, least)) - 1));
+  const double bend = std::abs(difference) * std::min(VA_, chain_end_) / (least * std::sqrt(least));
+
+  MovingJoints joints;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Complex of_p = a_[i] * p, of_q = b_[i] * q;
+    const Complex at = of_p + of_q;
+    const Complex by_opening = Complex(0, 1) * ((here - 1) * of_p + here * of_q);
+    const double p_size = std::abs(a_[i]) * VA_, q_size = std::abs(b_[i]) * VB_;
+    const double far = std::abs(at), speed = std::abs(by_opening);
+    const double bowed =
+        0.5 * half_opening * half_opening * (p_size * (bend + f1 * f1) + q_size * (bend + g1 * g1));
+    const double rest =
+        bowed + 0.5 * far * half_bearing * half_bearing + half_bearing * (speed * half_opening + bowed);
+    const double turned = std::min(far * half_bearing, 2 * far);
+    const double reach =
+        std::min(turned + half_opening * (f1 * p_size + g1 * q_size), turned + half_opening * speed + bowed);
+    joints[i] = {as_point(at), as_point(by_opening), far, speed, rest, reach};
+  }
+  return joints;
+}
+
+double LinkageMotion::farthest(Joint joint) const {
+  const auto i = static_cast<std::size_t>(joint);
+  return std::abs(a_[i]) * VA_ + std::abs(b_[i]) * VB_;
+}
+
+}  // namespace kempe

@@ -1,0 +1,55 @@
+#pragma once
+// Where the joints are, how fast they move and how far they can get while opening and bearing vary a little.
+//
+// The opening d and the bearing t of the tracer, seen from the pole, are the map's two angles: within one
+// assembly they and the tracer's place determine each other. With the pole at the origin a joint stands at
+//     z = a p + b q,   p = VA exp(i(f + t)),   q = VB exp(i(g + t)),   f = -arg(chain at bearing 0),   g = f
+//     + d,
+// with fixed complex a, b. Turning the bearing turns all: dz/dt = i z. By the law of cosines in the chain's
+// triangle (sides VA, m = VB/|s| and c, the chain's length)
+//     g' = 1/2 + (VA^2 - m^2) / (2 c^2),   f' = g' - 1,   |f''| = |g''| <= |VA^2 - m^2| min(VA, m) / c^3,
+//     dz/dd = i (f' a p + g' b q),
+//     |d2z/dd2| <= |a| VA (|f''| + f'^2) + |b| VB (|g''| + g'^2).
+// c is monotone over an assembly, so over an interval of d the bounds of f', g' and f'' are those of its
+// ends.
+
+#include <array>
+
+#include "kinematics/copying_linkage.hpp"
+
+namespace kempe {
+
+/// A joint, seen from the pole, in the middle of a rectangle of openings and bearings.
+struct MovingJoint {
+  Point at;          ///< mm
+  Point by_opening;  ///< d at / d opening, mm/rad; d at / d bearing is `at` turned left by a right angle
+  double far;        ///< |at|
+  double speed;      ///< |by_opening|
+  double rest;   ///< mm: how far the joint may stray from at + by_opening dd + (i at) dt within the rectangle
+  double reach;  ///< mm: how far it may stray from `at` within the rectangle
+};
+
+/// All six joints; the pole's own is at rest at the origin.
+using MovingJoints = std::array<MovingJoint, 6>;
+
+class LinkageMotion {
+ public:
+  explicit LinkageMotion(const CopyingLinkage& linkage);
+
+  /// The joints in the middle of the rectangle opening +- half_opening, bearing +- half_bearing (rad), with
+  /// bounds that hold all over it. The rectangle's openings must lie in the assembly's interval.
+  MovingJoints over(double opening, double half_opening, double bearing, double half_bearing) const;
+
+  /// An upper bound of the distance of a joint from the pole over all openings of the assembly, mm.
+  double farthest(Joint joint) const;
+
+ private:
+  double squared_chain(double opening) const;
+
+  double VA_, VB_, chain_end_;  // chain_end_ is m = VB / |s|
+  Complex shape_, chain_per_tracer_;
+  std::array<Complex, 6> a_, b_;
+  double dead_;  // arg s
+};
+
+}  // namespace kempe
