@@ -1,0 +1,224 @@
+#include "specs/build_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+/// What concerns several keys of [links].
+class LinkChecks {
+ public:
+  LinkChecks(const LinkSpec& links, const TableView& table, Complaints& complaints)
+      : links_(links), table_(table), complaints_(complaints) {}
+
+  void run() {
+    if (links_.style.pin_diameter > links_.style.width) {
+      refuse(
+          table_.has("pin_diameter_mm") ? "pin_diameter_mm" : "width_mm",
+          fmt::format("a pin of {} mm in a link {} mm wide", links_.style.pin_diameter, links_.style.width),
+          "pin_diameter_mm <= width_mm");
+    }
+    if (links_.shortest > links_.longest) {
+      refuse(table_.has("shortest_mm") ? "shortest_mm" : "longest_mm",
+             fmt::format("shortest_mm {} above longest_mm {}", links_.shortest, links_.longest),
+             "shortest_mm <= longest_mm");
+      return;
+    }
+    check_workshop();
+  }
+
+ private:
+  void refuse(std::string_view key, std::string found, std::string allowed) {
+    complaints_.add(table_.line_of_key(key), table_.dotted(key), std::move(found), std::move(allowed));
+  }
+
+  bool fits(double length) const { return links_.shortest <= length && length <= links_.longest; }
+  std::string range() const {
+    return fmt::format("{} to {} mm (shortest_mm, longest_mm)", links_.shortest, links_.longest);
+  }
+
+  void check_workshop() {
+    const WorkshopSpec& workshop = links_.workshop;
+    if (workshop.grid && !workshop.stock.empty())
+      refuse("stock_mm", "it beside grid_mm", "one of grid_mm and stock_mm");
+    if (workshop.grid && !fits(std::floor(links_.longest / *workshop.grid) * *workshop.grid)) {
+      refuse("grid_mm", fmt::format("{}, of which no multiple is a length allowed", *workshop.grid),
+             "lengths from " + range());
+    }
+    if (!workshop.stock.empty() && std::none_of(workshop.stock.begin(), workshop.stock.end(),
+                                                [&](double length) { return fits(length); })) {
+      refuse("stock_mm", "no length that is allowed", "at least one length from " + range());
+    }
+    check_locked(workshop);
+  }
+
+  void check_locked(const WorkshopSpec& workshop) {
+    for (std::size_t i = 0; i < LinkLengths::names.size(); ++i) {
+      if (!workshop.locked[i] || fits(*workshop.locked[i])) continue;
+      refuse(std::string(LinkLengths::names[i]) + "_mm", fmt::format("{}", *workshop.locked[i]), range());
+    }
+    check_opposite(0, 3);
+    check_opposite(1, 2);
+  }
+
+  /// Opposite sides of the parallelogram are equal.
+  void check_opposite(std::size_t first, std::size_t second) {
+    const auto &one = links_.workshop.locked[first], &other = links_.workshop.locked[second];
+    if (!one || !other || *one == *other) return;
+    const auto names = LinkLengths::names;
+    refuse(std::string(names[second]) + "_mm",
+           fmt::format("{} beside {}_mm = {}", *other, names[first], *one),
+           fmt::format("{} = {}: opposite sides of the parallelogram", names[second], names[first]));
+  }
+
+  const LinkSpec& links_;
+  const TableView& table_;
+  Complaints& complaints_;
+};
+
+WorkshopSpec read_workshop(const TableView& table) {
+  WorkshopSpec workshop;
+  table.set("grid_mm", workshop.grid);
+  for (std::size_t i = 0; i < workshop.locked.size(); ++i) {
+    table.set(std::string(LinkLengths::names[i]) + "_mm", workshop.locked[i]);
+  }
+  const toml::node* stock = table.find("stock_mm");
+  if (!stock || !stock->is_array()) return workshop;
+  for (const toml::node& length : *stock->as_array())
+    workshop.stock.push_back(finite_number(length).value_or(0));
+  std::sort(workshop.stock.begin(), workshop.stock.end());
+  workshop.stock.erase(std::unique(workshop.stock.begin(), workshop.stock.end()), workshop.stock.end());
+  return workshop;
+}
+
+Vertex vertex_named(std::string_view word) {
+  return *std::find_if(all_vertices.begin(), all_vertices.end() - 1,
+                       [&](Vertex v) { return name(v) == word; });
+}
+
+Objective objective_named(std::string_view word) {
+  for (const Objective objective : {Objective::transmission, Objective::copy_error, Objective::footprint}) {
+    if (name(objective) == word) return objective;
+  }
+  return Objective::size;
+}
+
+/// Links that share a joint must lie in different layers: all pairs but the opposite ones, VA-BCY and VB-ACX.
+bool joined_links_share_a_layer(const std::array<int, 4>& of) {
+  return of[0] == of[1] || of[0] == of[2] || of[1] == of[3] || of[2] == of[3];
+}
+
+std::optional<std::array<int, 4>> read_link_layers(const TableView& table, int most, Complaints& complaints) {
+  const toml::node* value = table.find("layers");
+  const toml::array* list = value ? value->as_array() : nullptr;
+  if (!list || list->size() != 4) return std::nullopt;
+  std::array<int, 4> layers{};
+  for (std::size_t i = 0; i < 4; ++i) layers[i] = (*list)[i].value_or(0);
+  const auto refuse = [&](std::string allowed) {
+    complaints.add(line_of(*value), "mechanism.layers", fmt::format("[{}]", fmt::join(layers, ", ")),
+                   std::move(allowed));
+  };
+  if (joined_links_share_a_layer(layers))
+    refuse("different layers for links that share a joint; only VA and BCY, and VB and ACX, may share one");
+  if (*std::max_element(layers.begin(), layers.end()) > most)
+    refuse(fmt::format("layers 1 to {} (links.layers)", most));
+  return layers;
+}
+
+}  // namespace
+
+LinkSpec read_links(const TableView& table, Complaints& complaints) {
+  LinkSpec links;
+  std::string plate;
+  table.set("width_mm", links.style.width);
+  table.set("pin_diameter_mm", links.style.pin_diameter);
+  table.set("thickness_mm", links.style.thickness);
+  table.set("plate", plate);
+  table.set("layers", links.layers);
+  table.set("shortest_mm", links.shortest);
+  table.set("longest_mm", links.longest);
+  links.style.plate = plate == "triangle" ? PlateStyle::triangle : PlateStyle::bent;
+  links.workshop = read_workshop(table);
+  LinkChecks(links, table, complaints).run();
+  return links;
+}
+
+Limits read_limits(const TableView& table) {
+  Limits limits;
+  double transmission_degrees = 30;
+  table.set("clearance_mm", limits.clearance);
+  table.set("transmission_deg", transmission_degrees);
+  table.set("sheets_gap_mm", limits.sheets_gap);
+  table.set("copy_error_mm", limits.copy_error);
+  limits.transmission = radians(transmission_degrees);
+  return limits;
+}
+
+std::optional<Tolerance> read_tolerance(const TableView& table) {
+  if (!table.present()) return std::nullopt;
+  Tolerance tolerance;
+  table.set("length_mm", tolerance.length);
+  table.set("play_mm", tolerance.play);
+  return tolerance;
+}
+
+ToolSpec read_tool(const TableView& table) {
+  ToolSpec tool;
+  table.set("follower_radius_mm", tool.follower_radius);
+  table.set("cutter_radius_mm", tool.cutter_radius);
+  return tool;
+}
+
+ObjectiveSpec read_objective(const TableView& table, Complaints& complaints) {
+  ObjectiveSpec objective;
+  if (table.has("minimize") && table.has("maximize")) {
+    complaints.add(table.line_of_key("maximize"), "objective.maximize", "it beside minimize",
+                   "one of minimize and maximize");
+  }
+  std::string word = "size";
+  table.set("minimize", word);
+  table.set("maximize", word);
+  objective.objective = objective_named(word);
+  const toml::node* groundings = table.find("groundings");
+  if (!groundings || !groundings->is_array()) return objective;
+  objective.groundings.clear();
+  for (const toml::node& node : *groundings->as_array()) {
+    objective.groundings.push_back(vertex_named(node.value_or(std::string())));
+  }
+  return objective;
+}
+
+std::optional<MechanismSpec> read_mechanism(const TableView& table, const CopySpec& copy, int layers,
+                                            Complaints& complaints) {
+  if (!table.present()) return std::nullopt;
+  MechanismSpec mechanism;
+  std::string vertex;
+  table.set("vertex", vertex);
+  table.set("VA_mm", mechanism.VA);
+  table.set("VB_mm", mechanism.VB);
+  table.set("assembly", mechanism.assembly);
+  mechanism.vertex = vertex_named(vertex);
+  mechanism.layers = read_link_layers(table, layers, complaints);
+  if (!complaints.none()) return mechanism;
+  const auto count = static_cast<int>(assemblies(shape_of(copy.k, mechanism.vertex)).size());
+  if (mechanism.assembly >= count) {
+    complaints.add(table.line_of_key("assembly"), "mechanism.assembly", fmt::format("{}", mechanism.assembly),
+                   fmt::format("0 to {}: this ratio has {} assemblies with the {} at the vertex", count - 1,
+                               count, vertex));
+  }
+  return mechanism;
+}
+
+CuttingSpec read_cutting(const TableView& table) {
+  CuttingSpec cutting;
+  table.set("hole_fit_mm", cutting.hole_fit);
+  table.set("kerf_mm", cutting.kerf);
+  table.set("gap_mm", cutting.gap);
+  if (table.has("sheet_mm")) table.set("sheet_mm", cutting.sheet.emplace(Point::Zero()));
+  return cutting;
+}
+
+}  // namespace kempe

@@ -1,0 +1,32 @@
+#include "specs/region_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "specs/geojson_reader.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr RegionFileKind kinds[] = {
+    {".geojson", read_geojson_region, false},
+};
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+std::span<const RegionFileKind> region_file_kinds() { return kinds; }
+
+const RegionFileKind* region_file_kind(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  const auto found = std::find_if(std::begin(kinds), std::end(kinds),
+                                  [&](const RegionFileKind& kind) { return kind.extension == extension; });
+  return found == std::end(kinds) ? nullptr : found;
+}
+
+}  // namespace kempe

@@ -1,0 +1,26 @@
+#pragma once
+// The tables about places: [region], [pole] and [[obstacles]].
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "specs/complaints.hpp"
+#include "specs/spec.hpp"
+#include "specs/toml_access.hpp"
+
+namespace kempe {
+
+/// Reads a [region] table whose keys have been checked; files are looked for in `folder`.
+std::optional<Region> read_region(const TableView& table, const std::filesystem::path& folder,
+                                  Complaints& complaints);
+
+/// Reads a [pole] table whose keys have been checked. Without it the pole is fixed at `natural`.
+PoleSpec read_pole(const TableView& table, const Point& natural, Complaints& complaints);
+
+/// Reads the [[obstacles]] tables, whose keys have been checked. An outline of several rings makes an
+/// obstacle a ring; one that crosses itself falls apart into simple rings, which cover all that it winds
+/// around (ring_loops.hpp) and may overlap. Zero area is refused.
+std::vector<Obstacle> read_obstacles(const toml::array& tables, Complaints& complaints);
+
+}  // namespace kempe

@@ -1,0 +1,157 @@
+#include "specs/shape_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "specs/region_checks.hpp"
+#include "specs/spec_keys.hpp"
+
+namespace kempe {
+namespace {
+
+/// A list whose first element is no list: as it stands in a ring, a point.
+bool looks_like_point(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  return list && !list->empty() && !(*list)[0].is_array();
+}
+
+/// One key's rings while they are read.
+class RingsReader {
+ public:
+  RingsReader(std::string key, Complaints& complaints) : key_(std::move(key)), complaints_(complaints) {}
+
+  std::optional<std::vector<Ring>> read(const toml::array& list) {
+    std::vector<Ring> rings;
+    if (list.empty()) return refuse(list, "an empty list");
+    if (looks_like_point(list[0])) {
+      auto ring = read_ring(list);
+      if (!ring) return std::nullopt;
+      rings.push_back(std::move(*ring));
+      return rings;
+    }
+    for (const toml::node& node : list) {
+      const toml::array* corners = node.as_array();
+      if (!corners) return refuse(node, fmt::format("ring {}: {}", rings.size() + 1, describe(node)));
+      auto ring = read_ring(*corners);
+      if (!ring) return std::nullopt;
+      rings.push_back(std::move(*ring));
+    }
+    return rings;
+  }
+
+ private:
+  std::optional<Ring> read_ring(const toml::array& list) {
+    Ring ring;
+    ring.reserve(list.size());
+    for (const toml::node& node : list) {
+      const auto corner = finite_point(node);
+      if (!corner) {
+        refuse(node, fmt::format("corner {}: {}", ring.size() + 1, describe_corner(node)));
+        return std::nullopt;
+      }
+      ring.push_back(*corner);
+    }
+    return ring;
+  }
+
+  /// "[1, nan]", not "a list of 2".
+  static std::string describe_corner(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (!list || list->size() != 2) return describe(node);
+    return fmt::format("[{}, {}]", describe((*list)[0]), describe((*list)[1]));
+  }
+
+  std::nullopt_t refuse(const toml::node& node, std::string found) {
+    complaints_.add(line_of(node), key_, std::move(found),
+                    "a ring [[x, y], [x, y], [x, y], ...] of finite numbers or a list of such rings");
+    return std::nullopt;
+  }
+
+  std::string key_;
+  Complaints& complaints_;
+};
+
+Ring read_rectangle(const TableView& table) {
+  Point at = Point::Zero(), size = Point::Zero();
+  table.set("at", at);
+  table.set("size", size);
+  return {at, {at.x() + size.x(), at.y()}, at + size, {at.x(), at.y() + size.y()}};
+}
+
+Ring read_circle(const TableView& table) {
+  Point centre = Point::Zero();
+  double radius = 0;
+  table.set("centre", centre);
+  table.set("radius", radius);
+  return polygon_around_circle(centre, radius);
+}
+
+/// Where a ring of a key stands: the element of the list of rings, or the whole value.
+int line_of_ring(const TableView& table, std::string_view key, std::size_t ring) {
+  const toml::node* value = table.find(key);
+  const toml::array* list = value ? value->as_array() : nullptr;
+  if (list && ring < list->size() && !looks_like_point((*list)[0])) return line_of((*list)[ring]);
+  return table.line_of_key(key);
+}
+
+}  // namespace
+
+std::optional<std::vector<Ring>> read_rings(const TableView& table, std::string_view key,
+                                            Complaints& complaints) {
+  const toml::node* value = table.find(key);
+  if (!value) return std::vector<Ring>{};
+  const toml::array* list = value->as_array();
+  return list ? RingsReader(table.dotted(key), complaints).read(*list) : std::nullopt;
+}
+
+std::optional<std::string_view> exactly_one_of(const TableView& table,
+                                               const std::vector<std::string_view>& keys,
+                                               Complaints& complaints) {
+  std::vector<std::string_view> present;
+  for (const std::string_view key : keys) {
+    if (table.has(key)) present.push_back(key);
+  }
+  if (present.size() == 1) return present[0];
+  const int line = present.empty() ? table.line() : table.line_of_key(present[1]);
+  complaints.add(line, table.path(),
+                 present.empty() ? "none of them" : fmt::format("{}", fmt::join(present, " and ")),
+                 fmt::format("exactly one of {}", fmt::join(keys, ", ")));
+  return std::nullopt;
+}
+
+Ring read_figure(const TableView& table, std::string_view key) {
+  const toml::node* value = table.find(key);
+  if (!value || !value->is_table()) return {};
+  const TableView figure(*value->as_table(), table.dotted(key));
+  return key == "circle_mm" ? read_circle(figure) : read_rectangle(figure);
+}
+
+std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints) {
+  std::vector<Ring> outers{read_figure(table, key)};
+  if (key == "polygon_mm") {
+    auto rings = read_rings(table, key, complaints);
+    if (!rings) return std::nullopt;
+    outers = std::move(*rings);
+  }
+  const auto holes = read_rings(table, "holes_mm", complaints);
+  if (!holes) return std::nullopt;
+  auto region = assemble_region(outers, *holes);
+  if (region) return std::move(*region);
+  const RingFault& fault = region.error();
+  const std::string_view at_fault = fault.is_hole ? "holes_mm" : key;
+  complaints.add(line_of_ring(table, at_fault, fault.ring), table.dotted(at_fault), fault.found,
+                 fault.allowed);
+  return std::nullopt;
+}
+
+Ring polygon_around_circle(const Point& centre, double radius) {
+  constexpr int corners = 1440;
+  const double reach = radius / std::cos(pi / corners);
+  Ring ring;
+  for (int i = 0; i < corners; ++i)
+    ring.push_back(centre + as_point(std::polar(reach, 2 * pi * i / corners)));
+  return ring;
+}
+
+}  // namespace kempe

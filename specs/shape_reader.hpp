@@ -1,0 +1,34 @@
+#pragma once
+// Shapes in a table of the spec: rings, rectangles, circles.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "specs/complaints.hpp"
+#include "specs/region.hpp"
+#include "specs/toml_access.hpp"
+
+namespace kempe {
+
+/// The rings of a key that holds one ring or a list of rings; an absent key holds none. Nothing comes back
+/// after a complaint.
+std::optional<std::vector<Ring>> read_rings(const TableView& table, std::string_view key,
+                                            Complaints& complaints);
+
+/// The one of `keys` that the table has; a complaint and nothing if it has none of them or several.
+std::optional<std::string_view> exactly_one_of(const TableView& table,
+                                               const std::vector<std::string_view>& keys,
+                                               Complaints& complaints);
+
+/// The ring of rectangle_mm or circle_mm, whichever `key` is.
+Ring read_figure(const TableView& table, std::string_view key);
+
+/// The region of polygon_mm (with holes_mm), rectangle_mm or circle_mm, whichever `key` is.
+std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints);
+
+/// A circle as a region must hold it to be covered: the regular polygon around it with 1440 corners, which
+/// exceeds the radius by 2.4e-6 of it at most.
+Ring polygon_around_circle(const Point& centre, double radius);
+
+}  // namespace kempe

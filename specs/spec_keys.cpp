@@ -1,0 +1,201 @@
+#include "specs/spec_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "specs/region_checks.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr KeyRange any{};
+constexpr KeyRange from(double lower, double upper) { return {lower, upper, false, false}; }
+constexpr KeyRange above(double lower, double upper) { return {lower, upper, true, false}; }
+constexpr KeyRange from_to_below(double lower, double upper) { return {lower, upper, false, true}; }
+
+constexpr KeyRange coordinate = from(-largest_coordinate, largest_coordinate);
+constexpr KeyRange length = above(0, 1e6);
+constexpr KeyRange layer = from(1, most_layers);
+constexpr bool required = true, optional = false;
+
+using enum KeyKind;
+
+constexpr SpecKey keys[] = {
+    {"copy", "scale", number, above(0, 1e4), "", optional, "1", "pen-side length over tracer-side length"},
+    {"copy", "rotation_deg", number, from(-3600, 3600), "", optional, "0",
+     "the copy's turn against the original, counter-clockwise"},
+    {"copy", "pairs_mm", pairs, coordinate, "", optional, "",
+     "instead of scale and rotation: points of the original, each with its point of the copy"},
+
+    {"region", "polygon_mm", rings, coordinate, "", optional, "",
+     "what the tracer must cover: a ring, or several"},
+    {"region", "holes_mm", rings, coordinate, "", optional, "", "rings inside that need not be covered"},
+    {"region", "rectangle_mm", rectangle, any, "", optional, "", "an upright rectangle instead"},
+    {"region", "circle_mm", circle, any, "", optional, "", "a circle instead"},
+    {"region", "file", text, any, "", optional, "",
+     "a drawing instead: .svg, .dxf or .geojson, beside the spec"},
+    {"region", "margin_mm", number, from(0, 1e4), "", optional, "0", "the region grows by this all around"},
+    {"region", "cover", choice, any, "hull|outline|strokes", optional, "\"hull\"",
+     "of a .svg or .dxf drawing: its convex hull, what its outlines enclose, or its strokes grown by "
+     "margin_mm"},
+
+    {"pole", "at_mm", point, coordinate, "", optional, "[0, 0]", "the pole's place"},
+    {"pole", "within_mm", rings, coordinate, "", optional, "",
+     "instead: the area in which the pole may stand"},
+
+    {"links", "width_mm", number, above(0, 1000), "", optional, "12", "width of every link"},
+    {"links", "pin_diameter_mm", number, above(0, 1000), "", optional, "6",
+     "diameter of pins and posts, at most the width"},
+    {"links", "thickness_mm", number, above(0, 1000), "", optional, "4", "thickness of every link"},
+    {"links", "plate", choice, any, "bent|triangle", optional, "\"bent\"",
+     "shape of the two links with three joints"},
+    {"links", "layers", whole_number, from(2, most_layers), "", optional, "2", "layers to build in, at most"},
+    {"links", "shortest_mm", number, length, "", optional, "15", "least distance of two joints of a link"},
+    {"links", "longest_mm", number, length, "", optional, "400", "largest distance of two joints of a link"},
+    {"links", "grid_mm", number, length, "", optional, "", "lengths are whole multiples of this"},
+    {"links", "stock_mm", numbers, length, "", optional, "", "lengths are taken from this list"},
+    {"links", "VA_mm", number, length, "", optional, "", "locks the length VA"},
+    {"links", "VB_mm", number, length, "", optional, "", "locks the length VB"},
+    {"links", "AC_mm", number, length, "", optional, "", "locks the length AC"},
+    {"links", "BC_mm", number, length, "", optional, "", "locks the length BC"},
+    {"links", "AX_mm", number, length, "", optional, "", "locks the length AX"},
+    {"links", "CX_mm", number, length, "", optional, "", "locks the length CX"},
+    {"links", "BY_mm", number, length, "", optional, "", "locks the length BY"},
+    {"links", "CY_mm", number, length, "", optional, "", "locks the length CY"},
+
+    {"limits", "clearance_mm", number, from(0, 1000), "", optional, "0.5",
+     "least gap between parts that may not touch"},
+    {"limits", "transmission_deg", number, from_to_below(0, 90), "", optional, "30",
+     "least transmission angle over the region"},
+    {"limits", "sheets_gap_mm", number, from(0, 1e5), "", optional, "",
+     "least distance of the original from its copy; left out: they may overlap"},
+    {"limits", "copy_error_mm", number, above(0, 1000), "", optional, "",
+     "largest copy error under [tolerance], worst case; left out: not limited"},
+
+    {"tolerance", "length_mm", number, from(0, 10), "", optional, "0",
+     "tolerance of every length, plus or minus"},
+    {"tolerance", "play_mm", number, from(0, 10), "", optional, "0", "play of every pin"},
+
+    {"tool", "follower_radius_mm", number, from(0, 1000), "", optional, "",
+     "radius of the follower at the tracer"},
+    {"tool", "cutter_radius_mm", number, from(0, 1000), "", optional, "", "radius of the cutter at the pen"},
+
+    {"obstacles", "name", text, any, "", optional, "",
+     "what the report calls it; left out: obstacle 1, 2, ..."},
+    {"obstacles", "polygon_mm", rings, coordinate, "", optional, "", "its outline: a ring, or several"},
+    {"obstacles", "rectangle_mm", rectangle, any, "", optional, "", "an upright rectangle instead"},
+    {"obstacles", "circle_mm", circle, any, "", optional, "", "a circle instead"},
+    {"obstacles", "layers", layer_range, layer, "", optional, "[1, 8]",
+     "the layers it stands in, lowest and highest; 1 is next to the table"},
+
+    {"objective", "minimize", choice, any, "size|copy_error|footprint", optional, "\"size\"",
+     "what is made small"},
+    {"objective", "maximize", choice, any, "transmission", optional, "", "what is made large instead"},
+    {"objective", "groundings", choices, any, "pole|tracer|pen", optional, "[\"pole\", \"tracer\", \"pen\"]",
+     "which points may stand at the parallelogram's vertex V"},
+
+    {"mechanism", "vertex", choice, any, "pole|tracer|pen", required, "", "which point stands at V"},
+    {"mechanism", "VA_mm", number, length, "", required, "", "length of the bar VA"},
+    {"mechanism", "VB_mm", number, length, "", required, "", "length of the bar VB"},
+    {"mechanism", "assembly", whole_number, from(0, 3), "", optional, "0",
+     "which usable interval of the opening, numbered from 0 upward from -180 degrees"},
+    {"mechanism", "layers", link_layers, layer, "", optional, "",
+     "layers of VA, VB, ACX, BCY; left out: the best are sought"},
+
+    {"cutting", "hole_fit_mm", number, from(-1, 10), "", optional, "0", "a hole's diameter less the pin's"},
+    {"cutting", "kerf_mm", number, from(0, 10), "", optional, "0", "width that the cut takes away"},
+    {"cutting", "sheet_mm", point, above(0, 1e5), "", optional, "",
+     "width and height of the sheet to nest the parts on; left out: not nested"},
+    {"cutting", "gap_mm", number, from(0, 1000), "", optional, "5",
+     "gap between parts on the sheet and to its edge"},
+
+    {"rectangle_mm", "at", point, coordinate, "", required, "", "the lower left corner"},
+    {"rectangle_mm", "size", point, above(0, 2 * largest_coordinate), "", required, "", "width and height"},
+    {"circle_mm", "centre", point, coordinate, "", required, "", "the centre"},
+    {"circle_mm", "radius", number, above(0, largest_coordinate), "", required, "", "the radius"},
+};
+
+constexpr std::array<std::string_view, 11> tables{"copy",      "region",    "pole",   "links",
+                                                  "limits",    "tolerance", "tool",   "obstacles",
+                                                  "objective", "mechanism", "cutting"};
+
+/// What people try instead, and how it is said.
+std::string_view remark_on(const SpecKey& key) {
+  return key.name == "scale" ? "; scale -c is scale c with 180 degrees more rotation" : "";
+}
+
+/// " mm", " degrees" or nothing.
+std::string_view unit_of(const SpecKey& key) {
+  if (key.name.ends_with("_mm") || key.table == "rectangle_mm" || key.table == "circle_mm") return " mm";
+  return key.name.ends_with("_deg") ? " degrees" : "";
+}
+
+}  // namespace
+
+bool KeyRange::contains(double value) const {
+  return (without_lower ? value > lower : value >= lower) && (without_upper ? value < upper : value <= upper);
+}
+
+std::string KeyRange::describe() const {
+  return fmt::format("{} {} and {} {}", without_lower ? ">" : ">=", lower, without_upper ? "<" : "<=", upper);
+}
+
+std::span<const SpecKey> spec_keys() { return keys; }
+std::span<const std::string_view> spec_tables() { return tables; }
+
+const SpecKey* find_spec_key(std::string_view table, std::string_view name) {
+  const auto found = std::find_if(std::begin(keys), std::end(keys),
+                                  [&](const SpecKey& key) { return key.table == table && key.name == name; });
+  return found == std::end(keys) ? nullptr : found;
+}
+
+std::vector<std::string_view> words_of(const SpecKey& key) {
+  std::vector<std::string_view> words;
+  std::string_view rest = key.words;
+  while (!rest.empty()) {
+    const std::size_t bar = std::min(rest.find('|'), rest.size());
+    words.push_back(rest.substr(0, bar));
+    rest.remove_prefix(std::min(bar + 1, rest.size()));
+  }
+  return words;
+}
+
+std::string describe_allowed(const SpecKey& key) {
+  const std::string range = key.range.describe();
+  const std::string words = fmt::format("\"{}\"", fmt::join(words_of(key), "\", \""));
+  const std::string_view unit = unit_of(key);
+  switch (key.kind) {
+    case number:
+      return fmt::format("a number {}{}{}", range, unit, remark_on(key));
+    case whole_number:
+      return fmt::format("a whole number {}", range);
+    case choice:
+      return "one of " + words;
+    case choices:
+      return fmt::format("a list of one or more of {}, each once", words);
+    case text:
+      return "text between quotation marks";
+    case numbers:
+      return fmt::format("a list of numbers {}{}", range, unit);
+    case point:
+      return fmt::format("[x, y], numbers {}{}", range, unit);
+    case layer_range:
+      return fmt::format("[lowest, highest], whole numbers {}", range);
+    case link_layers:
+      return fmt::format("the layers of [VA, VB, ACX, BCY], whole numbers {}", range);
+    case rings:
+      return fmt::format("a ring [[x, y], [x, y], [x, y], ...] or a list of rings, numbers {}{}", range,
+                         unit);
+    case rectangle:
+      return "{at = [x, y], size = [width, height]}, mm";
+    case circle:
+      return "{centre = [x, y], radius = r}, mm";
+    case pairs:
+      return "[[[x, y], [x, y]], ...]: tracer and pen, at least two pairs, numbers " + range + " mm";
+  }
+  return "";
+}
+
+}  // namespace kempe

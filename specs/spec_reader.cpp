@@ -1,0 +1,97 @@
+#include "specs/spec_reader.hpp"
+
+#include "specs/build_reader.hpp"
+#include "specs/complaints.hpp"
+#include "specs/copy_reader.hpp"
+#include "specs/key_checks.hpp"
+#include "specs/region_reader.hpp"
+#include "specs/text_file.hpp"
+#include "specs/toml_access.hpp"
+
+namespace kempe {
+namespace {
+
+/// A table of the top level, perhaps absent.
+TableView table_in(const toml::table& root, std::string_view name) {
+  const toml::table* table = root.get_as<toml::table>(name);
+  return table ? TableView(*table, std::string(name)) : TableView();
+}
+
+/// True if the spec asks for the copy error, by objective or limit.
+bool needs_tolerance(const Spec& spec) {
+  return spec.objective.objective == Objective::copy_error || spec.limits.copy_error.has_value();
+}
+
+void check_tolerance(const Spec& spec, const toml::table& root, Complaints& complaints) {
+  if (!needs_tolerance(spec)) return;
+  const bool by_limit = spec.limits.copy_error.has_value();
+  const TableView asking = table_in(root, by_limit ? "limits" : "objective");
+  const std::string_view key = by_limit ? "copy_error_mm" : "minimize";
+  if (!spec.tolerance) {
+    complaints.add(asking.line_of_key(key), asking.dotted(key),
+                   "the copy error asked for without [tolerance]",
+                   "it with a table [tolerance]: length_mm, play_mm");
+  } else if (spec.tolerance->length == 0 && spec.tolerance->play == 0) {
+    complaints.add(asking.line_of_key(key), asking.dotted(key),
+                   "the copy error asked for with all tolerances 0",
+                   "length_mm or play_mm above 0 in [tolerance]");
+  }
+}
+
+void require_tables(const toml::table& root, Complaints& complaints) {
+  if (!root.contains("copy")) {
+    complaints.add(0, "copy", "nothing", "a table [copy] with scale and rotation_deg, or pairs_mm");
+  }
+  if (!root.contains("region") && !root.contains("mechanism")) {
+    complaints.add(0, "region", "nothing",
+                   "a table [region] with exactly one of polygon_mm, rectangle_mm, circle_mm, file");
+  }
+}
+
+/// Reads all tables; whatever is wrong is in `complaints`. The tables' keys must be without complaint.
+Spec read_tables(const toml::table& root, const std::filesystem::path& folder, Complaints& complaints) {
+  Spec spec;
+  const auto table = [&root](std::string_view name) { return table_in(root, name); };
+  const CopyReading copy = read_copy(table("copy"), complaints);
+  spec.copy = copy.copy;
+  spec.links = read_links(table("links"), complaints);
+  spec.limits = read_limits(table("limits"));
+  spec.tolerance = read_tolerance(table("tolerance"));
+  spec.tool = read_tool(table("tool"));
+  spec.objective = read_objective(table("objective"), complaints);
+  spec.mechanism = read_mechanism(table("mechanism"), spec.copy, spec.links.layers, complaints);
+  spec.cutting = read_cutting(table("cutting"));
+  check_tolerance(spec, root, complaints);
+  // The costly ones last, and only if all the rest is well.
+  if (complaints.none()) spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
+  if (const auto* obstacles = root.get_as<toml::array>("obstacles"); obstacles && complaints.none()) {
+    spec.obstacles = read_obstacles(*obstacles, complaints);
+  }
+  if (root.contains("region") && complaints.none()) {
+    spec.region = read_region(table("region"), folder, complaints).value_or(Region{});
+  }
+  return spec;
+}
+
+}  // namespace
+
+tl::expected<Spec, InputError> read_spec(std::string_view text, const std::string& file_name,
+                                         const std::filesystem::path& folder) {
+  const auto root = parse_toml(text, file_name);
+  if (!root) return tl::unexpected(root.error());
+  Complaints complaints(file_name);
+  check_keys(*root, complaints);
+  if (complaints.none()) require_tables(*root, complaints);
+  if (!complaints.none()) return tl::unexpected(complaints.first());
+  Spec spec = read_tables(*root, folder, complaints);
+  if (!complaints.none()) return tl::unexpected(complaints.first());
+  return spec;
+}
+
+tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path) {
+  const auto text = read_text_file(path);
+  if (!text) return tl::unexpected(text.error());
+  return read_spec(*text, path.string(), path.parent_path());
+}
+
+}  // namespace kempe
