@@ -27,6 +27,7 @@ struct StoredDesign {
   Region region;
   Vertex vertex = Vertex::pole;
   Complex shape{1, 0};
+  std::optional<int> assembly;  ///< absent in a file of the contract's minimal form
   DrawnMechanism
       mechanism;  ///< the eight lengths, the orientation, the places and the opening, all as stored
   LinkStyle style;

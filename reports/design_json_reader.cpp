@@ -6,6 +6,7 @@
 
 #include "reports/design_json.hpp"
 #include "reports/json_fields.hpp"
+#include "specs/json_text.hpp"
 
 namespace kempe {
 namespace {
@@ -126,7 +127,7 @@ DrawnMechanism drawn_mechanism(const JsonField& field, Vertex vertex) {
           .tracer = carrier(field["tracer"], expected.tracer),
           .pen = carrier(field["pen"], expected.pen),
           .pole_position = point(field["pole_position_mm"]),
-          .opening = opening(field["opening_deg"])};
+          .opening = field["opening_deg"].is_null() ? OpeningInterval{} : opening(field["opening_deg"])};
 }
 
 /// The link's layer; its name and joints must be those of the mechanism.
@@ -154,6 +155,8 @@ void read_mechanism(const JsonField& field, StoredDesign& design) {
   design.vertex = one_of<Vertex>(field["vertex"],
                                  {{"pole", Vertex::pole}, {"tracer", Vertex::tracer}, {"pen", Vertex::pen}});
   design.mechanism = drawn_mechanism(field, design.vertex);
+  if (const auto assembly = field.find("assembly"))
+    design.assembly = static_cast<int>(assembly->integer(0, 3));
   const auto [real, imaginary] = field["shape"].pair();
   design.shape = {real, imaginary};
   read_links(field["links"], design);
@@ -280,7 +283,9 @@ std::optional<CopyingLinkage> fitting_assembly(const StoredDesign& design) {
   const auto intervals = assemblies(shape_of(design.k, design.vertex));
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const OpeningInterval widened{intervals[i].lower - slack, intervals[i].upper + slack};
-    if (!widened.contains(drawn.opening)) continue;
+    if (!widened.contains(drawn.opening) ||
+        static_cast<int>(i) != design.assembly.value_or(static_cast<int>(i)))
+      continue;
     const auto linkage = CopyingLinkage::make(design.k, design.vertex, drawn.lengths.VA, drawn.lengths.VB,
                                               static_cast<int>(i), drawn.pole_position);
     if (linkage && linkage->orientation() == drawn.orientation) return *linkage;

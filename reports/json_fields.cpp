@@ -5,73 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace kempe {
 namespace {
 
-using nlohmann::ordered_json;
-
-constexpr int deepest = 64;
-
-int line_of(std::string_view text, std::size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
-
-/// What the parser's callback finds wrong; nlohmann itself lets the last of two equal keys win in silence.
-class ShapeCheck {
- public:
-  bool operator()(int depth, ordered_json::parse_event_t event, const ordered_json& parsed) {
-    using Event = ordered_json::parse_event_t;
-    if (depth > deepest) too_deep_ = true;
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end && !keys_.empty()) keys_.pop_back();
-    if (event == Event::key && !keys_.empty() && !keys_.back().insert(parsed.get<std::string>()).second &&
-        !twice_)
-      twice_ = parsed.get<std::string>();
-    return !too_deep_;
-  }
-  const std::optional<std::string>& twice() const { return twice_; }
-  bool too_deep() const { return too_deep_; }
-
- private:
-  std::vector<std::set<std::string>> keys_;
-  std::optional<std::string> twice_;
-  bool too_deep_ = false;
-};
+using nlohmann::json;
 
 /// A value as it may be shown in a message: on one line and short.
-std::string quoted(const ordered_json& value) {
-  std::string text = value.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
+std::string quoted(const json& value) {
+  std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
   constexpr std::size_t longest = 60;
   if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text;
 }
 
 }  // namespace
-
-tl::expected<ordered_json, InputError> parse_json(std::string_view text, const std::string& file) {
-  const auto refused = [&](int line, const std::string& key, const std::string& found,
-                           const std::string& allowed) {
-    return tl::unexpected(InputError{file, line, key, found, allowed});
-  };
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    return refused(0, "", "an empty file", "JSON");
-  ShapeCheck check;
-  try {
-    ordered_json value = ordered_json::parse(text.begin(), text.end(), std::ref(check));
-    if (check.too_deep()) return refused(0, "", "nesting deeper than 64", "a design");
-    if (check.twice()) return refused(0, *check.twice(), "the key twice in one object", "once");
-    return value;
-  } catch (const ordered_json::parse_error& error) {
-    const bool cut_short = error.byte > text.size();
-    return refused(line_of(text, error.byte), "", cut_short ? "the end of the text" : "text that is not JSON",
-                   cut_short ? "the rest of the JSON value: the file is cut short" : "JSON");
-  } catch (const ordered_json::exception&) {
-    return refused(0, "", "a number beyond double precision", "finite numbers");
-  }
-}
 
 void JsonField::refuse(const std::string& found, const std::string& allowed) const {
   if (!log_->first) log_->first = InputError{log_->file, 0, path_, found, allowed};

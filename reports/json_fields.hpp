@@ -2,21 +2,15 @@
 // Hostile JSON as values: every field is asked for by key and type, the first thing wrong is remembered.
 
 #include <cstdint>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tl/expected.hpp>
 #include <vector>
 
 #include "specs/input_error.hpp"
 
 namespace kempe {
-
-/// Parses a whole text. Refused: text that is no JSON (with its line), a key that stands twice in one object,
-/// nesting deeper than 64, numbers beyond double.
-tl::expected<nlohmann::ordered_json, InputError> parse_json(std::string_view text, const std::string& file);
 
 /// A place in a parsed file. Asking for what is not there notes an error in the file's log and returns a
 /// harmless value, so that a reader reads as a list of fields; look at the log once at the end.
@@ -27,7 +21,7 @@ class JsonField {
     std::optional<InputError> first;
   };
 
-  JsonField(const nlohmann::ordered_json& root, Log& log) : JsonField(&root, "", log) {}
+  JsonField(const nlohmann::json& root, Log& log) : JsonField(&root, "", log) {}
 
   /// The member `key`, which must be there; `this` must be an object.
   JsonField operator[](std::string_view key) const;
@@ -36,6 +30,7 @@ class JsonField {
   /// The elements of an array of `least` to `most` entries.
   std::vector<JsonField> elements(std::size_t least, std::size_t most) const;
 
+  bool is_null() const { return value_ != nullptr && value_->is_null(); }
   /// A finite number in [lower, upper].
   double number(double lower, double upper) const;
   double number() const;
@@ -54,10 +49,10 @@ class JsonField {
   bool failed() const { return log_->first.has_value(); }
 
  private:
-  JsonField(const nlohmann::ordered_json* value, std::string path, Log& log)
+  JsonField(const nlohmann::json* value, std::string path, Log& log)
       : value_(value), path_(std::move(path)), log_(&log) {}
 
-  const nlohmann::ordered_json* value_;  ///< null after an error
+  const nlohmann::json* value_;  ///< null after an error
   std::string path_;
   Log* log_;
 };

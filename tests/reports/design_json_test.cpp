@@ -95,6 +95,15 @@ TEST(DesignJson, WritesNullForWhatIsInfiniteOrAbsent) {
   EXPECT_TRUE(read_design(text, "d.json"));
 }
 
+TEST(DesignJson, KeepsAMechanismWithoutAUsableOpening) {
+  Design design = plagiograph();
+  design.opening = {};
+  const auto read = read_design(design_json(design), "d.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_TRUE(read->mechanism.opening.empty());
+  EXPECT_EQ(linkage_of(*read, "d.json")->assembly(), design.linkage.assembly());
+}
+
 TEST(DesignJson, KeepsTheLimitsTheTolerancesAndTheObstacles) {
   Design design = plagiograph();
   design.limits.transmission = radians(25);
@@ -190,7 +199,7 @@ TEST(DesignJson, RefusesHostileText) {
   nan.replace(nan.find("1.4"), 3, "NaN");
   EXPECT_NE(message(nan).find("d.json:"), std::string::npos);
   EXPECT_NE(message(std::string(1'000'000, '[')), "");
-  EXPECT_NE(message(std::string(1000, '[') + std::string(1000, ']')).find("nesting"), std::string::npos);
+  EXPECT_NE(message(std::string(1000, '[') + std::string(1000, ']')).find("nested"), std::string::npos);
   EXPECT_NE(message(std::string("\0\xff\x01garbage", 10)), "");
   EXPECT_NE(message(""), "");
   EXPECT_NE(message("[]"), "");

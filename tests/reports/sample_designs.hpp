@@ -1,6 +1,7 @@
 #pragma once
 // Designs for the tests of what the program writes: made directly, without a search.
 
+#include <algorithm>
 #include <cmath>
 
 #include "synthesis/design.hpp"
@@ -13,7 +14,8 @@ inline Design sample_design(Complex k, Vertex vertex, double VA, double VB, int 
   design.scale = std::abs(k);
   design.rotation = std::arg(k);
   design.style = {.width = 12, .pin_diameter = 6, .thickness = 4, .plate = plate};
-  design.opening = shrink(design.linkage.assembly_interval(), radians(20));
+  design.opening = shrink(design.linkage.assembly_interval(),
+                          std::min(radians(20), 0.25 * design.linkage.assembly_interval().width()));
   design.quality.size = design.linkage.size();
   design.quality.transmission_min = radians(20);
   design.quality.clearance_min = 1.25;
