@@ -101,10 +101,17 @@ class CopyErrorProfile {
   /// and refined.
   std::vector<OpeningInterval> openings_within(double limit, const OpeningInterval& within) const;
 
+  /// An interval that holds every opening of `within` at which `worst` does not exceed the limit (mm): proven by the
+  /// largest slope, wider than the tightest such interval by about 1e-3 rad at most. Empty if there is no such opening.
+  OpeningInterval openings_not_ruled_out(double limit, const OpeningInterval& within) const;
+
   bool flat() const { return flat_; }
   const CopyTolerance& tolerance() const { return tolerance_; }
 
  private:
+  /// |d worst / d opening| is nowhere larger where |sin d| is at least `sine`.
+  double slope_at_most(double sine) const;
+
   Vertex vertex_;
   CopyTolerance tolerance_;
   Complex s_, output_;  // output_: pen deviation per unit of the loops' deviation

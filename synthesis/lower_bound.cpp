@@ -1,0 +1,380 @@
+// The tree: the most promising box of designs is looked at first, split across its widest coordinate, and each half is
+// shrunk by reach and length limits, bounded, and dropped if the sheets' gap or contact rules it out.
+
+#include "synthesis/lower_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "synthesis/copy_error.hpp"
+#include "synthesis/lower_bound_box.hpp"
+#include "synthesis/lower_bound_contact.hpp"
+#include "synthesis/region_reach.hpp"
+
+namespace kempe {
+namespace {
+
+using bounding::Assembly;
+using bounding::LengthBox;
+using bounding::PoleDistances;
+using bounding::Range;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double lock_slack = 1e-9;  // relative
+
+double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+
+/// An assembly with what is needed to turn |psi| into openings.
+struct Branch {
+  Assembly assembly;
+  double middle = 0, middle_psi = 0;  // the interval's middle: opening and |psi|, rad
+  std::vector<LayerAssignment> layers;
+
+  double psi_of(double opening) const { return middle_psi + assembly.bend * (opening - middle); }
+  double opening_of(double psi) const { return middle + assembly.bend * (psi - middle_psi); }
+};
+
+/// Lengths per VA (VA, BC, BY, CY) and per b = VB/|s| (VB, AC, AX, CX), with the sources' places in LinkLengths.
+struct Factor {
+  std::size_t length;
+  double per;
+};
+
+Range allowed(const Spec& spec, const std::array<Factor, 4>& factors) {
+  Range range{0, infinity};
+  const auto& locked = spec.links.workshop.locked;
+  for (const Factor& factor : factors) {
+    range.lower = std::max(range.lower, spec.links.shortest * (1 - lock_slack) / factor.per);
+    range.upper = std::min(range.upper, spec.links.longest * (1 + lock_slack) / factor.per);
+    if (!locked[factor.length]) continue;
+    range.lower = std::max(range.lower, *locked[factor.length] * (1 - lock_slack) / factor.per);
+    range.upper = std::min(range.upper, *locked[factor.length] * (1 + lock_slack) / factor.per);
+  }
+  return range;
+}
+
+Branch make_branch(const Spec& spec, Vertex vertex, int number) {
+  Branch branch;
+  Assembly& assembly = branch.assembly;
+  assembly.vertex = vertex;
+  assembly.number = number;
+  assembly.s = shape_of(spec.copy.k, vertex);
+  assembly.chain = vertex == Vertex::pen ? std::abs(spec.copy.k) : 1;
+  const OpeningInterval interval = assemblies(assembly.s)[static_cast<std::size_t>(number)];
+  const double psi = wrapped(interval.middle() - std::arg(assembly.s));
+  assembly.bend = psi < 0 ? -1 : 1;
+  branch.middle = interval.middle();
+  branch.middle_psi = std::abs(psi);
+  assembly.far_end = std::max(0.0, branch.middle_psi - interval.width() / 2);
+  assembly.near_end = std::min(pi, branch.middle_psi + interval.width() / 2);
+  assembly.allowed = {0, pi};
+  const double plate = std::abs(assembly.s), side = std::abs(1.0 - assembly.s);
+  assembly.size_per_a = 1 + (1 + plate + side) / 2;
+  assembly.size_per_b = plate + (plate + 1 + side) / 2;
+  assembly.a = allowed(spec, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
+  assembly.b = allowed(spec, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
+  if (spec.limits.copy_error && spec.tolerance) {
+    const CopyErrorProfile profile(spec.copy.k, vertex, CopyTolerance::uniform(*spec.tolerance));
+    const OpeningInterval kept = profile.openings_not_ruled_out(*spec.limits.copy_error, interval);
+    const double one = branch.psi_of(kept.lower), other = branch.psi_of(kept.upper);
+    assembly.allowed = kept.empty() ? Range{} : Range{std::min(one, other), std::max(one, other)};
+  }
+  return branch;
+}
+
+/// Where the sheets are looked at: some places of the region; the copy's distance from the region at a pole is at most
+/// the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
+class SheetsGap {
+ public:
+  SheetsGap(const Spec& spec, const RegionReach& region) : region_(region), k_(spec.copy.k), gap_(spec.limits.sheets_gap) {
+    if (!gap_) return;
+    constexpr std::size_t most = 24;
+    const auto& edges = region.edges();
+    for (std::size_t i = 0; i < edges.size(); i += 1 + edges.size() / most) places_.push_back(edges[i].from);
+    places_.insert(places_.end(), region.hull().begin(),
+                   region.hull().begin() + static_cast<std::ptrdiff_t>(std::min(most, region.hull().size())));
+  }
+
+  /// True if original and copy come too near for every pole within `radius` of `pole`.
+  bool ruled_out(const Point& pole, double radius) const {
+    if (!gap_) return false;
+    const double slack = std::abs(1.0 - k_) * radius;
+    for (const Point& place : places_) {
+      const Complex from_pole = as_complex(place - pole);
+      const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
+      if (region_.nearest(image).distance + slack < *gap_ - rounding()) return true;
+      if (std::abs(k_) * region_.nearest(source).distance + slack < *gap_ - rounding()) return true;
+    }
+    return false;
+  }
+
+ private:
+  double rounding() const { return 1e-12 * (region_.diagonal() + *gap_); }
+  const RegionReach& region_;
+  Complex k_;
+  std::optional<double> gap_;
+  std::vector<Point> places_;
+};
+
+/// A box of designs of one branch.
+struct Node {
+  double bound = 0;  // smaller is more promising: size, or minus the transmission angle
+  std::size_t number = 0;
+  std::size_t branch = 0;
+  Range x, y;
+  PoleDistances distances;
+  LengthBox lengths;
+  std::uint64_t alive = 0;  // layer assignments not yet ruled out, one bit each
+
+  Point pole() const { return {0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper)}; }
+  double radius() const { return 0.5 * std::hypot(x.upper - x.lower, y.upper - y.lower); }
+};
+
+struct LessPromising {
+  bool operator()(const Node& one, const Node& other) const {
+    return one.bound != other.bound ? one.bound > other.bound : one.number > other.number;
+  }
+};
+
+class Tree {
+ public:
+  Tree(const Spec& spec, Objective objective, const BoundOptions& options)
+      : spec_(spec), options_(options), by_size_(objective == Objective::size), region_(spec.region),
+        sheets_(spec, region_) {
+    if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
+    if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
+    // The posts stand on the table: pole, tracer and pen keep their distance from each other.
+    const double between_posts = spec.links.style.pin_diameter + spec.limits.clearance;
+    const double k = std::abs(spec.copy.k), third = std::abs(1.0 - spec.copy.k);
+    least_radius_ = options.self_contact ? between_posts / std::min({1.0, k, third}) * (1 - 1e-12) : 0;
+  }
+
+  ProvenBound grow() {
+    plant();
+    while (!open_.empty() && boxes_ < options_.boxes && open_.top().bound < enough()) {
+      const Node node = open_.top();
+      open_.pop();
+      try_designs(node);
+      split(node);
+    }
+    return verdict();
+  }
+
+ private:
+  const Assembly& assembly(const Node& node) const { return branches_[node.branch].assembly; }
+
+  /// Bounds at least this good end the search.
+  double enough() const { return best_ < infinity ? best_ - options_.tolerance * std::abs(best_) : infinity; }
+
+  /// The transmission angle that designs of interest have at least.
+  double transmission() const { return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_); }
+
+  void plant() {
+    Range x, y;
+    if (area_) {
+      x = {area_->box().lower.x(), area_->box().upper.x()};
+      y = {area_->box().lower.y(), area_->box().upper.y()};
+    } else {
+      const Point& at = std::get<Point>(spec_.pole.place);
+      x = {at.x(), at.x()};
+      y = {at.y(), at.y()};
+    }
+    for (const Vertex vertex : all_vertices) {
+      const auto& permitted = spec_.objective.groundings;
+      if (std::find(permitted.begin(), permitted.end(), vertex) == permitted.end()) continue;
+      const auto layers = bounding::least_layer_assignments(spec_.copy.k, vertex, spec_.links.layers);
+      const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
+      for (std::size_t number = 0; number < count; ++number) {
+        branches_.push_back(make_branch(spec_, vertex, static_cast<int>(number)));
+        branches_.back().layers = layers;
+        const Assembly& a = branches_.back().assembly;
+        if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
+        Node root;
+        root.branch = branches_.size() - 1;
+        root.x = x;
+        root.y = y;
+        root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
+                        {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
+        root.alive = layers.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << layers.size()) - 1;
+        if (measure_pole(root)) grow_from(root);
+      }
+    }
+  }
+
+  /// Distances over the pole's places; false if the pole cannot stand in the box.
+  bool measure_pole(Node& node) const {
+    const Point centre = node.pole();
+    const double radius = node.radius() * (1 + 1e-12);
+    if (area_ && area_->nearest(centre).distance > radius + 1e-12 * area_->diagonal()) return false;
+    const RegionReach::Nearest nearest = region_.nearest(centre);
+    if (-nearest.distance > radius) return false;  // inside the region wherever it stands: it would touch the tracer
+    const double rounding = 1e-12 * (region_.diagonal() + centre.norm());
+    node.distances.nearest_at_most = bounding::distance_from_box(nearest.place, node.x, node.y).upper + rounding;
+    node.distances.farthest_at_least = 0;
+    for (const Point& corner : region_.hull())
+      node.distances.farthest_at_least = std::max(node.distances.farthest_at_least,
+                                                  bounding::distance_from_box(corner, node.x, node.y).lower);
+    if (node.distances.nearest_at_most < least_radius_) return false;
+    node.distances.ratio_at_least = bounding::distance_ratio(region_.hull()[region_.farthest(centre).corner], nearest.place,
+                                                             rounding, node.x, node.y);
+    return !sheets_.ruled_out(centre, radius);
+  }
+
+  /// Shrinks, bounds and keeps a box, or drops it.
+  void grow_from(Node node) {
+    ++boxes_;
+    const Assembly& a = assembly(node);
+    if (!bounding::contract(a, node.distances, transmission(), node.lengths)) return;
+    if (by_size_ && !bounding::contract_by_size(a, best_, node.lengths)) return drop(node, best_);
+    node.bound = by_size_ ? bounding::size_at_least(a, node.distances, transmission(), node.lengths)
+                          : -bounding::transmission_at_most(a, node.distances, node.lengths);
+    if (!by_size_ && -node.bound < spec_.limits.transmission) return;
+    if (node.bound >= best_) return drop(node, best_);
+    if (options_.self_contact) rule_out_layers(node);
+    if (node.alive == 0) return;
+    node.number = boxes_;
+    open_.push(node);
+  }
+
+  /// A box whose designs are no better than the best known: its grounding is not impossible.
+  void drop(const Node& node, double bound) { note(assembly(node).vertex, bound); }
+
+  void note(Vertex vertex, double bound) {
+    auto& noted = by_grounding_[static_cast<std::size_t>(vertex)];
+    noted = noted ? std::min(*noted, bound) : bound;
+  }
+
+  /// Layer assignments in which the linkage touches itself at an opening that every design of the box passes.
+  void rule_out_layers(Node& node) const {
+    const Branch& branch = branches_[node.branch];
+    const Range psi = bounding::passed_by_all(branch.assembly, node.distances, node.lengths);
+    if (psi.empty()) return;
+    const double t = std::sqrt(node.lengths.t.lower * node.lengths.t.upper);
+    const double w = std::sqrt(node.lengths.w.lower * node.lengths.w.upper);
+    const double a = std::sqrt(w / t / 2), b = std::sqrt(w * t / 2);
+    const auto linkage = linkage_of(branch, a, b, node.pole());
+    if (!linkage) return;
+    const double one = branch.opening_of(psi.lower), other = branch.opening_of(psi.upper);
+    const OpeningInterval openings{std::min(one, other), std::max(one, other)};
+    for (std::size_t i = 0; i < branch.layers.size() && i < 64; ++i) {
+      if (!(node.alive >> i & 1)) continue;
+      const Tightest tightest = smallest_gap_over(*linkage, spec_.links.style, branch.layers[i], openings);
+      if (tightest.gap >= spec_.limits.clearance || !tightest.pair) continue;
+      const double at = std::clamp(branch.psi_of(tightest.opening), psi.lower, psi.upper);
+      const auto points = bounding::nearest_points(*tightest.pair, branch.assembly.s, spec_.links.style, a, b,
+                                                   branch.assembly.bend * at);
+      const double needed = (points.needed + spec_.limits.clearance) * (1 - 1e-12);
+      if (bounding::always_nearer(branch.assembly, node.lengths, at, points.first, points.second, needed))
+        node.alive &= ~(std::uint64_t{1} << i);
+    }
+  }
+
+  tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Branch& branch, double a, double b, const Point& pole) const {
+    return CopyingLinkage::make(spec_.copy.k, branch.assembly.vertex, a, b * std::abs(branch.assembly.s),
+                                branch.assembly.number, pole);
+  }
+
+  /// Designs of the relaxation in the box: its smallest by reach, and its middle.
+  void try_designs(const Node& node) {
+    if (area_ && !area_->contains(node.pole())) return;
+    const DistanceRange range = region_.range(node.pole());
+    const PoleDistances exact{range.nearest, range.farthest, 1};
+    const Assembly& a = assembly(node);
+    LengthBox lengths = node.lengths;
+    if (!(range.nearest > 0) || sheets_.ruled_out(node.pole(), 0)) return;
+    if (!bounding::contract(a, exact, transmission(), lengths)) return;
+    const double middle = std::sqrt(lengths.t.lower * lengths.t.upper);
+    for (const double t : {lengths.t.lower, lengths.t.upper, std::clamp(1.0, lengths.t.lower, lengths.t.upper), middle}) {
+      LengthBox line{{t, t}, lengths.w};
+      double aim = transmission();
+      if (!by_size_) aim = std::max(aim, bounding::transmission_at_most(a, exact, line) - 1e-9);
+      if (!bounding::contract(a, exact, aim, line)) continue;
+      try_design(node, t, std::min(line.w.lower * (1 + 1e-12), line.w.upper), range);
+      if (by_size_) try_design(node, t, std::sqrt(line.w.lower * line.w.upper), range);
+    }
+  }
+
+  void try_design(const Node& node, double t, double w, const DistanceRange& range) {
+    const Branch& branch = branches_[node.branch];
+    const auto linkage = linkage_of(branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), node.pole());
+    if (!linkage) return;
+    const auto near = linkage->opening_at(range.nearest), far = linkage->opening_at(range.farthest);
+    if (!near || !far) return;
+    const double transmission = std::min(linkage->transmission_angle(*near), linkage->transmission_angle(*far));
+    if (transmission < spec_.limits.transmission - 1e-9) return;
+    const double value = by_size_ ? linkage->size() : -transmission;
+    if (value >= best_) return;
+    const OpeningInterval openings{std::min(*near, *far), std::max(*near, *far)};
+    const auto free = [&](const LayerAssignment& layers) {
+      return smallest_gap_over(*linkage, spec_.links.style, layers, openings).gap >= spec_.limits.clearance;
+    };
+    if (options_.self_contact && std::none_of(branch.layers.begin(), branch.layers.end(), free)) return;
+    best_ = value;
+  }
+
+  void split(const Node& node) {
+    const double t_width = 0.5 * std::log(node.lengths.t.upper / node.lengths.t.lower);
+    const double w_width = 0.5 * std::log(node.lengths.w.upper / node.lengths.w.lower);
+    const double per_mm = 0.5 / std::max(node.distances.farthest_at_least, 1e-300) +
+                          0.5 / std::max(node.distances.nearest_at_most, 1e-300);
+    const double x_width = (node.x.upper - node.x.lower) * per_mm, y_width = (node.y.upper - node.y.lower) * per_mm;
+    const double widest = std::max({t_width, w_width, x_width, y_width});
+    const auto halve = [&](auto part, double middle) {
+      Node lower = node, upper = node;
+      part(lower).upper = middle;
+      part(upper).lower = middle;
+      for (Node* half : {&lower, &upper})
+        if (widest == t_width || widest == w_width || measure_pole(*half)) grow_from(*half);
+    };
+    if (widest == t_width) return halve([](Node& n) -> Range& { return n.lengths.t; },
+                                        std::sqrt(node.lengths.t.lower * node.lengths.t.upper));
+    if (widest == w_width) return halve([](Node& n) -> Range& { return n.lengths.w; },
+                                        std::sqrt(node.lengths.w.lower * node.lengths.w.upper));
+    if (widest == x_width) return halve([](Node& n) -> Range& { return n.x; }, 0.5 * (node.x.lower + node.x.upper));
+    halve([](Node& n) -> Range& { return n.y; }, 0.5 * (node.y.lower + node.y.upper));
+  }
+
+  ProvenBound verdict() {
+    ProvenBound result;
+    const bool exhausted = open_.empty();
+    const double bound = exhausted ? best_ : std::min(best_, open_.top().bound);
+    result.boxes = boxes_;
+    result.no_design = exhausted && !(best_ < infinity);
+    result.tight = exhausted || bound >= enough();
+    if (!result.no_design) result.value = by_size_ ? bound : -bound;
+    if (best_ < infinity) result.relaxation = by_size_ ? best_ : -best_;
+    for (; !open_.empty(); open_.pop()) note(assembly(open_.top()).vertex, open_.top().bound);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (by_grounding_[i]) result.by_grounding[i] = by_size_ ? *by_grounding_[i] : -*by_grounding_[i];
+    return result;
+  }
+
+  const Spec& spec_;
+  const BoundOptions& options_;
+  bool by_size_;
+  RegionReach region_;
+  std::optional<RegionReach> area_;
+  SheetsGap sheets_;
+  std::vector<Branch> branches_;
+  std::priority_queue<Node, std::vector<Node>, LessPromising> open_;
+  double best_ = infinity;  // of the relaxation's designs met, or the incumbent; as in Node::bound
+  double least_radius_ = 0;
+  std::array<std::optional<double>, 3> by_grounding_;
+  std::size_t boxes_ = 0;
+};
+
+}  // namespace
+
+std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective, const BoundOptions& options) {
+  if (objective != Objective::size && objective != Objective::transmission) return std::nullopt;
+  if (spec.region.empty()) return std::nullopt;
+  return Tree(spec, objective, options).grow();
+}
+
+std::optional<ProvenBound> lower_bound(const Spec& spec, const BoundOptions& options) {
+  return lower_bound(spec, spec.objective.objective, options);
+}
+
+}  // namespace kempe
