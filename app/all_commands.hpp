@@ -5,10 +5,16 @@
 
 namespace kempe::app {
 
+void add_verify_command(CLI::App& program, Session& session);
+void add_function_command(CLI::App& program, Session& session);
+void add_inversor_command(CLI::App& program, Session& session);
+
 using AddCommand = void (*)(CLI::App&, Session&);
 
 inline constexpr AddCommand all_commands[] = {
-    nullptr,
+    add_verify_command,
+    add_function_command,
+    add_inversor_command,
 };
 
 }  // namespace kempe::app

@@ -1,0 +1,205 @@
+#include "specs/generator_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinematics/point.hpp"
+#include "specs/complaints.hpp"
+#include "specs/key_checks.hpp"
+#include "specs/toml_access.hpp"
+
+namespace kempe {
+namespace {
+
+/// Tables of a file read key by key; what was not asked for is unknown.
+class Reader {
+ public:
+  Reader(const toml::table& file, Complaints& complaints) : file_(file), complaints_(complaints) {}
+
+  /// Every table and key that may stand in the file, "table.key".
+  void only(const std::vector<std::string_view>& known) {
+    for (const auto& [table_name, node] : file_) {
+      const toml::table* table = node.as_table();
+      if (table == nullptr) {
+        complaints_.add(line_of(node), std::string(table_name.str()), describe(node),
+                        "tables: " + tables_in(known));
+        continue;
+      }
+      for (const auto& [key, value] : *table) {
+        const std::string dotted = fmt::format("{}.{}", table_name.str(), key.str());
+        if (std::find(known.begin(), known.end(), dotted) == known.end())
+          complaints_.add(line_of(value), dotted, "an unknown key",
+                          fmt::format("the nearest known key is {}", nearest(dotted, known)));
+      }
+    }
+  }
+
+  const toml::node* find(std::string_view table, std::string_view key) const {
+    const toml::table* inside = file_[table].as_table();
+    return inside != nullptr ? inside->get(key) : nullptr;
+  }
+
+  /// A number within [lower, upper]; `value` keeps its own if the key is absent and not required.
+  void number(std::string_view table, std::string_view key, double& value, double lower, double upper,
+              bool required, const char* unit) {
+    const std::string dotted = fmt::format("{}.{}", table, key);
+    const std::string allowed = fmt::format("a number from {} to {}{}", lower, upper, unit);
+    const toml::node* node = find(table, key);
+    if (node == nullptr) {
+      if (required) complaints_.add(0, dotted, "no such key", allowed);
+      return;
+    }
+    const auto found = finite_number(*node);
+    if (!found || *found < lower || *found > upper)
+      complaints_.add(line_of(*node), dotted, describe(*node), allowed);
+    else
+      value = *found;
+  }
+
+  void angle(std::string_view table, std::string_view key, double& value, double lower, double upper,
+             bool required) {
+    double in_degrees = degrees(value);
+    number(table, key, in_degrees, lower, upper, required, " degrees");
+    value = radians(in_degrees);
+  }
+
+  void angle(std::string_view table, std::string_view key, std::optional<double>& value) {
+    if (find(table, key) == nullptr) return;
+    double found = 0;
+    angle(table, key, found, -360, 360, true);
+    value = found;
+  }
+
+  /// A pair of rising numbers within [lower, upper].
+  void pair(std::string_view table, std::string_view key, double& first, double& second, double lower,
+            double upper) {
+    const std::string dotted = fmt::format("{}.{}", table, key);
+    const std::string allowed =
+        fmt::format("[lower, upper], numbers from {} to {}, lower below upper", lower, upper);
+    const toml::node* node = find(table, key);
+    if (node == nullptr) return complaints_.add(0, dotted, "no such key", allowed);
+    const auto both = finite_point(*node);
+    if (!both || both->x() < lower || both->y() > upper || both->x() >= both->y())
+      return complaints_.add(line_of(*node), dotted, describe(*node), allowed);
+    first = both->x();
+    second = both->y();
+  }
+
+  void word(std::string_view table, std::string_view key, std::string& value,
+            const std::vector<std::string_view>& words) {
+    const toml::node* node = find(table, key);
+    if (node == nullptr) return;
+    const auto text = node->value<std::string>();
+    if (!text || std::find(words.begin(), words.end(), *text) == words.end())
+      return complaints_.add(line_of(*node), fmt::format("{}.{}", table, key), describe(*node),
+                             fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
+    value = *text;
+  }
+
+ private:
+  static std::string tables_in(const std::vector<std::string_view>& known) {
+    std::string tables;
+    std::string_view last;
+    for (const std::string_view key : known) {
+      const std::string_view table = key.substr(0, key.find('.'));
+      if (table != last) tables += fmt::format("{}[{}]", tables.empty() ? "" : ", ", table);
+      last = table;
+    }
+    return tables;
+  }
+
+  const toml::table& file_;
+  Complaints& complaints_;
+};
+
+void read_table(const Reader& reader, FunctionSpec& spec, Complaints& complaints) {
+  const toml::node* node = reader.find("function", "table");
+  const auto refuse = [&] {
+    complaints.add(line_of(*node), "function.table", describe(*node),
+                   "[[x, y], ...] with at least 4 rows, finite numbers, x rising");
+  };
+  const toml::array* rows = node->as_array();
+  if (rows == nullptr || rows->size() < 4 || rows->size() > 10000) return refuse();
+  for (const toml::node& row : *rows) {
+    const auto pair = finite_point(row);
+    if (!pair || (!spec.table.empty() && pair->x() <= spec.table.back().first)) return refuse();
+    spec.table.emplace_back(pair->x(), pair->y());
+  }
+  spec.x_lower = spec.table.front().first;
+  spec.x_upper = spec.table.back().first;
+}
+
+void read_wanted(Reader& reader, FunctionSpec& spec, Complaints& complaints) {
+  const toml::node* expression = reader.find("function", "expression");
+  const toml::node* table = reader.find("function", "table");
+  if ((expression != nullptr) == (table != nullptr))
+    return complaints.add(expression ? line_of(*expression) : 0, "function",
+                          expression ? "both expression and table" : "neither expression nor table",
+                          "exactly one of them");
+  if (table != nullptr) return read_table(reader, spec, complaints);
+  spec.expression = expression->value_or(std::string());
+  if (spec.expression.empty() || spec.expression.size() > 1000)
+    complaints.add(line_of(*expression), "function.expression", describe(*expression),
+                   "an expression of x, as text");
+  reader.pair("function", "x", spec.x_lower, spec.x_upper, -1e9, 1e9);
+}
+
+}  // namespace
+
+tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text, const std::string& file) {
+  const auto parsed = parse_toml(text, file);
+  if (!parsed) return tl::unexpected(parsed.error());
+  Complaints complaints(file);
+  Reader reader(*parsed, complaints);
+  FunctionSpec spec;
+  reader.only({"function.expression", "function.table", "function.x", "function.method", "function.points",
+               "input.range_deg", "input.start_deg", "output.range_deg", "output.start_deg",
+               "links.ground_mm", "links.longest_ratio", "limits.transmission_deg"});
+  read_wanted(reader, spec, complaints);
+  reader.word("function", "method", spec.method, {"precision_points", "least_squares", "minimax"});
+  double points = 3;
+  reader.number("function", "points", points, 3, 5, false, "");
+  spec.points = static_cast<int>(points);
+  if (points != spec.points) complaints.add(0, "function.points", fmt::format("{}", points), "3, 4 or 5");
+  reader.angle("input", "range_deg", spec.input_range, -360, 360, true);
+  reader.angle("output", "range_deg", spec.output_range, -360, 360, true);
+  reader.angle("input", "start_deg", spec.input_start);
+  reader.angle("output", "start_deg", spec.output_start);
+  reader.number("links", "ground_mm", spec.ground, 1e-3, 1e6, false, " mm");
+  reader.number("links", "longest_ratio", spec.longest_ratio, 1, 1e4, false, "");
+  reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
+  if (complaints.none() && (spec.input_range == 0 || spec.output_range == 0))
+    complaints.add(0, spec.input_range == 0 ? "input.range_deg" : "output.range_deg", "0",
+                   "a range other than 0");
+  const int given = (spec.input_start ? 1 : 0) + (spec.output_start ? 1 : 0);
+  if (complaints.none() && spec.method == "precision_points" && spec.points == 5 && given > 0)
+    complaints.add(0, "function.points", "5 with a start given", "no start_deg: five points decide both");
+  if (complaints.none() && spec.method == "precision_points" && spec.points == 4 && given == 2)
+    complaints.add(0, "function.points", "4 with both starts given",
+                   "at most one start_deg: four points decide the other");
+  if (!complaints.none()) return tl::unexpected(complaints.first());
+  return spec;
+}
+
+tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text, const std::string& file) {
+  const auto parsed = parse_toml(text, file);
+  if (!parsed) return tl::unexpected(parsed.error());
+  Complaints complaints(file);
+  Reader reader(*parsed, complaints);
+  InversorSpec spec;
+  reader.only({"lens.focal_length_mm", "lens.magnification", "limits.transmission_deg", "links.shortest_mm",
+               "links.longest_mm"});
+  reader.number("lens", "focal_length_mm", spec.focal_length, 1e-3, 1e6, true, " mm");
+  reader.pair("lens", "magnification", spec.magnification_lower, spec.magnification_upper, 1e-3, 1e3);
+  spec.transmission = radians(10);
+  reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
+  reader.number("links", "shortest_mm", spec.shortest, 0, 1e6, false, " mm");
+  double longest = 1e6;
+  reader.number("links", "longest_mm", longest, 0, 1e6, false, " mm");
+  spec.longest = longest;
+  if (!complaints.none()) return tl::unexpected(complaints.first());
+  return spec;
+}
+
+}  // namespace kempe
