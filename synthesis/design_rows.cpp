@@ -13,7 +13,7 @@ constexpr int pole_x = DesignLayout::pole_x;
 LogLengths lengths_of(const DesignVector& x) { return {x[log_VA], x[log_VB]}; }
 
 /// Openings at which contacts are looked for between the region's two openings, before each is refined.
-constexpr int contact_openings = 33;
+constexpr int openings_looked_at = 33;
 /// Kept inside a limit that is a length, in shares of the task's size, so that rounding the result cannot
 /// pass it.
 constexpr double inward_length = 4e-11;
@@ -192,13 +192,13 @@ double DesignProblem::tightest_share(const GapTerm& term, const DesignVector& x,
 
 void DesignProblem::add_contacts(std::vector<Row>& rows, const DesignVector& x, double band) const {
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
-  constexpr int last = contact_openings - 1;
+  constexpr int last = openings_looked_at - 1;
   std::vector<JointFrame> frames;
   for (int i = 0; i <= last && !terms_.empty(); ++i)
     frames.emplace_back(reach_.shape(), lengths_of(x), near + i * (far - near) / last);
   const double least = goal_ == Goal::clearance ? x[layout_.goal()] * layout_.unit : limits_.clearance;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
-    std::array<double, contact_openings> gap;
+    std::array<double, openings_looked_at> gap;
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = gap_value(terms_[t], frames[i]);
     for (int i = 0; i <= last; ++i) {
       const auto at = [&](int j) { return gap[static_cast<std::size_t>(std::clamp(j, 0, last))]; };

@@ -19,14 +19,14 @@ struct Features {
   double side = 1;  ///< the corner is outside where side * (to - from) x (corner - from) > 0
 };
 
-int edge_count(const AxisPiece& piece) { return piece.count == 3 ? 3 : piece.count - 1; }
+int edge_count(const JointHull& piece) { return piece.count == 3 ? 3 : piece.count - 1; }
 
-Joint next(const AxisPiece& piece, int i) {
+Joint next(const JointHull& piece, int i) {
   return piece.joints[static_cast<std::size_t>((i + 1) % piece.count)];
 }
 
 /// Side of an edge on which its own piece does not lie; 0 for a segment, which has two free sides.
-double outside(const AxisPiece& piece, int edge, const JointFrame& z) {
+double outside(const JointHull& piece, int edge, const JointFrame& z) {
   if (piece.count < 3) return 0;
   const Joint a = piece.joints[static_cast<std::size_t>(edge)], b = next(piece, edge),
               c = next(piece, edge + 1);
@@ -34,7 +34,7 @@ double outside(const AxisPiece& piece, int edge, const JointFrame& z) {
 }
 
 /// The widest separation along the normals of `piece`'s edges.
-void separate(const AxisPiece& piece, const AxisPiece& other, const JointFrame& z, Features& best) {
+void separate(const JointHull& piece, const JointHull& other, const JointFrame& z, Features& best) {
   for (int i = 0; i < edge_count(piece); ++i) {
     const Joint a = piece.joints[static_cast<std::size_t>(i)], b = next(piece, i);
     const Complex edge = z[b] - z[a];
@@ -53,7 +53,7 @@ void separate(const AxisPiece& piece, const AxisPiece& other, const JointFrame& 
 }
 
 /// The smallest distance from `other`'s corners to `piece`.
-void approach(const AxisPiece& piece, const AxisPiece& other, const JointFrame& z, Features& best) {
+void approach(const JointHull& piece, const JointHull& other, const JointFrame& z, Features& best) {
   for (int j = 0; j < other.count; ++j) {
     const Joint corner = other.joints[static_cast<std::size_t>(j)];
     for (int i = 0; i < piece.count; ++i) {
@@ -75,12 +75,12 @@ void approach(const AxisPiece& piece, const AxisPiece& other, const JointFrame& 
 
 Features nearest_features(const GapTerm& term, const JointFrame& z) {
   Features best{.distance = -infinity};
-  separate(term.first, term.second, z, best);
-  separate(term.second, term.first, z, best);
+  separate(term.first.hull, term.second.hull, z, best);
+  separate(term.second.hull, term.first.hull, z, best);
   if (best.is_edge && best.distance < 0) return best;
   best = {};
-  approach(term.first, term.second, z, best);
-  approach(term.second, term.first, z, best);
+  approach(term.first.hull, term.second.hull, z, best);
+  approach(term.second.hull, term.first.hull, z, best);
   return best;
 }
 
@@ -133,34 +133,15 @@ LinkageJet quotient(const LinkageJet& n, const LinkageJet& l) {
   return jet;
 }
 
-AxisPiece segment(Joint a, Joint b, double half_width) { return {{a, b, b}, 2, half_width}; }
-
-/// A straight plate is the segment between its two outer joints; which they are depends on s.
-std::vector<AxisPiece> arms(const LinkJoints& link, double half_width) {
-  const auto& [first, second, third] = link.joints;
-  // ACX has its corner at A: arms A-C and A-X; BCY at B: arms B-C and B-Y.
-  return {segment(first, second, half_width), segment(first, third, half_width)};
-}
-
 }  // namespace
-
-std::vector<AxisPiece> axis_pieces(const Part& part, const LinkStyle& style, Complex shape) {
-  if (part.kind != Part::Kind::link)
-    return {{{part.joint, part.joint, part.joint}, 1, style.pin_diameter / 2}};
-  const LinkJoints link = joints_of(part.link);
-  const double half_width = style.width / 2;
-  if (link.count == 2) return {segment(link.joints[0], link.joints[1], half_width)};
-  if (style.plate == PlateStyle::triangle && !is_straight(shape)) return {{link.joints, 3, half_width}};
-  return arms(link, half_width);
-}
 
 std::vector<GapTerm> gap_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
                                const LinkStyle& style) {
   std::vector<GapTerm> terms;
   for (const ContactPair& pair : contact_pairs(linkage, layers))
-    for (const AxisPiece& first : axis_pieces(pair.first, style, linkage.shape()))
-      for (const AxisPiece& second : axis_pieces(pair.second, style, linkage.shape()))
-        terms.push_back({first, second});
+    for (const JointHull& first : axis_of(pair.first, linkage.shape(), style.plate))
+      for (const JointHull& second : axis_of(pair.second, linkage.shape(), style.plate))
+        terms.push_back({{first, half_width(pair.first, style)}, {second, half_width(pair.second, style)}});
   return terms;
 }
 

@@ -19,18 +19,13 @@ namespace kempe {
 /// A convex piece of a part's axis: 1 joint (pin, post), 2 (a bar or one arm of a bent plate) or 3 (triangle
 /// plate).
 struct AxisPiece {
-  std::array<Joint, 3> joints{};
-  int count = 0;
+  JointHull hull{};
   double half_width = 0;  ///< mm
-  bool operator==(const AxisPiece&) const = default;
 };
-
-/// The convex pieces of a part.
-std::vector<AxisPiece> axis_pieces(const Part& part, const LinkStyle& style, Complex shape);
 
 /// Two pieces that must keep their distance.
 struct GapTerm {
-  AxisPiece first, second;
+  AxisPiece first{}, second{};
   double needed() const { return first.half_width + second.half_width; }  ///< mm, between the axes
 };
 

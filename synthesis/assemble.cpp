@@ -1,0 +1,107 @@
+#include "synthesis/assemble.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "synthesis/copy_error.hpp"
+#include "synthesis/footprint.hpp"
+#include "workspace/reach.hpp"
+#include "workspace/self_contact.hpp"
+
+namespace kempe {
+namespace {
+
+/// Over the region, or where the region is not reached 0.
+double smallest_transmission(const CopyingLinkage& linkage, const Region& region) {
+  const auto openings = openings_over(linkage, region);
+  if (!openings) return 0;
+  return std::min(linkage.transmission_angle(openings->lower), linkage.transmission_angle(openings->upper));
+}
+
+void measure_copy_error(Design& design) {
+  if (!design.tolerance) return;
+  const auto error =
+      copy_error_over(design.linkage, CopyTolerance::uniform(*design.tolerance), design.region);
+  if (!error) return;
+  design.quality.copy_error_worst = error->worst;
+  design.quality.copy_error_rss = error->rss;
+  design.quality.distortion_worst = error->distortion_worst;
+}
+
+Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
+                 const MapOptions& options) {
+  Design design{.linkage = linkage,
+                .scale = spec.copy.scale,
+                .rotation = spec.copy.rotation,
+                .region = spec.region,
+                .style = spec.links.style,
+                .layers = layers,
+                .limits = spec.limits,
+                .tolerance = spec.tolerance,
+                .obstacles = spec.obstacles};
+  design.map = map_workspace(map_task(design), options);
+  design.opening = design.map.certified_opening;
+  Footprint swept = footprint(linkage, design.style, design.region);
+  design.footprint = std::move(swept.outline);
+  design.quality.footprint = swept.area;
+  design.quality.size = linkage.size();
+  design.quality.transmission_min = smallest_transmission(linkage, design.region);
+  design.quality.clearance_min = design.map.clearance_min;
+  measure_copy_error(design);
+  return design;
+}
+
+/// Width of the contact-free opening that covers the region, or of the widest where none does; a covering one
+/// first.
+std::pair<bool, double> suits(const Spec& spec, const CopyingLinkage& linkage,
+                              const LayerAssignment& layers) {
+  const OpeningInterval usable = linkage.openings_with_transmission(spec.limits.transmission);
+  const auto needed = openings_over(linkage, spec.region);
+  std::pair<bool, double> best{false, 0};
+  for (const FreeOpenings& free :
+       contact_free_openings(linkage, spec.links.style, layers, spec.limits.clearance, usable))
+    best = std::max(best, {needed && free.interval.contains(*needed), free.interval.width()});
+  return best;
+}
+
+LayerAssignment best_layers(const Spec& spec, const CopyingLinkage& linkage) {
+  std::optional<LayerAssignment> best;
+  for (const LayerAssignment& layers : layer_assignments(spec.links.layers))
+    if (!best || suits(spec, linkage, layers) > suits(spec, linkage, *best)) best = layers;
+  return *best;
+}
+
+}  // namespace
+
+MapTask map_task(const Design& design) {
+  return {.linkage = design.linkage,
+          .style = design.style,
+          .layers = design.layers,
+          .clearance = design.limits.clearance,
+          .transmission = design.limits.transmission,
+          .obstacles = design.obstacles,
+          .region = design.region,
+          .sheets_gap = design.limits.sheets_gap};
+}
+
+Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options) {
+  Design design = assembled(spec, found.linkage, found.layers, options);
+  design.search = SearchRecord{.objective = spec.objective.objective,
+                               .value = found.value,
+                               .solvers = found.solvers,
+                               .evaluations = found.evaluations,
+                               .seed = found.seed,
+                               .complete = found.complete};
+  return design;
+}
+
+Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
+  LayerAssignment layers;
+  if (spec.mechanism && spec.mechanism->layers)
+    layers.of = *spec.mechanism->layers;
+  else
+    layers = best_layers(spec, linkage);
+  return assembled(spec, linkage, layers, options);
+}
+
+}  // namespace kempe

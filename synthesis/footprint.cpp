@@ -1,0 +1,389 @@
+#include "synthesis/footprint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "workspace/grid_outline.hpp"
+#include "workspace/linkage_motion.hpp"
+#include "workspace/parts.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// Angles from `from` counter-clockwise to `to`, rad; from <= to.
+struct Bearings {
+  double from, to;
+};
+
+/// Rings and bins about the pole, filled by angles; a difference array a ring.
+class PolarBins {
+ public:
+  PolarBins(const FootprintGrid& grid, double radius)
+      : rings_(grid.rings),
+        bins_(grid.bins),
+        step_(radius / grid.rings),
+        change_(static_cast<std::size_t>(rings_ * (bins_ + 1)), 0) {}
+
+  int rings() const { return rings_; }
+  double step() const { return step_; }
+  double middle(int ring) const { return (ring + 0.5) * step_; }
+
+  /// `outward`: whole bins that hold the angles; else those whose middle they hold.
+  void fill(int ring, const Bearings& angles, bool outward) {
+    const double per_bin = bins_ / (2 * pi), rounding = outward ? 0 : 0.5;
+    if (angles.to - angles.from >= 2 * pi) return add(ring, 0, bins_);
+    const double first =
+        outward ? std::floor(angles.from * per_bin) : std::ceil(angles.from * per_bin - rounding);
+    const double past = outward ? std::ceil(angles.to * per_bin) : std::ceil(angles.to * per_bin - rounding);
+    const int count = std::min(bins_, static_cast<int>(past - first));
+    const int start = static_cast<int>(first - bins_ * std::floor(first / bins_));
+    add(ring, start, std::min(bins_, start + count));
+    if (start + count > bins_) add(ring, 0, start + count - bins_);
+  }
+
+  /// Runs of filled bins of a ring, [from, to).
+  std::vector<std::array<int, 2>> runs(int ring) const {
+    std::vector<std::array<int, 2>> found;
+    int depth = 0;
+    for (int bin = 0; bin <= bins_; ++bin) {
+      const int before = depth;
+      depth += bin < bins_ ? change_[at(ring, bin)] : -depth;
+      if (before == 0 && depth > 0) found.push_back({bin, bin});
+      if (before > 0 && depth == 0) found.back()[1] = bin;
+    }
+    return found;
+  }
+
+  double area() const {
+    double sum = 0;
+    for (int ring = 0; ring < rings_; ++ring)
+      for (const auto& [from, to] : runs(ring)) sum += (to - from) * middle(ring);
+    return sum * step_ * 2 * pi / bins_;
+  }
+
+ private:
+  std::size_t at(int ring, int bin) const { return static_cast<std::size_t>(ring * (bins_ + 1) + bin); }
+  void add(int ring, int from, int to) {
+    if (to <= from) return;
+    ++change_[at(ring, from)];
+    --change_[at(ring, to)];
+  }
+
+  int rings_, bins_;
+  double step_;
+  std::vector<int> change_;
+};
+
+/// A convex piece of a link at rest, grown by `half_width`; the pole at the origin.
+struct GrownPiece {
+  std::array<Point, 3> corner;
+  int count;
+  double half_width;
+
+  double distance(const Point& point) const {
+    double least = 1e300;
+    bool inside = count == 3;
+    for (int i = 0; i < count; ++i) {
+      const Point &a = corner[static_cast<std::size_t>(i)],
+                  &b = corner[static_cast<std::size_t>((i + 1) % count)];
+      const Point along = b - a;
+      const double share =
+          std::clamp((point - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+      least = std::min(least, (point - a - share * along).norm());
+      inside = inside && cross(along, point - a) > 0;
+    }
+    return inside ? 0 : least;
+  }
+};
+
+/// Angles at which the circle of radius rho about the origin passes the outline of the piece, in rising
+/// order.
+std::vector<double> crossings(const GrownPiece& piece, double rho) {
+  std::vector<double> angles;
+  for (int i = 0; i < piece.count; ++i) {
+    const Point& a = piece.corner[static_cast<std::size_t>(i)];
+    const Point& b = piece.corner[static_cast<std::size_t>((i + 1) % piece.count)];
+    const double away = a.norm(), h = piece.half_width;
+    const double cosine = (rho * rho + away * away - h * h) / (2 * rho * away);
+    if (away > 0 && std::abs(cosine) < 1) {
+      const double direction = std::atan2(a.y(), a.x()), half = std::acos(cosine);
+      angles.insert(angles.end(), {direction - half, direction + half});
+    }
+    const Point along = b - a;
+    const double length = along.norm();
+    if (!(length > 0)) continue;
+    const Point normal(-along.y() / length, along.x() / length);
+    for (const double side : {h, -h}) {
+      const double height = normal.dot(a) + side;
+      if (std::abs(height) >= rho) continue;
+      const double direction = std::atan2(normal.y(), normal.x()), half = std::acos(height / rho);
+      angles.insert(angles.end(), {direction - half, direction + half});
+    }
+  }
+  for (double& angle : angles) angle -= 2 * pi * std::floor(angle / (2 * pi));
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+/// The angles of the circle of radius rho that lie in the piece.
+std::vector<Bearings> angles_in(const GrownPiece& piece, double rho) {
+  const auto inside = [&](double angle) {
+    return piece.distance(rho * Point(std::cos(angle), std::sin(angle))) <= piece.half_width;
+  };
+  const std::vector<double> angles = crossings(piece, rho);
+  if (angles.empty()) return inside(0) ? std::vector<Bearings>{{0, 2 * pi}} : std::vector<Bearings>{};
+  std::vector<Bearings> found;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double from = angles[i], to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * pi;
+    if (!inside(0.5 * (from + to))) continue;
+    if (!found.empty() && found.back().to == from)
+      found.back().to = to;
+    else
+      found.push_back({from, to});
+  }
+  return found;
+}
+
+/// Bearings at which the region has points at distances inner .. outer from the pole (the origin): the
+/// projection of a closed set is that of its boundary, and its boundary is made of the region's edges and of
+/// both circles.
+class RegionBearings {
+ public:
+  RegionBearings(const Region& region, const Point& pole) : region_(region), pole_(pole) {
+    for (const Polygon& polygon : region.polygons) {
+      append(polygon.outer);
+      for (const Ring& hole : polygon.holes) append(hole);
+    }
+  }
+
+  std::vector<Bearings> between(double inner, double outer) const {
+    std::vector<Bearings> found;
+    for (const auto& [a, b] : edges_) add_edge(a, b, inner, outer, found);
+    add_circle(inner, found);
+    if (outer > inner) add_circle(outer, found);
+    return merged(std::move(found));
+  }
+
+ private:
+  void append(const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      edges_.push_back({ring[i] - pole_, ring[(i + 1) % ring.size()] - pole_});
+  }
+
+  /// Shares of the edge a-b at which it is `radius` from the pole, in order.
+  static std::array<double, 2> shares_at(const Point& a, const Point& b, double radius) {
+    const Point along = b - a;
+    const double length2 = along.squaredNorm(), foot = -a.dot(along) / length2;
+    const double under = radius * radius - (a + foot * along).squaredNorm();
+    const double half = under > 0 ? std::sqrt(under / length2) : 0;
+    return {foot - half, foot + half};
+  }
+
+  static void add_piece(const Point& a, const Point& b, double from, double to,
+                        std::vector<Bearings>& found) {
+    if (from > to) return;
+    const Point first = a + from * (b - a), last = a + to * (b - a);
+    const double start = std::atan2(first.y(), first.x());
+    const double turn = std::atan2(cross(first, last), first.dot(last));
+    found.push_back({std::min(start, start + turn), std::max(start, start + turn)});
+  }
+
+  static void add_edge(const Point& a, const Point& b, double inner, double outer,
+                       std::vector<Bearings>& found) {
+    const double far2 = std::max(a.squaredNorm(), b.squaredNorm());
+    if (far2 < inner * inner || !((b - a).squaredNorm() > 0)) return;
+    const auto out = shares_at(a, b, outer), in = shares_at(a, b, inner);
+    const double from = std::max(0.0, out[0]), to = std::min(1.0, out[1]);
+    const bool passes_hole = in[1] > in[0];
+    add_piece(a, b, from, passes_hole ? std::min(to, in[0]) : to, found);
+    if (passes_hole) add_piece(a, b, std::max(from, in[1]), to, found);
+  }
+
+  void add_circle(double radius, std::vector<Bearings>& found) const {
+    std::vector<double> angles;
+    for (const auto& [a, b] : edges_) {
+      if ((b - a).squaredNorm() == 0 || std::max(a.squaredNorm(), b.squaredNorm()) < radius * radius)
+        continue;
+      for (const double share : shares_at(a, b, radius)) {
+        if (share < 0 || share > 1) continue;
+        const Point at = a + share * (b - a);
+        angles.push_back(std::atan2(at.y(), at.x()));
+      }
+    }
+    std::sort(angles.begin(), angles.end());
+    const auto inside = [&](double angle) {
+      return contains(region_, pole_ + radius * Point(std::cos(angle), std::sin(angle)));
+    };
+    if (angles.empty() && inside(0)) found.push_back({0, 2 * pi});
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * pi;
+      if (inside(0.5 * (angles[i] + to))) found.push_back({angles[i], to});
+    }
+  }
+
+  static std::vector<Bearings> merged(std::vector<Bearings> all) {
+    std::sort(all.begin(), all.end(), [](const Bearings& a, const Bearings& b) { return a.from < b.from; });
+    std::vector<Bearings> found;
+    for (const Bearings& one : all) {
+      if (!found.empty() && one.from <= found.back().to)
+        found.back().to = std::max(found.back().to, one.to);
+      else
+        found.push_back(one);
+    }
+    return found;
+  }
+
+  const Region& region_;
+  Point pole_;
+  std::vector<std::pair<Point, Point>> edges_;
+};
+
+/// What one sweep needs beside the bins.
+struct Sweep {
+  const CopyingLinkage& linkage;
+  const LinkStyle& style;
+  OpeningInterval openings;
+  bool outward;  ///< grow, so that nothing is missed
+};
+
+std::vector<GrownPiece> pieces_at(const Sweep& sweep, const LinkageMotion& motion, double opening,
+                                  double half_slab, double half_ring) {
+  const MovingJoints joints = motion.over(opening, sweep.outward ? half_slab : 0, 0, 0);
+  std::vector<GrownPiece> pieces;
+  for (const Link link : all_links)
+    for (const JointHull& hull :
+         axis_of({.kind = Part::Kind::link, .link = link}, sweep.linkage.shape(), sweep.style.plate)) {
+      GrownPiece piece{{}, hull.count, 0.5 * sweep.style.width};
+      double strays = 0;
+      for (int i = 0; i < hull.count; ++i) {
+        const MovingJoint& joint = joints[static_cast<std::size_t>(hull.joints[static_cast<std::size_t>(i)])];
+        piece.corner[static_cast<std::size_t>(i)] = joint.at;
+        strays = std::max(strays, joint.reach);
+      }
+      if (hull.count == 3 && cross(piece.corner[1] - piece.corner[0], piece.corner[2] - piece.corner[0]) < 0)
+        std::swap(piece.corner[1], piece.corner[2]);
+      if (sweep.outward) piece.half_width += strays + half_ring;
+      pieces.push_back(piece);
+    }
+  return pieces;
+}
+
+void fill_slab(const std::vector<GrownPiece>& pieces, const std::vector<Bearings>& bearings, bool outward,
+               PolarBins& bins) {
+  for (const GrownPiece& piece : pieces) {
+    double near = piece.distance(Point::Zero()), far = 0;
+    for (int i = 0; i < piece.count; ++i)
+      far = std::max(far, piece.corner[static_cast<std::size_t>(i)].norm());
+    near -= piece.half_width;
+    far += piece.half_width;
+    const int first = std::max(0, static_cast<int>(near / bins.step()) - 1);
+    const int last = std::min(bins.rings() - 1, static_cast<int>(far / bins.step()) + 1);
+    for (int ring = first; ring <= last; ++ring)
+      for (const Bearings& angles : angles_in(piece, bins.middle(ring)))
+        for (const Bearings& turned : bearings)
+          bins.fill(ring, {angles.from + turned.from, angles.to + turned.to}, outward);
+  }
+}
+
+/// The openings at which the linkage meets the region; nothing if it never does.
+std::optional<OpeningInterval> openings_met(const CopyingLinkage& linkage, const Region& region) {
+  const DistanceRange range = distance_range(region, linkage.pole());
+  const CopyingLinkage::RadiusRange reach = linkage.radii_over(linkage.assembly_interval());
+  const double near = std::max(range.nearest, reach.lower), far = std::min(range.farthest, reach.upper);
+  if (near > far) return std::nullopt;
+  const auto from = linkage.opening_at(near), to = linkage.opening_at(far);
+  if (!from || !to) return linkage.assembly_interval();
+  return OpeningInterval{std::min(*from, *to), std::max(*from, *to)};
+}
+
+std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkStyle& style,
+                                    const Region& region, const FootprintGrid& grid, bool outward) {
+  const auto openings = openings_met(linkage, region);
+  if (!openings) return std::nullopt;
+  const Sweep sweep{linkage, style, *openings, outward};
+  const LinkageMotion motion(linkage);
+  double farthest = 0;
+  for (const Joint joint : all_joints) farthest = std::max(farthest, motion.farthest(joint));
+  PolarBins bins(grid, 1.05 * (farthest + style.width));
+  const RegionBearings region_bearings(region, linkage.pole());
+  const double half_slab = openings->width() / grid.slabs / 2;
+  for (int slab = 0; slab < grid.slabs; ++slab) {
+    const double opening = openings->lower + (2 * slab + 1) * half_slab;
+    const double a = linkage.radius_at(opening - half_slab), b = linkage.radius_at(opening + half_slab);
+    const double middle = linkage.radius_at(opening);
+    const auto bearings = outward ? region_bearings.between(std::min(a, b), std::max(a, b))
+                                  : region_bearings.between(middle, middle);
+    fill_slab(pieces_at(sweep, motion, opening, half_slab, bins.step() / 2), bearings, outward, bins);
+  }
+  return bins;
+}
+
+/// A ring of the grid's outline in the plane. Outer arcs are drawn outside their circle, so that chords do
+/// not cut in.
+Ring in_the_plane(const GridRing& ring, const FootprintGrid& grid, double step, const Point& pole,
+                  std::int64_t unit_x) {
+  constexpr int chord_bins = 16;
+  const double bin = 2 * pi / grid.bins;
+  Ring result;
+  for (std::size_t i = 0; i < ring.corners.size(); ++i) {
+    const GridPoint from = ring.corners[i], to = ring.corners[(i + 1) % ring.corners.size()];
+    const double first = static_cast<double>(from.x) / static_cast<double>(unit_x);
+    double past = static_cast<double>(to.x) / static_cast<double>(unit_x);
+    if (i + 1 == ring.corners.size()) past += ring.winding * grid.bins;
+    const double radius = static_cast<double>(from.y) / 16.0 * step;
+    const double outward = past < first ? 1 / std::cos(0.5 * chord_bins * bin) : 1;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(past - first) / chord_bins)));
+    for (int j = 0; j < pieces; ++j) {
+      const double angle = (first + (past - first) * j / pieces) * bin;
+      result.push_back(pole + outward * radius * Point(std::cos(angle), std::sin(angle)));
+    }
+  }
+  std::reverse(result.begin(), result.end());  // bearing and distance make a left-handed frame
+  return result;
+}
+
+/// Outer rings counter-clockwise with the holes of the same component.
+Region outline_in_the_plane(const PolarBins& bins, const FootprintGrid& grid, const Point& pole) {
+  const std::int64_t unit_x = static_cast<std::int64_t>(AngleGrid::turn) / grid.bins;
+  std::vector<GridCell> cells;
+  for (int ring = 0; ring < bins.rings(); ++ring)
+    for (const auto& [from, to] : bins.runs(ring))
+      cells.push_back({static_cast<std::uint32_t>(from * unit_x), static_cast<std::uint32_t>(ring * 16),
+                       static_cast<std::uint32_t>((to - from) * unit_x), 16});
+  const GridOutline outline = outline_of(cells, Corners::join);
+  std::vector<std::pair<std::size_t, Polygon>> parts;
+  for (const bool holes : {false, true})
+    for (const GridRing& ring : outline.rings) {
+      Ring points = in_the_plane(ring, grid, bins.step(), pole, unit_x);
+      if ((signed_area(points) < 0) != holes) continue;
+      if (!holes)
+        parts.push_back({ring.component, {std::move(points), {}}});
+      else
+        for (auto& [component, polygon] : parts)
+          if (component == ring.component) polygon.holes.push_back(points);
+    }
+  Region region;
+  for (auto& part : parts) region.polygons.push_back(std::move(part.second));
+  return region;
+}
+
+}  // namespace
+
+Footprint footprint(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
+                    const FootprintGrid& grid) {
+  const auto bins = swept_bins(linkage, style, region, grid, true);
+  if (!bins) return {};
+  return {bins->area(), outline_in_the_plane(*bins, grid, linkage.pole())};
+}
+
+double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
+                          const FootprintGrid& grid) {
+  const auto bins = swept_bins(linkage, style, region, grid, false);
+  return bins ? bins->area() : 0;
+}
+
+}  // namespace kempe
