@@ -159,12 +159,6 @@ Angles crossings(const RelativeMotion& motion, double reach) {
   return angles;
 }
 
-/// An interval of openings in which a pair is too near.
-struct Contact {
-  double lower, upper;
-  std::size_t pair;
-};
-
 /// Calls `use(lower, upper)` for the intervals of openings within `within` in which the motion's distance is
 /// < reach.
 template <class Use>
@@ -255,10 +249,9 @@ Hull hull_in(const JointHull& piece, const Pose& pose) {
   return {{pose[piece.joints[0]], pose[piece.joints[1]], pose[piece.joints[2]]}, piece.count};
 }
 
-/// What the contacts (sorted by their lower ends) leave of `within`, moved inwards by `precision` at each
-/// contact.
-std::vector<FreeOpenings> between(const std::vector<Contact>& contacts, const std::vector<ContactPair>& pairs,
-                                  const OpeningInterval& within, double precision) {
+/// What the contacts leave of `within`, moved inwards by `precision` at each contact.
+std::vector<FreeOpenings> between(const std::vector<ContactOpenings>& contacts, const OpeningInterval& within,
+                                  double precision) {
   std::vector<FreeOpenings> result;
   double decided = within.lower;  // everything below is
   std::optional<ContactPair> below;
@@ -266,11 +259,11 @@ std::vector<FreeOpenings> between(const std::vector<Contact>& contacts, const st
     const OpeningInterval free{below ? decided + precision : decided, above ? upper - precision : upper};
     if (!free.empty()) result.push_back({free, below, above});
   };
-  for (const Contact& contact : contacts) {
-    if (contact.lower > decided) add(contact.lower, pairs[contact.pair]);
-    if (contact.upper <= decided) continue;
-    decided = contact.upper;
-    below = pairs[contact.pair];
+  for (const auto& [interval, pair] : contacts) {
+    if (interval.lower > decided) add(interval.lower, pair);
+    if (interval.upper <= decided) continue;
+    decided = interval.upper;
+    below = pair;
   }
   if (decided < within.upper || !below) add(within.upper, std::nullopt);
   return result;
@@ -328,22 +321,29 @@ Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style
   return tightest;
 }
 
+std::vector<ContactOpenings> contact_openings(const CopyingLinkage& linkage, const LinkStyle& style,
+                                              const LayerAssignment& layers, double clearance,
+                                              const OpeningInterval& within) {
+  if (within.empty()) return {};
+  const std::vector<ContactPair> pairs = contact_pairs(linkage, layers);
+  std::vector<ContactOpenings> contacts;
+  for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
+    const double reach = motion.kept + clearance + 2 * rounding * (motion.scale() + clearance);
+    for_each_contact(motion, reach, within, [&](double lower, double upper) {
+      contacts.push_back({{lower, upper}, pairs[pair]});
+    });
+  });
+  std::stable_sort(contacts.begin(), contacts.end(), [](const ContactOpenings& a, const ContactOpenings& b) {
+    return std::tie(a.interval.lower, a.interval.upper) < std::tie(b.interval.lower, b.interval.upper);
+  });
+  return contacts;
+}
+
 std::vector<FreeOpenings> contact_free_openings(const CopyingLinkage& linkage, const LinkStyle& style,
                                                 const LayerAssignment& layers, double clearance,
                                                 const OpeningInterval& within, double precision) {
   if (within.empty()) return {};
-  const std::vector<ContactPair> pairs = contact_pairs(linkage, layers);
-  std::vector<Contact> contacts;
-  for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
-    const double reach = motion.kept + clearance + 2 * rounding * (motion.scale() + clearance);
-    for_each_contact(motion, reach, within, [&](double lower, double upper) {
-      contacts.push_back({lower, upper, pair});
-    });
-  });
-  std::sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) {
-    return std::tie(a.lower, a.upper, a.pair) < std::tie(b.lower, b.upper, b.pair);
-  });
-  return between(contacts, pairs, within, precision);
+  return between(contact_openings(linkage, style, layers, clearance, within), within, precision);
 }
 
 }  // namespace kempe

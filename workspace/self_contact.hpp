@@ -45,6 +45,16 @@ Tightest tightest_gap(const CopyingLinkage& linkage, const Pose& pose, const Lin
 Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
                            const LayerAssignment& layers, const OpeningInterval& openings);
 
+/// Openings at which one pair is nearer than the clearance.
+struct ContactOpenings {
+  OpeningInterval interval;
+  ContactPair pair;
+};
+/// All of them within `within`, sorted by their lower ends; they may overlap.
+std::vector<ContactOpenings> contact_openings(const CopyingLinkage& linkage, const LinkStyle& style,
+                                              const LayerAssignment& layers, double clearance,
+                                              const OpeningInterval& within);
+
 /// A maximal interval of openings and what ends it.
 struct FreeOpenings {
   OpeningInterval interval;

@@ -39,8 +39,8 @@ struct Subdivision::Decision {
 };
 
 Subdivision::Subdivision(const ContactScene& scene, const EdgeTree& region, const AngleGrid& grid,
-                         double clearance)
-    : scene_(scene), region_(region), grid_(grid), clearance_(clearance) {
+                         double clearance, SubdivisionMode mode)
+    : scene_(scene), region_(region), grid_(grid), clearance_(clearance), mode_(mode) {
   add_roots();
 }
 
@@ -102,6 +102,7 @@ void Subdivision::classify(const GridCell& cell, RegionSide side, const ContactI
     const MovingJoint& tracer = joints[static_cast<std::size_t>(grid_.linkage().tracer_joint())];
     side = side_of(tracer, region_items, region_count, next);
   }
+  if (side == RegionSide::outside && mode_.region_only) return;
   Decision decision;
   for (const ContactItem* item = items; item != items + count;)
     if (decide_group(item, items + count, joints, half, decision, next)) break;
@@ -141,8 +142,8 @@ bool Subdivision::decide_group(const ContactItem*& item, const ContactItem* end,
   const SceneObstacle& obstacle = scene_.obstacles[between.obstacle];
   const Point& at = joints[static_cast<std::size_t>(scene_.pieces[between.piece].hull.joints[0])].at;
   if (distance(obstacle.edges.node(0).box, {at, at}) > 0 || !obstacle.edges.winds_around(at)) return false;
-  if (contacts_stay_open_) next.items.push_back({0, between});
-  decision.in_contact = !contacts_stay_open_;
+  if (mode_.contacts_stay_open) next.items.push_back({0, between});
+  decision.in_contact = !mode_.contacts_stay_open;
   decision.between = between;
   return decision.in_contact;
 }
@@ -165,7 +166,7 @@ void Subdivision::decide_node(std::uint32_t node, const Encounter& between, cons
   }
   // Of a node that is small against the motion one edge is as good as all to prove contact.
   const GapBounds bounds = bounds_to_edge(joints, piece.hull, obstacle.edges.edge(here.first_edge), half);
-  if (bounds.upper < needed - obstacle.slack && !contacts_stay_open_) {
+  if (bounds.upper < needed - obstacle.slack && !mode_.contacts_stay_open) {
     decision.in_contact = true;
     decision.between = between;
     return;
@@ -233,6 +234,11 @@ std::optional<Point> Subdivision::region_point(const GridCell& cell, RegionSide 
   }
   if (region_.winds_around(middle - pole)) return middle;
   return std::nullopt;
+}
+
+void Subdivision::look_at_region_only() {
+  mode_.region_only = true;
+  std::erase_if(open_, [&](const OpenCell& open) { return !region_point_in(open); });
 }
 
 std::optional<Point> Subdivision::region_point_in(const OpenCell& open) const {

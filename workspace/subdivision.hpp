@@ -37,13 +37,19 @@ struct OpenCell {
   std::uint32_t region_first, region_count;
 };
 
-/// Invariant: free, contact and open cells tile the grid; a free cell keeps the clearance to every obstacle
-/// at each of its points and a contact cell at none.
+struct SubdivisionMode {
+  bool contacts_stay_open = false;  ///< cells in contact are cut further instead of decided
+  bool region_only = false;         ///< cells that do not meet the region are dropped
+};
+
+/// Invariant (but for dropped cells): free, contact and open cells tile the grid; a free cell keeps the
+/// clearance to every obstacle at each of its points and a contact cell at none.
 class Subdivision {
  public:
   /// `region` has the pole at the origin and may be empty. All arguments but the grid must outlive the
   /// object.
-  Subdivision(const ContactScene& scene, const EdgeTree& region, const AngleGrid& grid, double clearance);
+  Subdivision(const ContactScene& scene, const EdgeTree& region, const AngleGrid& grid, double clearance,
+              SubdivisionMode mode = {});
 
   const std::vector<FreeCell>& free() const { return free_; }
   const std::vector<ContactCell>& contact() const { return contact_; }
@@ -56,10 +62,10 @@ class Subdivision {
   /// cut.
   bool split(const std::function<bool(const OpenCell&)>& wanted);
 
-  /// From now on cells are in contact, or free, against this clearance (mm). Not more than before.
+  /// From now on cells are decided against this clearance (mm). Not more than before.
   void lower_clearance(double clearance) { clearance_ = clearance; }
-  /// From now on cells in contact stay open.
-  void keep_contacts_open() { contacts_stay_open_ = true; }
+  /// From now on only cells that meet the region matter; those already open and outside are dropped.
+  void look_at_region_only();
 
   /// A point of the region within the cell, table frame; nothing if they do not meet. Exact up to rounding.
   std::optional<Point> region_point_in(const OpenCell& cell) const;
@@ -91,7 +97,7 @@ class Subdivision {
   const EdgeTree& region_;
   AngleGrid grid_;
   double clearance_;
-  bool contacts_stay_open_ = false;
+  SubdivisionMode mode_;
   std::vector<FreeCell> free_;
   std::vector<ContactCell> contact_;
   std::vector<OpenCell> open_;

@@ -42,8 +42,9 @@ struct MapTask {
 };
 
 struct MapOptions {
-  /// The uncertain band may take this share of the collision-free area before refinement stops.
+  /// Refinement stops when the uncertain band takes less than this share of the collision-free area.
   double map_tolerance = 0.005;
+  bool largest_sheets = true;  ///< look for them; the slowest part without obstacles
 };
 
 /// The largest rectangle of a kind that fits the collision-free workspace.
@@ -54,9 +55,12 @@ struct FittingSheet {
   double turn = 0;  ///< rad, of the width's direction against the x axis
 };
 
-/// Is the region covered by one component of the collision-free workspace?
+/// Is the region covered by one component of the collision-free workspace? Limits and clearances are taken as
+/// kept where they are missed by less than 1e-8 of the outer reach, so that a design optimal at a limit
+/// counts.
 struct Coverage {
-  bool covered = false;
+  bool covered = false;          ///< certainly: every point of the region, in one component
+  bool uncertain = false;        ///< neither proven nor refuted; then covered is false
   std::string why_not;           ///< a sentence for a person; empty if covered
   std::optional<Point> witness;  ///< a point of the region that is not covered
   std::optional<Cause> cause;
@@ -64,11 +68,13 @@ struct Coverage {
 };
 
 struct WorkspaceMap {
-  OpeningInterval certified_opening;  ///< reach, change point, transmission and self-contact kept all over it
-  ArcRegion reachable;                ///< the reach of the chosen assembly
-  ArcRegion usable;                   ///< transmission kept
-  ArcRegion collision_free;           ///< usable, certainly without contact
-  ArcRegion uncertain;                ///< neither proven free nor proven in contact
+  /// Reach, change point, transmission and self-contact kept all over it: of all such intervals the one that
+  /// holds the region's openings, or else the widest; empty if there is none.
+  OpeningInterval certified_opening;
+  ArcRegion reachable;       ///< the reach of the chosen assembly
+  ArcRegion usable;          ///< transmission kept
+  ArcRegion collision_free;  ///< usable, certainly without contact
+  ArcRegion uncertain;       ///< neither proven free nor proven in contact
   std::vector<LostArea> lost;
   Coverage coverage;
   std::vector<FittingSheet> largest_sheets;

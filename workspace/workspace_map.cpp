@@ -1,0 +1,158 @@
+#include "workspace/workspace_map.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "workspace/cell_polygons.hpp"
+#include "workspace/clearance.hpp"
+#include "workspace/coverage.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// Cells are cut until there would be more than this, whatever the tolerance asks: about 400 MB of lists.
+constexpr std::size_t most_cells = 1'000'000;
+/// Where hardly anything is free the open band is measured against this share of the interval's area.
+constexpr double least_share = 0.01;
+
+void append(ArcRegion& region, ArcRegion more) {
+  region.insert(region.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// Refines all charts until the open band is within the tolerance.
+void refine(std::vector<Subdivision>& charts, double tolerance) {
+  double whole = 0;
+  for (const Subdivision& chart : charts)
+    whole += chart.grid().area({0, 0, AngleGrid::turn, AngleGrid::rise});
+  while (true) {
+    double open_area = 0, free_area = 0;
+    std::size_t cells = 0;
+    for (const Subdivision& chart : charts) {
+      open_area += chart.open_area();
+      free_area += chart.free_area();
+      cells += chart.open().size();
+    }
+    if (cells == 0 || cells > most_cells || open_area <= tolerance * std::max(free_area, least_share * whole))
+      return;
+    bool any = false;
+    for (Subdivision& chart : charts) any = chart.split([](const OpenCell&) { return true; }) || any;
+    if (!any) return;
+  }
+}
+
+void add_cells(WorkspaceMap& map, const ContactScene& scene, const Subdivision& chart) {
+  std::vector<GridCell> free, open;
+  for (const FreeCell& one : chart.free()) free.push_back(one.cell);
+  for (const OpenCell& one : chart.open()) open.push_back(one.cell);
+  append(map.collision_free, polygons_of(chart.grid(), free, Corners::part));
+  append(map.uncertain, polygons_of(chart.grid(), open, Corners::join));
+  std::map<std::pair<std::size_t, std::string>, std::vector<GridCell>> lost;
+  for (const ContactCell& one : chart.contact())
+    lost[{scene.obstacles[one.between.obstacle].number, name(scene.pieces[one.between.piece].part)}]
+        .push_back(one.cell);
+  for (const auto& [between, cells] : lost)
+    map.lost.push_back({Cause::obstacle_contact,
+                        {between.second, obstacle_name(between.first)},
+                        polygons_of(chart.grid(), cells, Corners::join)});
+}
+
+/// The openings of `within` that are not in `free`, each with a pair in contact there.
+std::vector<ContactOpenings> lost_openings(const MapTask& task, const std::vector<FreeOpenings>& free,
+                                           const OpeningInterval& within) {
+  const auto contacts = contact_openings(task.linkage, task.style, task.layers, task.clearance, within);
+  std::vector<ContactOpenings> lost;
+  const auto cover = [&](double from, double to) {  // by as few contacts as the sorted list needs
+    while (from < to) {
+      const ContactOpenings* best = nullptr;
+      for (const ContactOpenings& one : contacts)
+        if (one.interval.lower <= from + 1e-8 && (!best || one.interval.upper > best->interval.upper))
+          best = &one;
+      if (!best) return;
+      const double end = best->interval.upper > from ? std::min(best->interval.upper, to) : to;
+      lost.push_back({{from, to - end < 1e-8 ? to : end}, best->pair});
+      from = lost.back().interval.upper;
+    }
+  };
+  double decided = within.lower;
+  for (const FreeOpenings& one : free) {
+    cover(decided, one.interval.lower);
+    decided = one.interval.upper;
+  }
+  cover(decided, within.upper);
+  return lost;
+}
+
+void add_lost(WorkspaceMap& map, Cause cause, std::vector<std::string> parts, ArcRegion area) {
+  if (!area.empty()) map.lost.push_back({cause, std::move(parts), std::move(area)});
+}
+
+/// What is lost whatever the bearing: annuli.
+void add_lost_annuli(WorkspaceMap& map, const MapTask& task, const std::vector<FreeOpenings>& free) {
+  const Annulus chain = chain_annulus(task.linkage), reach = reachable_annulus(task.linkage);
+  const Annulus usable = usable_annulus(task.linkage, task.transmission);
+  add_lost(map, Cause::out_of_reach, {}, as_region({chain.centre, 0, chain.inner}));
+  add_lost(map, Cause::beyond_change_point, {}, difference(chain, reach));
+  add_lost(map, Cause::transmission_below_limit, {}, difference(reach, usable));
+  const OpeningInterval within = task.linkage.openings_with_transmission(task.transmission);
+  if (within.empty()) return;
+  for (const ContactOpenings& one : lost_openings(task, free, within))
+    add_lost(map, Cause::self_contact, {name(one.pair.first), name(one.pair.second)},
+             as_region(annulus_over(task.linkage, one.interval)));
+}
+
+OpeningInterval certified(const MapTask& task, const std::vector<FreeOpenings>& free) {
+  const auto needed = openings_over(task.linkage, task.region);
+  std::vector<OpeningInterval> intervals;
+  for (const FreeOpenings& one : free) {
+    if (needed && one.interval.contains(*needed)) return one.interval;
+    intervals.push_back(one.interval);
+  }
+  return widest(intervals).value_or(OpeningInterval{});
+}
+
+/// Nothing is free while an obstacle stands at the pole post.
+void lose_all_to(WorkspaceMap& map, const MapTask& task, std::size_t obstacle) {
+  const std::string post = std::string("pole post ") + letter(task.linkage.pole_joint());
+  ArcRegion area = as_region(annulus_over(task.linkage, map.certified_opening));
+  add_lost(map, Cause::obstacle_contact, {post, obstacle_name(obstacle)}, std::move(area));
+  map.coverage = {false,
+                  false,
+                  "The " + post + " stands in " + obstacle_name(obstacle) +
+                      " or within its clearance: no position of the linkage is free.",
+                  task.linkage.pole(),
+                  Cause::obstacle_contact,
+                  {post, obstacle_name(obstacle)}};
+}
+
+}  // namespace
+
+WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
+  WorkspaceMap map;
+  map.reachable = as_region(reachable_annulus(task.linkage));
+  map.usable = as_region(usable_annulus(task.linkage, task.transmission));
+  const auto free = contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
+                                          task.linkage.openings_with_transmission(task.transmission));
+  map.certified_opening = certified(task, free);
+  add_lost_annuli(map, task, free);
+  if (const auto clearance = smallest_clearance(task)) {
+    map.clearance_min = clearance->gap;
+    map.clearance_min_parts = clearance->parts;
+    map.clearance_min_at = clearance->at;
+  }
+  if (const auto obstacle = obstacle_at_pole(task)) {
+    lose_all_to(map, task, *obstacle);
+    return map;
+  }
+  const ContactScene scene(task);
+  const EdgeTree region(task.region, task.linkage.pole());
+  std::vector<Subdivision> charts;
+  for (const FreeOpenings& one : free)
+    charts.emplace_back(scene, region, AngleGrid(task.linkage, one.interval), task.clearance);
+  refine(charts, options.map_tolerance);
+  for (const Subdivision& chart : charts) add_cells(map, scene, chart);
+  map.coverage = coverage_of(task, charts, region);
+  return map;
+}
+
+}  // namespace kempe
