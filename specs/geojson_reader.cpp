@@ -34,7 +34,7 @@ class GeoJsonReader {
     if (error_) return tl::unexpected(*error_);
     if (outers_.empty())
       return tl::unexpected(InputError{file_name_, 0, "", "no polygon", "at least one polygon"});
-    auto region = assemble_region(outers_, holes_);
+    auto region = assemble_united_region(outers_, holes_);
     if (region) return std::move(*region);
     const RingFault& fault = region.error();
     const auto& paths = fault.is_hole ? hole_paths_ : outer_paths_;

@@ -64,9 +64,9 @@ std::string hint_for(std::string_view table, std::string_view name) {
     if (stem_of(known) == stem_of(name)) return unit_sentence(known);
   }
   for (const SpecKey& key : spec_keys()) {
-    if (key.name == name) return fmt::format("it belongs to [{}]", key.table);
+    if (key.name == name) return fmt::format("{} in [{}]", name, key.table);
   }
-  return fmt::format("the nearest known key is {}", nearest(name.substr(0, longest_name), names_in(table)));
+  return fmt::format("{} (the nearest known key)", nearest(name.substr(0, longest_name), names_in(table)));
 }
 
 /// One value against its rule. Every check adds its complaint and the rule's sentence of what is allowed.
@@ -193,9 +193,9 @@ void check_top_level(const toml::node& value, std::string_view name, Complaints&
 std::string hint_for_top_level(std::string_view name) {
   const auto tables = spec_tables();
   for (const SpecKey& key : spec_keys()) {
-    if (key.name == name) return fmt::format("it belongs to [{}]", key.table);
+    if (key.name == name) return fmt::format("{} in [{}]", name, key.table);
   }
-  return fmt::format("the nearest known table is [{}]",
+  return fmt::format("[{}] (the nearest known table)",
                      nearest(name.substr(0, longest_name), {tables.begin(), tables.end()}));
 }
 

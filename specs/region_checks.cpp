@@ -45,8 +45,8 @@ struct RingList {
   std::string label_before(std::size_t ring, std::string_view text) const {
     return rings.size() == 1 ? std::string(text) : label(ring) + ": " + std::string(text);
   }
-  RingFault fault(std::size_t ring, std::string found, std::string allowed) const {
-    return {is_hole(ring), number(ring), std::move(found), std::move(allowed)};
+  RingFault fault(RingFault::Kind kind, std::size_t ring, std::string found, std::string allowed) const {
+    return {kind, is_hole(ring), number(ring), std::move(found), std::move(allowed)};
   }
 };
 
@@ -56,15 +56,15 @@ RingFault contact_fault(const RingList& list, const RingContact& contact) {
   const std::string second_edge = describe_edge(list.rings[second.ring], second.edge);
   if (first.ring == second.ring) {
     return list.fault(
-        first.ring,
+        RingFault::Kind::self_contact, first.ring,
         list.label_before(first.ring, fmt::format("the ring crosses or touches itself: {} meets {}",
                                                   first_edge, second_edge)),
         "a simple ring, whose edges meet only at the corners between neighbours");
   }
-  return list.fault(second.ring,
+  return list.fault(RingFault::Kind::contact, second.ring,
                     fmt::format("{} and {} cross or touch: {} meets {}", list.label(first.ring),
                                 list.label(second.ring), first_edge, second_edge),
-                    "rings that keep apart; draw polygons that overlap or adjoin as one outline");
+                    "rings that keep apart");
 }
 
 /// Outer rings lie free or in a hole, holes in an outer ring.
@@ -72,11 +72,15 @@ std::optional<RingFault> nesting_fault(const RingList& list, const RingNesting& 
   for (std::size_t ring = 0; ring < list.rings.size(); ++ring) {
     const std::optional<std::size_t> parent = nesting.parent[ring];
     if (list.is_hole(ring) && !parent) {
-      return list.fault(ring, list.label(ring) + " lies outside every polygon", "holes inside a polygon");
+      return list.fault(RingFault::Kind::nesting, ring, list.label(ring) + " lies outside every polygon",
+                        "holes inside a polygon");
     }
     if (parent && list.is_hole(ring) == list.is_hole(*parent)) {
-      return list.fault(ring, fmt::format("{} lies inside {}", list.label(ring), list.label(*parent)),
-                        list.is_hole(ring) ? "holes that keep apart" : "polygons that do not overlap");
+      return list.fault(RingFault::Kind::nesting, ring,
+                        fmt::format("{} lies inside {}", list.label(ring), list.label(*parent)),
+                        list.is_hole(ring)
+                            ? "holes that keep apart"
+                            : "polygons beside each other; what is left out belongs among the holes");
     }
   }
   return std::nullopt;
@@ -133,12 +137,15 @@ std::optional<ShapeFault> shape_fault(const Ring& ring) {
 tl::expected<Region, RingFault> assemble_region(const std::vector<Ring>& outers,
                                                 const std::vector<Ring>& holes) {
   RingList list{{}, outers.size()};
-  if (outers.empty()) return tl::unexpected(RingFault{false, 0, "no polygon", "at least one polygon"});
+  if (outers.empty())
+    return tl::unexpected(
+        RingFault{RingFault::Kind::no_ring, false, 0, "no polygon", "at least one polygon"});
   for (const Ring& ring : outers) list.rings.push_back(without_repeated_corners(ring));
   for (const Ring& ring : holes) list.rings.push_back(without_repeated_corners(ring));
   for (std::size_t ring = 0; ring < list.rings.size(); ++ring) {
     if (auto fault = shape_fault(list.rings[ring])) {
-      return tl::unexpected(list.fault(ring, list.label_before(ring, fault->found), fault->allowed));
+      return tl::unexpected(
+          list.fault(RingFault::Kind::shape, ring, list.label_before(ring, fault->found), fault->allowed));
     }
   }
   const auto nesting = examine_rings(list.rings);

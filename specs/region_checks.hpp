@@ -12,11 +12,20 @@ namespace kempe {
 
 /// Coordinates may not exceed this, mm (ten kilometres): doubles then resolve 1e-9 mm.
 inline constexpr double largest_coordinate = 1e7;
-/// A ring must be at least this wide, mm, across the line from its first corner to the corner farthest from it.
+/// A ring must be at least this wide, mm, across the line from its first corner to the corner farthest from
+/// it.
 inline constexpr double smallest_ring_width = 1e-6;
 
 /// Which ring is at fault, and why.
 struct RingFault {
+  enum class Kind {
+    no_ring,       ///< there is no outer ring
+    shape,         ///< a ring by itself: corners, coordinates, area
+    self_contact,  ///< a ring crosses or touches itself
+    contact,       ///< two rings cross or touch
+    nesting        ///< a ring lies where it may not
+  };
+  Kind kind = Kind::no_ring;
   bool is_hole = false;
   std::size_t ring = 0;  ///< from 0, in the list of outer rings or of holes
   std::string found, allowed;

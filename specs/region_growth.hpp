@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "specs/input_error.hpp"
-#include "specs/region.hpp"
+#include "specs/region_checks.hpp"
 
 namespace kempe {
 
@@ -21,8 +21,15 @@ tl::expected<Region, std::string> grown(const Region& region, double margin);
 /// All points within `margin` (mm, > 0) of a stroke, and a little more, as above.
 tl::expected<Region, std::string> grown(const std::vector<Stroke>& strokes, double margin);
 
-/// The union of simple rings of either direction that may overlap, touch and lie in each other.
+/// The union of the areas of rings of either direction that may overlap, touch and lie in each other; one
+/// that crosses itself counts as the area that ring_loops.hpp gives it. The error is a sentence for a person:
+/// too many corners, or a union whose parts touch in a point.
 tl::expected<Region, std::string> united(const std::vector<Ring>& rings);
+
+/// assemble_region(), but outer rings that cross or touch each other are united first, as what they mean is
+/// plain: all of them. Everything else is refused as there. Faults after a union name polygons of the union.
+tl::expected<Region, RingFault> assemble_united_region(const std::vector<Ring>& outers,
+                                                       const std::vector<Ring>& holes);
 
 /// grown() for a region that was read from a file, its error as InputError about region.margin_mm.
 tl::expected<Region, InputError> grown_region(const Region& region, double margin,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "specs/region_checks.hpp"
+#include "specs/region_growth.hpp"
 #include "specs/spec_keys.hpp"
 
 namespace kempe {
@@ -128,15 +129,11 @@ Ring read_figure(const TableView& table, std::string_view key) {
 }
 
 std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints) {
-  std::vector<Ring> outers{read_figure(table, key)};
-  if (key == "polygon_mm") {
-    auto rings = read_rings(table, key, complaints);
-    if (!rings) return std::nullopt;
-    outers = std::move(*rings);
-  }
+  const bool is_figure = key == "rectangle_mm" || key == "circle_mm";
+  const auto outers = is_figure ? std::vector{read_figure(table, key)} : read_rings(table, key, complaints);
   const auto holes = read_rings(table, "holes_mm", complaints);
-  if (!holes) return std::nullopt;
-  auto region = assemble_region(outers, *holes);
+  if (!outers || !holes) return std::nullopt;
+  auto region = assemble_united_region(*outers, *holes);
   if (region) return std::move(*region);
   const RingFault& fault = region.error();
   const std::string_view at_fault = fault.is_hole ? "holes_mm" : key;

@@ -24,7 +24,8 @@ std::optional<std::string_view> exactly_one_of(const TableView& table,
 /// The ring of rectangle_mm or circle_mm, whichever `key` is.
 Ring read_figure(const TableView& table, std::string_view key);
 
-/// The region of polygon_mm (with holes_mm), rectangle_mm or circle_mm, whichever `key` is.
+/// The region of a key of rings, rectangle_mm or circle_mm, whichever `key` is, without holes_mm if there is
+/// such a key. Polygons that overlap or touch are united.
 std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints);
 
 /// A circle as a region must hold it to be covered: the regular polygon around it with 1440 corners, which
