@@ -130,7 +130,8 @@ Ring read_figure(const TableView& table, std::string_view key) {
 
 std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints) {
   const bool is_figure = key == "rectangle_mm" || key == "circle_mm";
-  const auto outers = is_figure ? std::vector{read_figure(table, key)} : read_rings(table, key, complaints);
+  const auto outers = is_figure ? std::optional(std::vector<Ring>{read_figure(table, key)})
+                                : read_rings(table, key, complaints);
   const auto holes = read_rings(table, "holes_mm", complaints);
   if (!outers || !holes) return std::nullopt;
   auto region = assemble_united_region(*outers, *holes);
