@@ -359,7 +359,7 @@ Region outline_in_the_plane(const PolarBins& bins, const FootprintGrid& grid, co
   for (const bool holes : {false, true})
     for (const GridRing& ring : outline.rings) {
       Ring points = in_the_plane(ring, grid, bins.step(), pole, unit_x);
-      if ((signed_area(points) < 0) != holes) continue;
+      if (signed_area(points) == 0 || (signed_area(points) < 0) != holes) continue;  // 0: the pole itself
       if (!holes)
         parts.push_back({ring.component, {std::move(points), {}}});
       else
