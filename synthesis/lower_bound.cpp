@@ -1,5 +1,6 @@
-// The tree: the most promising box of designs is looked at first, split across its widest coordinate, and each half is
-// shrunk by reach and length limits, bounded, and dropped if the sheets' gap or contact rules it out.
+// The tree: the most promising box of designs is looked at first, split across its widest coordinate, and
+// each half is shrunk by reach and length limits, bounded, and dropped if the sheets' gap or contact rules it
+// out.
 
 #include "synthesis/lower_bound.hpp"
 
@@ -36,7 +37,8 @@ struct Branch {
   double opening_of(double psi) const { return middle + assembly.bend * (psi - middle_psi); }
 };
 
-/// Lengths per VA (VA, BC, BY, CY) and per b = VB/|s| (VB, AC, AX, CX), with the sources' places in LinkLengths.
+/// Lengths per VA (VA, BC, BY, CY) and per b = VB/|s| (VB, AC, AX, CX), with the sources' places in
+/// LinkLengths.
 struct Factor {
   std::size_t length;
   double per;
@@ -84,11 +86,12 @@ Branch make_branch(const Spec& spec, Vertex vertex, int number) {
   return branch;
 }
 
-/// Where the sheets are looked at: some places of the region; the copy's distance from the region at a pole is at most
-/// the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
+/// Where the sheets are looked at: some places of the region; the copy's distance from the region at a pole
+/// is at most the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
 class SheetsGap {
  public:
-  SheetsGap(const Spec& spec, const RegionReach& region) : region_(region), k_(spec.copy.k), gap_(spec.limits.sheets_gap) {
+  SheetsGap(const Spec& spec, const RegionReach& region)
+      : region_(region), k_(spec.copy.k), gap_(spec.limits.sheets_gap) {
     if (!gap_) return;
     constexpr std::size_t most = 24;
     const auto& edges = region.edges();
@@ -118,6 +121,15 @@ class SheetsGap {
   std::vector<Point> places_;
 };
 
+/// Two points of a linkage that came too near at an opening in some box: a cheap first test for the boxes
+/// within it.
+struct Cut {
+  double psi = 0;
+  bounding::MaterialPoint first, second;
+  double needed = 0;
+};
+constexpr std::size_t kept_cuts = 4;
+
 /// A box of designs of one branch.
 struct Node {
   double bound = 0;  // smaller is more promising: size, or minus the transmission angle
@@ -127,6 +139,8 @@ struct Node {
   PoleDistances distances;
   LengthBox lengths;
   std::uint64_t alive = 0;  // layer assignments not yet ruled out, one bit each
+  std::array<std::uint32_t, kept_cuts>
+      cut{};  // of the first layer assignments: number in Tree::cuts_, 0 for none
 
   Point pole() const { return {0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper)}; }
   double radius() const { return 0.5 * std::hypot(x.upper - x.lower, y.upper - y.lower); }
@@ -141,7 +155,10 @@ struct LessPromising {
 class Tree {
  public:
   Tree(const Spec& spec, Objective objective, const BoundOptions& options)
-      : spec_(spec), options_(options), by_size_(objective == Objective::size), region_(spec.region),
+      : spec_(spec),
+        options_(options),
+        by_size_(objective == Objective::size),
+        region_(spec.region),
         sheets_(spec, region_) {
     if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
     if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
@@ -154,9 +171,11 @@ class Tree {
   ProvenBound grow() {
     plant();
     while (!open_.empty() && boxes_ < options_.boxes && open_.top().bound < enough()) {
-      const Node node = open_.top();
+      Node node = open_.top();
       open_.pop();
-      try_designs(node);
+      if (options_.self_contact && !rule_out_layers(node)) continue;
+      if (++opened_ <= 100 || opened_ % 8 == 0)
+        try_designs(node);  // often at first, when the boxes are still many
       split(node);
     }
     return verdict();
@@ -169,7 +188,9 @@ class Tree {
   double enough() const { return best_ < infinity ? best_ - options_.tolerance * std::abs(best_) : infinity; }
 
   /// The transmission angle that designs of interest have at least.
-  double transmission() const { return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_); }
+  double transmission() const {
+    return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_);
+  }
 
   void plant() {
     Range x, y;
@@ -209,16 +230,18 @@ class Tree {
     const double radius = node.radius() * (1 + 1e-12);
     if (area_ && area_->nearest(centre).distance > radius + 1e-12 * area_->diagonal()) return false;
     const RegionReach::Nearest nearest = region_.nearest(centre);
-    if (-nearest.distance > radius) return false;  // inside the region wherever it stands: it would touch the tracer
+    if (-nearest.distance > radius)
+      return false;  // inside the region wherever it stands: it would touch the tracer
     const double rounding = 1e-12 * (region_.diagonal() + centre.norm());
-    node.distances.nearest_at_most = bounding::distance_from_box(nearest.place, node.x, node.y).upper + rounding;
+    node.distances.nearest_at_most =
+        bounding::distance_from_box(nearest.place, node.x, node.y).upper + rounding;
     node.distances.farthest_at_least = 0;
     for (const Point& corner : region_.hull())
       node.distances.farthest_at_least = std::max(node.distances.farthest_at_least,
                                                   bounding::distance_from_box(corner, node.x, node.y).lower);
     if (node.distances.nearest_at_most < least_radius_) return false;
-    node.distances.ratio_at_least = bounding::distance_ratio(region_.hull()[region_.farthest(centre).corner], nearest.place,
-                                                             rounding, node.x, node.y);
+    node.distances.ratio_at_least = bounding::distance_ratio(region_.hull()[region_.farthest(centre).corner],
+                                                             nearest.place, rounding, node.x, node.y);
     return !sheets_.ruled_out(centre, radius);
   }
 
@@ -228,14 +251,17 @@ class Tree {
     const Assembly& a = assembly(node);
     if (!bounding::contract(a, node.distances, transmission(), node.lengths)) return;
     if (by_size_ && !bounding::contract_by_size(a, best_, node.lengths)) return drop(node, best_);
-    node.bound = by_size_ ? bounding::size_at_least(a, node.distances, transmission(), node.lengths)
-                          : -bounding::transmission_at_most(a, node.distances, node.lengths);
+    node.bound = bound_of(node);
     if (!by_size_ && -node.bound < spec_.limits.transmission) return;
     if (node.bound >= best_) return drop(node, best_);
-    if (options_.self_contact) rule_out_layers(node);
-    if (node.alive == 0) return;
+    if (!repeat_cuts(node)) return;
     node.number = boxes_;
     open_.push(node);
+  }
+
+  double bound_of(const Node& node) const {
+    return by_size_ ? bounding::size_at_least(assembly(node), node.distances, transmission(), node.lengths)
+                    : -bounding::transmission_at_most(assembly(node), node.distances, node.lengths);
   }
 
   /// A box whose designs are no better than the best known: its grounding is not impossible.
@@ -246,32 +272,55 @@ class Tree {
     noted = noted ? std::min(*noted, bound) : bound;
   }
 
-  /// Layer assignments in which the linkage touches itself at an opening that every design of the box passes.
-  void rule_out_layers(Node& node) const {
+  bool is_cut(const Node& node, const Range& passed, const Cut& cut) const {
+    if (cut.psi < passed.lower || cut.psi > passed.upper) return false;
+    return bounding::always_nearer(assembly(node), node.lengths, cut.psi, cut.first, cut.second, cut.needed);
+  }
+
+  /// Tests the contacts that the box was split from; false if no layer assignment is left.
+  bool repeat_cuts(Node& node) const {
+    if (std::all_of(node.cut.begin(), node.cut.end(), [](std::uint32_t cut) { return cut == 0; }))
+      return true;
+    const Range passed = bounding::passed_by_all(assembly(node), node.distances, node.lengths);
+    for (std::size_t i = 0; i < kept_cuts; ++i)
+      if (node.alive >> i & 1 && node.cut[i] != 0 && is_cut(node, passed, cuts_[node.cut[i]]))
+        node.alive &= ~(std::uint64_t{1} << i);
+    return node.alive != 0;
+  }
+
+  /// Drops layer assignments in which the linkage touches itself at an opening that every design of the box
+  /// passes, and remembers where it does in others; false if none is left.
+  bool rule_out_layers(Node& node) {
     const Branch& branch = branches_[node.branch];
-    const Range psi = bounding::passed_by_all(branch.assembly, node.distances, node.lengths);
-    if (psi.empty()) return;
+    const Range passed = bounding::passed_by_all(branch.assembly, node.distances, node.lengths);
+    if (passed.empty()) return true;
     const double t = std::sqrt(node.lengths.t.lower * node.lengths.t.upper);
     const double w = std::sqrt(node.lengths.w.lower * node.lengths.w.upper);
     const double a = std::sqrt(w / t / 2), b = std::sqrt(w * t / 2);
     const auto linkage = linkage_of(branch, a, b, node.pole());
-    if (!linkage) return;
-    const double one = branch.opening_of(psi.lower), other = branch.opening_of(psi.upper);
+    if (!linkage) return true;
+    const double one = branch.opening_of(passed.lower), other = branch.opening_of(passed.upper);
     const OpeningInterval openings{std::min(one, other), std::max(one, other)};
     for (std::size_t i = 0; i < branch.layers.size() && i < 64; ++i) {
       if (!(node.alive >> i & 1)) continue;
       const Tightest tightest = smallest_gap_over(*linkage, spec_.links.style, branch.layers[i], openings);
       if (tightest.gap >= spec_.limits.clearance || !tightest.pair) continue;
-      const double at = std::clamp(branch.psi_of(tightest.opening), psi.lower, psi.upper);
+      const double psi = std::clamp(branch.psi_of(tightest.opening), passed.lower, passed.upper);
       const auto points = bounding::nearest_points(*tightest.pair, branch.assembly.s, spec_.links.style, a, b,
-                                                   branch.assembly.bend * at);
-      const double needed = (points.needed + spec_.limits.clearance) * (1 - 1e-12);
-      if (bounding::always_nearer(branch.assembly, node.lengths, at, points.first, points.second, needed))
+                                                   branch.assembly.bend * psi);
+      const Cut cut{psi, points.first, points.second, (points.needed + spec_.limits.clearance) * (1 - 1e-12)};
+      if (is_cut(node, passed, cut)) {
         node.alive &= ~(std::uint64_t{1} << i);
+      } else if (i < kept_cuts) {
+        node.cut[i] = static_cast<std::uint32_t>(cuts_.size());
+        cuts_.push_back(cut);
+      }
     }
+    return node.alive != 0;
   }
 
-  tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Branch& branch, double a, double b, const Point& pole) const {
+  tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Branch& branch, double a, double b,
+                                                        const Point& pole) const {
     return CopyingLinkage::make(spec_.copy.k, branch.assembly.vertex, a, b * std::abs(branch.assembly.s),
                                 branch.assembly.number, pole);
   }
@@ -286,13 +335,16 @@ class Tree {
     if (!(range.nearest > 0) || sheets_.ruled_out(node.pole(), 0)) return;
     if (!bounding::contract(a, exact, transmission(), lengths)) return;
     const double middle = std::sqrt(lengths.t.lower * lengths.t.upper);
-    for (const double t : {lengths.t.lower, lengths.t.upper, std::clamp(1.0, lengths.t.lower, lengths.t.upper), middle}) {
+    for (const double t :
+         {lengths.t.lower, lengths.t.upper, std::clamp(1.0, lengths.t.lower, lengths.t.upper), middle}) {
       LengthBox line{{t, t}, lengths.w};
       double aim = transmission();
       if (!by_size_) aim = std::max(aim, bounding::transmission_at_most(a, exact, line) - 1e-9);
       if (!bounding::contract(a, exact, aim, line)) continue;
       try_design(node, t, std::min(line.w.lower * (1 + 1e-12), line.w.upper), range);
-      if (by_size_) try_design(node, t, std::sqrt(line.w.lower * line.w.upper), range);
+      if (!by_size_) continue;
+      try_design(node, t, std::sqrt(line.w.lower * line.w.upper), range);
+      try_design(node, t, line.w.upper, range);
     }
   }
 
@@ -302,7 +354,8 @@ class Tree {
     if (!linkage) return;
     const auto near = linkage->opening_at(range.nearest), far = linkage->opening_at(range.farthest);
     if (!near || !far) return;
-    const double transmission = std::min(linkage->transmission_angle(*near), linkage->transmission_angle(*far));
+    const double transmission =
+        std::min(linkage->transmission_angle(*near), linkage->transmission_angle(*far));
     if (transmission < spec_.limits.transmission - 1e-9) return;
     const double value = by_size_ ? linkage->size() : -transmission;
     if (value >= best_) return;
@@ -314,12 +367,25 @@ class Tree {
     best_ = value;
   }
 
+  /// A box whose bound would not rise if the pole were known is split across its lengths first.
+  double pole_weight(const Node& node) const {
+    constexpr double idle = 0.1;
+    Node fixed = node;
+    fixed.x.lower = fixed.x.upper = node.pole().x();
+    fixed.y.lower = fixed.y.upper = node.pole().y();
+    if (node.radius() == 0 || !measure_pole(fixed)) return 1;
+    if (!bounding::contract(assembly(node), fixed.distances, transmission(), fixed.lengths)) return 1;
+    return bound_of(fixed) > node.bound ? 1 : idle;
+  }
+
   void split(const Node& node) {
     const double t_width = 0.5 * std::log(node.lengths.t.upper / node.lengths.t.lower);
     const double w_width = 0.5 * std::log(node.lengths.w.upper / node.lengths.w.lower);
-    const double per_mm = 0.5 / std::max(node.distances.farthest_at_least, 1e-300) +
-                          0.5 / std::max(node.distances.nearest_at_most, 1e-300);
-    const double x_width = (node.x.upper - node.x.lower) * per_mm, y_width = (node.y.upper - node.y.lower) * per_mm;
+    const double per_mm = (0.5 / std::max(node.distances.farthest_at_least, 1e-300) +
+                           0.5 / std::max(node.distances.nearest_at_most, 1e-300)) *
+                          pole_weight(node);
+    const double x_width = (node.x.upper - node.x.lower) * per_mm,
+                 y_width = (node.y.upper - node.y.lower) * per_mm;
     const double widest = std::max({t_width, w_width, x_width, y_width});
     const auto halve = [&](auto part, double middle) {
       Node lower = node, upper = node;
@@ -328,11 +394,14 @@ class Tree {
       for (Node* half : {&lower, &upper})
         if (widest == t_width || widest == w_width || measure_pole(*half)) grow_from(*half);
     };
-    if (widest == t_width) return halve([](Node& n) -> Range& { return n.lengths.t; },
-                                        std::sqrt(node.lengths.t.lower * node.lengths.t.upper));
-    if (widest == w_width) return halve([](Node& n) -> Range& { return n.lengths.w; },
-                                        std::sqrt(node.lengths.w.lower * node.lengths.w.upper));
-    if (widest == x_width) return halve([](Node& n) -> Range& { return n.x; }, 0.5 * (node.x.lower + node.x.upper));
+    if (widest == t_width)
+      return halve([](Node& n) -> Range& { return n.lengths.t; },
+                   std::sqrt(node.lengths.t.lower * node.lengths.t.upper));
+    if (widest == w_width)
+      return halve([](Node& n) -> Range& { return n.lengths.w; },
+                   std::sqrt(node.lengths.w.lower * node.lengths.w.upper));
+    if (widest == x_width)
+      return halve([](Node& n) -> Range& { return n.x; }, 0.5 * (node.x.lower + node.x.upper));
     halve([](Node& n) -> Range& { return n.y; }, 0.5 * (node.y.lower + node.y.upper));
   }
 
@@ -358,11 +427,12 @@ class Tree {
   std::optional<RegionReach> area_;
   SheetsGap sheets_;
   std::vector<Branch> branches_;
+  std::vector<Cut> cuts_{Cut{}};  // number 0 stands for none
   std::priority_queue<Node, std::vector<Node>, LessPromising> open_;
   double best_ = infinity;  // of the relaxation's designs met, or the incumbent; as in Node::bound
   double least_radius_ = 0;
   std::array<std::optional<double>, 3> by_grounding_;
-  std::size_t boxes_ = 0;
+  std::size_t boxes_ = 0, opened_ = 0;
 };
 
 }  // namespace

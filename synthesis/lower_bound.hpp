@@ -1,10 +1,11 @@
 #pragma once
-// A number that no design can beat: a proven lower bound of `size`, or upper bound of the transmission angle, over every
-// permitted grounding, assembly, layer assignment, pair of lengths and place of the pole.
+// A number that no design can beat: a proven lower bound of `size`, or upper bound of the transmission angle,
+// over every permitted grounding, assembly, layer assignment, pair of lengths and place of the pole.
 //
-// Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission limit, the
-// lengths' limits, the copy error, the gap between the sheets and the linkage's contact with itself are kept; obstacles,
-// the workshop's grid and stock, and that the footprint costs are not. Steps and proof: docs/lower-bound.md.
+// Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission
+// limit, the lengths' limits, the copy error, the gap between the sheets and the linkage's contact with
+// itself are kept; obstacles, the workshop's grid and stock, and that the footprint costs are not. Steps and
+// proof: docs/lower-bound.md.
 
 #include <array>
 #include <cstddef>
@@ -16,36 +17,42 @@ namespace kempe {
 
 struct BoundOptions {
   /// Value of a design already found (mm of size, rad of transmission): the bound need not rise above it.
-  std::optional<double> incumbent;
-  /// The search ends when bound >= (1 - tolerance) * best value known (for transmission: bound <= (1 + tolerance) * it).
+  std::optional<double> incumbent = std::nullopt;
+  /// The search ends when bound >= (1 - tolerance) * best value known (for transmission: bound <= (1 +
+  /// tolerance) * it).
   double tolerance = 0.001;
   /// Boxes that may be looked at: what limits the time, so that the result does not depend on the machine.
   std::size_t boxes = 40000;
-  /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred boxes.
+  /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred
+  /// boxes.
   bool self_contact = true;
 };
 
 struct ProvenBound {
-  /// No design of the spec has a smaller size (mm), or a larger transmission angle (rad). Meaningless if no_design.
+  /// No design of the spec has a smaller size (mm), or a larger transmission angle (rad). Meaningless if
+  /// no_design.
   double value = 0;
   /// It is proven that no design keeps the limits looked at: then none keeps all of them.
   bool no_design = false;
-  /// The tolerance was reached; else the boxes ran out first, and the bound is valid but may be looser than need be.
+  /// The tolerance was reached; else the boxes ran out first, and the bound is valid but may be looser than
+  /// need be.
   bool tight = false;
-  /// Best value of the relaxation that was met (incumbent included): a better bound than this cannot be had by it.
-  /// Absent if none was met.
+  /// Best value of the relaxation that was met (incumbent included): a better bound than this cannot be had
+  /// by it. Absent if none was met.
   std::optional<double> relaxation;
-  /// The bound if the vertex were one of these alone (indexed by Vertex); absent where none is possible or permitted.
-  /// Groundings worse than the best are looked at no longer than needed, so theirs are loose.
+  /// The bound if the vertex were one of these alone (indexed by Vertex); absent where none is possible or
+  /// permitted. Groundings worse than the best are looked at no longer than needed, so theirs are loose.
   std::array<std::optional<double>, 3> by_grounding;
   std::size_t boxes = 0;
 };
 
-/// The bound for the spec's objective; nothing for objectives other than size and transmission. Deterministic.
-/// Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio k (transmission: >=).
+/// The bound for the spec's objective; nothing for objectives other than size and transmission.
+/// Deterministic. Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio
+/// k (transmission: >=).
 std::optional<ProvenBound> lower_bound(const Spec& spec, const BoundOptions& options = {});
 
 /// The same for an objective of the caller's choice.
-std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective, const BoundOptions& options = {});
+std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective,
+                                       const BoundOptions& options = {});
 
 }  // namespace kempe

@@ -1,5 +1,6 @@
-// Interval arithmetic for the proven bound. Every double that leaves is rounded to the safe side; sines, cosines and
-// arcs of the few angles that occur are taken from the C library and widened by four units in the last place.
+// Interval arithmetic for the proven bound. Every double that leaves is rounded to the safe side; sines,
+// cosines and arcs of the few angles that occur are taken from the C library and widened by four units in the
+// last place.
 
 #include <CGAL/Interval_nt.h>
 
@@ -62,7 +63,8 @@ Interval ratio_squared(const PoleDistances& distances) {
   return CGAL::square(Interval(std::max(plain.inf(), distances.ratio_at_least)));
 }
 
-/// H(t) may not exceed (cos far - q^2 cos near) / (q^2 - 1), q = farthest / nearest: eliminates w from the reach.
+/// H(t) may not exceed (cos far - q^2 cos near) / (q^2 - 1), q = farthest / nearest: eliminates w from the
+/// reach.
 double H_limit(const PoleDistances& distances, const Cosines& limit) {
   if (!(distances.nearest_at_most > 0)) return (-Interval(limit.near_at_least)).sup();
   const Interval q2 = ratio_squared(distances);
@@ -74,8 +76,8 @@ double H_limit(const PoleDistances& distances, const Cosines& limit) {
 void keep_t_with_H_at_most(Range& t, double limit) {
   if (!(limit < 1e150)) return;
   const Interval H(limit);
-  const Interval root = CGAL::sqrt(Interval(std::max(0.0, (CGAL::square(H) - 1.0).inf()),
-                                            std::max(0.0, (CGAL::square(H) - 1.0).sup())));
+  const Interval root = CGAL::sqrt(
+      Interval(std::max(0.0, (CGAL::square(H) - 1.0).inf()), std::max(0.0, (CGAL::square(H) - 1.0).sup())));
   const Interval largest = H + root;
   keep_at_most(t, largest.sup());
   keep_at_least(t, (1.0 / Interval(largest.sup())).inf());
@@ -92,19 +94,23 @@ void keep_lengths_in_limits(const Assembly& assembly, LengthBox& lengths) {
   keep(lengths.t, 2.0 * b2 / whole(lengths.w));
 }
 
-void keep_reach(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit, LengthBox& lengths) {
+void keep_reach(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit,
+                LengthBox& lengths) {
   const Interval H = H_over(lengths.t);
   const Interval far = Interval(H.sup()) + Interval(limit.far_at_most);
   if (far.sup() > 0)
-    keep_at_least(lengths.w, (chain_squared(assembly, distances.farthest_at_least) / Interval(far.sup())).inf());
+    keep_at_least(lengths.w,
+                  (chain_squared(assembly, distances.farthest_at_least) / Interval(far.sup())).inf());
   const Interval near = Interval(H.inf()) + Interval(limit.near_at_least);
   if (near.inf() > 0)
-    keep_at_most(lengths.w, (chain_squared(assembly, distances.nearest_at_most) / Interval(near.inf())).sup());
+    keep_at_most(lengths.w,
+                 (chain_squared(assembly, distances.nearest_at_most) / Interval(near.inf())).sup());
 }
 
 /// Size of the smallest linkage with this t that reaches the farthest place:
 /// c r (A + B t) / sqrt(t^2 + 2 t cos far + 1). Along t it has no minimum but at the ends of a range.
-double size_on_far_limit(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit, double t) {
+double size_on_far_limit(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit,
+                         double t) {
   const Interval T(t);
   const Interval under = CGAL::square(T) + 2.0 * T * Interval(limit.far_at_most) + 1.0;
   if (!(under.sup() > 0)) return infinity;
@@ -122,7 +128,8 @@ double size_per_root_w(const Assembly& assembly, const Range& t) {
   return std::min(at(Interval(t.lower)), at(Interval(t.upper)));
 }
 
-/// Largest transmission angle at which cos(far_end + mu) - q^2 cos(near_end - mu) >= (q^2 - 1) H: the left side falls.
+/// Largest transmission angle at which cos(far_end + mu) - q^2 cos(near_end - mu) >= (q^2 - 1) H: the left
+/// side falls.
 double transmission_by_ratio(const Assembly& assembly, double q2_at_least, double H_at_least) {
   const double widest = (assembly.near_end - assembly.far_end) / 2;
   const double along = std::cos(assembly.far_end) - q2_at_least * std::cos(assembly.near_end);
@@ -131,7 +138,8 @@ double transmission_by_ratio(const Assembly& assembly, double q2_at_least, doubl
   if (!(size > 0)) return widest;
   const double guess = std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
   const auto impossible = [&](double mu) {
-    const Interval left = cosine(assembly.far_end + mu) - Interval(q2_at_least) * cosine(assembly.near_end - mu);
+    const Interval left =
+        cosine(assembly.far_end + mu) - Interval(q2_at_least) * cosine(assembly.near_end - mu);
     return left.sup() < ((Interval(q2_at_least) - 1.0) * Interval(H_at_least)).inf();
   };
   if (impossible(0)) return -1;
@@ -170,10 +178,11 @@ Lengths lengths_of(double t, double w) {
   return {CGAL::sqrt(Interval(w) / (2.0 * Interval(t))), CGAL::sqrt(Interval(w) * Interval(t) / 2.0)};
 }
 
-/// Five corners whose hull holds every (a, b) of a box: its four corners, and where the tangents meet that touch the
-/// lower hyperbola ab = w/2 at its ends (the upper hyperbola lies within its chord already).
+/// Five corners whose hull holds every (a, b) of a box: its four corners, and where the tangents meet that
+/// touch the lower hyperbola ab = w/2 at its ends (the upper hyperbola lies within its chord already).
 std::array<Lengths, 5> hull_of(const LengthBox& lengths) {
-  const Lengths left = lengths_of(lengths.t.upper, lengths.w.lower), right = lengths_of(lengths.t.lower, lengths.w.lower);
+  const Lengths left = lengths_of(lengths.t.upper, lengths.w.lower),
+                right = lengths_of(lengths.t.lower, lengths.w.lower);
   const Interval sum = left.a + right.a;
   const Lengths tangents{2.0 * left.a * right.a / sum, Interval(lengths.w.lower) / sum};
   return {left, right, tangents, lengths_of(lengths.t.lower, lengths.w.upper),
@@ -186,7 +195,8 @@ Range Assembly::usable(double transmission) const {
   return {std::max(far_end + transmission, allowed.lower), std::min(near_end - transmission, allowed.upper)};
 }
 
-bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission, LengthBox& lengths) {
+bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission,
+              LengthBox& lengths) {
   const Rounding rounding;
   if (assembly.usable(transmission).lower > assembly.usable(transmission).upper + 1e-12) return false;
   const Cosines limit = cosines(assembly, transmission);
@@ -208,18 +218,21 @@ double size_at_least(const Assembly& assembly, const PoleDistances& distances, d
   const Cosines limit = cosines(assembly, transmission);
   const double by_reach = std::min(size_on_far_limit(assembly, distances, limit, lengths.t.lower),
                                    size_on_far_limit(assembly, distances, limit, lengths.t.upper));
-  const Interval by_lengths = CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(assembly, lengths.t));
+  const Interval by_lengths =
+      CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(assembly, lengths.t));
   return std::max(by_reach, by_lengths.inf());
 }
 
 bool contract_by_size(const Assembly& assembly, double size, LengthBox& lengths) {
   const Rounding rounding;
   if (size < infinity)
-    keep_at_most(lengths.w, CGAL::square(Interval(size) / Interval(size_per_root_w(assembly, lengths.t))).sup());
+    keep_at_most(lengths.w,
+                 CGAL::square(Interval(size) / Interval(size_per_root_w(assembly, lengths.t))).sup());
   return !lengths.w.empty();
 }
 
-double transmission_at_most(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths) {
+double transmission_at_most(const Assembly& assembly, const PoleDistances& distances,
+                            const LengthBox& lengths) {
   const Rounding rounding;
   const Interval H = H_over(lengths.t);
   double most = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
@@ -227,8 +240,10 @@ double transmission_at_most(const Assembly& assembly, const PoleDistances& dista
     const Interval q2 = ratio_squared(distances);
     if (q2.inf() > 1) most = std::min(most, transmission_by_ratio(assembly, q2.inf(), H.inf()));
   }
-  const Interval far = chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
-  const Interval near = chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
+  const Interval far =
+      chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
+  const Interval near =
+      chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
   most = std::min(most, arc_at_most(far.inf()) - assembly.far_end);
   most = std::min(most, assembly.near_end - arc_at_least(near.sup()));
   return most;
@@ -237,8 +252,10 @@ double transmission_at_most(const Assembly& assembly, const PoleDistances& dista
 Range passed_by_all(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths) {
   const Rounding rounding;
   const Interval H = H_over(lengths.t);
-  const Interval near = chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
-  const Interval far = chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
+  const Interval near =
+      chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
+  const Interval far =
+      chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
   if (!(near.sup() < far.inf()) || far.inf() < -1 || near.sup() > 1) return {};
   return {arc_at_most(far.inf()), arc_at_least(near.sup())};
 }
@@ -280,8 +297,10 @@ Range distance_from_box(const Point& corner, const Range& x, const Range& y) {
   const auto across = [](const Range& range, double at) {
     return std::max((Interval(range.upper) - at).sup(), (Interval(at) - range.lower).sup());
   };
-  const Interval nearest = CGAL::sqrt(CGAL::square(Interval(apart(x, corner.x()))) + CGAL::square(Interval(apart(y, corner.y()))));
-  const Interval farthest = CGAL::sqrt(CGAL::square(Interval(across(x, corner.x()))) + CGAL::square(Interval(across(y, corner.y()))));
+  const Interval nearest =
+      CGAL::sqrt(CGAL::square(Interval(apart(x, corner.x()))) + CGAL::square(Interval(apart(y, corner.y()))));
+  const Interval farthest = CGAL::sqrt(CGAL::square(Interval(across(x, corner.x()))) +
+                                       CGAL::square(Interval(across(y, corner.y()))));
   return {nearest.inf(), farthest.sup()};
 }
 

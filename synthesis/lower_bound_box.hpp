@@ -1,5 +1,6 @@
 #pragma once
-// The inner nouns of the proven bound: a box of designs, and what interval arithmetic can say about all of them at once.
+// The inner nouns of the proven bound: a box of designs, and what interval arithmetic can say about all of
+// them at once.
 //
 //   a = VA, b = VB/|s|, psi = d - arg s:  (c r)^2 = a^2 + b^2 + 2 a b cos psi
 //   coordinates of a box: t = b/a, w = 2 a b, and the pole's place. With H(t) = (t + 1/t)/2:
@@ -23,12 +24,12 @@ struct Assembly {
   Vertex vertex = Vertex::pole;
   int number = 0;
   Complex s;
-  double chain = 1;               ///< c: distance V-X per distance pole-tracer
-  double bend = 1;                ///< sign of psi
+  double chain = 1;                  ///< c: distance V-X per distance pole-tracer
+  double bend = 1;                   ///< sign of psi
   double far_end = 0, near_end = 0;  ///< |psi| at the dead or change points, 0 <= far_end < near_end <= pi
-  Range allowed{0, 0};            ///< |psi| that the copy error's limit leaves (all: [0, pi])
+  Range allowed{0, 0};               ///< |psi| that the copy error's limit leaves (all: [0, pi])
   double size_per_a = 0, size_per_b = 0;
-  Range a, b;                     ///< mm, from the limits of the eight lengths
+  Range a, b;  ///< mm, from the limits of the eight lengths
 
   /// |psi| within which every opening lies at a transmission angle of at least `transmission`.
   Range usable(double transmission) const;
@@ -36,9 +37,9 @@ struct Assembly {
 
 /// Bounds of a region's distances over all places of the pole in a box, mm.
 struct PoleDistances {
-  double nearest_at_most = 0;   ///< upper bound of the distance of the nearest place
-  double farthest_at_least = 0; ///< lower bound of that of the farthest
-  double ratio_at_least = 1;    ///< lower bound of farthest / nearest
+  double nearest_at_most = 0;    ///< upper bound of the distance of the nearest place
+  double farthest_at_least = 0;  ///< lower bound of that of the farthest
+  double ratio_at_least = 1;     ///< lower bound of farthest / nearest
 };
 
 /// Lengths: t = b/a and w = 2ab (mm^2).
@@ -46,9 +47,10 @@ struct LengthBox {
   Range t, w;
 };
 
-/// Shrinks the lengths to those that may reach all distances with a transmission angle of at least `transmission`; false
-/// if none can.
-bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission, LengthBox& lengths);
+/// Shrinks the lengths to those that may reach all distances with a transmission angle of at least
+/// `transmission`; false if none can.
+bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission,
+              LengthBox& lengths);
 
 /// No design of the box that reaches the distances is smaller, mm.
 double size_at_least(const Assembly& assembly, const PoleDistances& distances, double transmission,
@@ -58,9 +60,11 @@ double size_at_least(const Assembly& assembly, const PoleDistances& distances, d
 bool contract_by_size(const Assembly& assembly, double size, LengthBox& lengths);
 
 /// No design of the box has a larger transmission angle over the distances, rad; negative if none has any.
-double transmission_at_most(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths);
+double transmission_at_most(const Assembly& assembly, const PoleDistances& distances,
+                            const LengthBox& lengths);
 
-/// The |psi| that every design of the box passes on its way over the distances; empty if there are none in common.
+/// The |psi| that every design of the box passes on its way over the distances; empty if there are none in
+/// common.
 Range passed_by_all(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths);
 
 /// A point of a part: z = of_a a + of_b b exp(i psi), in the frame with V at the origin and p along x.
@@ -72,8 +76,8 @@ struct MaterialPoint {
 bool always_nearer(const Assembly& assembly, const LengthBox& lengths, double psi, const MaterialPoint& first,
                    const MaterialPoint& second, double needed);
 
-/// Least |pole - far| / (|pole - near| + rounding) over the poles of a box; 1 if it may be less. Taken at a corner of the
-/// box: |pole - far|^2 - q^2 |pole - near|^2 is concave in the pole for q > 1.
+/// Least |pole - far| / (|pole - near| + rounding) over the poles of a box; 1 if it may be less. Taken at a
+/// corner of the box: |pole - far|^2 - q^2 |pole - near|^2 is concave in the pole for q > 1.
 double distance_ratio(const Point& far, const Point& near, double rounding, const Range& x, const Range& y);
 
 /// Lower bound of the distance of `corner` from every place of a box, and upper bound; mm.

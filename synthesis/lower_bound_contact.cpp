@@ -73,7 +73,8 @@ void approach(const Piece& piece, const Piece& other, bool swapped, Nearest& bes
       const double distance = std::abs(piece.at[i] - from - share * edge);
       if (distance >= best.distance) continue;
       const MaterialPoint on_edge = between(other.corner[j], other.corner[other.next(j)], share);
-      best = swapped ? Nearest{distance, on_edge, piece.corner[i]} : Nearest{distance, piece.corner[i], on_edge};
+      best =
+          swapped ? Nearest{distance, on_edge, piece.corner[i]} : Nearest{distance, piece.corner[i], on_edge};
     }
 }
 
@@ -137,7 +138,9 @@ std::vector<LayerAssignment> least_layer_assignments(Complex k, Vertex vertex, i
     const auto holds = [](const Candidate& more, const Candidate& less) {
       return std::includes(more.pairs.begin(), more.pairs.end(), less.pairs.begin(), less.pairs.end());
     };
-    if (std::any_of(least.begin(), least.end(), [&](const Candidate& other) { return holds(candidate, other); })) continue;
+    if (std::any_of(least.begin(), least.end(),
+                    [&](const Candidate& other) { return holds(candidate, other); }))
+      continue;
     std::erase_if(least, [&](const Candidate& other) { return holds(other, candidate); });
     least.push_back(candidate);
   }
@@ -146,8 +149,8 @@ std::vector<LayerAssignment> least_layer_assignments(Complex k, Vertex vertex, i
   return result;
 }
 
-NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkStyle& style, double a, double b,
-                             double psi) {
+NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkStyle& style, double a,
+                             double b, double psi) {
   const Complex turned = std::polar(b, psi);
   Nearest best;
   for (const Piece& one : pieces_of(pair.first, shape, style, a, turned))
