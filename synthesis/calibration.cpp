@@ -1,0 +1,415 @@
+#include "synthesis/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/calibration_fit.hpp"
+#include "synthesis/calibration_statistics.hpp"
+
+namespace kempe {
+namespace detail = calibration_detail;
+
+std::string_view name(NoiseSource source) {
+  switch (source) {
+    case NoiseSource::stated:
+      return "stated";
+    case NoiseSource::residuals:
+      return "residuals";
+    case NoiseSource::larger_residuals:
+      return "residuals larger than stated";
+    case NoiseSource::assumed:
+      break;
+  }
+  return "assumed";
+}
+
+std::optional<double> departure_with(const CalibrationTask& task, const Measures& deviations,
+                                     const Measures& corrections) {
+  double largest = 0;
+  for (const CalibrationReading& reading : task.readings) {
+    const Instrument& setup = task.setups[reading.setup];
+    const auto output = output_at(setup, setup.drawn + deviations + corrections, reading.input);
+    if (!output) return std::nullopt;
+    largest = std::max(largest, (output->at - wanted_output(setup, reading.input)).norm());
+  }
+  return largest;
+}
+
+namespace {
+
+using Fault = std::optional<CalibrationFault>;
+
+/// The copy's size against the ratio, over the two readings of a setup that lie farthest apart.
+Fault fault_of_size(const CalibrationTask& task, std::size_t setup) {
+  double far_in = 0, far_out = 0, farthest_wanted = 0;
+  for (const auto& a : task.readings)
+    for (const auto& b : task.readings)
+      if (a.setup == setup && b.setup == setup && (a.input - b.input).norm() > far_in) {
+        far_in = (a.input - b.input).norm();
+        far_out = (a.output - b.output).norm();
+      }
+  const double size = task.setups[setup].drawn.head<8>().cwiseAbs().maxCoeff(),
+               k = std::abs(task.setups[setup].ratio);
+  farthest_wanted = k * far_in;
+  constexpr double far_enough = 0.02, near_enough = 0.25;
+  if (far_in < far_enough * size || std::abs(far_out - farthest_wanted) < near_enough * farthest_wanted)
+    return {};
+  const double factor = far_out / farthest_wanted;
+  const auto near = [&](double other) { return std::abs(factor / other - 1) < 0.1; };
+  std::string hint;
+  if (near(1 / (k * k))) hint = "; are the place set and the place read exchanged?";
+  for (const double unit : {1000.0, 25.4, 10.0})
+    if (near(unit) || near(1 / unit)) hint = fmt::format("; a factor of {} looks like another unit", unit);
+  return CalibrationFault{
+      {},
+      fmt::format("points read that lie {:.4g} times as far apart as the points set", far_out / far_in),
+      fmt::format("about {:.4g} times, the instrument's ratio, all in millimetres{}", k, hint)};
+}
+
+/// Another unit that would bring the place within reach, for the message.
+std::string unit_hint(const Instrument& setup, const Point& input) {
+  for (const auto& [factor, unit] : {std::pair{1000.0, "metres"}, {25.4, "inches"}, {10.0, "centimetres"}})
+    if (output_at(setup, setup.drawn, factor * input)) return fmt::format("; is it in {}?", unit);
+  if (output_at(setup, setup.drawn, input / 1000)) return "; is it in micrometres?";
+  return "";
+}
+
+Fault fault_of_reach(const CalibrationTask& task) {
+  for (std::size_t i = 0; i < task.readings.size(); ++i) {
+    const auto& reading = task.readings[i];
+    const Instrument& setup = task.setups[reading.setup];
+    const auto closed = output_at(setup, setup.drawn, reading.input);
+    if (closed) continue;
+    const Point from_pole(reading.input - Point(setup.drawn[index_of(Measure::pole_x)],
+                                                setup.drawn[index_of(Measure::pole_y)]));
+    return CalibrationFault{
+        i, fmt::format("a place {:.6g} mm from the pole, {}", from_pole.norm(), name(closed.error())),
+        "a place that the instrument reaches, in millimetres" + unit_hint(setup, reading.input)};
+  }
+  return {};
+}
+
+Fault fault_of_count(const CalibrationTask& task) {
+  const std::size_t rows = 2 * task.readings.size() + task.lengths.size();
+  if (rows < task.free.size()) {
+    const std::size_t needed = (task.free.size() - task.lengths.size() + 1) / 2;
+    return CalibrationFault{
+        {},
+        fmt::format("{} readings for {} unknown measures", task.readings.size(), task.free.size()),
+        fmt::format("at least {} readings; better {}, at places spread over the whole reach", needed,
+                    2 * needed)};
+  }
+  return {};
+}
+
+Fault fault_of_spread(const CalibrationTask& task) {
+  if (task.readings.empty()) return {};
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const auto& reading : task.readings) {
+    const Instrument& setup = task.setups[reading.setup];
+    if (reading.setup != task.readings.front().setup) return {};
+    const Point pole(setup.drawn[index_of(Measure::pole_x)], setup.drawn[index_of(Measure::pole_y)]);
+    lowest = std::min(lowest, (reading.input - pole).norm());
+    highest = std::max(highest, (reading.input - pole).norm());
+  }
+  if (highest - lowest > 1e-3 * highest) return {};
+  return CalibrationFault{
+      {},
+      fmt::format("all readings {:.4g} mm from the pole, at one opening of the linkage", highest),
+      "readings near to and far from the pole, a few at each"};
+}
+
+Fault fault_of(const CalibrationTask& task) {
+  if (auto fault = fault_of_count(task)) return fault;
+  if (auto fault = fault_of_reach(task)) return fault;
+  if (auto fault = fault_of_spread(task)) return fault;
+  for (std::size_t setup = 0; setup < task.setups.size(); ++setup)
+    if (auto fault = fault_of_size(task, setup)) return fault;
+  return {};
+}
+
+std::vector<Measure> without_held(const std::vector<Measure>& free,
+                                  const std::vector<Indistinct>& indistinct) {
+  std::vector<Measure> rest;
+  for (const Measure measure : free)
+    if (std::none_of(indistinct.begin(), indistinct.end(),
+                     [&](const Indistinct& one) { return one.parts.front().measure == measure; }))
+      rest.push_back(measure);
+  return rest;
+}
+
+/// A fit with what was held for it and the noise that it was weighed by.
+struct Fitted {
+  detail::FitOutcome outcome;
+  std::vector<Measure> free;  ///< that were fitted
+  std::vector<Indistinct> indistinct;
+  double noise = 0;
+  NoiseSource source = NoiseSource::assumed;
+  double freedom = 0;
+};
+
+/// Held measures that are off by what is plausible leave traces of second order in all others, and in what is
+/// left.
+double second_order(const CalibrationTask& task, const Fitted& fitted) {
+  if (fitted.indistinct.empty()) return 0;
+  const double size = 1 / detail::units_of(task)[index_of(Measure::turn)];
+  return 0.5 * task.plausible_deviation * task.plausible_deviation / size;
+}
+
+/// One calibration in the making: which measures can be told, and their fit.
+class Fitting {
+ public:
+  Fitting(const CalibrationTask& task, std::vector<std::size_t> used)
+      : task_(task), used_(std::move(used)), units_(detail::units_of(task)) {}
+
+  /// Nothing where the instrument as drawn cannot be closed at a reading (checked before).
+  std::optional<Fitted> run() const {
+    // What no noise at all would let the readings tell, then what this noise does not.
+    auto fitted = held_fit(initial_noise(), std::numeric_limits<double>::infinity());
+    if (!fitted) return fitted;
+    auto hidden_by_noise = indistinct_as_drawn(fitted->noise, task_.plausible_deviation);
+    if (hidden_by_noise.size() > fitted->indistinct.size()) {
+      fitted = held_fit(fitted->noise, task_.plausible_deviation);
+    } else if (weighs_all_alike()) {
+      fitted->indistinct = std::move(hidden_by_noise);
+    }
+    if (!fitted || fitted->indistinct.empty()) return fitted;
+    auto all = full_fit(*fitted);
+    return all ? all : fitted;
+  }
+
+ private:
+  double initial_noise() const { return task_.reading_uncertainty.value_or(assumed_reading_uncertainty); }
+
+  detail::WeightedTask weighted(double noise) const { return {task_, used_, noise, units_}; }
+
+  std::vector<Indistinct> indistinct_as_drawn(double noise, double plausible) const {
+    Eigen::VectorXd residuals(weighted(noise).rows());
+    Eigen::MatrixXd slopes(residuals.size(), static_cast<Eigen::Index>(task_.free.size()));
+    if (!weighted(noise).evaluate(Measures::Zero(), task_.free, residuals, &slopes)) return {};
+    return detail::indistinct_combinations(slopes, task_.free, units_, plausible);
+  }
+
+  std::optional<Fitted> held_fit(double noise, double plausible) const {
+    Fitted fitted;
+    fitted.indistinct = indistinct_as_drawn(noise, plausible);
+    fitted.free = without_held(task_.free, fitted.indistinct);
+    return settle_noise(std::move(fitted), Measures::Zero(), noise);
+  }
+
+  /// Fits, and where the noise is not stated weighs anew by what is left, until both agree.
+  std::optional<Fitted> settle_noise(Fitted fitted, Measures start, double noise) const {
+    constexpr int most_rounds = 8;
+    for (int round = 0; round < most_rounds; ++round) {
+      auto outcome = detail::fit(weighted(noise), fitted.free, start);
+      if (!outcome) return std::nullopt;
+      fitted.outcome = *outcome;
+      start = outcome->deviations;
+      const auto estimate = detail::estimated_noise(weighted(noise), fitted.outcome);
+      fitted.freedom = estimate.freedom;
+      fitted.noise = choose_noise(estimate, fitted.source);
+      const bool settled = std::abs(fitted.noise - noise) <= 1e-3 * noise;
+      if (settled || weighs_all_alike()) {
+        weigh_anew(fitted.outcome, noise / fitted.noise);
+        break;
+      }
+      noise = fitted.noise;
+    }
+    return fitted;
+  }
+
+  /// Then another noise changes no weight against another.
+  bool weighs_all_alike() const { return task_.lengths.empty() && task_.setting_uncertainty == 0; }
+
+  static void weigh_anew(detail::FitOutcome& outcome, double factor) {
+    outcome.residuals *= factor;
+    outcome.slopes *= factor;
+    outcome.square_sum *= factor * factor;
+  }
+
+  double choose_noise(const detail::NoiseEstimate& estimate, NoiseSource& source) const {
+    const double least = 1e-15 / units_[index_of(Measure::turn)];
+    const bool estimable = estimate.freedom >= 1.5;
+    source = task_.reading_uncertainty ? NoiseSource::stated
+             : estimable               ? NoiseSource::residuals
+                                       : NoiseSource::assumed;
+    if (source == NoiseSource::residuals) return std::max(estimate.noise, least);
+    const double known = initial_noise();
+    const double beyond_chance = std::sqrt(1 + 4 * std::sqrt(2 / std::max(estimate.freedom, 1.0)));
+    if (source == NoiseSource::stated && estimable && estimate.noise > beyond_chance * known) {
+      source = NoiseSource::larger_residuals;
+      return estimate.noise;
+    }
+    return known;
+  }
+
+  /// Everything free at once, from the held solution: without noise even the second-order traces of the held
+  /// combinations tell them. Believed only if it converged, rests on enough readings, and tells all of them
+  /// well.
+  std::optional<Fitted> full_fit(const Fitted& held) const {
+    constexpr double least_freedom = 3.5;
+    if (static_cast<double>(weighted(1).rows()) - static_cast<double>(task_.free.size()) < least_freedom)
+      return std::nullopt;
+    if (noise_hides_all(held)) return std::nullopt;
+    for (const Measures& start : {held.outcome.deviations, Measures(Measures::Zero())}) {
+      Fitted all;
+      all.free = task_.free;
+      auto fitted = settle_noise(std::move(all), start, held.noise);
+      if (fitted && fitted->outcome.converged && tells_all(*fitted)) return fitted;
+    }
+    return std::nullopt;
+  }
+
+  bool tells_all(const Fitted& fitted) const {
+    constexpr double clearly = 0.1;
+    return detail::indistinct_combinations(fitted.outcome.slopes, task_.free, units_,
+                                           clearly * task_.plausible_deviation)
+        .empty();
+  }
+
+  /// True if at the held solution the noise leaves the held measures unknown by far. What is left counts as
+  /// noise once it is more than the held measures' own traces.
+  bool noise_hides_all(const Fitted& held) const {
+    const bool is_noise = task_.reading_uncertainty || held.noise > 5 * second_order(task_, held);
+    if (!is_noise) return false;
+    Eigen::VectorXd residuals(weighted(1).rows());
+    Eigen::MatrixXd slopes(residuals.size(), static_cast<Eigen::Index>(task_.free.size()));
+    if (!weighted(held.noise).evaluate(held.outcome.deviations, task_.free, residuals, &slopes)) return true;
+    constexpr double by_far = 10;
+    return !detail::indistinct_combinations(slopes, task_.free, units_, by_far * task_.plausible_deviation)
+                .empty();
+  }
+
+  const CalibrationTask& task_;
+  std::vector<std::size_t> used_;
+  Measures units_;
+};
+
+void take_out(std::vector<std::size_t>& used, const std::vector<std::size_t>& places,
+              std::vector<std::size_t>& out) {
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    out.push_back(used[*place]);
+    used.erase(used.begin() + static_cast<std::ptrdiff_t>(*place));
+  }
+}
+
+Eigen::Matrix<double, measure_count, measure_count> covariance_of(const Fitted& fitted,
+                                                                  const Measures& units) {
+  Eigen::Matrix<double, measure_count, measure_count> covariance =
+      Eigen::Matrix<double, measure_count, measure_count>::Zero();
+  const Eigen::MatrixXd small = detail::inverse_normal(fitted.outcome.slopes);
+  for (std::size_t i = 0; i < fitted.free.size(); ++i)
+    for (std::size_t j = 0; j < fitted.free.size(); ++j) {
+      const int row = index_of(fitted.free[i]), column = index_of(fitted.free[j]);
+      covariance(row, column) =
+          small(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * units[row] * units[column];
+    }
+  return covariance;
+}
+
+detail::WeightedTask weighted_for(const CalibrationTask& task, const Fitted& fitted,
+                                  const std::vector<std::size_t>& used) {
+  return {task, used, fitted.noise, detail::units_of(task), second_order(task, fitted)};
+}
+
+/// What the determined measures move by when a held one is off by the plausible deviation, evenly spread.
+void add_traces_of_held(const CalibrationTask& task, const Fitted& fitted,
+                        const std::vector<std::size_t>& used, Calibration& result) {
+  const auto weighted = weighted_for(task, fitted, used);
+  for (const Indistinct& one : fitted.indistinct) {
+    Measures shift = Measures::Zero();
+    for (const double side : {-1.0, 1.0}) {
+      Measures start = result.deviations;
+      for (const Indistinct::Part& part : one.parts)
+        start[index_of(part.measure)] += side * task.plausible_deviation / std::sqrt(3.0) * part.factor *
+                                         weighted.units[index_of(one.parts.front().measure)];
+      if (const auto moved = detail::fit(weighted, fitted.free, start))
+        shift += 0.5 * side * moved->deviations;
+    }
+    for (int i = 0; i < measure_count; ++i)
+      if (!result.determined[i]) shift[i] = 0;
+    result.covariance += shift * shift.transpose();
+  }
+}
+
+void fill_readings(const CalibrationTask& task, const Fitted& fitted, const std::vector<std::size_t>& used,
+                   Calibration& result) {
+  const auto weighted = weighted_for(task, fitted, used);
+  result.readings.resize(task.readings.size());
+  for (std::size_t i = 0; i < task.readings.size(); ++i) {
+    const CalibrationReading& reading = task.readings[i];
+    const Instrument& setup = task.setups[reading.setup];
+    result.readings[i].departure = reading.output - wanted_output(setup, reading.input);
+    if (const auto output = output_at(setup, setup.drawn + result.deviations, reading.input))
+      result.readings[i].left = reading.output - output->at;
+  }
+  const auto left_out =
+      detail::leave_one_out(weighted, fitted.outcome, fitted.source != NoiseSource::residuals);
+  double squares = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    ReadingFit& reading = result.readings[used[i]];
+    reading.studentised = left_out[i].studentised;
+    reading.leverage = left_out[i].leverage;
+    result.left_largest = std::max(result.left_largest, reading.left.norm());
+    squares += reading.left.squaredNorm();
+  }
+  result.left_rms = std::sqrt(squares / std::max<double>(1, static_cast<double>(2 * used.size())));
+}
+
+Calibration result_of(const CalibrationTask& task, const Fitted& fitted,
+                      const std::vector<std::size_t>& used) {
+  Calibration result;
+  result.deviations = fitted.outcome.deviations;
+  result.indistinct = fitted.indistinct;
+  for (const Indistinct& one : fitted.indistinct)
+    for (const Indistinct::Part& part : one.parts) result.determined[index_of(part.measure)] = false;
+  result.covariance = covariance_of(fitted, detail::units_of(task));
+  add_traces_of_held(task, fitted, used, result);
+  result.noise = fitted.noise;
+  result.noise_source = fitted.source;
+  result.degrees_of_freedom = static_cast<int>(std::lround(fitted.freedom));
+  const bool estimated =
+      fitted.source == NoiseSource::residuals || fitted.source == NoiseSource::larger_residuals;
+  result.coverage_factor = estimated ? student_central_quantile(0.95, std::max(1, result.degrees_of_freedom))
+                                     : normal_central_quantile(0.95);
+  if (fitted.outcome.slopes.cols() > 0) {
+    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(fitted.outcome.slopes).singularValues();
+    result.singular_values.assign(values.data(), values.data() + values.size());
+  }
+  fill_readings(task, fitted, used, result);
+  return result;
+}
+
+}  // namespace
+
+tl::expected<Calibration, CalibrationFault> calibrate(const CalibrationTask& task) {
+  if (auto fault = fault_of(task)) return tl::unexpected(*fault);
+  std::vector<std::size_t> all(task.readings.size()), outliers;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  std::vector<std::size_t> used = all;
+  auto fitted = Fitting(task, used).run();
+  while (fitted && 4 * outliers.size() < all.size()) {
+    const auto places = detail::standing_out(weighted_for(task, *fitted, used), fitted->outcome,
+                                             fitted->source != NoiseSource::residuals);
+    if (places.empty()) break;
+    take_out(used, places, outliers);
+    fitted = Fitting(task, used).run();
+  }
+  if (task.keep_outliers && !outliers.empty()) {
+    used = all;
+    fitted = Fitting(task, used).run();
+  }
+  if (!fitted) {
+    return tl::unexpected(CalibrationFault{{},
+                                           "readings that no instrument near the drawn one explains",
+                                           "readings within a few hundredths of the drawn instrument's"});
+  }
+  Calibration result = result_of(task, *fitted, used);
+  for (const std::size_t i : outliers) result.readings[i].outlier = true;
+  return result;
+}
+
+}  // namespace kempe
