@@ -55,7 +55,8 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
 }
 
 /// Tries points of the region in the open cells; keeps the smallest gap found.
-void improve(ClearanceFigure& best, const ContactScene& scene, const Subdivision& cells) {
+void improve(ClearanceFigure& best, const MapTask& task, const ContactScene& scene,
+             const Subdivision& cells) {
   const CopyingLinkage& linkage = cells.grid().linkage();
   const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
   for (std::size_t i = 0; i < cells.open().size(); i += stride) {
@@ -68,7 +69,7 @@ void improve(ClearanceFigure& best, const ContactScene& scene, const Subdivision
     if (here.gap < best.gap)
       best = {here.gap,
               name(scene.pieces[here.between.piece].part) + " and " +
-                  obstacle_name(scene.obstacles[here.between.obstacle].number),
+                  obstacle_name(task, scene.obstacles[here.between.obstacle].number),
               *point, false};
   }
 }
@@ -89,7 +90,7 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task) {
   Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to,
                     {.contacts_stay_open = true, .region_only = true});
   while (!cells.open().empty() && cells.open().size() < most_cells) {
-    improve(best, scene, cells);
+    improve(best, task, scene, cells);
     cells.lower_clearance(best.gap - certain_to);
     if (!cells.split([](const OpenCell&) { return true; })) break;
   }

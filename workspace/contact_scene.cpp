@@ -52,7 +52,10 @@ ContactScene::ContactScene(const MapTask& task) : motion(task.linkage) {
   }
 }
 
-std::string obstacle_name(std::size_t index) { return "obstacle " + std::to_string(index + 1); }
+std::string obstacle_name(const MapTask& task, std::size_t index) {
+  const std::string& given = task.obstacles[index].name;
+  return given.empty() ? "obstacle " + std::to_string(index + 1) : given;
+}
 
 namespace {
 

@@ -38,8 +38,8 @@ struct ContactScene {
   std::vector<Encounter> encounters;
 };
 
-/// "obstacle 2": numbered from 1 in the order of the spec.
-std::string obstacle_name(std::size_t index);
+/// The obstacle's name, or "obstacle 2": numbered from 1 in the order of the task.
+std::string obstacle_name(const MapTask& task, std::size_t index);
 
 /// The smallest gap to any obstacle with the mechanism in one pose, mm; +infinity without obstacles. A piece
 /// inside an obstacle has the gap of a piece at its edge: minus its half width.

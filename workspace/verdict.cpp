@@ -79,7 +79,7 @@ SmallestGap smallest_gap(const MapTask& task, double opening, double bearing) {
   const ObstacleGap obstacle = tightest_obstacle(scene, opening, bearing);
   if (obstacle.gap < smallest.gap)
     smallest = {obstacle.gap, Cause::obstacle_contact, name(scene.pieces[obstacle.between.piece].part),
-                obstacle_name(scene.obstacles[obstacle.between.obstacle].number)};
+                obstacle_name(task, scene.obstacles[obstacle.between.obstacle].number)};
   return smallest;
 }
 
@@ -98,8 +98,8 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
   if (const auto number = obstacle_at_pole(task))
     return lost(Cause::obstacle_contact,
                 fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
-                            obstacle_name(*number)),
-                {std::string("pole post ") + letter(linkage.pole_joint()), obstacle_name(*number)});
+                            obstacle_name(task, *number)),
+                {std::string("pole post ") + letter(linkage.pole_joint()), obstacle_name(task, *number)});
   const Point reach = tracer - linkage.pole();
   const SmallestGap smallest = smallest_gap(task, *opening, std::atan2(reach.y(), reach.x()));
   const double slack = undecided * (linkage.size() + task.clearance);

@@ -41,7 +41,7 @@ void refine(std::vector<Subdivision>& charts, double tolerance) {
   }
 }
 
-void add_cells(WorkspaceMap& map, const ContactScene& scene, const Subdivision& chart) {
+void add_cells(WorkspaceMap& map, const MapTask& task, const ContactScene& scene, const Subdivision& chart) {
   std::vector<GridCell> free, open;
   for (const FreeCell& one : chart.free()) free.push_back(one.cell);
   for (const OpenCell& one : chart.open()) open.push_back(one.cell);
@@ -53,7 +53,7 @@ void add_cells(WorkspaceMap& map, const ContactScene& scene, const Subdivision& 
         .push_back(one.cell);
   for (const auto& [between, cells] : lost)
     map.lost.push_back({Cause::obstacle_contact,
-                        {between.second, obstacle_name(between.first)},
+                        {between.second, obstacle_name(task, between.first)},
                         polygons_of(chart.grid(), cells, Corners::join)});
 }
 
@@ -115,14 +115,14 @@ OpeningInterval certified(const MapTask& task, const std::vector<FreeOpenings>& 
 void lose_all_to(WorkspaceMap& map, const MapTask& task, std::size_t obstacle) {
   const std::string post = std::string("pole post ") + letter(task.linkage.pole_joint());
   ArcRegion area = as_region(annulus_over(task.linkage, map.certified_opening));
-  add_lost(map, Cause::obstacle_contact, {post, obstacle_name(obstacle)}, std::move(area));
+  add_lost(map, Cause::obstacle_contact, {post, obstacle_name(task, obstacle)}, std::move(area));
   map.coverage = {false,
                   false,
-                  "The " + post + " stands in " + obstacle_name(obstacle) +
+                  "The " + post + " stands in " + obstacle_name(task, obstacle) +
                       " or within its clearance: no position of the linkage is free.",
                   task.linkage.pole(),
                   Cause::obstacle_contact,
-                  {post, obstacle_name(obstacle)}};
+                  {post, obstacle_name(task, obstacle)}};
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   for (const FreeOpenings& one : free)
     charts.emplace_back(scene, region, AngleGrid(task.linkage, one.interval), task.clearance);
   refine(charts, options.map_tolerance);
-  for (const Subdivision& chart : charts) add_cells(map, scene, chart);
+  for (const Subdivision& chart : charts) add_cells(map, task, scene, chart);
   map.coverage = coverage_of(task, charts, region);
   return map;
 }
