@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cctype>
 
+#include "specs/dxf_reader.hpp"
 #include "specs/geojson_reader.hpp"
+#include "specs/svg_reader.hpp"
 
 namespace kempe {
 namespace {
 
 constexpr RegionFileKind kinds[] = {
     {".geojson", read_geojson_region, false},
+    {".svg", read_svg_region, true},
+    {".dxf", read_dxf_region, true},
 };
 
 std::string lower_case(std::string text) {

@@ -2,6 +2,7 @@
 // Regions from drawings: one place where a file's extension chooses its reader.
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ enum class Cover {
 struct RegionFileOptions {
   Cover cover = Cover::hull;
   double margin = 0;  ///< mm, >= 0: the region grows by this
+  std::optional<double> unit = {};  ///< mm to a unit of the drawing, in place of what the file says or leaves open
 };
 
 /// Makes a region of a file's contents; `file_name` is for error messages. The result keeps the invariant of

@@ -17,12 +17,25 @@ std::string known_extensions() {
   return fmt::format("a file that ends in {}", fmt::join(extensions, ", "));
 }
 
+/// region.units as mm; nothing if the file is to say it.
+std::optional<double> unit_of(const TableView& table) {
+  std::string units;
+  table.set("units", units);
+  if (units == "mm") return 1;
+  if (units == "cm") return 10;
+  if (units == "m") return 1000;
+  if (units == "inch") return 25.4;
+  if (units == "foot") return 304.8;
+  return std::nullopt;
+}
+
 RegionFileOptions read_options(const TableView& table) {
   RegionFileOptions options;
   std::string cover = "hull";
   table.set("cover", cover);
   table.set("margin_mm", options.margin);
   options.cover = cover == "outline" ? Cover::outline : cover == "strokes" ? Cover::strokes : Cover::hull;
+  options.unit = unit_of(table);
   return options;
 }
 

@@ -40,6 +40,8 @@ constexpr SpecKey keys[] = {
     {"region", "cover", choice, any, "hull|outline|strokes", optional, "\"hull\"",
      "of a .svg or .dxf drawing: its convex hull, what its outlines enclose, or its strokes grown by "
      "margin_mm"},
+    {"region", "units", choice, any, "mm|cm|m|inch|foot", optional, "",
+     "of a .dxf drawing that does not say its units, or says them wrongly"},
 
     {"pole", "at_mm", point, coordinate, "", optional, "[0, 0]", "the pole's place"},
     {"pole", "within_mm", rings, coordinate, "", optional, "",
