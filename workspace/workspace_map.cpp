@@ -6,7 +6,10 @@
 #include "workspace/cell_polygons.hpp"
 #include "workspace/clearance.hpp"
 #include "workspace/coverage.hpp"
+#include "workspace/largest_sheet.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/region_algebra.hpp"
+#include "workspace/sheets_gap.hpp"
 
 namespace kempe {
 namespace {
@@ -87,11 +90,29 @@ void add_lost(WorkspaceMap& map, Cause cause, std::vector<std::string> parts, Ar
   if (!area.empty()) map.lost.push_back({cause, std::move(parts), std::move(area)});
 }
 
+/// Exact Boolean operations on more corners than this would take seconds.
+constexpr std::size_t most_corners = 20'000;
+
+/// The part of the region beyond the outer reach: the plane there is lost too, but it has no end.
+ArcRegion region_beyond(const MapTask& task, const Annulus& chain) {
+  std::size_t corners = 0;
+  for (const Polygon& polygon : task.region.polygons) {
+    corners += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) corners += hole.size();
+  }
+  if (corners == 0 || corners > most_corners ||
+      distance_range(task.region, chain.centre).farthest <= chain.outer)
+    return {};
+  return difference(as_arcs(task.region), as_region({chain.centre, 0, chain.outer}));
+}
+
 /// What is lost whatever the bearing: annuli.
 void add_lost_annuli(WorkspaceMap& map, const MapTask& task, const std::vector<FreeOpenings>& free) {
   const Annulus chain = chain_annulus(task.linkage), reach = reachable_annulus(task.linkage);
   const Annulus usable = usable_annulus(task.linkage, task.transmission);
-  add_lost(map, Cause::out_of_reach, {}, as_region({chain.centre, 0, chain.inner}));
+  ArcRegion unreachable = as_region({chain.centre, 0, chain.inner});
+  append(unreachable, region_beyond(task, chain));
+  add_lost(map, Cause::out_of_reach, {}, std::move(unreachable));
   add_lost(map, Cause::beyond_change_point, {}, difference(chain, reach));
   add_lost(map, Cause::transmission_below_limit, {}, difference(reach, usable));
   const OpeningInterval within = task.linkage.openings_with_transmission(task.transmission);
@@ -125,6 +146,20 @@ void lose_all_to(WorkspaceMap& map, const MapTask& task, std::size_t obstacle) {
                   {post, obstacle_name(task, obstacle)}};
 }
 
+/// Sheets that overlap are a fault of the region and the pole, wherever the linkage can go.
+void add_sheet_overlap(WorkspaceMap& map, const MapTask& task) {
+  auto overlap = sheet_overlap(task);
+  if (!overlap) return;
+  add_lost(map, Cause::sheet_overlap, {}, std::move(overlap->area));
+  if (map.coverage.covered)
+    map.coverage = {false,
+                    false,
+                    "The region cannot be copied on this table: " + overlap->sentence + ".",
+                    overlap->at,
+                    Cause::sheet_overlap,
+                    {}};
+}
+
 }  // namespace
 
 WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
@@ -152,6 +187,8 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   refine(charts, options.map_tolerance);
   for (const Subdivision& chart : charts) add_cells(map, task, scene, chart);
   map.coverage = coverage_of(task, charts, region);
+  add_sheet_overlap(map, task);
+  if (options.largest_sheets) map.largest_sheets = largest_sheets(map.collision_free, task.region);
   return map;
 }
 
