@@ -352,21 +352,26 @@ double CopyErrorProfile::slope_at_most(double sine) const {
   const auto& play = tolerance_.play;
   const double loop = std::abs(1.0 - s_) / (sine * sine);
   const double pole = vertex_ == Vertex::pole ? 0.5 * play[0] * loop : 0;
-  const double bars = loop * (t[0] + t[1] + t[2] + t[3] + 0.5 * (play[1] + play[2] + play[3] + play[4])) + pole;
-  const double turning = std::abs(1.0 - s_ * xi_[0]) * t[2] + std::abs(s_ * xi_[1]) * t[4] + std::abs(s_ * xi_[2]) * t[5];
+  const double bars =
+      loop * (t[0] + t[1] + t[2] + t[3] + 0.5 * (play[1] + play[2] + play[3] + play[4])) + pole;
+  const double turning =
+      std::abs(1.0 - s_ * xi_[0]) * t[2] + std::abs(s_ * xi_[1]) * t[4] + std::abs(s_ * xi_[2]) * t[5];
   return std::abs(output_) * (bars + turning);
 }
 
 OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const OpeningInterval& within) const {
-  constexpr double finest = 1e-4;
+  constexpr double finest = 1e-6;  // of the sine
+  constexpr int most_steps = 4000;
   if (within.empty()) return {};
-  // From an end inwards: an error above the limit cannot fall to it sooner than its largest slope allows. Steps halve
-  // the allowance, so that the sine at the step's far side may be half of that at its near side and no less.
+  // From an end inwards: an error above the limit cannot fall to it sooner than its largest slope allows.
+  // Steps halve the allowance, so that the sine at the step's far side may be half of that at its near side
+  // and no less.
   const auto advance = [&](double end, double direction, double other) {
     double here = end;
-    while ((other - here) * direction > 0) {
+    for (int steps = 0; (other - here) * direction > 0; ++steps) {
       const double sine = std::abs(std::sin(here));
-      if (sine < 1e-4) {  // at a change point: the error is beyond any limit worth its name, or there is no tolerance
+      if (sine < 1e-4) {  // at a change point: the error is beyond any limit worth its name, or there is no
+                          // tolerance
         const double least = std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] / 2e-4;
         if (!(least > limit)) return here;
         here += direction * 1e-4;
@@ -375,7 +380,7 @@ OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const Ope
       const double excess = longest_deviation(sensitivities(here), tolerance_).length - limit;
       if (!(excess > 0)) return here;
       const double step = std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
-      if (step < finest) return here;
+      if (step < finest * sine || steps > most_steps) return here;
       here += direction * step;
     }
     return other;

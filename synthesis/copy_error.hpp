@@ -101,8 +101,9 @@ class CopyErrorProfile {
   /// and refined.
   std::vector<OpeningInterval> openings_within(double limit, const OpeningInterval& within) const;
 
-  /// An interval that holds every opening of `within` at which `worst` does not exceed the limit (mm): proven by the
-  /// largest slope, wider than the tightest such interval by about 1e-3 rad at most. Empty if there is no such opening.
+  /// An interval that holds every opening of `within` at which `worst` does not exceed the limit (mm): proven
+  /// by the largest slope, wider than the tightest by a few thousandths of a radian at most. Empty if there
+  /// is no such opening.
   OpeningInterval openings_not_ruled_out(double limit, const OpeningInterval& within) const;
 
   bool flat() const { return flat_; }

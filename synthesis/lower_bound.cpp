@@ -360,10 +360,18 @@ class Tree {
     const double value = by_size_ ? linkage->size() : -transmission;
     if (value >= best_) return;
     const OpeningInterval openings{std::min(*near, *far), std::max(*near, *far)};
+    if (spec_.limits.copy_error && spec_.tolerance) {
+      const CopyErrorProfile profile = copy_error_profile(*linkage, CopyTolerance::uniform(*spec_.tolerance));
+      if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
+    }
     const auto free = [&](const LayerAssignment& layers) {
-      return smallest_gap_over(*linkage, spec_.links.style, layers, openings).gap >= spec_.limits.clearance;
+      return !options_.self_contact ||
+             smallest_gap_over(*linkage, spec_.links.style, layers, openings).gap >= spec_.limits.clearance;
     };
-    if (options_.self_contact && std::none_of(branch.layers.begin(), branch.layers.end(), free)) return;
+    const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
+    if (layers == branch.layers.end()) return;
+    design_ = RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(),
+                            linkage->VB(),     node.pole(),         *layers};
     best_ = value;
   }
 
@@ -414,6 +422,7 @@ class Tree {
     result.tight = exhausted || bound >= enough();
     if (!result.no_design) result.value = by_size_ ? bound : -bound;
     if (best_ < infinity) result.relaxation = by_size_ ? best_ : -best_;
+    result.design = design_;
     for (; !open_.empty(); open_.pop()) note(assembly(open_.top()).vertex, open_.top().bound);
     for (std::size_t i = 0; i < 3; ++i)
       if (by_grounding_[i]) result.by_grounding[i] = by_size_ ? *by_grounding_[i] : -*by_grounding_[i];
@@ -430,6 +439,7 @@ class Tree {
   std::vector<Cut> cuts_{Cut{}};  // number 0 stands for none
   std::priority_queue<Node, std::vector<Node>, LessPromising> open_;
   double best_ = infinity;  // of the relaxation's designs met, or the incumbent; as in Node::bound
+  std::optional<RelaxedDesign> design_;
   double least_radius_ = 0;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "specs/spec.hpp"
+#include "workspace/parts.hpp"
 
 namespace kempe {
 
@@ -28,6 +29,16 @@ struct BoundOptions {
   bool self_contact = true;
 };
 
+/// A design that keeps all limits looked at: a start for the search, and its result where no obstacle is in
+/// the way.
+struct RelaxedDesign {
+  Vertex vertex = Vertex::pole;
+  int assembly = 0;
+  double VA = 0, VB = 0;       ///< mm
+  Point pole = Point::Zero();  ///< mm
+  LayerAssignment layers;      ///< meaningless if contact was not looked at
+};
+
 struct ProvenBound {
   /// No design of the spec has a smaller size (mm), or a larger transmission angle (rad). Meaningless if
   /// no_design.
@@ -40,6 +51,9 @@ struct ProvenBound {
   /// Best value of the relaxation that was met (incumbent included): a better bound than this cannot be had
   /// by it. Absent if none was met.
   std::optional<double> relaxation;
+  /// The best design of the relaxation met, if it is better than the incumbent. Limits are kept to 1e-9
+  /// (rad).
+  std::optional<RelaxedDesign> design;
   /// The bound if the vertex were one of these alone (indexed by Vertex); absent where none is possible or
   /// permitted. Groundings worse than the best are looked at no longer than needed, so theirs are loose.
   std::array<std::optional<double>, 3> by_grounding;

@@ -375,6 +375,27 @@ TEST(CopyError, OpeningsWithinALimitKeepItAndOthersDoNot) {
   }
 }
 
+TEST(CopyError, OpeningsNotRuledOutHoldAllThatAreWithinTheLimitAndLittleElse) {
+  Chance chance(15);
+  int apart = 0;
+  for (int n = 0; n < 100; ++n) {
+    const auto [linkage, tracer] = random_case(chance);
+    const CopyErrorProfile profile = copy_error_profile(linkage, CopyTolerance::uniform({0.05, 0.02}));
+    const double limit =
+        copy_error_at(linkage, profile.tolerance(), tracer).value().worst * chance.uniform(0.8, 1.5);
+    const auto within = profile.openings_within(limit, linkage.assembly_interval());
+    const OpeningInterval hull = profile.openings_not_ruled_out(limit, linkage.assembly_interval());
+    EXPECT_LE(within.empty() ? 0 : 1, hull.empty() ? 0 : 1);
+    if (within.empty()) continue;
+    EXPECT_LE(hull.lower, within.front().lower);
+    EXPECT_GE(hull.upper, within.back().upper);
+    EXPECT_GE(hull.lower, within.front().lower - 5e-3);
+    EXPECT_LE(hull.upper, within.back().upper + 5e-3);
+    apart += within.size() > 1;
+  }
+  RecordProperty("limits_kept_in_more_than_one_interval", apart);
+}
+
 TEST(CopyError, LargestOverAnIntervalIsNotExceededInside) {
   Chance chance(10);
   for (int n = 0; n < 50; ++n) {
