@@ -62,8 +62,9 @@ class FaultFinder : public json::json_sax_t {
   /// The library's sentence without its "[json.exception...] parse error at line ...: " in front.
   static std::string cause_of(const std::exception& error) {
     const std::string sentence = error.what();
-    const std::size_t colon = sentence.find(": ");
-    return colon == std::string::npos ? sentence : sentence.substr(colon + 2, 200);
+    const std::size_t bracket = sentence.find("] "), colon = sentence.find(": ");
+    const std::size_t start = colon != std::string::npos ? colon : bracket;
+    return start == std::string::npos ? sentence : sentence.substr(start + 2, 200);
   }
 
   std::vector<std::set<std::string>> keys_;

@@ -50,12 +50,13 @@ Ring rounded(const ExactRing& ring) {
   return result;
 }
 
-/// The regular polygon around a disc, counter-clockwise.
+/// The regular polygon around a disc, counter-clockwise, with edges that touch it where it is upright or
+/// level.
 std::vector<ExactPoint> around_disc(const Point& centre, double radius) {
   const double reach = radius / std::cos(pi / disc_corners);
   std::vector<ExactPoint> corners;
   for (int i = 0; i < disc_corners; ++i) {
-    const Point corner = centre + as_point(std::polar(reach, 2 * pi * i / disc_corners));
+    const Point corner = centre + as_point(std::polar(reach, 2 * pi * (i + 0.5) / disc_corners));
     corners.emplace_back(corner.x(), corner.y());
   }
   return corners;

@@ -61,12 +61,14 @@ std::vector<Complex> conjugated(std::vector<Complex> values) {
   return values;
 }
 
+/// Sums of squares left by the best rotation and by the best reflection: is it plain that the pairs mirror?
 bool is_mirrored(const Centred& data, double left_by_rotation) {
   const std::vector<Complex> reflected = conjugated(data.tracer);
   const Complex factor = best_factor(reflected, data.pen, data.tracer_spread);
-  // Squares: half the residual is a quarter of the sum.
-  return left_by_rotation > rounding * rounding * data.pen_spread &&
-         unexplained(reflected, data.pen, factor) < 0.25 * left_by_rotation;
+  const double left_by_reflection = unexplained(reflected, data.pen, factor);
+  if (left_by_rotation <= rounding * rounding * data.pen_spread) return false;
+  const bool rotation_is_poor = left_by_rotation > 0.01 * data.pen_spread;
+  return left_by_reflection < (rotation_is_poor ? 0.25 : 1e-4) * left_by_rotation;
 }
 
 }  // namespace

@@ -53,6 +53,16 @@ int line_at(std::string_view text, std::size_t place) {
          static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
 }
 
+/// "Error while parsing value: X" in the words of our messages.
+std::string cause_of(std::string_view description) {
+  constexpr std::string_view preface = "Error while parsing ";
+  std::string text = printable(description, 200);
+  const std::size_t colon = text.find(": ");
+  if (!text.starts_with(preface) || colon == std::string::npos) return text;
+  return "a " + text.substr(preface.size(), colon - preface.size()) +
+         " that cannot be read: " + text.substr(colon + 2);
+}
+
 }  // namespace
 
 tl::expected<toml::table, InputError> parse_toml(std::string_view text, const std::string& file_name) {
@@ -67,8 +77,7 @@ tl::expected<toml::table, InputError> parse_toml(std::string_view text, const st
   try {
     return toml::parse(text, std::string_view(file_name));
   } catch (const toml::parse_error& error) {
-    return refuse(static_cast<int>(error.source().begin.line), printable(error.description(), 200),
-                  "TOML 1.0");
+    return refuse(static_cast<int>(error.source().begin.line), cause_of(error.description()), "TOML 1.0");
   }
 }
 
