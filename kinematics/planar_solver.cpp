@@ -87,7 +87,7 @@ class Closing {
 
 double closing_tolerance(const PlanarLinkage& linkage, const PlanarPosition& position) {
   double magnitude = linkage.size();
-  for (const Placement& body : position) magnitude = std::max(magnitude, body.at.norm());
+  for (const BodyPlacement& body : position) magnitude = std::max(magnitude, body.at.norm());
   return 1e-13 * magnitude;
 }
 
