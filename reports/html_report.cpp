@@ -4,6 +4,7 @@
 
 #include "reports/html_text.hpp"
 #include "reports/map_picture.hpp"
+#include "reports/report_model.hpp"
 #include "reports/report_sections.hpp"
 #include "reports/web_assets.hpp"
 
@@ -46,6 +47,14 @@ std::string head(const Design& design, const ReportExtras& extras) {
          element("style", web_assets::live_style) + element("style", web_assets::style) + "</head>\n";
 }
 
+/// The design as data, and the scripts that bring it to life, with their licence notice.
+std::string live_part(const Design& design, const MapPicture& picture) {
+  return fmt::format(
+             "<script type=\"application/json\" id=\"kempe-model\">{}</script>\n<!--\nJSXGraph:\n{}-->\n",
+             script_escaped(report_model(design, picture)), web_assets::notice.text) +
+         element("script", web_assets::geometry) + element("script", web_assets::live);
+}
+
 }  // namespace
 
 bool report_is_live() { return !web_assets::live.text.empty(); }
@@ -60,8 +69,8 @@ std::string html_report(const Design& design, const ReportExtras& extras) {
   body += section::pareto(extras) + section::parts(extras) + section::spec(extras);
   std::string page = head(design, extras) + "<body>\n<main>\n" + body + "</main>\n" +
                      section::footer(extras, report_is_live());
-  page += "</body>\n</html>\n";
-  return page;
+  if (report_is_live()) page += live_part(design, picture);
+  return page + "</body>\n</html>\n";
 }
 
 }  // namespace kempe

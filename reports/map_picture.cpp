@@ -17,7 +17,7 @@ namespace {
 /// Nominal width of the picture on a screen, px: what text sizes and line widths are measured against.
 constexpr double nominal_width = 760;
 /// Strips for the frame's figures and the scale bar, nominal px.
-constexpr double left_strip = 40, bottom_strip = 52, margin = 12;
+constexpr double left_strip = 40, bottom_strip = 52, margin = 24;
 /// Size of a letter, nominal px, and its width over its height.
 constexpr double letter_size = 15, letter_width = 0.62;
 
@@ -87,6 +87,26 @@ constexpr std::array<CauseWords, 6> cause_words{{
     {Cause::obstacle_contact, "obstructed", "Obstacle in the way"},
     {Cause::sheet_overlap, "overlap", "Copy overlaps original"},
 }};
+
+/// One sentence for a person who points at the area.
+std::string why_lost(const LostArea& lost) {
+  std::string parts;
+  for (const std::string& part : lost.parts) parts += (parts.empty() ? "" : " and ") + part;
+  switch (lost.cause) {
+    case Cause::out_of_reach:
+      return "Out of reach.";
+    case Cause::beyond_change_point:
+      return "Past the change point: the parallelogram would have to fold over.";
+    case Cause::transmission_below_limit:
+      return "The transmission angle is below the limit.";
+    case Cause::sheet_overlap:
+      return "Original and copy would overlap.";
+    case Cause::self_contact:
+    case Cause::obstacle_contact:
+      break;
+  }
+  return parts.empty() ? "Parts come too close to each other." : "Too close: " + parts + ".";
+}
 
 /// Draws one design; a function a layer, from the table upward.
 class Picture {
@@ -213,7 +233,8 @@ std::string Picture::lost_areas() {
     for (const LostArea& part : design_.map.lost) {
       if (part.cause != words.cause || part.area.empty()) continue;
       lost += area(part.area);
-      paths += path_element("lost", svg_path(part.area, detail()));
+      paths += fmt::format("<path class=\"lost\" data-why=\"{}\" d=\"{}\"/>\n", html_escaped(why_lost(part)),
+                           svg_path(part.area, detail()));
     }
     if (paths.empty()) continue;
     svg += group(words.id, paths);

@@ -52,6 +52,39 @@ std::string size_text(double scale) {
   return scale == 1 ? "as large as it is" : number_text(scale, 4) + " times as large";
 }
 
+/// What the page's scripts bring to life; hidden until they run.
+constexpr std::string_view controls =
+    R"(<div id="controls" class="controls" hidden>
+<div class="buttons">
+<button type="button" id="play" aria-pressed="false">▶ Play</button>
+<label>Speed <select id="speed"><option value="0.25">¼</option><option value="0.5">½</option>)"
+    R"(<option value="1" selected>1</option><option value="2">2</option></select></label>
+<label><input type="checkbox" id="draw" checked> Draw</label>
+<button type="button" id="clear">Clear</button>
+<span class="space"></span>
+<span class="zoom"><button type="button" id="zoom-out" aria-label="Zoom out">−</button>
+<button type="button" id="zoom-in" aria-label="Zoom in">+</button>
+<button type="button" id="zoom-all">All</button></span>
+</div>
+<p class="help">Drag the tracer or the pen, or tap a place; point at a place to ask about it. Keyboard: arrows move the tracer (Shift 10 mm, Alt 0.1 mm), space plays, Home goes back.</p>
+</div>
+)";
+
+/// What is so with the tracer where it stands.
+constexpr std::string_view readings = R"(<div id="readings" class="readings" hidden>
+<h3>At the tracer</h3>
+<p id="verdict" class="verdict" role="status"></p>
+<dl>
+<dt>Tracer, mm</dt><dd id="at-tracer"></dd>
+<dt>Pen, mm</dt><dd id="at-pen"></dd>
+<dt>Opening</dt><dd id="at-opening"></dd>
+<dt>Transmission</dt><dd id="at-transmission"></dd>
+<dt>Smallest gap</dt><dd><span id="at-gap"></span><small id="at-parts"></small></dd>
+<dt>Copy error, worst</dt><dd id="at-error"></dd>
+</dl>
+</div>
+)";
+
 }  // namespace
 
 std::string title(const Design& design, const ReportExtras& extras) {
@@ -115,10 +148,12 @@ std::string map(const MapPicture& picture, bool live) {
             html_escaped(layer.label), layer.figure);
     if (!entries.empty()) legend += fmt::format("<h3>{}</h3>\n<ul>\n{}</ul>\n", heading, entries);
   }
-  std::string page = "<div class=\"stage\">\n<div class=\"board\" id=\"board\">\n" + picture.svg + "</div>\n";
-  if (live) page += "<div id=\"controls\" class=\"controls\" hidden></div>\n";
-  page += "</div>\n<aside class=\"legend\" aria-label=\"Legend\">\n" + legend + "</aside>\n";
-  return "<figure class=\"map-figure\" id=\"map-figure\">\n" + page + "</figure>\n";
+  const std::string board = "<div class=\"board\" id=\"board\">\n" + picture.svg +
+                            (live ? "<div id=\"tip\" class=\"tip\" hidden></div>\n" : "") + "</div>\n";
+  return fmt::format(
+      "<figure class=\"map-figure\" id=\"map-figure\">\n<div class=\"stage\">\n{}{}</div>\n"
+      "<aside class=\"legend\" aria-label=\"Legend\">\n{}{}</aside>\n</figure>\n",
+      board, live ? controls : "", live ? readings : "", legend);
 }
 
 std::string footer(const ReportExtras& extras, bool live) {

@@ -5,7 +5,7 @@ option(KEMPE_WITH_LIVE_REPORT "Inline jsxgraph, so that the report's picture can
 set(web ${CMAKE_CURRENT_SOURCE_DIR}/web)
 set(geometry ${web}/node_modules/jsxgraph/distrib/jsxgraphcore.js)
 set(KEMPE_REPORT_IS_LIVE ${KEMPE_WITH_LIVE_REPORT})
-if(KEMPE_WITH_LIVE_REPORT AND NOT (EXISTS ${geometry} AND EXISTS ${web}/live.js))
+if(KEMPE_WITH_LIVE_REPORT AND NOT EXISTS ${geometry})
   set(KEMPE_REPORT_IS_LIVE OFF)
   message(STATUS "reports/web/node_modules has no jsxgraph: report.html will not move (run scripts/bootstrap)")
 endif()
@@ -13,7 +13,8 @@ set(KEMPE_REPORT_IS_LIVE ${KEMPE_REPORT_IS_LIVE} CACHE INTERNAL "report.html can
 
 set(parts ${web}/report.css ${web}/embed.cmake)
 if(KEMPE_REPORT_IS_LIVE)
-  list(APPEND parts ${web}/kinematics.js ${web}/contact.js ${web}/places.js ${web}/live.js ${geometry})
+  list(APPEND parts ${web}/kinematics.js ${web}/contact.js ${web}/places.js ${web}/frame.js ${web}/stage.js ${web}/live.js
+       ${geometry})
 endif()
 add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/web_assets.cpp
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${CMAKE_CURRENT_BINARY_DIR}/web_assets.cpp -DWEB=${web}

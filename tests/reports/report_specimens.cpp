@@ -14,6 +14,21 @@ ArcRegion annulus_of(const CopyingLinkage& linkage, const OpeningInterval& openi
   return annulus(linkage.pole(), radii.lower, radii.upper);
 }
 
+/// Between two radii and two angles.
+ArcPolygon sector(const Point& centre, double inner, double outer, double from, double to) {
+  constexpr int pieces = 4;
+  const double bulge = std::tan((to - from) / pieces / 4);
+  const auto at = [&](double radius, int i) -> Point {
+    return centre + as_point(std::polar(radius, from + (to - from) * i / pieces));
+  };
+  ArcRing ring;
+  for (int i = 0; i < pieces; ++i) ring.push_back({at(outer, i), bulge});
+  ring.push_back({at(outer, pieces), 0});
+  for (int i = pieces; i > 0; --i) ring.push_back({at(inner, i), -bulge});
+  ring.push_back({at(inner, 0), 0});
+  return {ring, {}};
+}
+
 Ring ellipse(const Point& centre, double a, double b, int corners) {
   Ring ring;
   for (int i = 0; i < corners; ++i) {
@@ -97,16 +112,12 @@ ReportSpecimen plagiograph_specimen() {
   design.quality.lower_bound = linkage.size() * 0.985;
   design.limits.copy_error = 0.5;
   design.obstacles.push_back({Polygon{rectangle({20, 62}, {26, 14}), {}}, 1, 4});
-  // As if the obstacle took a bay out of the annulus.
-  const ArcVertex a{design.linkage.tracer_at(design.opening.lower, 0.9), 0};
-  const Point b = design.linkage.tracer_at(design.opening.lower, 1.5),
-              c = design.linkage.tracer_at(design.opening.upper, 1.5),
-              d = design.linkage.tracer_at(design.opening.upper, 0.9);
-  ArcRing bay{{a.at, std::tan(0.15)}, {b, 0}, {c, -std::tan(0.15)}, {d, 0}};
-  if (signed_area(bay) < 0) bay = reversed(bay);
-  design.map.lost.push_back({Cause::obstacle_contact, {"link ACX", "obstacle 1"}, {{bay, {}}}});
-  design.map.uncertain = {
-      {ArcRing{{a.at, 0}, {d, 0}, {d + Point(0.7, -0.7), 0}, {a.at + Point(0.7, -0.7), 0}}, {}}};
+  // As if the obstacle took a bay out of the annulus: angles 0.9 to 1.5, and an uncertain sliver beside it.
+  const auto radii = linkage.radii_over(design.opening);
+  const ArcPolygon bay = sector(linkage.pole(), radii.lower, radii.upper, 0.9, 1.5);
+  design.map.lost.push_back({Cause::obstacle_contact, {"link ACX", "obstacle 1"}, {bay}});
+  design.map.uncertain = {sector(linkage.pole(), radii.lower, radii.upper, 1.5, 1.53)};
+  design.map.collision_free = {sector(linkage.pole(), radii.lower, radii.upper, 1.53, 0.9 + 2 * pi)};
   design.map.largest_sheets = {{"A7", 10.5, 7.4, {67.5, 0}, 0}};
   specimen.extras = {
       .title = "",
@@ -186,12 +197,12 @@ ReportSpecimen hostile_specimen() {
       design_of(linkage, 1, pi / 3, {{Polygon{ellipse(at, 20, 9, 40), {ellipse(at, 5, 5, 12)}}}},
                 {.width = 12, .pin_diameter = 6, .thickness = 4, .plate = PlateStyle::triangle}, radians(12)),
       {}};
-  specimen.design.map.coverage = {
-      false,
-      "The region leaves the workspace near (12.3, 45.6): <b>links</b> touch & \"jam\".",
-      at,
-      Cause::self_contact,
-      {"link VA", "link BCY"}};
+  Coverage& coverage = specimen.design.map.coverage;
+  coverage.covered = false;
+  coverage.why_not = "The region leaves the workspace near (12.3, 45.6): <b>links</b> touch & \"jam\".";
+  coverage.witness = at;
+  coverage.cause = Cause::self_contact;
+  coverage.parts = {"link VA", "link BCY"};
   specimen.design.verification.certified = false;
   specimen.design.verification.failure = "<script>alert('failure')</script> the loop does not close";
   specimen.extras = {

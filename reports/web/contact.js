@@ -1,0 +1,97 @@
+// Gaps between the parts of the linkage and the obstacles, for one pose: distances of axes less half widths.
+"use strict";
+(function (kempe) {
+  const cross = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+
+  function nearestOnSegment(at, a, b) {
+    const x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
+    const t = squared > 0 ? Math.min(1, Math.max(0, ((at[0] - a[0]) * x + (at[1] - a[1]) * y) / squared)) : 0;
+    return [a[0] + t * x, a[1] + t * y];
+  }
+
+  /** Two points, one of each shape, and their distance. */
+  const span = (from, to) => ({ distance: Math.hypot(from[0] - to[0], from[1] - to[1]), from, to });
+  const nearer = (one, other) => (other.distance < one.distance ? other : one);
+
+  function betweenSegments(a, b, c, d) {
+    const one = cross(c, d, a), two = cross(c, d, b), three = cross(a, b, c), four = cross(a, b, d);
+    if (one * two < 0 && three * four < 0) {
+      const t = one / (one - two), at = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+      return { distance: 0, from: at, to: at };
+    }
+    let best = span(a, nearestOnSegment(a, c, d));
+    best = nearer(best, span(b, nearestOnSegment(b, c, d)));
+    best = nearer(best, span(nearestOnSegment(c, a, b), c));
+    return nearer(best, span(nearestOnSegment(d, a, b), d));
+  }
+
+  /** Even-odd over all rings. */
+  function isInside(at, rings) {
+    let inside = false;
+    for (const ring of rings)
+      for (let i = 0, j = ring.length - 1; i < ring.length; j = i++) {
+        const a = ring[i], b = ring[j];
+        if (a[1] > at[1] !== b[1] > at[1] && at[0] < ((b[0] - a[0]) * (at[1] - a[1])) / (b[1] - a[1]) + a[0]) inside = !inside;
+      }
+    return inside;
+  }
+
+  /** A hull of one, two or three points as the ends of its edges. */
+  const edgesOf = (hull) => (hull.length === 3 ? [[0, 1], [1, 2], [2, 0]] : [[0, hull.length - 1]]);
+
+  function betweenHulls(one, other) {
+    if (one.length === 3 && isInside(other[0], [one])) return { distance: 0, from: other[0], to: other[0] };
+    if (other.length === 3 && isInside(one[0], [other])) return { distance: 0, from: one[0], to: one[0] };
+    let best = { distance: Infinity };
+    for (const [a, b] of edgesOf(one))
+      for (const [c, d] of edgesOf(other)) best = nearer(best, betweenSegments(one[a], one[b], other[c], other[d]));
+    return best;
+  }
+
+  function hullToObstacle(hull, obstacle) {
+    if (isInside(hull[0], obstacle.rings)) return { distance: 0, from: hull[0], to: hull[0] };
+    if (hull.length === 3 && isInside(obstacle.rings[0][0], [hull]))
+      return { distance: 0, from: obstacle.rings[0][0], to: obstacle.rings[0][0] };
+    let best = { distance: Infinity };
+    for (const ring of obstacle.rings)
+      for (let i = 0, j = ring.length - 1; i < ring.length; j = i++)
+        for (const [a, b] of edgesOf(hull)) best = nearer(best, betweenSegments(hull[a], hull[b], ring[j], ring[i]));
+    return best;
+  }
+
+  const shareLayer = (a, b) => Math.max(a.layers[0], b.layers[0]) <= Math.min(a.layers[1], b.layers[1]);
+
+  class Contacts {
+    constructor(model) {
+      this.parts = model.parts;
+      this.pairs = model.pairs.map(([i, j]) => [model.parts[i], model.parts[j]]);
+      this.encounters = [];
+      for (const obstacle of model.obstacles)
+        for (const part of model.parts) if (shareLayer(part, obstacle)) this.encounters.push([part, obstacle]);
+    }
+
+    /** Every pair that may touch: {names, gap, from, to}; from and to are the nearest places of the two axes. */
+    gaps(pose) {
+      const hulls = new Map(this.parts.map((part) => [part, part.pieces.map((piece) => piece.map((joint) => pose[joint]))]));
+      const found = [];
+      for (const [one, other] of this.pairs) {
+        let best = { distance: Infinity };
+        for (const a of hulls.get(one)) for (const b of hulls.get(other)) best = nearer(best, betweenHulls(a, b));
+        found.push(gapOf(one, other, best, one.half_width + other.half_width));
+      }
+      for (const [part, obstacle] of this.encounters) {
+        let best = { distance: Infinity };
+        for (const hull of hulls.get(part)) best = nearer(best, hullToObstacle(hull, obstacle));
+        found.push(gapOf(part, obstacle, best, part.half_width));
+      }
+      return found;
+    }
+  }
+
+  function gapOf(one, other, nearest, halfWidths) {
+    return { names: [one.name, other.name], gap: nearest.distance - halfWidths, from: nearest.from, to: nearest.to };
+  }
+
+  kempe.Contacts = Contacts;
+  kempe.tightest = (gaps) => gaps.reduce((least, one) => (one.gap < least.gap ? one : least), { gap: Infinity, names: [] });
+})((globalThis.kempe = globalThis.kempe || {}));

@@ -1,0 +1,174 @@
+// The moving picture: a jsxgraph board lies over the static map and shares its frame. It draws what it is told to.
+"use strict";
+(function (kempe) {
+  const letters = "VABCXY";
+
+  /** One shape of the board, styled by the page's style sheet alone. */
+  function styled(element, css) {
+    element.rendNode.setAttribute("class", css);
+    return element;
+  }
+
+  class Stage {
+    constructor(model, container, map) {
+      this.model = model;
+      this.map = map;
+      this.pose = null;
+      const { left, top, width, height } = model.view;
+      this.home = [left, -top, left + width, -top - height];
+      JXG.Options.precision.touch = 34;
+      JXG.Options.precision.mouse = 8;
+      this.board = JXG.JSXGraph.initBoard(container.id, {
+        boundingbox: this.home, keepaspectratio: true, axis: false, grid: false, showNavigation: false, showCopyright: false,
+        showInfobox: false, maxFrameRate: 1000, keyboard: { enabled: false }, browserPan: true, registerFullscreenEvent: false,
+        pan: { enabled: true, needShift: true, needTwoFingers: true }, zoom: { wheel: true, needShift: true, min: 0.2, max: 60 },
+        title: "The linkage", description: "The linkage on its map; the tracer can be dragged.",
+      });
+      this.trails = { tracer: this.trail("live-trail tracer"), pen: this.trail("live-trail pen") };
+      this.bodies = model.bodies.map((body) => this.body(body));
+      this.marks = [0, 1, 2].map(() => this.contactMark());
+      this.joints = [...letters].map((letter, i) => this.joint(letter, i));
+      this.labels = [...letters].map((letter, i) => this.label(letter, i));
+      this.board.on("boundingbox", () => this.follow());
+    }
+
+    pixel() {
+      return 1 / this.board.unitX;
+    }
+
+    polyline(points, css, width) {
+      const curve = this.board.create("curve", [[0], [0]], { fixed: true, highlight: false, strokeWidth: width, lineCap: "round", fillColor: "none" });
+      curve.updateDataArray = function () {
+        const places = points();
+        this.dataX = places.map((at) => at[0]);
+        this.dataY = places.map((at) => at[1]);
+      };
+      return styled(curve, css);
+    }
+
+    trail(css) {
+      const points = [];
+      const curve = this.board.create("curve", [[0], [0]], { fixed: true, highlight: false, strokeWidth: 2, fillColor: "none" });
+      curve.updateDataArray = function () {
+        this.dataX = points.map((at) => at[0]);
+        this.dataY = points.map((at) => at[1]);
+      };
+      styled(curve, css);
+      return points;
+    }
+
+    /** A link as two strokes over its axis, a rim and a face: the outline of the part, as in the static picture. */
+    body(body) {
+      const joints = body.filled ? [...body.line, body.line[0]] : body.line;
+      const points = () => (this.pose ? joints.map((joint) => this.pose[joint]) : [[0, 0]]);
+      const width = () => Math.max(this.model.width * this.board.unitX, 3);
+      const css = `live-link layer-${Math.min(body.layer, 4)} ${body.filled ? "filled" : "open"}`;
+      const rim = this.polyline(points, css + " rim", width);
+      const face = this.polyline(points, css + " face", () => width() - Math.min(2.4, 0.5 * width()));
+      return { name: body.name, nodes: [rim.rendNode, face.rendNode] };
+    }
+
+    contactMark() {
+      const mark = { at: null };
+      const places = () => (mark.at ? [mark.at.from, mark.at.to] : [[NaN, NaN]]);
+      mark.line = this.polyline(places, "live-contact", () => Math.max(10, 0.6 * this.model.width * this.board.unitX));
+      return mark;
+    }
+
+    joint(letter, i) {
+      const { joints, pin_radius } = this.model;
+      const role = Object.keys(joints).find((name) => joints[name] === i) || "";
+      const movable = role === "tracer" || role === "pen";
+      const radius = () => Math.max(pin_radius * this.board.unitX, 3.2) * (role ? 1.55 : 1);
+      const point = this.board.create("point", [0, 0], {
+        fixed: !movable, highlight: false, withLabel: false, size: radius, strokeWidth: role ? 2.4 : 1.5, face: "o", snapToGrid: false,
+        showInfobox: false, tabindex: null,
+      });
+      styled(point, role ? `live-mark ${role}` : "live-pin");
+      if (role) {
+        const core = this.board.create("point", [() => point.X(), () => point.Y()], {
+          fixed: true, highlight: false, withLabel: false, size: () => 0.4 * radius(), strokeWidth: 0, face: "o", showInfobox: false, tabindex: null,
+        });
+        styled(core, `live-core ${role}`);
+      }
+      return { letter, role, point };
+    }
+
+    /** A joint's letter stands on the side that its links leave free. */
+    label(letter, i) {
+      const { role } = this.joints[i];
+      const neighbours = [...new Set(this.model.bodies.flatMap(({ line }) => (line.includes(i) ? line.filter((j) => Math.abs(line.indexOf(j) - line.indexOf(i)) === 1) : [])))];
+      const place = () => {
+        if (!this.pose) return [0, 0];
+        const away = this.freeSide(i, neighbours), px = this.pixel();
+        const half = [role ? 9 + 3.6 * role.length : 7, 8];
+        const support = Math.min(half[0] / Math.max(1e-9, Math.abs(away[0])), half[1] / Math.max(1e-9, Math.abs(away[1])));
+        const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support) * px;
+        return [this.pose[i][0] + away[0] * reach, this.pose[i][1] + away[1] * reach];
+      };
+      const css = `live-label ${role}`;
+      return this.board.create("text", [() => place()[0], () => place()[1], role ? `${letter} ${role}` : letter], {
+        display: "internal", anchorX: "middle", anchorY: "middle", fixed: true, highlight: false, fontSize: 14, parse: false, tabindex: null,
+        cssClass: css, highlightCssClass: css, cssDefaultStyle: "", highlightCssDefaultStyle: "",
+      });
+    }
+
+    freeSide(i, neighbours) {
+      let x = 0, y = 0;
+      for (const j of neighbours) {
+        const dx = this.pose[j][0] - this.pose[i][0], dy = this.pose[j][1] - this.pose[i][1], length = Math.hypot(dx, dy) || 1;
+        x -= dx / length;
+        y -= dy / length;
+      }
+      const length = Math.hypot(x, y);
+      if (length > 0.15) return [x / length, y / length];
+      // Links leave on opposite sides: to the side of one of them.
+      const j = neighbours[0], dx = this.pose[j][0] - this.pose[i][0], dy = this.pose[j][1] - this.pose[i][1], l = Math.hypot(dx, dy) || 1;
+      return [-dy / l, dx / l];
+    }
+
+    /** Shows a pose and what is too near in it. */
+    show(pose, tooNear) {
+      this.pose = pose;
+      this.joints.forEach(({ point }, i) => point.setPositionDirectly(JXG.COORDS_BY_USER, pose[i]));
+      this.marks.forEach((mark, i) => (mark.at = tooNear[i] || null));
+      const touching = new Set(tooNear.flatMap(({ names }) => names));
+      for (const { name, nodes } of this.bodies) for (const node of nodes) node.classList.toggle("touching", touching.has(name));
+      const obstacles = this.map.querySelectorAll(".m-obstacles .thing");
+      obstacles.forEach((node, i) => node.classList.toggle("touching", touching.has(`obstacle ${i + 1}`)));
+      this.board.update();
+    }
+
+    /** The static map keeps to the board's window. */
+    follow() {
+      const [x1, y1, x2, y2] = this.board.getBoundingBox();
+      this.map.setAttribute("viewBox", `${x1} ${-y1} ${x2 - x1} ${y1 - y2}`);
+      kempe.drawFrame(this.map, { left: x1, top: -y1, width: x2 - x1, height: y1 - y2 }, this.isHome());
+    }
+
+    /** But for the pixels that the window's shape is off. */
+    isHome() {
+      return this.board.getBoundingBox().every((value, i) => Math.abs(value - this.home[i]) < 0.01 * (this.home[2] - this.home[0]));
+    }
+
+    zoom(factor) {
+      const [x1, y1, x2, y2] = this.board.getBoundingBox(), x = (x1 + x2) / 2, y = (y1 + y2) / 2;
+      const wide = (x2 - x1) / 2 / factor, high = (y1 - y2) / 2 / factor;
+      this.board.setBoundingBox([x - wide, y + high, x + wide, y - high], true);
+      this.follow();
+    }
+
+    zoomHome() {
+      this.board.setBoundingBox(this.home, true);
+      this.follow();
+    }
+
+    /** Where a pointer event is on the table, mm. */
+    placeOf(event) {
+      const [x, y] = this.board.getUsrCoordsOfMouse(event);
+      return [x, y];
+    }
+  }
+
+  kempe.Stage = Stage;
+})((globalThis.kempe = globalThis.kempe || {}));

@@ -1,0 +1,294 @@
+// The report in a browser. Claims, one a test; run by CTest (tests/web/CMakeLists.txt).
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { folder, launch, open, screenOf, shown } from "./browser.mjs";
+
+const specimens = ["plagiograph", "matlab-circle", "half-turn", "hostile"];
+const isLive = process.env.KEMPE_LIVE !== "0";
+const live = isLive ? test : () => {};
+let browser;
+before(async () => { browser = await launch(); });
+after(async () => { await browser.close(); });
+
+async function on(name, options, body) {
+  const opened = await open(browser, name, options);
+  try {
+    await body(opened.page, opened.faults);
+    assert.deepEqual(opened.faults, [], "the page complained or asked for something");
+  } finally {
+    await opened.context.close();
+  }
+}
+
+const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** The lengths of the linkage and the copy, from what the page shows. */
+function checkPose({ model, pose, tracer, pen, k }) {
+  const [V, A, B, C, X, Y] = pose, s = Math.hypot(...model.s), scale = model.VA + model.VB;
+  const expected = [[V, A, model.VA], [V, B, model.VB], [A, C, model.VB], [B, C, model.VA], [A, X, model.VB / s], [B, Y, model.VA * s]];
+  for (const [a, b, length] of expected) assert.ok(Math.abs(distance(a, b) - length) < 1e-9 * scale, "a link has lost its length");
+  const reach = [tracer[0] - model.pole[0], tracer[1] - model.pole[1]];
+  const image = [model.pole[0] + k[0] * reach[0] - k[1] * reach[1], model.pole[1] + k[0] * reach[1] + k[1] * reach[0]];
+  assert.ok(distance(pose[model.joints.pen], image) < 1e-9 * scale, "the pen is not at the similar image");
+  assert.ok(distance(pen, image) < 1e-9 * scale);
+  assert.ok(distance(pose[model.joints.tracer], tracer) < 1e-9 * scale);
+  assert.ok(distance(pose[model.joints.pole], model.pole) < 1e-9 * scale, "the pole has moved");
+}
+
+test("The report that should be alive is alive", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const found = await page.evaluate(() => Boolean(window.kempe && window.kempe.report));
+    assert.equal(found, isLive, isLive ? "report.html was built without jsxgraph: run scripts/bootstrap, then configure again" : "");
+  });
+});
+
+for (const name of specimens)
+  test(`The ${name} report opens without a complaint and without a network`, async () => {
+    await on(name, {}, async (page) => {
+      assert.equal(await page.evaluate(() => window.hostile), undefined, "text from outside has run as a script");
+      assert.equal(await page.locator("#map .m-mechanism .link").count(), 4);
+    });
+  });
+
+test("Without JavaScript the design is drawn and the controls are hidden", async () => {
+  await on("plagiograph", { javaScriptEnabled: false }, async (page) => {
+    assert.ok(await page.locator("#map .m-mechanism .link").first().isVisible());
+    if (isLive) assert.equal(await page.locator("#controls").isVisible(), false);
+  });
+});
+
+live("The page's kinematics and gaps are the library's on a thousand positions", async () => {
+  let positions = 0;
+  for (const name of specimens)
+    await on(name, {}, async (page) => {
+      const cases = JSON.parse(readFileSync(path.join(folder, `${name}.positions.json`), "utf8"));
+      const found = await page.evaluate((tracers) => {
+        const { linkage, contacts } = window.kempe.report;
+        return tracers.map((tracer) => {
+          const { why, opening, pose } = linkage.poseWithTracerAt(tracer);
+          if (why) return { why };
+          const gaps = contacts.gaps(pose);
+          return { opening, pose, transmission: linkage.transmissionAt(opening), gaps: gaps.map(({ gap }) => gap), names: gaps.map(({ names }) => names) };
+        });
+      }, cases.map(({ tracer }) => tracer));
+      cases.forEach((expected, i) => {
+        ++positions;
+        const here = found[i], at = `${name} ${JSON.stringify(expected.tracer)}`;
+        assert.equal(here.why, expected.why, at);
+        if (expected.why) return;
+        assert.ok(Math.abs(here.opening - expected.opening) < 1e-9, at);
+        assert.ok(Math.abs(here.transmission - expected.transmission) < 1e-9, at);
+        here.pose.forEach((point, j) => assert.ok(distance(point, expected.pose[j]) < 1e-9 * expected.scale, at));
+        expected.gaps.forEach((gap, j) => assert.ok(Math.abs(here.gaps[j] - gap) < 1e-9 * expected.scale, `${at} ${here.names[j]}: ${here.gaps[j]}, ${gap}`));
+        if (expected.obstacle_gap !== null) {
+          // The pole post does not move: the library asks for it once, not at every place.
+          const least = Math.min(...here.gaps.filter((_, j) => j >= expected.gaps.length && !here.names[j][0].startsWith("pole post")));
+          assert.ok(Math.abs(least - expected.obstacle_gap) < 2e-3, `${at}: ${least}, ${expected.obstacle_gap}`);
+        }
+      });
+    });
+  assert.ok(positions >= 1000);
+});
+
+live("Dragging the tracer moves the linkage, keeps its lengths and draws both lines", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const start = await shown(page), [x, y] = start.tracer;
+    const from = await screenOf(page, [x, y]);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (let i = 1; i <= 40; ++i) {
+      const to = await screenOf(page, [x * Math.cos(i / 25) - y * Math.sin(i / 25), x * Math.sin(i / 25) + y * Math.cos(i / 25)]);
+      await page.mouse.move(to.x, to.y);
+      if (i % 8 === 0) checkPose(await shown(page));
+    }
+    await page.mouse.up();
+    const end = await shown(page);
+    checkPose(end);
+    const wanted = [x * Math.cos(1.6) - y * Math.sin(1.6), x * Math.sin(1.6) + y * Math.cos(1.6)];
+    assert.ok(distance(end.tracer, wanted) < 1, "the tracer did not follow the pointer");
+    const drawn = await page.evaluate(() => Object.values(window.kempe.report.stage.trails).map((trail) => trail.length));
+    assert.ok(drawn.every((count) => count >= 40), `drawn: ${drawn}`);
+  });
+});
+
+live("Dragging far outside leaves the tracer at the edge of its reach", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const start = await shown(page), from = await screenOf(page, start.tracer), to = await screenOf(page, [start.tracer[0] * 0.2, start.tracer[1] + 2]);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 6 });
+    await page.mouse.up();
+    const end = await shown(page);
+    checkPose(end);
+    const inner = await page.evaluate(() => window.kempe.report.linkage.radii()[0]);
+    assert.ok(Math.abs(Math.hypot(...end.tracer) - inner) < 1e-4 * inner);
+  });
+});
+
+live("Dragging the pen moves the tracer by the inverse of the copy", async () => {
+  await on("half-turn", {}, async (page) => {
+    const start = await shown(page), from = await screenOf(page, start.pen), to = await screenOf(page, [start.pen[0] + 5, start.pen[1] - 4]);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 5 });
+    await page.mouse.up();
+    const end = await shown(page);
+    checkPose(end);
+    assert.ok(distance(end.pen, [start.pen[0] + 5, start.pen[1] - 4]) < 1.5);
+  });
+});
+
+live("Playing carries the tracer round the source's circle, and space stops it", async () => {
+  await on("matlab-circle", {}, async (page) => {
+    await page.locator("#speed").selectOption("2");
+    await page.locator("#play").click();
+    await page.waitForFunction(() => window.kempe.report.stage.trails.pen.length > 60);
+    const places = await page.evaluate(() => window.kempe.report.stage.trails);
+    for (const at of places.tracer.slice(-50)) assert.ok(Math.abs(distance(at, [50, 50]) - 10) < 0.02, `${at}`);
+    for (const at of places.pen.slice(-50)) assert.ok(Math.abs(distance(at, [75, 75]) - 15) < 0.03, `${at}`);
+    checkPose(await shown(page));
+    await page.locator("#live-board").focus();
+    await page.keyboard.press("Space");
+    const stopped = (await shown(page)).tracer;
+    await page.waitForTimeout(150);
+    assert.deepEqual((await shown(page)).tracer, stopped);
+  });
+});
+
+live("A whole tour of the region is drawn, corner by corner, and then nothing new", async () => {
+  await on("half-turn", {}, async (page) => {
+    await page.evaluate(() => { const { report } = window.kempe; report.clear(); for (let i = 0; i < 700; ++i) report.follow(1 / 60); });
+    const { trail, region, laps } = await page.evaluate(() => ({ trail: window.kempe.report.stage.trails.tracer, region: window.kempe.report.model.region, laps: window.kempe.report.tour.laps }));
+    assert.ok(laps >= 1);
+    for (const ring of region) for (const corner of ring) assert.ok(trail.some((at) => distance(at, corner) < 1e-6), `corner ${corner} is not drawn`);
+    assert.equal(trail.filter(([x]) => Number.isNaN(x)).length, region.length, "the pen is lifted between outlines and only there");
+  });
+});
+
+live("Pointing at a place says whether the tracer can go there, and why not", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const said = async (place) => {
+      const at = await screenOf(page, place);
+      await page.mouse.move(at.x, at.y);
+      return page.locator("#tip").innerText();
+    };
+    assert.match(await said([67.5, 5]), /Free/);
+    assert.match(await said([-68, 3]), /Transmission\s+\d/);
+    assert.match(await said([-68, 3]), /Copy error\s+\d.*worst/);
+    assert.match(await said([-68, 3]), /Smallest gap/);
+    assert.match(await said([-58, 3]), /transmission angle is below the limit/);
+    assert.match(await said([-20, -20]), /Past the change point/);
+    assert.match(await said([-86, -60]), /Out of reach/);
+    const bay = await page.evaluate(() => { const { opening, ...r } = window.kempe.report.linkage; const radius = 67; return [radius * Math.cos(1.2), radius * Math.sin(1.2)]; });
+    assert.match(await said(bay), /Too close: link ACX and obstacle 1/);
+  });
+});
+
+live("A switched-off layer is hidden and still answers", async () => {
+  await on("plagiograph", {}, async (page) => {
+    for (const layer of ["free", "usable", "reachable", "transmission", "region", "copy", "obstacles", "grid"]) {
+      const group = page.locator(`#map > .m-${layer}`).first(), visibility = () => group.evaluate((node) => getComputedStyle(node).visibility);
+      assert.equal(await visibility(), "visible", layer);
+      await page.locator(`#layer-${layer}`).uncheck();
+      assert.equal(await visibility(), "hidden", layer);
+    }
+    assert.equal((await shown(page)).kind, "free");
+    const at = await screenOf(page, [-68, 3]);
+    await page.mouse.move(at.x, at.y);
+    assert.match(await page.locator("#tip").innerText(), /Free/);
+    await page.locator("#layer-mechanism").uncheck();
+    assert.equal(await page.locator("#live-board > svg").first().evaluate((node) => getComputedStyle(node).visibility), "hidden");
+  });
+});
+
+live("The keyboard alone moves the tracer", async () => {
+  await on("plagiograph", {}, async (page) => {
+    await page.locator("#live-board").focus();
+    const start = (await shown(page)).tracer;
+    for (const key of ["ArrowUp", "ArrowUp", "ArrowRight", "Alt+ArrowUp"]) await page.keyboard.press(key);
+    const end = await shown(page);
+    checkPose(end);
+    assert.ok(distance(end.tracer, [start[0] + 1, start[1] + 2.1]) < 1e-9);
+    await page.keyboard.press("Home");
+    assert.deepEqual((await shown(page)).tracer, start);
+  });
+});
+
+live("Parts that come too close light up", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const place = await page.evaluate(() => {
+      const { linkage, contacts, model } = window.kempe.report, [near, far] = linkage.radii();
+      for (let i = 0; i < 720; ++i) {
+        const radius = (near + far) / 2, at = [radius * Math.cos((i * Math.PI) / 360), radius * Math.sin((i * Math.PI) / 360)];
+        if (contacts.gaps(linkage.poseWithTracerAt(at).pose).some(({ gap, names }) => gap < model.clearance && names[1] === "obstacle 1")) return at;
+      }
+      return null;
+    });
+    assert.ok(place, "no place with contact");
+    assert.equal(await page.locator(".touching").count(), 0);
+    await page.evaluate((at) => window.kempe.report.moveTo(at), place);
+    assert.ok((await page.locator(".live-link.touching").count()) >= 2);
+    assert.equal(await page.locator("#map .thing.touching").count(), 1);
+    assert.match(await page.locator("#at-gap").getAttribute("class"), /bad/);
+  });
+});
+
+live("Zooming moves map and linkage together, and back", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const apart = () => page.evaluate(() => {
+      const { report } = window.kempe, [x, y] = report.here.place;
+      const onMap = new DOMPoint(x, -y).matrixTransform(document.getElementById("map").getScreenCTM());
+      const mark = document.querySelector(".live-mark.tracer").getBoundingClientRect();
+      return Math.hypot(onMap.x - mark.x - mark.width / 2, onMap.y - mark.y - mark.height / 2);
+    });
+    assert.ok((await apart()) < 1);
+    for (let i = 0; i < 2; ++i) await page.locator("#zoom-in").click();
+    assert.ok((await apart()) < 1);
+    assert.ok((await page.locator("#map .m-grid text").count()) > 4);
+    await page.setViewportSize({ width: 900, height: 800 });
+    await page.waitForTimeout(200);
+    assert.ok((await apart()) < 1);
+    await page.locator("#zoom-all").click();
+    assert.ok((await apart()) < 1);
+  });
+});
+
+live("On a phone nothing overflows, and a tap brings the tracer", async () => {
+  for (const name of specimens)
+    await on(name, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 }, async (page) => {
+      const [content, screen] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+      assert.ok(content <= screen, `${name}: ${content} wide on a screen of ${screen}`);
+      if (name !== "plagiograph") return;
+      await page.locator("#board").scrollIntoViewIfNeeded();
+      const at = await screenOf(page, [-60, -31]);
+      await page.touchscreen.tap(at.x, at.y);
+      const end = await shown(page);
+      checkPose(end);
+      assert.ok(distance(end.tracer, [-60, -31]) < 1.5, `${end.tracer}`);
+    });
+});
+
+test("In the dark the page is dark, on paper it is light", async () => {
+  await on("plagiograph", { colorScheme: "dark" }, async (page) => {
+    const brightness = (selector) => page.locator(selector).evaluate((node) => getComputedStyle(node).backgroundColor.match(/\d+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0) / 3);
+    assert.ok((await brightness("body")) < 60);
+    await page.emulateMedia({ media: "print" });
+    assert.ok((await brightness(".map-figure")) > 240);
+  });
+});
+
+test("On paper the design is drawn, the controls are gone and every section is there", async () => {
+  await on("plagiograph", {}, async (page) => {
+    if (isLive) await page.locator("#zoom-in").click();
+    const pdf = await page.pdf({ preferCSSPageSize: true });
+    assert.ok(pdf.length > 20000);
+    const pages = pdf.toString("latin1").match(/\/Type\s*\/Page\b/g).length;
+    assert.ok(pages >= 3 && pages <= 9, `${pages} pages`);
+    await page.emulateMedia({ media: "print" });
+    assert.equal(await page.locator("#map .m-mechanism").evaluate((node) => getComputedStyle(node).visibility), "visible");
+    if (isLive) assert.equal(await page.locator("#live-board").isVisible(), false);
+    for (const section of ["lengths", "quality", "workspace", "tolerance", "verification", "search", "spec"]) assert.ok(await page.locator(`#${section}`).isVisible(), section);
+  });
+});
