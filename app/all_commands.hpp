@@ -6,6 +6,9 @@
 namespace kempe::app {
 
 void add_verify_command(CLI::App& program, Session& session);
+void add_solve_command(CLI::App& program, Session& session);
+void add_mobility_command(CLI::App& program, Session& session);
+void add_centres_command(CLI::App& program, Session& session);
 void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
 
@@ -13,6 +16,9 @@ using AddCommand = void (*)(CLI::App&, Session&);
 
 inline constexpr AddCommand all_commands[] = {
     add_verify_command,
+    add_solve_command,
+    add_mobility_command,
+    add_centres_command,
     add_function_command,
     add_inversor_command,
 };

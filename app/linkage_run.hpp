@@ -1,0 +1,38 @@
+#pragma once
+// What solve, mobility and centres share: a linkage file read, put together and set in motion, or an exit
+// code with its message already told.
+
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "app/command.hpp"
+#include "specs/linkage_model.hpp"
+
+namespace kempe::app {
+
+struct LoadedLinkage {
+  LinkageFile file;
+  LinkageModel model;
+};
+
+/// Reads the file, builds its model and tells the reader's notes on stderr (unless quiet).
+tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& file);
+
+/// The closed positions at the start, the chosen one first.
+tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLinkage& loaded,
+                                                                std::uint64_t seed);
+
+/// Drives the linkage from a closed position over `steps` parts. A motion that stops early is a run, not a
+/// failure.
+tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const PlanarPosition& start,
+                                           int steps);
+
+/// "dead point at step 17.33 of 36 (...): A, B and C in line (crank, rod)"
+std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps);
+
+/// Writes an output file; on failure tells why and returns cannot_write.
+int write_output(const std::string& path, const std::string& contents);
+
+}  // namespace kempe::app

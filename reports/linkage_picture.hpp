@@ -1,0 +1,39 @@
+#pragma once
+// The parts of a linkage's picture that page, animation and the picture of centres share.
+
+#include <string>
+
+#include "reports/linkage_scene.hpp"
+
+namespace kempe {
+
+/// Sizes of a picture in its own unit, from the extent of what it shows.
+struct PictureScale {
+  Point lower, upper;  ///< of the view, margins included
+  double stroke;       ///< width of a thin line
+  double pin;          ///< radius of a pin
+  double letter;       ///< height of letters
+  int decimals;        ///< that coordinates need
+
+  static PictureScale of(const Point& lower, const Point& upper);
+  std::string view_box() const;
+  std::string number(double value) const;
+  std::string pair(const Point& p) const;  ///< "x,y"
+};
+
+/// Colour of a link by its number, as a CSS colour; the ground is grey.
+std::string link_colour(int body);
+
+/// A link in its own frame: hull or bar, wheels, guides, pins; for a <g>.
+std::string body_shape(const SceneBody& body, int number, const PictureScale& scale);
+
+/// The sign of a fixed pivot, in the table's frame.
+std::string ground_sign(const Point& at, const PictureScale& scale);
+
+/// The curve of a traced point as an SVG element.
+std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);
+
+/// The style sheet that these elements expect.
+std::string picture_style(const PictureScale& scale);
+
+}  // namespace kempe
