@@ -5,20 +5,26 @@
 
 namespace kempe::app {
 
+void add_synthesize_command(CLI::App& program, Session& session);
+void add_workspace_command(CLI::App& program, Session& session);
 void add_verify_command(CLI::App& program, Session& session);
 void add_solve_command(CLI::App& program, Session& session);
 void add_mobility_command(CLI::App& program, Session& session);
 void add_centres_command(CLI::App& program, Session& session);
+void add_calibrate_command(CLI::App& program, Session& session);
 void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
 
 using AddCommand = void (*)(CLI::App&, Session&);
 
 inline constexpr AddCommand all_commands[] = {
+    add_synthesize_command,
+    add_workspace_command,
     add_verify_command,
     add_solve_command,
     add_mobility_command,
     add_centres_command,
+    add_calibrate_command,
     add_function_command,
     add_inversor_command,
 };

@@ -5,24 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/html_text.hpp"
+
 namespace kempe {
 namespace {
 
 constexpr double width = 720, height = 420, left = 84, right = 24, top = 44, bottom = 58;
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c;
-    }
-  }
-  return safe;
-}
 
 /// A round step that divides a range into four to ten pieces.
 double round_step(double range) {
@@ -65,7 +53,7 @@ std::string error_plot_svg(const ErrorPlot& plot) {
       "font-size='12'>\n<style>.grid{{stroke:#ddd}}.zero{{stroke:#555}}text{{fill:#222}}</style>\n"
       "<rect width='100%' height='100%' fill='#fff'/>\n<text x='{2}' y='26' font-size='15' "
       "font-weight='bold'>{3}</text>\n",
-      width, height, left, escaped(plot.title));
+      width, height, left, html_escaped(plot.title));
   svg += ticks(x, y);
   std::string points;
   for (const auto& [at, error] : plot.curve) points += fmt::format("{:.2f},{:.2f} ", x.at(at), y.at(error));
@@ -74,9 +62,9 @@ std::string error_plot_svg(const ErrorPlot& plot) {
     svg += fmt::format("<circle cx='{:.2f}' cy='{:.2f}' r='4' fill='#fff' stroke='#c0392b' stroke-width='2'/>\n", x.at(at),
                        y.at(0));
   svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{}</text>\n", (left + width - right) / 2, height - 16,
-                     escaped(plot.x_label));
+                     html_escaped(plot.x_label));
   svg += fmt::format("<text transform='translate(18 {:.1f}) rotate(-90)' text-anchor='middle'>{}</text>\n</svg>\n",
-                     (top + height - bottom) / 2, escaped(plot.y_label));
+                     (top + height - bottom) / 2, html_escaped(plot.y_label));
   return svg;
 }
 

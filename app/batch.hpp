@@ -1,0 +1,40 @@
+#pragma once
+// Many specs in one run: resumable, on several threads, on several machines.
+
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "app/command.hpp"
+
+namespace kempe::app {
+
+struct BatchArguments {
+  std::string source;   ///< a folder of *.toml, or a .jsonl file: a spec a line, as a JSON object of the same keys
+  std::string folder;   ///< results.jsonl, results.csv and the journals go here
+  int jobs = 1;         ///< threads
+  std::uint64_t seed = 1;
+};
+
+struct BatchTask {
+  std::string name;  ///< the file's name, or line-N
+  std::string text;    ///< TOML
+  std::string folder;  ///< where the files that it names are looked for
+};
+
+/// The tasks of a source, in the order of their names or lines.
+tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& source);
+
+/// A spec given as a JSON object, as the TOML text that means the same. The error says what TOML cannot hold.
+tl::expected<std::string, std::string> toml_from_json(const std::string& json);
+
+/// One line of JSON: name, status ("design", "no design", "bad input", "verification failed"), and for a design its
+/// figures. Depends on the task and the seed alone.
+std::string batch_result(const BatchTask& task, std::uint64_t seed);
+
+/// Runs what is not yet in the folder's journals, then writes results.jsonl and results.csv in the order of the tasks:
+/// the same bytes for any number of threads and processes.
+int run_batch(const Session& session, const BatchArguments& arguments);
+
+}  // namespace kempe::app

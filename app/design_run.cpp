@@ -1,0 +1,114 @@
+#include "app/design_run.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "reports/design_json.hpp"
+#include "reports/design_package.hpp"
+#include "specs/spec_reader.hpp"
+#include "synthesis/verification.hpp"
+
+namespace kempe::app {
+
+tl::expected<LoadedSpec, InputError> load_spec(const std::string& file) {
+  auto spec = read_spec_file(file);
+  if (!spec) return tl::unexpected(spec.error());
+  std::ifstream stream(file, std::ios::binary);
+  return LoadedSpec{file, {std::istreambuf_iterator<char>(stream), {}}, std::move(*spec)};
+}
+
+namespace {
+
+std::string grounding_sentence(const CopyingLinkage& linkage) {
+  return fmt::format("{} at the vertex V; pole {}, tracer {}, pen {}", name(linkage.vertex()),
+                     letter(linkage.pole_joint()), letter(linkage.tracer_joint()), letter(linkage.pen_joint()));
+}
+
+std::string lengths_table(const Design& design) {
+  const LinkLengths lengths = design.linkage.lengths();
+  const auto values = lengths.values();
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += fmt::format("  {} {:10.3f} mm{}", LinkLengths::names[i], values[i], i % 4 == 3 ? "\n" : "");
+  return text;
+}
+
+std::string objective_line(const SearchRecord& search) {
+  const double shown = search.objective == Objective::transmission ? degrees(search.value) : search.value;
+  const char* unit = search.objective == Objective::transmission ? "degrees"
+                     : search.objective == Objective::footprint  ? "mm2"
+                                                                 : "mm";
+  return fmt::format("{}objective    {} = {:.4f} {}\n", search.complete ? "" : "STOPPED EARLY: the best so far\n",
+                     name(search.objective), shown, unit);
+}
+
+std::string bound_line(const Design& design) {
+  if (!design.quality.lower_bound || !design.search) return "";
+  const bool angle = design.search->objective == Objective::transmission;
+  const double bound = *design.quality.lower_bound;
+  return fmt::format("bound        no design can be {} {:.4f} {}\n", angle ? "above" : "below",
+                     angle ? degrees(bound) : bound, angle ? "degrees" : "mm");
+}
+
+}  // namespace
+
+std::string summary_text(const Design& design, const std::filesystem::path& folder,
+                         const std::vector<std::string>& files) {
+  const Quality& q = design.quality;
+  const Point& pole = design.linkage.pole();
+  std::string text = fmt::format("copy         scale {:.6g}, rotation {:.6g} degrees\n", design.scale,
+                                 degrees(design.rotation));
+  text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
+  text += fmt::format("pole         ({:.3f}, {:.3f}) mm\n", pole.x(), pole.y());
+  text += "lengths\n" + lengths_table(design);
+  if (design.search) text += objective_line(*design.search);
+  text += bound_line(design);
+  text += fmt::format("size         {:.3f} mm\n", q.size);
+  text += fmt::format("transmission {:.3f} degrees at least; opening {:.3f} .. {:.3f} degrees certified\n",
+                      degrees(q.transmission_min), degrees(design.opening.lower), degrees(design.opening.upper));
+  text += fmt::format("clearance    {:.3f} mm at least, {}\n", q.clearance_min, design.map.clearance_min_parts);
+  if (q.copy_error_worst)
+    text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n", *q.copy_error_worst,
+                        q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+  text += design.map.coverage.covered ? "region       covered by one component of the collision-free workspace\n"
+                                      : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
+  text += fmt::format("verified     {} positions by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
+                      "{} changes of assembly\n",
+                      design.verification.samples, design.verification.copy_error_max,
+                      design.verification.loop_residual_max, design.verification.flips);
+  text += fmt::format("written      {}:", folder.string());
+  for (const std::string& file : files) text += " " + file;
+  return text + "\n";
+}
+
+std::string summary_json(const Design& design, const std::filesystem::path& folder,
+                         const std::vector<std::string>& files) {
+  auto object = nlohmann::ordered_json::parse(design_json(design));
+  object.erase("region");  // up to a million corners: design.json has it
+  object["coverage"] = {{"covered", design.map.coverage.covered}, {"why_not", design.map.coverage.why_not}};
+  object["folder"] = folder.string();
+  object["files"] = files;
+  return object.dump(1) + "\n";
+}
+
+int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,
+                          const std::filesystem::path& folder) {
+  design.verification = verify(verification_task(design));
+  if (!design.verification.certified)
+    return fail(verification_failed, "the design failed its verification, nothing is written: " + design.verification.failure);
+  ReportExtras extras;
+  extras.program_version = KEMPE_VERSION;
+  extras.spec_name = std::filesystem::path(spec.file).filename().string();
+  extras.spec_text = spec.text;
+  const auto package = design_package(design, std::move(extras));
+  if (const auto written = write_whole(folder, package); !written) return fail(cannot_write, written.error());
+  std::vector<std::string> files;
+  for (const OutputFile& file : package) files.push_back(file.name.string());
+  print(session.json ? summary_json(design, folder, files) : summary_text(design, folder, files));
+  return done;
+}
+
+}  // namespace kempe::app

@@ -1,0 +1,32 @@
+#pragma once
+// What `synthesize` and `workspace` share: the spec read, the design verified, written and told.
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "app/command.hpp"
+#include "specs/spec.hpp"
+#include "synthesis/design.hpp"
+
+namespace kempe::app {
+
+/// A spec with the text it came from, which the report shows.
+struct LoadedSpec {
+  std::string file, text;
+  Spec spec;
+};
+tl::expected<LoadedSpec, InputError> load_spec(const std::string& file);
+
+/// Verifies the design, writes its folder and prints the summary. Returns the exit code: `verification_failed` (and
+/// nothing written), `cannot_write`, or done.
+int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,
+                          const std::filesystem::path& folder);
+
+/// The summary that a person reads, or with --json one object.
+std::string summary_text(const Design& design, const std::filesystem::path& folder,
+                         const std::vector<std::string>& files);
+std::string summary_json(const Design& design, const std::filesystem::path& folder,
+                         const std::vector<std::string>& files);
+
+}  // namespace kempe::app

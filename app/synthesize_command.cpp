@@ -1,0 +1,104 @@
+// kempe synthesize: from a spec to the best design.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/all_commands.hpp"
+#include "app/batch.hpp"
+#include "app/design_run.hpp"
+#include "app/interrupt.hpp"
+#include "app/progress.hpp"
+#include "synthesis/assemble.hpp"
+#include "synthesis/search.hpp"
+
+namespace kempe::app {
+namespace {
+
+struct SynthesizeArguments {
+  std::string spec_file, batch_source, folder;
+  std::uint64_t seed = 1;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  double time_limit = 1e9;
+  double map_tolerance = MapOptions{}.map_tolerance;
+};
+
+std::string relaxation_line(const Relaxation& relaxation) {
+  const CopyingLinkage& linkage = relaxation.design.linkage;
+  return fmt::format("  {}: VA = {:.3f} mm, VB = {:.3f} mm, {} at the vertex, pole ({:.3f}, {:.3f})\n", relaxation.sentence,
+                     linkage.VA(), linkage.VB(), name(linkage.vertex()), linkage.pole().x(), linkage.pole().y());
+}
+
+int tell_no_design(const Session& session, const NoDesign& none) {
+  std::string message = "no design exists: " + none.sentence + "\n";
+  for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
+  message.pop_back();
+  if (session.json) {
+    nlohmann::ordered_json object{{"error", "no design exists"}, {"requirement", none.requirement}, {"sentence", none.sentence}};
+    object["relaxations"] = nlohmann::ordered_json::array();
+    for (const Relaxation& relaxation : none.relaxations)
+      object["relaxations"].push_back({{"limit", std::string(name(relaxation.limit))},
+                                       {"sentence", relaxation.sentence},
+                                       {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
+                                       {"VA_mm", relaxation.design.linkage.VA()},
+                                       {"VB_mm", relaxation.design.linkage.VB()}});
+    print(object.dump(1) + "\n");
+  }
+  return fail(no_design, message);
+}
+
+int run(const Session& session, const SynthesizeArguments& arguments) {
+  if (!arguments.batch_source.empty())
+    return run_batch(session, {arguments.batch_source, arguments.folder, arguments.threads, arguments.seed});
+  const auto loaded = load_spec(arguments.spec_file);
+  if (!loaded) return fail(loaded.error());
+  const Interrupt interrupt;
+  SearchOutcome outcome = NoDesign{};
+  {
+    Progress progress(session.quiet);
+    SearchOptions options;
+    options.seed = arguments.seed;
+    options.threads = arguments.threads;
+    options.time_limit = arguments.time_limit;
+    options.stop = &interrupt.requested();
+    options.progress = [&](double share, std::string_view what) { progress.show(share, what); };
+    outcome = synthesize(loaded->spec, options);
+  }
+  const int stopped_code = interrupt.requested() ? interrupted : no_design;
+  if (std::holds_alternative<Stopped>(outcome))
+    return fail(static_cast<ExitCode>(stopped_code), "stopped before a design was found; nothing is written");
+  if (const auto* none = std::get_if<NoDesign>(&outcome)) return tell_no_design(session, *none);
+  const auto& found = std::get<FoundDesign>(outcome);
+  Design design = assemble_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance});
+  const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
+  return code == done && interrupt.requested() ? interrupted : code;
+}
+
+}  // namespace
+
+void add_synthesize_command(CLI::App& program, Session& session) {
+  CLI::App* command = add_command(program, session, "synthesize",
+                                  "Find the best design for a spec, map its workspace, verify it",
+                                  "kempe synthesize specs/examples/plagiograph.toml -o out/plagiograph");
+  auto arguments = std::make_shared<SynthesizeArguments>();
+  auto* spec = command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)");
+  auto* batch = command->add_option("--batch", arguments->batch_source,
+                                    "Many specs: a folder of *.toml, or a .jsonl file; resumable (docs/batch.md)");
+  spec->excludes(batch);
+  command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
+  command->add_option("--seed", arguments->seed, "Same seed, same design")->capture_default_str();
+  command->add_option("-j,--threads", arguments->threads, "The design does not depend on it")->check(CLI::Range(1, 256));
+  command->add_option("--time-limit", arguments->time_limit, "Seconds; then the best so far, marked as such")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
+      ->check(CLI::Range(1e-5, 0.5))
+      ->capture_default_str();
+  command->callback([&session, arguments, spec, batch] {
+    if (spec->empty() && batch->empty()) throw CLI::RequiredError("SPEC or --batch");
+    session.chosen = [&session, arguments] { return run(session, *arguments); };
+  });
+}
+
+}  // namespace kempe::app
