@@ -1,0 +1,37 @@
+// Every stored input through its reader: what once was found stays found.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/fuzz/targets.hpp"
+
+namespace kempe::fuzz {
+namespace {
+
+TEST(Corpus, EveryStoredInputIsReadOrRefused) {
+  std::size_t replayed = 0;
+  for (const Target& target : targets()) {
+    const auto folder = std::filesystem::path(KEMPE_SOURCE_DIR) / "tests" / "corpus" / target.name;
+    ASSERT_TRUE(std::filesystem::is_directory(folder)) << "every reader has a corpus: " << folder;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      const std::string input{std::istreambuf_iterator<char>(stream), {}};
+      SCOPED_TRACE(entry.path().string());
+      target.run(input);
+      // The same input cut short and with a byte changed: the nearest neighbours of what people really write.
+      for (std::size_t i = 1; i < 8; ++i) {
+        target.run(std::string_view(input).substr(0, input.size() * i / 8));
+        std::string changed = input;
+        if (!changed.empty()) changed[changed.size() * i / 8 % changed.size()] ^= static_cast<char>(1U << i % 7);
+        target.run(changed);
+      }
+      ++replayed;
+    }
+  }
+  EXPECT_GT(replayed, 10U);
+}
+
+}  // namespace
+}  // namespace kempe::fuzz
