@@ -1,0 +1,123 @@
+// The bounds that the map's proofs stand on, against random motions.
+
+#include <gtest/gtest.h>
+
+#include "random_linkage.hpp"
+#include "workspace/gap_bounds.hpp"
+#include "workspace/segment_distance.hpp"
+
+namespace kempe {
+namespace {
+
+using test::Dice;
+
+struct Patch {
+  double opening, half_opening, bearing, half_bearing;
+};
+
+Patch random_patch(Dice& dice, const OpeningInterval& all) {
+  const double scale = std::pow(10, dice.between(-4, -0.3));
+  const double half = std::min(scale * dice.between(0.1, 1), 0.49 * all.width());
+  return {dice.between(all.lower + half, all.upper - half), half, dice.between(-pi, pi),
+          scale * dice.between(0.1, 1)};
+}
+
+TEST(LinkageMotion, JointsStandWhereTheClosedFormPutsThem) {
+  Dice dice(31);
+  for (int i = 0; i < 500; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const OpeningInterval& all = linkage.assembly_interval();
+    const double opening = dice.between(all.lower, all.upper), bearing = dice.between(-pi, pi);
+    const MovingJoints joints = LinkageMotion(linkage).over(opening, 0, bearing, 0);
+    const Pose pose = linkage.pose_at(opening, bearing);
+    for (const Joint joint : all_joints)
+      EXPECT_LT((joints[static_cast<std::size_t>(joint)].at + linkage.pole() - pose[joint]).norm(), 1e-9)
+          << letter(joint);
+  }
+}
+
+TEST(LinkageMotion, VelocityIsTheDifferenceQuotient) {
+  Dice dice(32);
+  for (int i = 0; i < 300; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const OpeningInterval middle = shrink(linkage.assembly_interval(), 0.05);
+    if (middle.empty()) continue;
+    const double opening = dice.between(middle.lower, middle.upper), bearing = dice.between(-pi, pi),
+                 h = 1e-6;
+    const MovingJoints joints = LinkageMotion(linkage).over(opening, 0, bearing, 0);
+    const Pose before = linkage.pose_at(opening - h, bearing), after = linkage.pose_at(opening + h, bearing);
+    for (const Joint joint : all_joints) {
+      const Point quotient = (after[joint] - before[joint]) / (2 * h);
+      EXPECT_LT((joints[static_cast<std::size_t>(joint)].by_opening - quotient).norm(),
+                1e-4 * (1 + quotient.norm()));
+    }
+  }
+}
+
+TEST(LinkageMotion, JointsStayWithinTheirBoundsAllOverTheRectangle) {
+  Dice dice(33);
+  for (int i = 0; i < 2000; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const Patch patch = random_patch(dice, linkage.assembly_interval());
+    const MovingJoints joints =
+        LinkageMotion(linkage).over(patch.opening, patch.half_opening, patch.bearing, patch.half_bearing);
+    for (int sample = 0; sample < 10; ++sample) {
+      const double u = sample < 4 ? (sample & 1 ? 1 : -1) : dice.between(-1, 1);
+      const double v = sample < 4 ? (sample & 2 ? 1 : -1) : dice.between(-1, 1);
+      const Pose pose =
+          linkage.pose_at(patch.opening + u * patch.half_opening, patch.bearing + v * patch.half_bearing);
+      for (const Joint joint : all_joints) {
+        const MovingJoint& moving = joints[static_cast<std::size_t>(joint)];
+        const Point place = pose[joint] - linkage.pole();
+        const Point turned(-moving.at.y(), moving.at.x());
+        const Point linear =
+            moving.at + u * patch.half_opening * moving.by_opening + v * patch.half_bearing * turned;
+        EXPECT_LE((place - moving.at).norm(), moving.reach + 1e-9);
+        EXPECT_LE((place - linear).norm(), moving.rest + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(GapBounds, HoldTheDistanceAllOverTheRectangle) {
+  Dice dice(34);
+  for (int i = 0; i < 3000; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const LinkStyle style = test::random_style(dice);
+    const Patch patch = random_patch(dice, linkage.assembly_interval());
+    const Link link = all_links[static_cast<std::size_t>(dice.below(4))];
+    const auto hulls = axis_of({Part::Kind::link, link}, linkage.shape(), style.plate);
+    const JointHull& hull = hulls[static_cast<std::size_t>(dice.below(static_cast<int>(hulls.size())))];
+    const Point somewhere = linkage.pose_at(patch.opening, patch.bearing)[hull.joints[0]] - linkage.pole();
+    const auto near = [&] { return Point(somewhere + Point(dice.between(-40, 40), dice.between(-40, 40))); };
+    const EdgeTree::Edge edge{near(), near()};
+    const MovingJoints joints =
+        LinkageMotion(linkage).over(patch.opening, patch.half_opening, patch.bearing, patch.half_bearing);
+    const GapBounds bounds = bounds_to_edge(joints, hull, edge, {patch.half_opening, patch.half_bearing});
+    const Box box{edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)};
+    EXPECT_LE(distance_from_box(joints, hull, box), bounds.middle + 1e-9);
+    for (int sample = 0; sample < 10; ++sample) {
+      const Pose pose = linkage.pose_at(patch.opening + patch.half_opening * dice.between(-1, 1),
+                                        patch.bearing + patch.half_bearing * dice.between(-1, 1));
+      Hull there{{}, hull.count};
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        there.at[corner] = pose[hull.joints[corner]] - linkage.pole();
+      const double here = distance(there, Hull{{edge.from, edge.to, edge.to}, 2});
+      EXPECT_GE(here, bounds.lower - 1e-9) << i;
+      EXPECT_LE(here, bounds.upper + 1e-9) << i;
+    }
+  }
+}
+
+TEST(GapBounds, CloseOnTheDistanceAsTheRectangleShrinks) {
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const JointHull hull{{Joint::A, Joint::X, Joint::X}, 2};
+  for (const double half : {1e-2, 1e-3, 1e-4}) {
+    const MovingJoints joints = LinkageMotion(linkage).over(0.8, half, 0.3, half);
+    const GapBounds bounds = bounds_to_edge(joints, hull, {{80, 10}, {80, 40}}, {half, half});
+    EXPECT_LT(bounds.upper - bounds.lower, 400 * half);
+  }
+}
+
+}  // namespace
+}  // namespace kempe
