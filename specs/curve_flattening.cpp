@@ -60,14 +60,25 @@ void CurveFlattener::cubic_to(const Point& control1, const Point& control2, cons
   pen_ = to;
 }
 
+namespace {
+
+/// How far u cos t + v sin t is from 0 at most: the larger singular value of (u v).
+double farthest(const Point& u, const Point& v) {
+  const double sum = u.squaredNorm() + v.squaredNorm(), area = cross(u, v);
+  return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))));
+}
+
+}  // namespace
+
+double CurveFlattener::own_tolerance() const {
+  return tolerance_ / std::max(1e-300, farthest(map_.linear().col(0), map_.linear().col(1)));
+}
+
 void CurveFlattener::elliptic_to(const Point& centre, const Point& a, const Point& b, double from,
                                  double sweep, const Point& to) {
   const Point middle = map_ * centre, u = map_.linear() * a, v = map_.linear() * b;
-  // |a cos t + b sin t| is at most the larger singular value of (a b).
-  const double sum = u.squaredNorm() + v.squaredNorm(), area = cross(u, v);
-  const double longest = std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))));
-  const int steps =
-      std::max(steps_for(longest * sweep * sweep), static_cast<int>(std::ceil(std::abs(sweep) / (pi / 4))));
+  const int steps = std::max(steps_for(farthest(u, v) * sweep * sweep),
+                             static_cast<int>(std::ceil(std::abs(sweep) / (pi / 4))));
   add(map_ * pen_);
   for (int i = 1; i < steps; ++i) {
     const double t = from + sweep * i / steps;

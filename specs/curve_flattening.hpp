@@ -31,6 +31,9 @@ class CurveFlattener {
   /// Where the present stroke began.
   const Point& start() const { return start_; }
 
+  /// The tolerance in the curves' own units, where the map stretches most.
+  double own_tolerance() const;
+
   void move_to(const Point& to);
   void line_to(const Point& to);
   void quadratic_to(const Point& control, const Point& to);

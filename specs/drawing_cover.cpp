@@ -86,6 +86,19 @@ Result even_odd(const std::vector<Ring>& rings, const RingNesting& nesting, cons
   return std::move(*region);
 }
 
+/// The rings and a small square about every corner.
+std::vector<Ring> with_filled_corners(std::vector<Ring> rings) {
+  constexpr double half = same_place;
+  const std::size_t count = rings.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < rings[i].size(); ++j) {
+      const Point at = rings[i][j];
+      rings.push_back({at + Point(-half, -half), at + Point(half, -half), at + Point(half, half),
+                       at + Point(-half, half)});
+    }
+  return rings;
+}
+
 /// All that rings which meet enclose together.
 Result enclosed_by_any(const std::vector<Ring>& rings, const Refusal& refuse) {
   std::vector<Ring> simple;
@@ -96,6 +109,9 @@ Result enclosed_by_any(const std::vector<Ring>& rings, const Refusal& refuse) {
     std::move(loops->begin(), loops->end(), std::back_inserter(simple));
   }
   auto region = united(simple);
+  // Outlines that touch in a point have a union that touches itself there: fill in the neighbourhood of
+  // corners.
+  if (!region) region = united(with_filled_corners(std::move(simple)));
   if (!region) return refuse(region.error(), "a simpler drawing, or cover = \"hull\"");
   return std::move(*region);
 }

@@ -49,7 +49,8 @@ double unit_of(int insunits) {
   }
 }
 
-/// Takes what dxflib reads. One entity may come in several calls; endEntity or the next entity closes it.
+/// Takes what dxflib reads. A polyline or a spline comes in several calls; the next entity or the end of the
+/// section closes it (endEntity comes before the vertices of a POLYLINE).
 class Collector : public DL_CreationAdapter {
  public:
   DxfDrawing take() {
@@ -118,9 +119,7 @@ class Collector : public DL_CreationAdapter {
     spline_->controls.emplace_back(control.x, control.y);
     spline_->weights.push_back(control.w);
   }
-  void endEntity() override { finish(); }
   void endSequence() override { finish(); }
-  void endSection() override { finish(); }
 
   void addText(const DL_TextData& text) override { add(DxfText{layer(), text.text}); }
   void addMText(const DL_MTextData& text) override { add(DxfText{layer(), text.text}); }

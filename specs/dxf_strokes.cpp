@@ -195,11 +195,22 @@ class DxfStrokes {
     if (degree == 3) curves.cubic_to(bezier[1], bezier[2], bezier[3]);
   }
 
-  /// Rational splines and those of high degree have no cheap bound: many points a span.
+  /// Rational splines and those of high degree have no cheap bound: halved until the curve's quarters are
+  /// near the chord.
   static void draw_sampled_span(const DxfSpline& spline, std::size_t span, CurveFlattener& curves) {
-    constexpr int steps = 256;
-    for (int i = 1; i <= steps; ++i)
-      curves.line_to(spline_point(spline, span, static_cast<double>(i) / steps));
+    const double near = 0.5 * curves.own_tolerance();
+    const auto draw = [&](const auto& self, double from, double to, int level) -> void {
+      const Point a = spline_point(spline, span, from), b = spline_point(spline, span, to);
+      const auto off = [&](double share) {
+        return std::abs(cross(b - a, spline_point(spline, span, from + share * (to - from)) - a)) /
+               (b - a).norm();
+      };
+      const bool straight = a != b && std::max({off(0.25), off(0.5), off(0.75)}) <= near;
+      if (level > 16 || (level > 3 && straight)) return curves.line_to(b);
+      self(self, from, 0.5 * (from + to), level + 1);
+      self(self, 0.5 * (from + to), to, level + 1);
+    };
+    draw(draw, 0, 1, 0);
   }
 
   static void draw_one(const DxfText&, CurveFlattener&) {}
