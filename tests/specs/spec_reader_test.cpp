@@ -1,0 +1,311 @@
+#include "specs/spec_reader.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/specs/random_rings.hpp"
+
+namespace kempe {
+namespace {
+
+const std::filesystem::path examples = std::filesystem::path(KEMPE_SOURCE_DIR) / "specs/examples";
+
+Spec read_or_fail(const std::string& text) {
+  const auto spec = read_spec(text, "spec.toml", KEMPE_SOURCE_DIR "/tests/corpus/specs");
+  EXPECT_TRUE(spec) << (spec ? "" : spec.error().message()) << "\n" << text;
+  return spec.value_or(Spec{});
+}
+
+const std::string shortest =
+    "[copy]\nscale = 1.4\nrotation_deg = 90\n[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n";
+
+TEST(SpecReader, FillsInTheDefaultsOfTheTypes) {
+  const Spec spec = read_or_fail(shortest), types;
+  EXPECT_EQ(spec.links.style, types.links.style);
+  EXPECT_EQ(spec.links.layers, types.links.layers);
+  EXPECT_EQ(spec.links.shortest, types.links.shortest);
+  EXPECT_EQ(spec.links.longest, types.links.longest);
+  EXPECT_FALSE(spec.links.workshop.any());
+  EXPECT_EQ(spec.limits.clearance, types.limits.clearance);
+  EXPECT_EQ(spec.limits.transmission, types.limits.transmission);
+  EXPECT_FALSE(spec.limits.sheets_gap || spec.limits.copy_error || spec.tolerance || spec.mechanism);
+  EXPECT_FALSE(spec.tool.follower_radius || spec.tool.cutter_radius);
+  EXPECT_TRUE(spec.obstacles.empty());
+  EXPECT_EQ(std::get<Point>(spec.pole.place), Point(0, 0));
+  EXPECT_EQ(spec.objective.objective, Objective::size);
+  EXPECT_EQ(spec.objective.groundings, types.objective.groundings);
+  EXPECT_EQ(spec.cutting.gap, types.cutting.gap);
+  EXPECT_FALSE(spec.cutting.sheet);
+}
+
+TEST(SpecReader, ReadsEveryKeyOfTheContract) {
+  const Spec spec = read_or_fail(R"(
+[copy]
+scale = 1.4
+rotation_deg = 90
+[region]
+polygon_mm = [[[62,-5],[70,-5],[70,5],[62,5]], [[80,0],[80,9],[89,9],[89,0]]]
+holes_mm = [[65,-1],[66,-1],[66,1]]
+[pole]
+within_mm = [[-5,-5],[5,-5],[0,5]]
+[links]
+width_mm = 13
+pin_diameter_mm = 7
+thickness_mm = 3
+plate = "triangle"
+layers = 4
+shortest_mm = 20
+longest_mm = 300
+grid_mm = 5
+VA_mm = 120
+CY_mm = 80.5
+[limits]
+clearance_mm = 0.75
+transmission_deg = 25
+sheets_gap_mm = 6
+copy_error_mm = 0.3
+[tolerance]
+length_mm = 0.05
+play_mm = 0.02
+[tool]
+follower_radius_mm = 3
+cutter_radius_mm = 1.5
+[[obstacles]]
+name = "vice"
+polygon_mm = [[0,100],[10,100],[10,110]]
+layers = [1, 4]
+[[obstacles]]
+circle_mm = {centre = [0, 200], radius = 5}
+[objective]
+maximize = "transmission"
+groundings = ["pen", "pole"]
+[mechanism]
+vertex = "tracer"
+VA_mm = 50
+VB_mm = 35
+assembly = 3
+layers = [1, 2, 3, 4]
+[cutting]
+hole_fit_mm = 0.1
+kerf_mm = 0.2
+sheet_mm = [600, 300]
+gap_mm = 8
+)");
+  EXPECT_EQ(spec.copy.k, Complex(0, 1.4));
+  EXPECT_EQ(spec.copy.scale, 1.4);
+  EXPECT_DOUBLE_EQ(spec.copy.rotation, pi / 2);
+  EXPECT_EQ(spec.region.polygons.size(), 2u);
+  EXPECT_DOUBLE_EQ(area(spec.region), 80 - 1 + 81);
+  EXPECT_DOUBLE_EQ(area(std::get<Region>(spec.pole.place)), 50);
+  EXPECT_EQ(spec.links.style, (LinkStyle{13, 7, 3, PlateStyle::triangle}));
+  EXPECT_EQ(spec.links.layers, 4);
+  EXPECT_EQ(spec.links.shortest, 20);
+  EXPECT_EQ(spec.links.longest, 300);
+  EXPECT_EQ(spec.links.workshop.grid, 5);
+  EXPECT_EQ(spec.links.workshop.locked[0], 120);
+  EXPECT_EQ(spec.links.workshop.locked[7], 80.5);
+  EXPECT_FALSE(spec.links.workshop.locked[1]);
+  EXPECT_EQ(spec.limits.clearance, 0.75);
+  EXPECT_DOUBLE_EQ(spec.limits.transmission, 25 * pi / 180);
+  EXPECT_EQ(spec.limits.sheets_gap, 6);
+  EXPECT_EQ(spec.limits.copy_error, 0.3);
+  EXPECT_EQ(spec.tolerance->length, 0.05);
+  EXPECT_EQ(spec.tolerance->play, 0.02);
+  EXPECT_EQ(spec.tool.follower_radius, 3);
+  EXPECT_EQ(spec.tool.cutter_radius, 1.5);
+  ASSERT_EQ(spec.obstacles.size(), 2u);
+  EXPECT_EQ(spec.obstacles[0].name, "vice");
+  EXPECT_EQ(spec.obstacles[0].lowest_layer, 1);
+  EXPECT_EQ(spec.obstacles[0].highest_layer, 4);
+  EXPECT_EQ(spec.obstacles[1].name, "obstacle 2");
+  EXPECT_EQ(spec.obstacles[1].highest_layer, 8);
+  EXPECT_EQ(spec.objective.objective, Objective::transmission);
+  EXPECT_EQ(spec.objective.groundings, (std::vector{Vertex::pen, Vertex::pole}));
+  ASSERT_TRUE(spec.mechanism);
+  EXPECT_EQ(spec.mechanism->vertex, Vertex::tracer);
+  EXPECT_EQ(spec.mechanism->VA, 50);
+  EXPECT_EQ(spec.mechanism->VB, 35);
+  EXPECT_EQ(spec.mechanism->assembly, 3);
+  EXPECT_EQ(spec.mechanism->layers, (std::array{1, 2, 3, 4}));
+  EXPECT_EQ(spec.cutting.hole_fit, 0.1);
+  EXPECT_EQ(spec.cutting.kerf, 0.2);
+  EXPECT_EQ(spec.cutting.sheet, Point(600, 300));
+  EXPECT_EQ(spec.cutting.gap, 8);
+}
+
+TEST(SpecReader, ReadsStockLengthsInOrderAndOnce) {
+  EXPECT_EQ(read_or_fail(shortest + "[links]\nstock_mm = [120, 60, 90.5, 60]\n").links.workshop.stock,
+            (std::vector<double>{60, 90.5, 120}));
+}
+
+TEST(SpecReader, TakesScaleOrRotationAlone) {
+  const std::string region = "[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n";
+  EXPECT_EQ(read_or_fail("[copy]\nscale = 2\n" + region).copy.k, Complex(2, 0));
+  EXPECT_EQ(read_or_fail("[copy]\nrotation_deg = 180\n" + region).copy.k, Complex(-1, 0));
+}
+
+TEST(SpecReader, BringsRotationsIntoOneTurn) {
+  const auto rotation = [](const std::string& degrees) {
+    return read_or_fail("[copy]\nscale = 2\nrotation_deg = " + degrees +
+                        "\n[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n")
+        .copy;
+  };
+  EXPECT_DOUBLE_EQ(rotation("-180").rotation, pi);
+  EXPECT_EQ(rotation("-180").k, Complex(-2, 0));
+  EXPECT_EQ(rotation("450").k, Complex(0, 2));
+  EXPECT_EQ(rotation("-90").k, Complex(0, -2));
+  EXPECT_DOUBLE_EQ(rotation("3500.5").rotation, -99.5 * pi / 180);
+}
+
+TEST(SpecReader, PairsGiveRatioPoleAndResidual) {
+  const Spec spec = read_or_fail(
+      "[copy]\npairs_mm = [[[7.5,0],[0,10.5]], [[7,0],[0,9.8]], [[5.6,0],[0,7.84]]]\n"
+      "[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n");
+  EXPECT_NEAR(std::abs(spec.copy.k - Complex(0, 1.4)), 0, 1e-14);
+  EXPECT_EQ(spec.copy.scale, std::abs(spec.copy.k));
+  ASSERT_TRUE(spec.copy.fit);
+  EXPECT_EQ(spec.copy.fit->pairs, 3u);
+  EXPECT_EQ(std::get<Point>(spec.pole.place), Point(0, 0));
+}
+
+TEST(SpecReader, PairsPutThePoleAtTheirFixedPointUnlessThePoleIsGiven) {
+  // k = 2 about (10, 20).
+  const std::string copy = "[copy]\npairs_mm = [[[11, 20], [12, 20]], [[10, 25], [10, 30]]]\n";
+  const std::string region = "[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n";
+  EXPECT_LT((std::get<Point>(read_or_fail(copy + region).pole.place) - Point(10, 20)).norm(), 1e-12);
+  EXPECT_EQ(std::get<Point>(read_or_fail(copy + region + "[pole]\nat_mm = [1, 2]\n").pole.place),
+            Point(1, 2));
+}
+
+TEST(SpecReader, CircleCoversTheCircle) {
+  const Spec spec = read_or_fail(shortest);
+  const DistanceRange range = distance_range(spec.region, {66, 0});
+  EXPECT_LT(range.farthest, 4 * (1 + 2.5e-6));
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_TRUE(contains(spec.region, Point(66, 0) + as_point(std::polar(4 * (1 - 1e-12), 0.0123 * i))));
+  }
+}
+
+TEST(SpecReader, RectangleStandsOnItsLowerLeftCorner) {
+  const Spec spec =
+      read_or_fail("[copy]\nscale = 2\n[region]\nrectangle_mm = {at = [62, -5], size = [8, 10]}\n");
+  EXPECT_EQ(spec.region.polygons.at(0).outer, (Ring{{62, -5}, {70, -5}, {70, 5}, {62, 5}}));
+}
+
+TEST(SpecReader, UnitesPolygonsThatOverlap) {
+  const Spec spec = read_or_fail(
+      "[copy]\nscale = 2\n[region]\npolygon_mm = [[[0,0],[4,0],[4,4],[0,4]], [[4,0],[8,0],[8,4],[4,4]], "
+      "[[2,2],[6,2],[6,9]]]\n");
+  EXPECT_EQ(spec.region.polygons.size(), 1u);
+  EXPECT_TRUE(contains(spec.region, {5.9, 8.5}));
+  EXPECT_FALSE(contains(spec.region, {7, 5}));
+}
+
+TEST(SpecReader, GrowsTheRegionByItsMargin) {
+  const Spec spec = read_or_fail(
+      "[copy]\nscale = 2\n[region]\nrectangle_mm = {at = [50, 0], size = [10, 10]}\nmargin_mm = 2\n");
+  EXPECT_NEAR(area(spec.region), 100 + 80 + 4 * pi, 0.05);
+  EXPECT_TRUE(contains(spec.region, {48, 5}));
+}
+
+TEST(SpecReader, LooksForRegionFilesBesideTheSpec) {
+  const Spec spec = read_or_fail("[copy]\nscale = 2\n[region]\nfile = \"square.geojson\"\n");
+  EXPECT_DOUBLE_EQ(area(spec.region), 100);
+}
+
+TEST(SpecReader, NeedsNoRegionBesideAMechanism) {
+  EXPECT_TRUE(read_or_fail("[copy]\nscale = 2\n[mechanism]\nvertex = \"pole\"\nVA_mm = 50\nVB_mm = 50\n")
+                  .region.empty());
+}
+
+TEST(SpecReader, SelfCrossingObstaclesFallApartIntoSimpleOnes) {
+  const Spec spec = read_or_fail(
+      shortest + "[[obstacles]]\npolygon_mm = [[0, 0], [2, 2], [2, 0], [0, 2]]\nlayers = [2, 3]\n");
+  ASSERT_EQ(spec.obstacles.size(), 2u);
+  for (const Obstacle& part : spec.obstacles) {
+    EXPECT_DOUBLE_EQ(signed_area(part.shape.outer), 1);
+    EXPECT_EQ(part.name, "obstacle 1");
+    EXPECT_EQ(part.lowest_layer, 2);
+  }
+}
+
+std::string ring_text(const Ring& ring) {
+  std::string text = "[";
+  for (const Point& corner : ring) text += fmt::format("[{}, {}],\n", corner.x(), corner.y());
+  return text + "]\n";
+}
+
+TEST(SpecReader, ReadsRegionsOfAMillionCorners) {
+  Ring ring;
+  for (int i = 0; i < 1'000'000; ++i) {
+    ring.push_back(Point(100, 0) + as_point(std::polar(50.0, 2 * pi * i / 1e6)));
+  }
+  const Spec spec = read_or_fail("[copy]\nscale = 2\n[region]\npolygon_mm = " + ring_text(ring));
+  ASSERT_EQ(spec.region.polygons.size(), 1u);
+  EXPECT_EQ(spec.region.polygons[0].outer, ring);
+}
+
+TEST(SpecReader, ReadsObstaclesOfManyCorners) {
+  std::mt19937_64 random(7);
+  const Ring ring = star_ring(random, 200'000, 40);
+  const Spec spec = read_or_fail(shortest + "[[obstacles]]\npolygon_mm = " + ring_text(ring));
+  ASSERT_EQ(spec.obstacles.size(), 1u);
+  EXPECT_EQ(spec.obstacles[0].shape.outer, ring);
+}
+
+/// Writes values as it goes and reads them back.
+TEST(SpecReader, ReadsBackRandomSpecs) {
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 500; ++i) {
+    const double scale = std::exp(uniform(random, -4, 4)), rotation = uniform(random, -179, 179);
+    const double width = uniform(random, 1, 40), pin = uniform(random, 0.1, width),
+                 thickness = uniform(random, 0.1, 20);
+    const double shortest_length = uniform(random, 1, 50), longest = uniform(random, 60, 900);
+    const double clearance = uniform(random, 0, 5), transmission = uniform(random, 0, 89),
+                 gap = uniform(random, 0, 50);
+    const int layers = 2 + static_cast<int>(random() % 7);
+    Ring ring = star_ring(random, 3 + i % 20, 80), pole = star_ring(random, 5, 30);
+    const Spec spec = read_or_fail(fmt::format(
+        "[copy]\nscale = {}\nrotation_deg = {}\n[region]\npolygon_mm = {}[pole]\nwithin_mm = "
+        "{}[links]\nwidth_mm = {}\n"
+        "pin_diameter_mm = {}\nthickness_mm = {}\nlayers = {}\nshortest_mm = {}\nlongest_mm = {}\n[limits]\n"
+        "clearance_mm = {}\ntransmission_deg = {}\nsheets_gap_mm = {}\n",
+        scale, rotation, ring_text(ring), ring_text(pole), width, pin, thickness, layers, shortest_length,
+        longest, clearance, transmission, gap));
+    EXPECT_EQ(spec.copy.scale, scale);
+    EXPECT_DOUBLE_EQ(spec.copy.rotation, rotation * pi / 180);
+    EXPECT_LT(std::abs(spec.copy.k - std::polar(scale, rotation * pi / 180)), 1e-14 * scale);
+    EXPECT_EQ(spec.region, (Region{{{ring, {}}}}));
+    EXPECT_EQ(std::get<Region>(spec.pole.place), (Region{{{pole, {}}}}));
+    EXPECT_EQ(spec.links.style, (LinkStyle{width, pin, thickness, PlateStyle::bent}));
+    EXPECT_EQ(spec.links.layers, layers);
+    EXPECT_EQ(spec.links.shortest, shortest_length);
+    EXPECT_EQ(spec.links.longest, longest);
+    EXPECT_EQ(spec.limits.clearance, clearance);
+    EXPECT_DOUBLE_EQ(spec.limits.transmission, transmission * pi / 180);
+    EXPECT_EQ(spec.limits.sheets_gap, gap);
+  }
+}
+
+std::vector<std::filesystem::path> example_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(examples)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(SpecExamples, AreAllRead) {
+  EXPECT_GE(example_files().size(), 5u);
+  for (const auto& file : example_files()) {
+    const auto spec = read_spec_file(file);
+    EXPECT_TRUE(spec) << spec.error().message();
+  }
+}
+
+}  // namespace
+}  // namespace kempe
