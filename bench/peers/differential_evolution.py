@@ -75,7 +75,7 @@ def layer_choices(layers):
 class Problem:
     def __init__(self, spec):
         copy = spec["copy"]
-        self.k = cmath.rect(copy["scale"], math.radians(copy["rotation_deg"]))
+        self.k = cmath.rect(copy.get("scale", 1), math.radians(copy.get("rotation_deg", 0)))
         if abs(self.k.imag) < 1e-12 * abs(self.k):
             self.k = complex(self.k.real, 0)
         self.points, self.rings = ring_points(spec["region"])
