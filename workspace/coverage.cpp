@@ -8,6 +8,7 @@
 #include "workspace/grid_outline.hpp"
 #include "workspace/reach.hpp"
 #include "workspace/sector.hpp"
+#include "workspace/segment_distance.hpp"
 
 namespace kempe {
 namespace {
@@ -55,21 +56,42 @@ std::optional<Point> region_point_between(const EdgeTree& region, double inner, 
   return found;
 }
 
-/// A point of the region at a distance that no chart holds, table frame.
+/// The region's corner or edge point nearest to the pole and its farthest corner; pole at the origin.
+struct Extremes {
+  Point nearest, farthest;
+};
+Extremes extremes_of(const EdgeTree& region) {
+  Extremes at{region.edge(0).from, region.edge(0).from};
+  for_each_edge(
+      region, [](const Box&) { return true; },
+      [&](const EdgeTree::Edge& edge) {
+        const Point near =
+            edge.from + nearest_share(Point::Zero(), edge.from, edge.to) * (edge.to - edge.from);
+        if (near.squaredNorm() < at.nearest.squaredNorm()) at.nearest = near;
+        if (edge.from.squaredNorm() > at.farthest.squaredNorm()) at.farthest = edge.from;
+      });
+  return at;
+}
+
+/// A point of the region at a distance that no chart holds, table frame: the most telling one, if it can be
+/// chosen.
 std::optional<Point> beyond_all_charts(const MapTask& task, const std::vector<Subdivision>& charts,
                                        const EdgeTree& region) {
   const double slack = touching * reachable_annulus(task.linkage).outer;
   std::vector<Annulus> held;
   for (const Subdivision& chart : charts) held.push_back(annulus_over(task.linkage, chart.grid().openings()));
   std::sort(held.begin(), held.end(), [](const Annulus& a, const Annulus& b) { return a.inner < b.inner; });
+  const Extremes extremes = extremes_of(region);
+  if (!held.empty() && extremes.nearest.norm() < held.front().inner - slack)
+    return task.linkage.pole() + extremes.nearest;
+  if (held.empty() || extremes.farthest.norm() > held.back().outer + slack)
+    return task.linkage.pole() + extremes.farthest;
   double inner = 0;
   for (const Annulus& annulus : held) {
     if (const auto point = region_point_between(region, inner, annulus.inner - slack))
       return task.linkage.pole() + *point;
     inner = annulus.outer + slack;
   }
-  const double far = 2 * (region.magnitude() + inner + 1);
-  if (const auto point = region_point_between(region, inner, far)) return task.linkage.pole() + *point;
   return std::nullopt;
 }
 
@@ -172,6 +194,13 @@ Coverage connected(const MapTask& task, const Subdivision& chart, Decided decide
 
 Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts, const EdgeTree& region) {
   if (region.empty()) return covered();
+  if (region.winds_around(Point::Zero()))
+    return {false,
+            false,
+            "The region holds the pole, which the tracer cannot reach.",
+            task.linkage.pole(),
+            Cause::out_of_reach,
+            {}};
   if (const auto point = beyond_all_charts(task, charts, region)) return not_covered_at(task, *point);
   std::vector<Decided> decided;
   std::optional<Point> open;
