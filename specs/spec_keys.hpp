@@ -46,6 +46,7 @@ struct SpecKey {
   std::string_view words;     ///< of choice and choices, separated by '|'
   bool required;              ///< once its table is there
   std::string_view fallback;  ///< the value if it is left out, as it would be written; empty: none
+  std::string_view example;   ///< a value as it would be written
   std::string_view meaning;   ///< for a person, without a full stop
 };
 
