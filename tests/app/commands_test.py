@@ -1,0 +1,371 @@
+#!/usr/bin/env python3
+"""The program from outside: what a person or a script types, and what must come of it.
+
+usage: commands_test.py KEMPE SOURCE_DIR [unittest arguments]
+"""
+import json
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+KEMPE = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+EXAMPLES = SOURCE / "specs" / "examples"
+FILES = {"design.json", "links.csv", "drawing.dxf", "drawing.svg", "workspace.geojson", "report.html"}
+
+TEN_LINES = """
+[copy]
+scale = 1.4
+rotation_deg = 90
+[region]
+rectangle_mm = {at = [60, -5], size = [10, 10]}
+[links]
+width_mm = 6
+pin_diameter_mm = 3
+"""
+
+
+def kempe(*arguments, **options):
+    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=600, **options)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self._scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self._scratch.cleanup)
+        self.scratch = pathlib.Path(self._scratch.name)
+
+    def spec(self, text=TEN_LINES, name="spec.toml"):
+        path = self.scratch / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def synthesize(self, text=TEN_LINES, *arguments):
+        return kempe("synthesize", self.spec(text), "-o", self.scratch / "out", *arguments)
+
+    def assertNothingWritten(self):
+        self.assertFalse((self.scratch / "out").exists() and any((self.scratch / "out").iterdir()))
+
+    def assertRefused(self, run, code, *words):
+        self.assertEqual(run.returncode, code, run.stderr)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertNothingWritten()
+
+
+def specs_of(kind):
+    for path in sorted(EXAMPLES.glob("*.toml")):
+        if ("[mechanism]" in path.read_text()) == (kind == "workspace"):
+            yield path
+
+
+class Examples(Case):
+    def check(self, command, path):
+        out = self.scratch / path.stem
+        run = kempe(command, path, "-o", out, "--quiet")
+        self.assertEqual(run.returncode, 0, f"{path.name}: {run.stderr}")
+        self.assertLessEqual(FILES, {p.name for p in out.iterdir()})
+        design = json.loads((out / "design.json").read_text())
+        size = sum(design["mechanism"]["lengths_mm"].values())
+        self.assertEqual(design["format"], "kempe-design/1")
+        self.assertTrue(design["verification"]["certified"], path.name)
+        self.assertEqual(design["verification"]["flips"], 0)
+        self.assertLess(design["verification"]["copy_error_max_mm"], 1e-9 * size)
+        checked = kempe("verify", out / "design.json")
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        self.assertTrue(json.loads(checked.stdout)["certified"])
+        layers = {f["properties"]["layer"] for f in json.loads((out / "workspace.geojson").read_text())["features"]}
+        for layer in ("reachable", "usable", "collision_free", "uncertain", "region", "copy", "copy_workspace",
+                      "obstacles", "footprint"):
+            self.assertIn(layer, layers)
+        return design
+
+    def test_every_example_becomes_a_verified_design(self):
+        for path in specs_of("synthesize"):
+            with self.subTest(path.name):
+                design = self.check("synthesize", path)
+                self.assertTrue(design["workspace"]["region_covered"])
+                bound = design["quality"]["lower_bound"]
+                if bound is not None:
+                    value = design["search"]["value"]
+                    if design["search"]["objective"] == "transmission":
+                        self.assertGreaterEqual(bound, value - 1e-6)
+                    else:
+                        self.assertLessEqual(bound, value * (1 + 1e-9))
+
+    def test_every_given_mechanism_gets_its_map(self):
+        for path in specs_of("workspace"):
+            with self.subTest(path.name):
+                self.check("workspace", path)
+
+    def test_lengths_follow_the_shape(self):
+        self.assertEqual(self.synthesize().returncode, 0)
+        mechanism = json.loads((self.scratch / "out" / "design.json").read_text())["mechanism"]
+        s, l = complex(*mechanism["shape"]), mechanism["lengths_mm"]
+        self.assertAlmostEqual(l["AC"], l["VB"], places=9)
+        self.assertAlmostEqual(l["BC"], l["VA"], places=9)
+        self.assertAlmostEqual(l["AX"], l["VB"] / abs(s), places=9)
+        self.assertAlmostEqual(l["BY"], l["VA"] * abs(s), places=9)
+
+    def test_why_names_the_cause_at_a_point(self):
+        path = next(specs_of("workspace"))
+        run = kempe("workspace", path, "--why", "1000,0")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("reach", run.stdout)
+
+
+class Habits(Case):
+    def test_help_of_every_command_has_an_example(self):
+        listed = kempe("--help").stdout.split("Subcommands:")[1].splitlines()
+        commands = [line.split()[0] for line in listed if line.startswith("  ") and line.split() and line[2] != " "]
+        self.assertGreater(len(commands), 4)
+        for command in commands:
+            self.assertIn("Example:", kempe(command, "--help").stdout, command)
+
+    def test_json_is_one_object_and_stderr_is_empty(self):
+        run = self.synthesize(TEN_LINES, "--json")
+        self.assertEqual(run.returncode, 0)
+        self.assertIn("quality", json.loads(run.stdout))
+        self.assertEqual(run.stderr, "")
+
+    def test_same_seed_same_bytes_for_any_number_of_threads(self):
+        seen = set()
+        for threads in (1, 2, 7):
+            out = self.scratch / str(threads)
+            self.assertEqual(kempe("synthesize", self.spec(), "-o", out, "-j", threads).returncode, 0)
+            seen.add(tuple((out / name).read_bytes() for name in sorted(FILES)))
+        self.assertEqual(len(seen), 1)
+
+    def test_the_locale_changes_nothing(self):
+        self.synthesize()
+        plain = (self.scratch / "out" / "design.json").read_bytes()
+        environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")
+        kempe("synthesize", self.spec(), "-o", self.scratch / "german", env=environment)
+        self.assertEqual((self.scratch / "german" / "design.json").read_bytes(), plain)
+
+    def test_file_names_in_any_script(self):
+        spec = self.spec(TEN_LINES, "gravür '\"<&> 雕.toml")
+        run = kempe("synthesize", spec, "-o", self.scratch / "añb \"<x>")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = (self.scratch / "añb \"<x>" / "report.html").read_text()
+        self.assertNotIn("<&> 雕", report)
+
+    def test_markup_in_a_spec_stays_text(self):
+        text = TEN_LINES + "# </script><script>alert(1)</script><img src=x onerror=alert(2)>\n"
+        self.assertEqual(self.synthesize(text).returncode, 0)
+        report = (self.scratch / "out" / "report.html").read_text()
+        self.assertNotIn("<script>alert(1)", report)
+        self.assertNotIn("<img src=x", report)
+
+    def test_closed_stdout_is_an_error_that_says_so(self):
+        with open("/dev/full", "w") as full:
+            run = subprocess.run([KEMPE, "synthesize", self.spec(), "-o", self.scratch / "out"], stdout=full,
+                                 stderr=subprocess.PIPE, text=True, timeout=600)
+        self.assertEqual(run.returncode, 5, run.stderr)
+
+
+class BadInput(Case):
+    def test_mistakes_name_file_line_key_and_what_is_allowed(self):
+        mistakes = {
+            "scale = 1.4\n": ("scale = -1\n", "copy.scale"),
+            "scale = 1.4": ("scale = nan", "copy.scale"),
+            "scale = 1.4 ": None,
+            "rotation_deg": ("rotation_rad", "rotation_rad"),
+            "width_mm = 6": ("width_mm = -6", "links.width_mm"),
+            "pin_diameter_mm": ("pin_diametre_mm", "pin_diameter_mm"),
+            "size = [10, 10]": ("size = [0, 10]", "rectangle_mm"),
+        }
+        for old, new in mistakes.items():
+            if new is None:
+                continue
+            with self.subTest(new[0]):
+                self.assertIn(old, TEN_LINES)
+                run = self.synthesize(TEN_LINES.replace(old, new[0]))
+                self.assertRefused(run, 2, "spec.toml:", new[1])
+
+    def test_ratio_one_without_rotation_is_no_mechanism(self):
+        run = self.synthesize(TEN_LINES.replace("1.4", "1").replace("90", "0"))
+        self.assertRefused(run, 2, "copy")
+
+    def test_crossing_region(self):
+        crossing = "polygon_mm = [[60,-5],[70,5],[70,-5],[60,5]]"
+        run = self.synthesize(TEN_LINES.replace("rectangle_mm = {at = [60, -5], size = [10, 10]}", crossing))
+        self.assertRefused(run, 2, "polygon_mm")
+
+    def test_empty_and_noise(self):
+        self.assertRefused(self.synthesize(b""), 2, "spec.toml")
+        self.assertRefused(self.synthesize(bytes(range(256)) * 20), 2, "spec.toml")
+        self.assertRefused(kempe("synthesize", self.scratch / "absent.toml", "-o", self.scratch / "out"), 2, "absent.toml")
+
+    def test_region_around_the_pole(self):
+        text = TEN_LINES.replace("at = [60, -5], size = [10, 10]", "at = [-5, -5], size = [10, 10]")
+        self.assertRefused(self.synthesize(text), 3, "no design")
+
+    def test_region_out_of_reach(self):
+        text = TEN_LINES.replace("at = [60, -5]", "at = [6000, -5]")
+        self.assertRefused(self.synthesize(text), 3, "longest")
+
+    def test_plate_longer_than_allowed(self):
+        text = TEN_LINES.replace("scale = 1.4", "scale = 90")
+        self.assertRefused(self.synthesize(text), 3, "longest")
+
+    def test_a_million_corners_are_work_and_not_an_error(self):
+        count = 1_000_000
+        ring = ",".join(f"[{65 + 4 * math.cos(2 * math.pi * i / count):.9f},{4 * math.sin(2 * math.pi * i / count):.9f}]"
+                        for i in range(count))
+        text = TEN_LINES.replace("rectangle_mm = {at = [60, -5], size = [10, 10]}", f"polygon_mm = [{ring}]")
+        run = self.synthesize(text)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_folder_that_cannot_be_written(self):
+        blocker = self.spec("", "file")
+        run = kempe("synthesize", self.spec(), "-o", blocker / "out")
+        self.assertEqual(run.returncode, 5, run.stderr)
+        self.assertIn("cannot", run.stderr)
+
+    def test_design_cut_short_or_edited(self):
+        self.assertEqual(self.synthesize().returncode, 0)
+        design = self.scratch / "out" / "design.json"
+        whole = design.read_text()
+        for share in (0.0, 0.3, 0.9):
+            design.write_text(whole[: int(len(whole) * share)])
+            self.assertEqual(kempe("verify", design).returncode, 2)
+        edited = json.loads(whole)
+        for name in edited["mechanism"]["lengths_mm"]:
+            changed = json.loads(whole)
+            changed["mechanism"]["lengths_mm"][name] *= 1.001
+            design.write_text(json.dumps(changed))
+            run = kempe("verify", design)
+            self.assertEqual(run.returncode, 4, f"{name}: {run.stderr}")
+        edited["mechanism"]["lengths_mm"]["VA"] = float("nan")
+        design.write_text(json.dumps(edited))
+        self.assertEqual(kempe("verify", design).returncode, 2)
+
+    def test_time_limit_of_zero(self):
+        self.assertRefused(self.synthesize(TEN_LINES, "--time-limit", "0"), 2)
+
+
+class Faults(Case):
+    def whole_or_absent(self, folder):
+        for name in FILES:
+            path = folder / name
+            if path.exists() and name.endswith(".json"):
+                json.loads(path.read_text())
+            if path.exists() and name == "report.html":
+                self.assertIn("</html>", path.read_text())
+            if path.exists() and name == "drawing.dxf":
+                self.assertTrue(path.read_text().rstrip().endswith("EOF"))
+
+    def test_killed_at_any_moment_no_file_is_half_written(self):
+        out = self.scratch / "out"
+        for i in range(100):
+            process = subprocess.Popen([KEMPE, "synthesize", self.spec(), "-o", out], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            time.sleep(0.003 * i)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            self.whole_or_absent(out)
+
+    def test_two_runs_into_one_folder(self):
+        out = self.scratch / "out"
+        both = [subprocess.Popen([KEMPE, "synthesize", self.spec(), "-o", out], stdout=subprocess.DEVNULL) for _ in range(2)]
+        for process in both:
+            self.assertEqual(process.wait(), 0)
+        self.whole_or_absent(out)
+        self.assertEqual({p.name for p in out.iterdir() if not p.is_dir()} - FILES - {"bom.csv", "nested.dxf"}, set())
+
+    def test_interrupted_search_ends_with_130(self):
+        # Many layers make the search long enough to be met by a signal.
+        text = TEN_LINES.replace("[links]", "[links]\nlayers = 6")
+        process = subprocess.Popen([KEMPE, "synthesize", self.spec(text), "-o", self.scratch / "out", "-j", "1"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        _, message = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, message)
+        self.whole_or_absent(self.scratch / "out")
+
+
+class Batch(Case):
+    def specs(self):
+        folder = self.scratch / "specs"
+        folder.mkdir()
+        for i in range(6):
+            (folder / f"{i}.toml").write_text(TEN_LINES.replace("90", str(60 + 10 * i)))
+        (folder / "bad.toml").write_text("[copy]\nscale = -1\n")
+        (folder / "none.toml").write_text(TEN_LINES.replace("at = [60, -5]", "at = [6000, -5]"))
+        return folder
+
+    def results(self, source, out, *arguments):
+        run = kempe("synthesize", "--batch", source, "-o", out, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return (out / "results.jsonl").read_bytes(), (out / "results.csv").read_bytes(), run.stderr
+
+    def test_same_bytes_for_any_number_of_threads_and_one_bad_spec_stops_no_other(self):
+        source = self.specs()
+        one = self.results(source, self.scratch / "one", "-j", 1)
+        two = self.results(source, self.scratch / "two", "-j", 3)
+        self.assertEqual(one[:2], two[:2])
+        statuses = [json.loads(line)["status"] for line in one[0].decode().splitlines()]
+        self.assertEqual(statuses, ["design"] * 6 + ["bad input", "no design"])
+
+    def test_goes_on_after_a_kill_and_does_nothing_twice(self):
+        source, out = self.specs(), self.scratch / "out"
+        whole = self.results(source, self.scratch / "whole", "-j", 1)
+        process = subprocess.Popen([KEMPE, "synthesize", "--batch", source, "-o", out, "-j", "1"],
+                                   stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+        process.stderr.readline()  # at least one spec is finished
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+        before = sum(1 for p in out.glob("journal-*.jsonl") for line in p.read_text().splitlines() if line)
+        resumed = self.results(source, out, "-j", 1)
+        self.assertEqual(resumed[:2], whole[:2])
+        self.assertEqual(len(resumed[2].splitlines()), 8 - before)
+
+    def test_lines_of_json_mean_what_the_same_toml_means(self):
+        lines = self.scratch / "specs.jsonl"
+        spec = {"copy": {"scale": 1.4, "rotation_deg": 90},
+                "region": {"rectangle_mm": {"at": [60, -5], "size": [10, 10]}},
+                "links": {"width_mm": 6, "pin_diameter_mm": 3}}
+        lines.write_text(json.dumps(spec) + "\nno json\n")
+        result = self.results(lines, self.scratch / "out")[0].decode().splitlines()
+        self.synthesize()
+        design = json.loads((self.scratch / "out" / "design.json").read_text())
+        self.assertEqual(json.loads(result[0])["VA_mm"], design["mechanism"]["lengths_mm"]["VA"])
+        self.assertEqual(json.loads(result[1])["status"], "bad input")
+
+
+class Generators(Case):
+    def test_function_examples(self):
+        for path in sorted((EXAMPLES / "generators").glob("[lt]*.toml")):
+            run = kempe("function", path, "--plot", self.scratch / "error.svg")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            design = json.loads(run.stdout)
+            self.assertLess(design["structural_error_max_deg"], 3)
+            self.assertIn("</svg>", (self.scratch / "error.svg").read_text())
+
+    def test_function_mistakes(self):
+        good = (EXAMPLES / "generators" / "logarithm.toml").read_text()
+        for old, new, word in (("log10(x)", "log10(", "expression"), ("x = [1, 2]", "x = [2, 1]", "function.x"),
+                               ("range_deg = 60", "range_deg = 0", "range_deg"), ("method = ", "methd = ", "function.method"),
+                               ("ground_mm", "ground_cm", "links.ground_mm")):
+            run = kempe("function", self.spec(good.replace(old, new, 1)))
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(word, run.stderr)
+
+    def test_inversor_example(self):
+        run = kempe("inversor", EXAMPLES / "generators" / "enlarger.toml")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        found = json.loads(run.stdout)
+        self.assertEqual(found["best"], "right_angle")
+        self.assertEqual([i["kind"] for i in found["inversors"]], ["peaucellier", "hart", "right_angle"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=1)
