@@ -240,8 +240,10 @@ class Tree {
       node.distances.farthest_at_least = std::max(node.distances.farthest_at_least,
                                                   bounding::distance_from_box(corner, node.x, node.y).lower);
     if (node.distances.nearest_at_most < least_radius_) return false;
-    node.distances.ratio_at_least = bounding::distance_ratio(region_.hull()[region_.farthest(centre).corner],
-                                                             nearest.place, rounding, node.x, node.y);
+    const bounding::Spread spread = bounding::spread_over(region_.hull()[region_.farthest(centre).corner],
+                                                          nearest.place, rounding, node.x, node.y);
+    node.distances.ratio_at_least = spread.ratio;
+    node.distances.squares_at_least = spread.squares;
     return !sheets_.ruled_out(centre, radius);
   }
 
@@ -329,7 +331,8 @@ class Tree {
   void try_designs(const Node& node) {
     if (area_ && !area_->contains(node.pole())) return;
     const DistanceRange range = region_.range(node.pole());
-    const PoleDistances exact{range.nearest, range.farthest, 1};
+    const PoleDistances exact{range.nearest, range.farthest, 1,
+                              range.farthest * range.farthest - range.nearest * range.nearest};
     const Assembly& a = assembly(node);
     LengthBox lengths = node.lengths;
     if (!(range.nearest > 0) || sheets_.ruled_out(node.pole(), 0)) return;
@@ -338,14 +341,19 @@ class Tree {
     for (const double t :
          {lengths.t.lower, lengths.t.upper, std::clamp(1.0, lengths.t.lower, lengths.t.upper), middle}) {
       LengthBox line{{t, t}, lengths.w};
-      double aim = transmission();
-      if (!by_size_) aim = std::max(aim, bounding::transmission_at_most(a, exact, line) - 1e-9);
-      if (!bounding::contract(a, exact, aim, line)) continue;
+      if (!bounding::contract(a, exact, transmission(), line)) continue;
+      if (!by_size_) try_freest(node, exact, line, range);
       try_design(node, t, std::min(line.w.lower * (1 + 1e-12), line.w.upper), range);
-      if (!by_size_) continue;
       try_design(node, t, std::sqrt(line.w.lower * line.w.upper), range);
       try_design(node, t, line.w.upper, range);
     }
+  }
+
+  /// Of all lengths with one t, those with the largest transmission angle.
+  void try_freest(const Node& node, const PoleDistances& exact, LengthBox line, const DistanceRange& range) {
+    const double aim = bounding::transmission_at_most(assembly(node), exact, line) - 1e-9;
+    if (aim <= transmission() || !bounding::contract(assembly(node), exact, aim, line)) return;
+    try_design(node, line.t.lower, std::sqrt(line.w.lower * line.w.upper), range);
   }
 
   void try_design(const Node& node, double t, double w, const DistanceRange& range) {

@@ -23,7 +23,7 @@ struct BoundOptions {
   /// tolerance) * it).
   double tolerance = 0.001;
   /// Boxes that may be looked at: what limits the time, so that the result does not depend on the machine.
-  std::size_t boxes = 40000;
+  std::size_t boxes = 100000;
   /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred
   /// boxes.
   bool self_contact = true;

@@ -101,6 +101,11 @@ void keep_reach(const Assembly& assembly, const PoleDistances& distances, const 
   if (far.sup() > 0)
     keep_at_least(lengths.w,
                   (chain_squared(assembly, distances.farthest_at_least) / Interval(far.sup())).inf());
+  const Interval between = Interval(limit.far_at_most) - Interval(limit.near_at_least);
+  if (between.sup() > 0 && distances.squares_at_least > 0)
+    keep_at_least(lengths.w, (CGAL::square(widened(assembly.chain)) * Interval(distances.squares_at_least) /
+                              Interval(between.sup()))
+                                 .inf());
   const Interval near = Interval(H.inf()) + Interval(limit.near_at_least);
   if (near.inf() > 0)
     keep_at_most(lengths.w,
@@ -128,19 +133,18 @@ double size_per_root_w(const Assembly& assembly, const Range& t) {
   return std::min(at(Interval(t.lower)), at(Interval(t.upper)));
 }
 
-/// Largest transmission angle at which cos(far_end + mu) - q^2 cos(near_end - mu) >= (q^2 - 1) H: the left
-/// side falls.
-double transmission_by_ratio(const Assembly& assembly, double q2_at_least, double H_at_least) {
-  const double widest = (assembly.near_end - assembly.far_end) / 2;
-  const double along = std::cos(assembly.far_end) - q2_at_least * std::cos(assembly.near_end);
-  const double across = std::sin(assembly.far_end) + q2_at_least * std::sin(assembly.near_end);
-  const double size = std::hypot(along, across), needed = (q2_at_least - 1) * H_at_least;
+/// Largest transmission angle at which cos(far_end + mu) - weight cos(near_end - mu) >= needed: the left side
+/// falls.
+double transmission_with(const Assembly& assembly, double weight, double needed) {
+  const double widest = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
+  const double along = std::cos(assembly.far_end) - weight * std::cos(assembly.near_end);
+  const double across = std::sin(assembly.far_end) + weight * std::sin(assembly.near_end);
+  const double size = std::hypot(along, across);
   if (!(size > 0)) return widest;
   const double guess = std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
   const auto impossible = [&](double mu) {
-    const Interval left =
-        cosine(assembly.far_end + mu) - Interval(q2_at_least) * cosine(assembly.near_end - mu);
-    return left.sup() < ((Interval(q2_at_least) - 1.0) * Interval(H_at_least)).inf();
+    const Interval left = cosine(assembly.far_end + mu) - Interval(weight) * cosine(assembly.near_end - mu);
+    return left.sup() < needed;
   };
   if (impossible(0)) return -1;
   for (double slack = 1e-14; slack < 1; slack *= 10) {
@@ -236,10 +240,17 @@ double transmission_at_most(const Assembly& assembly, const PoleDistances& dista
   const Rounding rounding;
   const Interval H = H_over(lengths.t);
   double most = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
-  if (distances.nearest_at_most > 0) {
-    const Interval q2 = ratio_squared(distances);
-    if (q2.inf() > 1) most = std::min(most, transmission_by_ratio(assembly, q2.inf(), H.inf()));
+  if (distances.nearest_at_most > 0) {  // w eliminated
+    const double q2 = ratio_squared(distances).inf();
+    if (q2 > 1)
+      most =
+          std::min(most, transmission_with(assembly, q2, ((Interval(q2) - 1.0) * Interval(H.inf())).inf()));
   }
+  if (distances.squares_at_least > 0)  // H eliminated
+    most = std::min(most, transmission_with(assembly, 1,
+                                            (CGAL::square(widened(assembly.chain)) *
+                                             Interval(distances.squares_at_least) / Interval(lengths.w.upper))
+                                                .inf()));
   const Interval far =
       chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
   const Interval near =
@@ -275,18 +286,19 @@ bool always_nearer(const Assembly& assembly, const LengthBox& lengths, double ps
   return true;
 }
 
-double distance_ratio(const Point& far, const Point& near, double rounding, const Range& x, const Range& y) {
+Spread spread_over(const Point& far, const Point& near, double rounding, const Range& x, const Range& y) {
   const Rounding guard;
-  double least = infinity;
+  Spread least{infinity, infinity};
   for (const double px : {x.lower, x.upper})
     for (const double py : {y.lower, y.upper}) {
       const auto from = [&](const Point& place) {
         return CGAL::sqrt(CGAL::square(Interval(px) - place.x()) + CGAL::square(Interval(py) - place.y()));
       };
-      const Interval nearest = from(near) + rounding;
-      least = std::min(least, nearest.inf() > 0 ? (from(far) / nearest).inf() : 0.0);
+      const Interval nearest = from(near) + rounding, farthest = from(far);
+      least.ratio = std::min(least.ratio, nearest.inf() > 0 ? (farthest / nearest).inf() : 0.0);
+      least.squares = std::min(least.squares, (CGAL::square(farthest) - CGAL::square(nearest)).inf());
     }
-  return std::max(1.0, least);
+  return {std::max(1.0, least.ratio), least.squares};
 }
 
 Range distance_from_box(const Point& corner, const Range& x, const Range& y) {

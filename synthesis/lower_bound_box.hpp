@@ -40,6 +40,7 @@ struct PoleDistances {
   double nearest_at_most = 0;    ///< upper bound of the distance of the nearest place
   double farthest_at_least = 0;  ///< lower bound of that of the farthest
   double ratio_at_least = 1;     ///< lower bound of farthest / nearest
+  double squares_at_least = 0;   ///< lower bound of farthest^2 - nearest^2, mm^2
 };
 
 /// Lengths: t = b/a and w = 2ab (mm^2).
@@ -76,9 +77,13 @@ struct MaterialPoint {
 bool always_nearer(const Assembly& assembly, const LengthBox& lengths, double psi, const MaterialPoint& first,
                    const MaterialPoint& second, double needed);
 
-/// Least |pole - far| / (|pole - near| + rounding) over the poles of a box; 1 if it may be less. Taken at a
-/// corner of the box: |pole - far|^2 - q^2 |pole - near|^2 is concave in the pole for q > 1.
-double distance_ratio(const Point& far, const Point& near, double rounding, const Range& x, const Range& y);
+/// Lower bounds over the poles of a box of |pole - far| / |pole - near| (1 if it may be less) and of |pole -
+/// far|^2 - |pole - near|^2, `near` known to within `rounding` (mm). Taken at the corners of the box: |pole -
+/// far|^2 - q^2 |pole - near|^2 is concave in the pole for q >= 1.
+struct Spread {
+  double ratio, squares;
+};
+Spread spread_over(const Point& far, const Point& near, double rounding, const Range& x, const Range& y);
 
 /// Lower bound of the distance of `corner` from every place of a box, and upper bound; mm.
 Range distance_from_box(const Point& corner, const Range& x, const Range& y);
