@@ -22,15 +22,12 @@ tl::unexpected<int> refuse(const LoadedLinkage& loaded, ExitCode code, const std
 
 std::string driver_text(const LoadedLinkage& loaded, std::size_t driver, double value) {
   const auto& linkage = loaded.model.linkage;
-  const auto& [name, constraint] = linkage.constraints()[static_cast<std::size_t>(linkage.drivers()[driver])];
+  const Constraint& constraint =
+      linkage.constraints()[static_cast<std::size_t>(linkage.drivers()[driver])].constraint;
+  const std::string label = loaded.model.driver_label(static_cast<int>(driver));
   if (std::holds_alternative<RelativeAngle>(constraint))
-    return fmt::format("{} = {:.6f} deg", name, degrees(value));
-  if (const auto* along = std::get_if<Coordinate>(&constraint);
-      along && along->origin.body == PlanarLinkage::ground) {
-    if (along->direction == Point(1, 0)) return fmt::format("{}.x = {}", name, length_text(loaded, value));
-    if (along->direction == Point(0, 1)) return fmt::format("{}.y = {}", name, length_text(loaded, value));
-  }
-  return fmt::format("{} = {}", name, length_text(loaded, value));
+    return fmt::format("{} = {:.6f} deg", label, degrees(value));
+  return fmt::format("{} = {}", label, length_text(loaded, value));
 }
 
 std::string mobility_text(const LoadedLinkage& loaded, const PlanarPosition& position) {

@@ -115,7 +115,7 @@ class CentresPicture {
     std::string text = fmt::format("<g style=\"color:{}\">{}</g>\n", link_colour(0),
                                    body_shape(scene_.bodies[0], 0, scale_));
     for (const ScenePoint& point : scene_.points)
-      if (point.fixed) text += ground_sign(point.local, scale_);
+      if (point.fixed) text += ground_sign(point, scale_);
     for (std::size_t body = 1; body < scene_.bodies.size(); ++body)
       text += fmt::format(
           "<g style=\"color:{}\" opacity=\".7\" transform=\"translate({}) rotate({:.5f})\">{}</g>\n",

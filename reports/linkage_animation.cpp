@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "reports/html_text.hpp"
@@ -18,7 +19,7 @@ std::string static_layers(const LinkageScene& scene, const PictureScale& scale) 
   text +=
       fmt::format("<g style=\"color:{}\">{}</g>\n", link_colour(0), body_shape(scene.bodies[0], 0, scale));
   for (const ScenePoint& point : scene.points)
-    if (point.fixed) text += ground_sign(point.local, scale) + "\n";
+    if (point.fixed) text += ground_sign(point, scale) + "\n";
   return text;
 }
 
@@ -80,9 +81,10 @@ std::string names_at_start(const LinkageScene& scene, const PictureScale& scale)
 
 /// What the page's script needs: moments as rows step, then x, y, angle of each moving body.
 std::string scene_json(const LinkageScene& scene, const PictureScale& scale) {
-  std::string text =
-      fmt::format("{{\"unit\":\"{}\",\"closed\":{},\"seconds\":{:g},\"offset\":{},\"points\":[", scene.unit,
-                  scene.closed, seconds_of_motion, scale.number(1.6 * scale.pin));
+  std::string text = fmt::format(
+      "{{\"unit\":\"{}\",\"closed\":{},\"seconds\":{:g},\"offset\":{},\"decimals\":{},\"points\":[",
+      scene.unit, scene.closed, seconds_of_motion, scale.number(1.6 * scale.pin),
+      std::max(0, scale.decimals - 1));
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     const ScenePoint& p = scene.points[i];
     text += fmt::format("{}[{},{},{}]", i ? "," : "", p.body, p.local.x(), p.local.y());
@@ -122,12 +124,13 @@ const bodies=(scene.moments[0].length-1)/3, names=[...svg.querySelectorAll('.nam
 let now=0,way=1,running=false,last=null,exact=0;
 function place(i,m){const [b,x,y]=scene.points[i];if(b===0)return[x,y];
   const o=3*b-2,c=Math.cos(m[o+2]),s=Math.sin(m[o+2]);return[m[o]+c*x-s*y,m[o+1]+s*x+c*y];}
+const plain=v=>{const t=v.toFixed(scene.decimals);return +t===0?(0).toFixed(scene.decimals):t;};
 function show(i){now=i;const m=scene.moments[i];
   for(let b=1;b<=bodies;b++){const o=3*b-2;
     $('body'+b).setAttribute('transform',`translate(${m[o]} ${m[o+1]}) rotate(${m[o+2]*180/Math.PI})`);}
   names.forEach((t,k)=>{const p=place(k,m);t.setAttribute('x',p[0]+scene.offset);t.setAttribute('y',p[1]-scene.offset);});
   scene.traced.forEach(k=>{const p=place(k,m),dot=$('dot'+k);dot.setAttribute('cx',p[0]);dot.setAttribute('cy',p[1]);
-    $('place'+k).textContent=`(${p[0].toPrecision(5)}, ${(-p[1]).toPrecision(5)}) ${scene.unit}`;});
+    $('place'+k).textContent=`(${plain(p[0])}, ${plain(-p[1])}) ${scene.unit}`;});
   slider.value=i;$('step').textContent='step '+(+m[0].toFixed(2))+' of '+$('step').dataset.all;
   slider.setAttribute('aria-valuetext',$('step').textContent);}
 function tick(t){if(!running)return;

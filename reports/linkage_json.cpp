@@ -55,6 +55,9 @@ std::string driver_sentence(const LinkageModel& model, const Mobility& m) {
                            counted(m.mobility, "freedom", "freedoms"));
 }
 
+/// Without what is rounding only, against a size: 1e-16 becomes 0.
+double tidy(double value, double size) { return std::abs(value) < 1e-14 * size ? 0 : value; }
+
 std::string kind_of(InstantCentre::Kind kind) {
   if (kind == InstantCentre::Kind::finite) return "finite";
   return kind == InstantCentre::Kind::at_infinity ? "infinity" : "undetermined";
@@ -90,8 +93,8 @@ Json centre_json(const LinkageFile& file, const LinkageModel& model, const Insta
               {"kind", kind_of(centre.kind)},
               {"source", kind_of(centre.source)}};
   if (centre.kind == InstantCentre::Kind::finite) {
-    object["x_" + file.unit.name] = centre.at.x() / file.unit.in_mm + 0.0;
-    object["y_" + file.unit.name] = centre.at.y() / file.unit.in_mm + 0.0;
+    object["x_" + file.unit.name] = tidy(centre.at.x(), model.linkage.size()) / file.unit.in_mm;
+    object["y_" + file.unit.name] = tidy(centre.at.y(), model.linkage.size()) / file.unit.in_mm;
   } else if (centre.kind == InstantCentre::Kind::at_infinity) {
     object["direction_deg"] = degrees(std::atan2(centre.direction.y(), centre.direction.x()));
   }
@@ -193,12 +196,12 @@ std::string centres_json(const LinkageFile& file, const LinkageModel& model, dou
   Json object{{"linkage", file.name}, {"step", step}, {"time_s", frame.share * file.duration}};
   object["drivers"] = Json::array();
   for (std::size_t i = 0; i < speeds.size(); ++i) {
-    const auto& [name, constraint] =
-        model.linkage.constraints()[static_cast<std::size_t>(model.linkage.drivers()[i])];
+    const Constraint& constraint =
+        model.linkage.constraints()[static_cast<std::size_t>(model.linkage.drivers()[i])].constraint;
     const bool is_angle = std::holds_alternative<RelativeAngle>(constraint);
     const double scale = is_angle ? 1 : file.unit.in_mm;
     object["drivers"].push_back(
-        {{"drives", name},
+        {{"drives", model.driver_label(static_cast<int>(i))},
          {is_angle ? "value_rad" : "value_" + file.unit.name, frame.values[i] / scale},
          {is_angle ? "rate_rad_per_s" : "rate_" + file.unit.name + "_per_s", speeds[i] / scale}});
   }

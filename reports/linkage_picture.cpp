@@ -41,6 +41,10 @@ std::string link_colour(int body) {
 }
 
 std::string body_shape(const SceneBody& body, int number, const PictureScale& scale) {
+  if (body.is_block)
+    return fmt::format("<rect class=\"block\" x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/>",
+                       scale.number(-2.6 * scale.pin), scale.number(-1.7 * scale.pin),
+                       scale.number(5.2 * scale.pin), scale.number(3.4 * scale.pin));
   std::string shape;
   for (const auto& guide : body.guides)
     shape +=
@@ -62,8 +66,13 @@ std::string body_shape(const SceneBody& body, int number, const PictureScale& sc
   return shape;
 }
 
-std::string ground_sign(const Point& at, const PictureScale& scale) {
+std::string ground_sign(const ScenePoint& point, const PictureScale& scale) {
+  const Point& at = point.local;
   const double s = 2.4 * scale.pin;
+  if (!point.pivot)
+    return fmt::format("<path class=\"hatch\" d=\"M{} l{} M{} l{}\"/>", scale.pair(at - Point(0.4, 0.4) * s),
+                       scale.pair(Point(0.8, 0.8) * s), scale.pair(at + Point(-0.4, 0.4) * s),
+                       scale.pair(Point(0.8, -0.8) * s));
   std::string hatch;
   for (int i = -2; i <= 2; ++i)
     hatch += fmt::format("M{} l{} ", scale.pair(at + Point(i * 0.5 * s + 0.3 * s, 1.4 * s)),
@@ -84,21 +93,22 @@ std::string trace_curve(const LinkageScene& scene, std::size_t traced, const Pic
 }
 
 std::string picture_style(const PictureScale& scale) {
-  const auto wide = [&](double times) { return scale.number(times * scale.stroke); };
-  return fmt::format(
-      ".link{{fill:currentColor;fill-opacity:.16;stroke:currentColor;stroke-width:{};stroke-linejoin:round;"
-      "stroke-linecap:"
-      "round}}.pin{{fill:#fff;stroke:currentColor;stroke-width:{}}}.guide{{stroke:#999;stroke-width:{};"
-      "stroke-dasharray:{} "
-      "{}}}.wheel{{fill:currentColor;fill-opacity:.08;stroke:currentColor;stroke-width:{}}}.spoke{{stroke:"
-      "currentColor;"
-      "stroke-width:{}}}.ground{{fill:#fff;stroke:#555;stroke-width:{}}}.hatch{{fill:none;stroke:#555;stroke-"
-      "width:{}}}"
-      ".trace{{fill:none;stroke-width:{};stroke-opacity:.75;stroke-linejoin:round}}.name{{font:italic {}px "
-      "Georgia,serif;"
-      "fill:#222;paint-order:stroke;stroke:#fff;stroke-width:{}}}",
-      wide(3.2), wide(1.4), wide(1), wide(5), wide(4), wide(1.2), wide(1), wide(1.2), wide(1), wide(1.4),
-      scale.number(scale.letter), wide(2.5));
+  std::string style = R"(
+.link{fill:currentColor;fill-opacity:.16;stroke:currentColor;stroke-width:W3.2;stroke-linejoin:round;stroke-linecap:round}
+.pin{fill:#fff;stroke:currentColor;stroke-width:W1.4}
+.block{fill:#fff;fill-opacity:.75;stroke:#555;stroke-width:W1.2}
+.guide{stroke:#999;stroke-width:W1.0;stroke-dasharray:W5.0 W4.0}
+.wheel{fill:currentColor;fill-opacity:.08;stroke:currentColor;stroke-width:W1.2}
+.spoke{stroke:currentColor;stroke-width:W1.0}
+.ground{fill:#fff;stroke:#555;stroke-width:W1.2}
+.hatch{fill:none;stroke:#555;stroke-width:W1.0}
+.trace{fill:none;stroke-width:W1.4;stroke-opacity:.75;stroke-linejoin:round}
+.name{font:italic )" + scale.number(scale.letter) +
+                      R"(px Georgia,serif;fill:#222;paint-order:stroke;stroke:#fff;stroke-width:W2.5}
+)";
+  for (std::size_t at = style.find('W'); at != std::string::npos; at = style.find('W', at))
+    style.replace(at, 4, scale.number(scale.stroke * (style[at + 1] - '0' + 0.1 * (style[at + 3] - '0'))));
+  return style;
 }
 
 }  // namespace kempe

@@ -27,8 +27,8 @@ std::string link_colour(int body);
 /// A link in its own frame: hull or bar, wheels, guides, pins; for a <g>.
 std::string body_shape(const SceneBody& body, int number, const PictureScale& scale);
 
-/// The sign of a fixed pivot, in the table's frame.
-std::string ground_sign(const Point& at, const PictureScale& scale);
+/// The sign of a fixed pivot, or of a mere mark, in the table's frame.
+std::string ground_sign(const ScenePoint& point, const PictureScale& scale);
 
 /// The curve of a traced point as an SVG element.
 std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);

@@ -41,6 +41,7 @@ class SceneBuilder {
     for (const RunFrame& frame : run_.frames) add_moment(frame);
     find_box();
     add_lines_and_wheels();
+    widen_for_wheels();
     choose_traced();
     const auto& first = run_.frames.front().position;
     const auto& last = run_.frames.back().position;
@@ -58,6 +59,10 @@ class SceneBuilder {
   void add_bodies() {
     for (int number = 0; number < model_.linkage.body_count(); ++number)
       scene_.bodies.emplace_back().name = model_.linkage.body_name(number);
+    for (const FileSlider& slider : file_.sliders) {
+      scene_.bodies.emplace_back().name = "slider of " + slider.name();
+      scene_.bodies.back().is_block = true;
+    }
     for (const FileLink& link : file_.links) {
       std::vector<Point> joints;
       for (const auto& [name, place] : link.joints) joints.push_back(scaled(place));
@@ -69,7 +74,8 @@ class SceneBuilder {
   void add_points() {
     for (const ModelPoint& point : model_.points)
       scene_.points.push_back({point.name, point.place.body, scaled(point.place.local),
-                               point.place.body == PlanarLinkage::ground});
+                               model_.is_fixed(point.name),
+                               model_.is_fixed(point.name) && links_with(point.name) > 0});
   }
 
   void add_moment(const RunFrame& frame) {
@@ -77,6 +83,11 @@ class SceneBuilder {
     for (const BodyPlacement& placement : frame.position) {
       moment.at.push_back(scaled(placement.at));
       moment.angle.push_back(-placement.angle);
+    }
+    for (const FileSlider& slider : file_.sliders) {
+      const double carrier = frame.position[static_cast<std::size_t>(model_.body(slider.line.link))].angle;
+      moment.at.push_back(scaled(place(frame.position, guided_by(slider))));
+      moment.angle.push_back(-carrier - slider.line.direction);
     }
     scene_.moments.push_back(std::move(moment));
   }
@@ -93,12 +104,18 @@ class SceneBuilder {
       }
   }
 
+  void widen_for_wheels() {
+    for (std::size_t body = 0; body < scene_.bodies.size(); ++body)
+      for (const SceneBody::Wheel& wheel : scene_.bodies[body].wheels)
+        for (const auto& moment : scene_.moments) {
+          const Point centre = scene_.place({"", static_cast<int>(body), wheel.centre, false}, moment);
+          scene_.lower = scene_.lower.cwiseMin(centre - Point(wheel.radius, wheel.radius));
+          scene_.upper = scene_.upper.cwiseMax(centre + Point(wheel.radius, wheel.radius));
+        }
+  }
+
   void add_lines_and_wheels() {
-    for (const FileSlider& slider : file_.sliders) {
-      const BodyPoint guided = slider.point.empty() ? BodyPoint{model_.body(slider.link), Point::Zero()}
-                                                    : model_.point(slider.point);
-      add_guide(slider.line, guided);
-    }
+    for (const FileSlider& slider : file_.sliders) add_guide(slider.line, guided_by(slider));
     for (const FileRack& rack : file_.racks) {
       const Point centre = model_.point(rack.centre).local;  // on the pinion if that is the point's home
       add_guide(rack.line, model_.point(rack.centre));
@@ -107,6 +124,11 @@ class SceneBuilder {
           .wheels.push_back({home ? scaled(centre) : Point(0, 0), std::abs(rack.radius) / file_.unit.in_mm});
     }
     for (const FileGears& gears : file_.gears) add_wheels(gears);
+  }
+
+  BodyPoint guided_by(const FileSlider& slider) const {
+    return slider.point.empty() ? BodyPoint{model_.body(slider.link), Point::Zero()}
+                                : model_.point(slider.point);
   }
 
   /// The part of a line that is used, as seen from the line's link.

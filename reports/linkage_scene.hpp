@@ -23,6 +23,7 @@ struct SceneBody {
     Point from, to;
   };
   std::vector<Guide> guides;
+  bool is_block = false;  ///< no link: the sign of a slider, along its frame's x axis
 };
 
 struct ScenePoint {
@@ -30,11 +31,12 @@ struct ScenePoint {
   int body;
   Point local;
   bool fixed;
+  bool pivot = false;  ///< a link turns about this fixed point
 };
 
 struct LinkageScene {
   std::string title, unit;
-  std::vector<SceneBody> bodies;  ///< the ground first
+  std::vector<SceneBody> bodies;  ///< the ground first, the links, then a block for each slider
   std::vector<ScenePoint> points;
   std::vector<std::size_t> traced;  ///< numbers in points
   struct Moment {

@@ -187,6 +187,15 @@ const BodyPoint& LinkageModel::point(const std::string& name) const {
 }
 int LinkageModel::body(const std::string& name) const { return bodies.at(name); }
 
+std::string LinkageModel::driver_label(int driver) const {
+  const int number = linkage.drivers()[static_cast<std::size_t>(driver)];
+  const auto& [name, constraint] = linkage.constraints()[static_cast<std::size_t>(number)];
+  const auto* along = std::get_if<Coordinate>(&constraint);
+  if (!along || along->origin != BodyPoint{}) return name;
+  if (along->direction == Point(1, 0)) return name + ".x";
+  return along->direction == Point(0, 1) ? name + ".y" : name;
+}
+
 LinkageModel linkage_model(const LinkageFile& file) { return ModelBuilder(file).build(); }
 
 PlanarPosition guessed_position(const LinkageFile& file, const LinkageModel& model) {

@@ -27,6 +27,8 @@ struct LinkageModel {
   DriveSchedule schedule;
 
   const BodyPoint& point(const std::string& name) const;
+  /// What a driver moves, for people: "P.x", "angle of crank", "distance A-B".
+  std::string driver_label(int driver) const;
   /// Number of a link's body; 0 for "ground".
   int body(const std::string& name) const;
   /// True if the point stands still.

@@ -72,10 +72,19 @@ class StraightRows {
   std::vector<Row> rows_;
 };
 
-FileLink link_of(const Row& row) {
+/// The end that the bars name first comes first.
+FileLink link_of(const Row& row, const std::vector<FileBar>& bars) {
   std::vector<std::pair<double, std::string>> sorted;
   for (const auto& [name, place] : row) sorted.emplace_back(place, name);
   std::sort(sorted.begin(), sorted.end());
+  const auto first_bar = [&](const std::string& name) {
+    return std::find_if(bars.begin(), bars.end(),
+                        [&](const FileBar& bar) { return bar.a == name || bar.b == name; });
+  };
+  if (first_bar(sorted.back().second) < first_bar(sorted.front().second)) {
+    std::reverse(sorted.begin(), sorted.end());
+    for (auto& [place, name] : sorted) place = -place;
+  }
   FileLink link;
   for (const auto& [place, name] : sorted) {
     link.name += (link.name.empty() ? "" : "-") + name;
@@ -103,7 +112,7 @@ StraightBars join_straight_bars(const std::vector<FileBar>& bars, const LengthUn
   StraightBars result;
   const std::vector<Row> rows = StraightRows(bars).find();
   for (const Row& row : rows) {
-    result.links.push_back(link_of(row));
+    result.links.push_back(link_of(row, bars));
     result.notes.push_back(note_about(result.links.back(), unit));
   }
   for (const FileBar& bar : bars) {
