@@ -65,7 +65,7 @@ std::string html_report(const Design& design, const ReportExtras& extras) {
   std::string body = section::header(design, extras) + section::key_figures(design) +
                      section::map(picture, report_is_live());
   body += section::making(design) + section::quality(design) + section::workspace(design);
-  body += section::tolerance(design, extras) + section::verification(design) + section::search(design);
+  body += section::tolerance(design) + section::verification(design) + section::search(design);
   body += section::pareto(extras) + section::parts(extras) + section::spec(extras);
   std::string page = head(design, extras) + "<body>\n<main>\n" + body + "</main>\n" +
                      section::footer(extras, report_is_live());

@@ -10,18 +10,6 @@
 
 namespace kempe {
 
-/// The copy error at one opening; it depends on the opening alone. Lengths mm, angles rad.
-struct CopyErrorRow {
-  double opening = 0;
-  double worst = 0, rss = 0, distortion = 0;
-};
-
-/// What one tolerance adds to the worst copy error over the region.
-struct ToleranceShare {
-  std::string name;  ///< "length CY", "play of pin C"
-  double worst = 0;  ///< mm
-};
-
 /// One design of a front between two objectives.
 struct ParetoRow {
   std::string name;
@@ -45,9 +33,6 @@ struct ReportExtras {
   std::string program_version;  ///< "0.1.0"
   std::string spec_name;        ///< the spec's file name
   std::string spec_text;        ///< as the user wrote it; the middle of a very long one is left out
-  std::vector<CopyErrorRow>
-      copy_errors;  ///< over the certified opening, in its order; empty without [tolerance]
-  std::vector<ToleranceShare> tolerance_budget;
   std::optional<ParetoFront> pareto;
   std::vector<PartPicture> parts;
 };

@@ -210,7 +210,7 @@ std::string Picture::grid() const {
 }
 
 std::string Picture::scale_bar() const {
-  const double u = view_.unit, length = round_step(2 * drawing_.half.x() / 9);
+  const double u = view_.unit, length = round_step(2 * drawing_.half.x() / 12);
   const Point right(drawing_.upper().x() - 8 * u, drawing_.lower().y() - 34 * u),
       left = right - Point(length, 0);
   const Point tick(0, 4 * u);

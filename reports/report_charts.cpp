@@ -39,13 +39,13 @@ std::string text(double x, double y, std::string_view css, const std::string& wo
 
 std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const std::string& y_name) {
   std::string lines, figures;
-  for (int i = 0; x.lower + i * x.step <= x.upper + 0.01 * x.step; ++i) {
-    const double value = x.lower + i * x.step;
+  for (double i = std::ceil(x.lower / x.step - 0.01); i * x.step <= x.upper + 0.01 * x.step; ++i) {
+    const double value = i * x.step;
     lines += fmt::format("M{:.1f},{:.1f}V{:.1f}", x.at(value), y.from, y.to);
     figures += text(x.at(value), y.from + 16, "tick", number_text(value, 6));
   }
-  for (int i = 0; y.lower + i * y.step <= y.upper + 0.01 * y.step; ++i) {
-    const double value = y.lower + i * y.step;
+  for (double i = std::ceil(y.lower / y.step - 0.01); i * y.step <= y.upper + 0.01 * y.step; ++i) {
+    const double value = i * y.step;
     lines += fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(value), x.to);
     figures += text(x.from - 6, y.at(value) + 4, "tick end", number_text(value, 6));
   }
@@ -55,7 +55,7 @@ std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const
                      y.to, html_escaped(y_name));
 }
 
-std::string chart(std::string_view title, const std::string& inside) {
+std::string svg_chart(std::string_view title, const std::string& inside) {
   return fmt::format(
       "<svg class=\"chart\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\" "
       "font-size=\"12\">\n{}</svg>\n",
@@ -63,10 +63,10 @@ std::string chart(std::string_view title, const std::string& inside) {
 }
 
 template <class Value>
-std::string curve(const std::vector<CopyErrorRow>& rows, const Axis& x, const Axis& y, std::string_view css,
-                  Value value) {
+std::string curve(const std::vector<CopyErrorChart::Row>& rows, const Axis& x, const Axis& y,
+                  std::string_view css, Value value) {
   std::string path;
-  for (const CopyErrorRow& row : rows)
+  for (const CopyErrorChart::Row& row : rows)
     path += fmt::format("{}{:.1f},{:.1f}", path.empty() ? "M" : "L", x.at(degrees(row.opening)),
                         y.at(value(row)));
   return fmt::format("<path class=\"curve {}\" d=\"{}\"/>\n", css, path);
@@ -82,19 +82,31 @@ std::string share_bar(double share) {
       100 * std::clamp(share, 0.0, 1.0));
 }
 
-std::string copy_error_chart(const std::vector<CopyErrorRow>& rows) {
+std::string copy_error_chart(const CopyErrorChart& chart) {
+  const auto& rows = chart.rows;
   if (rows.size() < 2) return {};
   double most = 0;
-  for (const CopyErrorRow& row : rows) most = std::max({most, row.worst, row.rss, row.distortion});
-  const Axis x = axis(degrees(rows.front().opening), degrees(rows.back().opening), left, chart_width - right);
+  for (const CopyErrorChart::Row& row : rows) most = std::max({most, row.worst, row.rss});
+  const Axis x{degrees(rows.front().opening), degrees(rows.back().opening),
+               round_up_step(degrees(rows.back().opening - rows.front().opening) / 6), left,
+               chart_width - right};
   const Axis y = axis(0, most, chart_height - bottom, top);
-  std::string inside = frame(x, y, "opening, °", "copy error, mm");
-  inside += curve(rows, x, y, "worst", [](const CopyErrorRow& r) { return r.worst; });
-  inside += curve(rows, x, y, "rss", [](const CopyErrorRow& r) { return r.rss; });
-  inside += curve(rows, x, y, "distortion", [](const CopyErrorRow& r) { return r.distortion; });
-  return "<figure class=\"chart-figure\">" + chart("Copy error over the opening", inside) +
-         "<figcaption><span class=\"key-worst\">worst case</span> <span class=\"key-rss\">typical</span> "
-         "<span class=\"key-distortion\">distortion, worst case</span></figcaption></figure>\n";
+  std::string inside;
+  if (!chart.used.empty())
+    inside += fmt::format(
+        "<rect class=\"used\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+        x.at(degrees(chart.used.lower)), top,
+        x.at(degrees(chart.used.upper)) - x.at(degrees(chart.used.lower)), chart_height - bottom - top);
+  inside += frame(x, y, "opening, °", "copy error, mm");
+  if (chart.limit && *chart.limit <= y.upper)
+    inside += fmt::format("<path class=\"curve limit\" d=\"M{:.1f},{:.1f}H{:.1f}\"/>\n", x.from,
+                          y.at(*chart.limit), x.to);
+  inside += curve(rows, x, y, "worst", [](const CopyErrorChart::Row& r) { return r.worst; });
+  inside += curve(rows, x, y, "rss", [](const CopyErrorChart::Row& r) { return r.rss; });
+  return "<figure class=\"chart-figure\">" + svg_chart("Copy error over the opening", inside) +
+         "<figcaption><span class=\"key-worst\">worst case</span> <span class=\"key-rss\">typical</span> " +
+         (chart.limit ? "<span class=\"key-limit\">limit</span> " : "") +
+         "<span class=\"key-used\">openings that the region uses</span></figcaption></figure>\n";
 }
 
 std::string pareto_chart(const ParetoFront& front) {
@@ -114,7 +126,7 @@ std::string pareto_chart(const ParetoFront& front) {
         row.is_this_design ? " this" : "", x.at(row.first), y.at(row.second), row.is_this_design ? 6 : 4,
         html_escaped(row.name));
   }
-  return chart(
+  return svg_chart(
       "The front between the two objectives",
       frame(x, y, front.first_name + ", " + front.first_unit, front.second_name + ", " + front.second_unit) +
           fmt::format("<path class=\"curve front\" d=\"{}\"/>\n", line) + marks);

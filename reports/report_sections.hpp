@@ -18,7 +18,9 @@ std::string map(const MapPicture& picture, bool live);
 std::string making(const Design& design);
 std::string quality(const Design& design);
 std::string workspace(const Design& design);
-std::string tolerance(const Design& design, const ReportExtras& extras);
+/// What the tolerances cost, source by source, and over the opening. Computed here
+/// (synthesis/copy_error.hpp).
+std::string tolerance(const Design& design);
 std::string verification(const Design& design);
 std::string search(const Design& design);
 std::string pareto(const ReportExtras& extras);

@@ -39,7 +39,17 @@ std::string objective_value(Objective objective, double value) {
   }
 }
 
-std::string required(const std::string& limit) { return limit.empty() ? "–" : limit; }
+/// A figure of merit beside what was asked for; in red if it falls short.
+struct Requirement {
+  std::string text = "–";
+  bool met = true;
+};
+Requirement at_least(double value, double limit, const std::string& text) {
+  return {"≥ " + text, value >= limit * (1 - 1e-9)};
+}
+Requirement at_most(double value, const std::optional<double>& limit) {
+  return limit ? Requirement{"≤ " + length_text(*limit), value <= *limit * (1 + 1e-9)} : Requirement{};
+}
 
 /// The bound as a sentence: how much better any design could be.
 std::string bound_explanation(const Design& design) {
@@ -51,48 +61,54 @@ std::string bound_explanation(const Design& design) {
       number_text(share, share < 1 ? 3 : 1));
 }
 
+std::string clearance_explanation(const Design& design) {
+  std::string text = "The narrowest gap between two parts while the tracer covers the region";
+  if (!design.map.clearance_min_parts.empty())
+    text += fmt::format(": {}, with the tracer at ({}, {})", html_escaped(design.map.clearance_min_parts),
+                        number_text(design.map.clearance_min_at.x(), 2),
+                        number_text(design.map.clearance_min_at.y(), 2));
+  return text + ".";
+}
+
 }  // namespace
 
 std::string quality(const Design& design) {
   const Quality& q = design.quality;
   Rows rows;
-  const auto add = [&](std::string what, std::string value, const std::string& limit, std::string why) {
-    rows.push_back({std::move(what), std::move(value), required(limit), std::move(why)});
+  const auto add = [&](const char* what, const std::string& value, const Requirement& required,
+                       std::string why) {
+    rows.push_back(
+        {what, required.met ? value : "<b class=\"bad\">" + value + "</b>", required.text, std::move(why)});
   };
-  add("Size", length_text(q.size, 3), "",
+  add("Size", length_text(q.size, 3), {},
       "Sum over the four moving links of half the perimeter round their joints; a bar counts its length. "
       "Small means stiff, cheap and light.");
   add("Smallest transmission angle", angle_text(q.transmission_min, 3),
-      "≥ " + angle_text(design.limits.transmission),
+      at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
       "How far the linkage stays from the positions where it jams or folds over, at the worst place of the "
       "region. 90° is best, 0° cannot be driven.");
   if (std::isfinite(q.clearance_min))
-    add("Smallest clearance", length_text(q.clearance_min, 3), "≥ " + length_text(design.limits.clearance),
-        design.map.clearance_min_parts.empty()
-            ? "The narrowest gap between two parts while the tracer covers the region."
-            : fmt::format("The narrowest gap between two parts while the tracer covers the region: {}, with "
-                          "the tracer at ({}, {}).",
-                          html_escaped(design.map.clearance_min_parts),
-                          number_text(design.map.clearance_min_at.x(), 2),
-                          number_text(design.map.clearance_min_at.y(), 2)));
+    add("Smallest clearance", length_text(q.clearance_min, 3),
+        at_least(q.clearance_min, design.limits.clearance, length_text(design.limits.clearance)),
+        clearance_explanation(design));
   if (q.copy_error_worst)
     add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
-        design.limits.copy_error ? "≤ " + length_text(*design.limits.copy_error) : "",
+        at_most(*q.copy_error_worst, design.limits.copy_error),
         "How far the pen can be off if every length and every pin play errs in the worst direction at once.");
   if (q.copy_error_rss)
-    add("Copy error, typical", length_text(*q.copy_error_rss, 4), "",
+    add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
         "The same with errors that do not conspire: root of the sum of squares.");
   if (q.distortion_worst)
-    add("Distortion, worst case", length_text(*q.distortion_worst, 4), "",
+    add("Distortion, worst case", length_text(*q.distortion_worst, 4), {},
         "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
         "part that is seen.");
-  add("Footprint", area_text(q.footprint), "",
+  add("Footprint", area_text(q.footprint), {},
       "Area that all links sweep while the tracer covers the region: keep it clear.");
   if (q.lower_bound)
     add("Best possible",
         design.search ? objective_value(design.search->objective, *q.lower_bound)
                       : number_text(*q.lower_bound, 4),
-        "", bound_explanation(design));
+        {}, bound_explanation(design));
   return html_section(
       "quality", "Quality",
       html_table("explained", {{"Figure"}, {"Value", true}, {"Required", true}, {"What it says"}}, rows));
@@ -130,30 +146,6 @@ std::string workspace(const Design& design) {
   return html_section(
       "workspace", "Workspace",
       html_table("explained", {{"Part of the plane"}, {"Size", true}, {"What it says"}}, rows));
-}
-
-std::string tolerance(const Design& design, const ReportExtras& extras) {
-  if (!design.tolerance) return {};
-  std::vector<ToleranceShare> shares = extras.tolerance_budget;
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const auto& a, const auto& b) { return a.worst > b.worst; });
-  double sum = 0;
-  for (const ToleranceShare& share : shares) sum += share.worst;
-  Rows rows;
-  for (const ToleranceShare& share : shares)
-    rows.push_back({html_escaped(share.name), length_text(share.worst, 4),
-                    sum > 0 ? number_text(100 * share.worst / sum, 1) + "\u202f%" : "–",
-                    share_bar(sum > 0 ? share.worst / shares.front().worst : 0)});
-  const std::string lead =
-      fmt::format("<p class=\"note\">Lengths to ±{}, pins with {} of play.</p>\n",
-                  length_text(design.tolerance->length), length_text(design.tolerance->play));
-  const std::string table =
-      html_table("budget", {{"Source"}, {"Worst case", true}, {"Share", true}, {""}}, rows);
-  const std::string chart = copy_error_chart(extras.copy_errors);
-  return html_section("tolerance", "Tolerance budget",
-                      lead + (chart.empty() ? table
-                                            : "<div class=\"columns\"><div>" + table + "</div><div>" + chart +
-                                                  "</div></div>\n"));
 }
 
 std::string verification(const Design& design) {

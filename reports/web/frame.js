@@ -34,7 +34,7 @@
   }
 
   function scaleOf({ left, top, width, height }) {
-    const px = width / nominal, length = roundStep(width / 9), x = left + width - 10 * px, y = top + height - 34 * px;
+    const px = width / nominal, length = roundStep(width / 12), x = left + width - 10 * px, y = top + height - 34 * px;
     return [
       element("path", { class: "scale-bar", d: `M${x - length},${y - 4 * px}v${8 * px}m0,${-4 * px}h${length}m0,${-4 * px}v${8 * px}` }),
       element("text", { class: "tick end strong", x: x - length - 8 * px, y, dy: ".35em" }, figure(length, length) + "\u00a0mm"),

@@ -98,19 +98,27 @@
     label(letter, i) {
       const { role } = this.joints[i];
       const neighbours = [...new Set(this.model.bodies.flatMap(({ line }) => (line.includes(i) ? line.filter((j) => Math.abs(line.indexOf(j) - line.indexOf(i)) === 1) : [])))];
+      const words = () => (role && this.board.canvasWidth > 520 ? `${letter} ${role}` : letter);
       const place = () => {
         if (!this.pose) return [0, 0];
         const away = this.freeSide(i, neighbours), px = this.pixel();
-        const half = [role ? 9 + 3.6 * role.length : 7, 8];
+        const half = [3 + 4 * words().length, 9];
         const support = Math.min(half[0] / Math.max(1e-9, Math.abs(away[0])), half[1] / Math.max(1e-9, Math.abs(away[1])));
         const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support) * px;
-        return [this.pose[i][0] + away[0] * reach, this.pose[i][1] + away[1] * reach];
+        return this.kept([this.pose[i][0] + away[0] * reach, this.pose[i][1] + away[1] * reach], half);
       };
       const css = `live-label ${role}`;
-      return this.board.create("text", [() => place()[0], () => place()[1], role ? `${letter} ${role}` : letter], {
+      return this.board.create("text", [() => place()[0], () => place()[1], words], {
         display: "internal", anchorX: "middle", anchorY: "middle", fixed: true, highlight: false, fontSize: 14, parse: false, tabindex: null,
         cssClass: css, highlightCssClass: css, cssDefaultStyle: "", highlightCssDefaultStyle: "",
       });
+    }
+
+    /** A place for a box of half size `half` (px), moved into the window if it would stick out a little. */
+    kept([x, y], half) {
+      const [x1, y1, x2, y2] = this.board.getBoundingBox(), px = this.pixel(), [wide, high] = [half[0] * px, half[1] * px];
+      const into = (value, lower, upper, slack) => (value < lower - slack || value > upper + slack ? value : Math.min(upper, Math.max(lower, value)));
+      return [into(x, x1 + wide, x2 - wide, 2 * wide), into(y, y2 + high, y1 - high, 2 * high)];
     }
 
     freeSide(i, neighbours) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "synthesis/copy_error.hpp"
+
 namespace kempe::testing {
 namespace {
 
@@ -106,11 +108,12 @@ ReportSpecimen plagiograph_specimen() {
       {}};
   Design& design = specimen.design;
   design.tolerance = Tolerance{0.05, 0.02};
-  design.quality.copy_error_worst = 0.4127;
-  design.quality.copy_error_rss = 0.1382;
-  design.quality.distortion_worst = 0.0931;
+  const auto error = *copy_error_over(linkage, CopyTolerance::uniform(*design.tolerance), region);
+  design.quality.copy_error_worst = error.worst;
+  design.quality.copy_error_rss = error.rss;
+  design.quality.distortion_worst = error.distortion_worst;
   design.quality.lower_bound = linkage.size() * 0.985;
-  design.limits.copy_error = 0.5;
+  design.limits.copy_error = 1.5;
   design.obstacles.push_back({Polygon{rectangle({20, 62}, {26, 14}), {}}, 1, 4});
   // As if the obstacle took a bay out of the annulus: angles 0.9 to 1.5, and an uncertain sliver beside it.
   const auto radii = linkage.radii_over(design.opening);
@@ -126,20 +129,8 @@ ReportSpecimen plagiograph_specimen() {
       .spec_text =
           "# The report's plagiograph\n[copy]\nscale = 1.4\nrotation_deg = 90\n\n[region]\nrectangle_mm = "
           "{at = [64, -7], size = [7, 14]}\n\n[pole]\nat_mm = [0, 0]\n",
-      .copy_errors = {},
-      .tolerance_budget = {{"length CY", 0.14},
-                           {"length BY", 0.09},
-                           {"length BC", 0.07},
-                           {"play of pin C", 0.05},
-                           {"length AC", 0.03}},
       .pareto = ParetoFront{"size", "mm", "copy error", "mm", {}},
       .parts = {}};
-  for (int i = 0; i <= 40; ++i) {
-    const double opening = design.opening.lower + design.opening.width() * i / 40;
-    const double mu = design.linkage.transmission_angle(opening);
-    specimen.extras.copy_errors.push_back(
-        {opening, 0.12 / std::sin(mu), 0.04 / std::sin(mu), 0.03 / std::sin(mu)});
-  }
   for (int i = 0; i < 9; ++i)
     specimen.extras.pareto->rows.push_back(
         {"design " + std::to_string(i + 1), 250.0 + 40 * i, 0.2 + 0.35 / (1 + i), i == 3});
@@ -163,8 +154,6 @@ ReportSpecimen matlab_circle_specimen() {
       .program_version = "0.1.0",
       .spec_name = "matlab-circle.toml",
       .spec_text = "[copy]\nscale = 1.5\n\n[region]\ncircle_mm = {centre = [50, 50], radius = 10}\n",
-      .copy_errors = {},
-      .tolerance_budget = {},
       .pareto = {},
       .parts = {}};
   return specimen;
@@ -182,8 +171,6 @@ ReportSpecimen half_turn_specimen() {
                      .program_version = "0.1.0",
                      .spec_name = "half-turn.toml",
                      .spec_text = "[copy]\nscale = 0.3333333333333333\nrotation_deg = 180\n",
-                     .copy_errors = {},
-                     .tolerance_budget = {},
                      .pareto = {},
                      .parts = {}};
   return specimen;
@@ -210,8 +197,6 @@ ReportSpecimen hostile_specimen() {
       .program_version = "0.1.0<script>",
       .spec_name = "a b\"'<img src=x onerror=window.hostile=1>.toml",
       .spec_text = "# </pre><script>window.hostile = 1</script>\n<!-- <script> -->\n[copy]\nscale = 1\x01\n",
-      .copy_errors = {},
-      .tolerance_budget = {},
       .pareto =
           ParetoFront{"<b>size</b>",
                       "mm",
