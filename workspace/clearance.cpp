@@ -10,7 +10,11 @@
 namespace kempe {
 namespace {
 
-constexpr double certain_to = 1e-3;  // mm
+/// To what the figure is certified: mm, and a share of the outer reach for small linkages.
+double certain_to(const CopyingLinkage& linkage) {
+  return std::min(1e-2, 1e-4 * reachable_annulus(linkage).outer);
+}
+
 constexpr std::size_t most_cells = 200'000;
 constexpr std::size_t tried_each_level = 400;
 
@@ -87,11 +91,11 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task) {
   const ContactScene scene(task);
   if (scene.encounters.empty() || !(openings.width() > 0)) return best;
   const EdgeTree region(task.region, task.linkage.pole());
-  Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to,
+  Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
                     {.contacts_stay_open = true, .region_only = true});
   while (!cells.open().empty() && cells.open().size() < most_cells) {
     improve(best, task, scene, cells);
-    cells.lower_clearance(best.gap - certain_to);
+    cells.lower_clearance(best.gap - certain_to(task.linkage));
     if (!cells.split([](const OpenCell&) { return true; })) break;
   }
   best.certified = cells.open().empty();

@@ -9,7 +9,7 @@ struct ClearanceFigure {
   double gap = 0;            ///< mm; attained at `at`
   std::string parts;         ///< "link VA and obstacle 2"
   Point at = Point::Zero();  ///< the tracer's place, in the region
-  bool certified = false;    ///< no point of the region has a gap smaller by more than 1e-3 mm
+  bool certified = false;    ///< no point of the region has a gap smaller by more than 0.01 mm
 };
 
 /// The smallest gap of any two parts, or of a part and an obstacle, over the region; openings at which the

@@ -98,6 +98,17 @@ Straying straying(const MovingJoints& joints, const Nearest& nearest, const Poin
           velocity.norm() * half.opening + at.norm() * half.bearing + rest};
 }
 
+/// Bounds where the axes cross in the middle: no normal tells which motion counts.
+GapBounds overlapping(const MovingJoints& joints, const JointHull& hull, const HalfSides& half,
+                      double reach) {
+  double by_opening = 0, by_bearing = 0;
+  for (std::size_t corner = 0; corner < static_cast<std::size_t>(hull.count); ++corner) {
+    by_opening = std::max(by_opening, joints[index(hull, corner)].speed * half.opening);
+    by_bearing = std::max(by_bearing, joints[index(hull, corner)].far * half.bearing);
+  }
+  return {0, reach, 0, by_opening, by_bearing};
+}
+
 }  // namespace
 
 double reach_of(const MovingJoints& joints, const JointHull& hull) {
@@ -112,12 +123,13 @@ GapBounds bounds_to_edge(const MovingJoints& joints, const JointHull& hull, cons
   const Nearest nearest = nearest_points(joints, hull, edge);
   const double reach = reach_of(joints, hull);
   const double distance = std::sqrt(nearest.squared);
-  if (!(distance > 0)) return {0, reach, 0, reach, reach};
+  if (!(distance > 0)) return overlapping(joints, hull, half, reach);
   const Point normal = nearest.apart / distance;
   const Lower lower = separation(joints, hull, edge, normal, half);
   const Straying stray = straying(joints, nearest, normal, half);
   const double upper = std::min(std::hypot(distance + stray.along, stray.in_all), distance + reach);
-  return {std::max(lower.distance, distance - reach), upper, distance, lower.by_opening, lower.by_bearing};
+  return {std::max({lower.distance, distance - reach, 0.0}), upper, distance, lower.by_opening,
+          lower.by_bearing};
 }
 
 double distance_from_box(const MovingJoints& joints, const JointHull& hull, const Box& box) {

@@ -27,8 +27,9 @@ Annulus usable_annulus(const CopyingLinkage& linkage, double transmission) {
 Annulus chain_annulus(const CopyingLinkage& linkage) {
   // Folded and stretched: the chain's directions differ by pi and by 0 at openings arg s + pi and arg s.
   const double stretched = std::arg(linkage.shape());
-  const double inner = linkage.radius_at(stretched + pi), outer = linkage.radius_at(stretched);
-  return {linkage.pole(), std::min(inner, outer), std::max(inner, outer)};
+  const double folded = linkage.radius_at(stretched + pi), outer = linkage.radius_at(stretched);
+  const double rounding = 1e-12 * outer;  // equal arms fold onto the pole
+  return {linkage.pole(), folded > rounding ? folded : 0, outer};
 }
 
 double area(const Annulus& annulus) {

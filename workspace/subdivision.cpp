@@ -12,9 +12,9 @@ namespace {
 /// Cells across and upwards to begin with: narrow enough for the first-order bounds to mean something.
 constexpr std::uint32_t roots_across = 16, roots_upwards = 2;
 
-/// A cut across the side whose motion counts less still narrows the second-order rest: it is given this
-/// weight.
-constexpr double indirect = 0.05;
+/// A side that moves the joints this many times as far as the other is cut whatever the tightest item says:
+/// bounds of items that are not yet single edges shrink with the whole motion.
+constexpr double most_uneven = 12;
 
 HalfSides half_sides(const AngleGrid& grid, const GridCell& cell) {
   return {0.5 * grid.openings().width() * cell.height / AngleGrid::rise,
@@ -24,6 +24,19 @@ HalfSides half_sides(const AngleGrid& grid, const GridCell& cell) {
 Sector sector_of(const AngleGrid& grid, const GridCell& cell) {
   const double a = grid.radius(cell.y), b = grid.radius(cell.top());
   return {std::min(a, b), std::max(a, b), AngleGrid::bearing(cell.x), AngleGrid::bearing(cell.right())};
+}
+
+/// Whether the next cut should halve the opening rather than the bearing.
+bool should_split_opening(const MovingJoints& joints, const HalfSides& half, double by_opening,
+                          double by_bearing) {
+  double opening_motion = 0, bearing_motion = 0;
+  for (const MovingJoint& joint : joints) {
+    opening_motion = std::max(opening_motion, joint.speed * half.opening);
+    bearing_motion = std::max(bearing_motion, joint.far * half.bearing);
+  }
+  if (opening_motion > most_uneven * bearing_motion) return true;
+  if (bearing_motion > most_uneven * opening_motion) return false;
+  return by_opening > by_bearing;
 }
 
 double diagonal(const Box& box) { return (box.upper - box.lower).norm(); }
@@ -108,7 +121,8 @@ void Subdivision::classify(const GridCell& cell, RegionSide side, const ContactI
     if (decide_group(item, items + count, joints, half, decision, next)) break;
   if (next.items.size() > first && !decision.in_contact) {
     const std::size_t kept = next.items.size() - first, region_kept = next.region_items.size() - region_first;
-    next.open.push_back({cell, side, decision.by_opening > decision.by_bearing,
+    next.open.push_back({cell, side,
+                         should_split_opening(joints, half, decision.by_opening, decision.by_bearing),
                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(kept),
                          static_cast<std::uint32_t>(region_first), static_cast<std::uint32_t>(region_kept)});
     return;
@@ -142,6 +156,8 @@ bool Subdivision::decide_group(const ContactItem*& item, const ContactItem* end,
   const SceneObstacle& obstacle = scene_.obstacles[between.obstacle];
   const Point& at = joints[static_cast<std::size_t>(scene_.pieces[between.piece].hull.joints[0])].at;
   if (distance(obstacle.edges.node(0).box, {at, at}) > 0 || !obstacle.edges.winds_around(at)) return false;
+  // A distance is never below 0: where that is enough, contact tells nothing new.
+  if (mode_.contacts_stay_open && scene_.pieces[between.piece].half_width + clearance_ <= 0) return false;
   if (mode_.contacts_stay_open) next.items.push_back({0, between});
   decision.in_contact = !mode_.contacts_stay_open;
   decision.between = between;
@@ -174,11 +190,9 @@ void Subdivision::decide_node(std::uint32_t node, const Encounter& between, cons
   if (here.edges == 1 && bounds.lower >= needed + obstacle.slack) return;
   next.items.push_back({node, between});
   if (bounds.lower - needed < decision.tightest) {
-    const MovingJoint& corner =
-        joints[static_cast<std::size_t>(piece.hull.joints[static_cast<std::size_t>(piece.hull.count) - 1])];
     decision.tightest = bounds.lower - needed;
-    decision.by_opening = bounds.by_opening + indirect * corner.speed * half.opening;
-    decision.by_bearing = bounds.by_bearing + indirect * corner.far * half.bearing;
+    decision.by_opening = bounds.by_opening;
+    decision.by_bearing = bounds.by_bearing;
   }
 }
 

@@ -122,8 +122,8 @@ void add_lost_annuli(WorkspaceMap& map, const MapTask& task, const std::vector<F
              as_region(annulus_over(task.linkage, one.interval)));
 }
 
-/// The interval that holds most of the region's openings: a design that is best at a contact holds all of them but for
-/// rounding. The widest where none holds any.
+/// The interval that holds most of the region's openings: a design that is best at a contact holds all of
+/// them but for rounding. The widest where none holds any.
 OpeningInterval certified(const MapTask& task, const std::vector<FreeOpenings>& free) {
   const auto needed = openings_over(task.linkage, task.region);
   std::vector<OpeningInterval> intervals, held;
@@ -131,8 +131,10 @@ OpeningInterval certified(const MapTask& task, const std::vector<FreeOpenings>& 
     intervals.push_back(one.interval);
     held.push_back(needed ? intersect(one.interval, *needed) : OpeningInterval{});
   }
-  const auto most = std::max_element(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.width() < b.width(); });
-  if (most != held.end() && most->width() > 0) return intervals[static_cast<std::size_t>(most - held.begin())];
+  const auto most = std::max_element(held.begin(), held.end(),
+                                     [](const auto& a, const auto& b) { return a.width() < b.width(); });
+  if (most != held.end() && most->width() > 0)
+    return intervals[static_cast<std::size_t>(most - held.begin())];
   return widest(intervals).value_or(OpeningInterval{});
 }
 

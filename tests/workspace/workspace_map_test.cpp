@@ -113,6 +113,14 @@ TEST(WorkspaceMap, UncertainBandShrinksWithTheTolerance) {
   }
 }
 
+TEST(WorkspaceMap, BarsThatLieAcrossAnObstacleAreDecidedToo) {
+  MapTask task = report_task();
+  task.obstacles = {block(box(-20, 70, 40, 60)), block(box(30, -200, 10, 170), 1, 1)};
+  const WorkspaceMap map = map_workspace(task, no_sheets);
+  EXPECT_GT(area(map.collision_free), 100);
+  EXPECT_LE(area(map.uncertain), 0.005 * area(map.collision_free));
+}
+
 TEST(WorkspaceMap, VerdictsAgreeWithTheMap) {
   Dice dice(73);
   const MapTask task = with_obstacles(report_task({10, 20}), dice, 5);
@@ -325,7 +333,7 @@ TEST(Clearance, IsAttainedAndNoSampleIsBelowIt) {
     const auto clearance = smallest_clearance(task);
     ASSERT_TRUE(clearance);
     EXPECT_LT(distance(task.region, clearance->at), 1e-6);
-    task.clearance = clearance->gap - 2e-3;
+    task.clearance = clearance->gap - 1e-2;
     for (int sample = 0; sample < 300; ++sample) {
       const Point point =
           as_point(std::polar(65.0, bearing)) + Point(dice.between(-6, 6), dice.between(-6, 6));
@@ -335,7 +343,7 @@ TEST(Clearance, IsAttainedAndNoSampleIsBelowIt) {
           verdict.cause == Cause::self_contact || verdict.cause == Cause::obstacle_contact;
       EXPECT_FALSE(in_contact) << verdict.sentence;
     }
-    task.clearance = clearance->gap + 2e-3;
+    task.clearance = clearance->gap + 1e-3;
     EXPECT_FALSE(verdict_at(task, clearance->at).free);
   }
 }
@@ -366,7 +374,7 @@ TEST(LayerChoice, ObstacleInALayerDrivesTheLinksOutOfIt) {
     one.layers = layers;
     return smallest_clearance(one)->gap;
   };
-  for (const LayerAssignment& layers : layer_assignments(2)) EXPECT_LE(gap(layers), gap(blocked.best) + 2e-3);
+  for (const LayerAssignment& layers : layer_assignments(2)) EXPECT_LE(gap(layers), gap(blocked.best) + 1e-2);
 }
 
 // What people feed in.
