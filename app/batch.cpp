@@ -228,6 +228,11 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
   }
   Design design = assemble_design(*spec, *found, {});
   design.verification = verify(verification_task(design));
+  if (!design.map.coverage.covered) {
+    line["status"] = "no design";
+    line["message"] = design.map.coverage.why_not;
+    return line.dump();
+  }
   line["status"] = design.verification.certified ? "design" : "verification failed";
   line.update(figures(design));
   if (!design.verification.certified) line["message"] = design.verification.failure;

@@ -72,6 +72,8 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   if (const auto* none = std::get_if<NoDesign>(&outcome)) return tell_no_design(session, *none);
   const auto& found = std::get<FoundDesign>(outcome);
   Design design = assemble_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance});
+  if (!design.map.coverage.covered)
+    return fail(no_design, "no design exists that the map can certify: " + design.map.coverage.why_not);
   const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
   return code == done && interrupt.requested() ? interrupted : code;
 }

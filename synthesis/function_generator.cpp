@@ -303,7 +303,7 @@ class Field {
   /// The designs without defect, smallest largest error first; at most `kept`.
   const std::vector<FunctionDesign>& best() const { return best_; }
 
-  static constexpr std::size_t kept = 8;
+  static constexpr std::size_t kept = 5;
 
   /// The design with the rejections counted, or why there is none.
   tl::expected<FunctionDesign, NoFunctionDesign> verdict(const std::optional<FunctionDesign>& chosen) const {

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "synthesis/function_refinement.hpp"
+#include "synthesis/structural_error.hpp"
 
 namespace kempe {
 namespace {
@@ -170,6 +171,29 @@ FunctionDesign fitted(const FunctionTask& task, const WantedAngles& wanted, cons
   return trace_curve(task, wanted, design) == FunctionDefect::none ? design : start;
 }
 
+/// Minimax by exchange, which the transmission limit does not enter: nothing if it comes out broken.
+std::optional<FunctionDesign> with_equal_ripples(const FunctionTask& task, const WantedAngles& wanted,
+                                                 const FunctionDesign& start) {
+  const Layout layout{task, start, !task.input_start, !task.output_start};
+  const std::vector<double> u = layout.vector();
+  StructuralErrorTask fit;
+  fit.lower = task.x_lower;
+  fit.upper = task.x_upper;
+  fit.start = Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+  fit.residual = [&](double x, const Eigen::VectorXd& p, Eigen::VectorXd* gradient) -> std::optional<double> {
+    const ErrorAt at = error_at(layout, wanted, p.data(), x);
+    if (at.error >= penalty) return std::nullopt;
+    if (gradient != nullptr)
+      for (Eigen::Index i = 0; i < p.size(); ++i) (*gradient)[i] = at.error_slope[static_cast<std::size_t>(i)];
+    return at.error;
+  };
+  const auto found = fit_minimax(fit);
+  if (!found) return std::nullopt;
+  FunctionDesign design = layout.design(found->parameters.data());
+  if (trace_curve(task, wanted, design) != FunctionDefect::none) return std::nullopt;
+  return design;
+}
+
 struct StartSearch {
   const FunctionTask& task;
   const WantedAngles& wanted;
@@ -239,7 +263,11 @@ FunctionDesign refined(const FunctionTask& task, const WantedAngles& wanted, con
     }
   };
   improve(false);
-  if (task.method == FunctionMethod::minimax) improve(true);
+  if (task.method == FunctionMethod::minimax) {
+    const auto even = with_equal_ripples(task, wanted, best);
+    if (even && even->error_largest < best.error_largest) best = *even;
+    improve(true);
+  }
   best.precision_points.clear();
   for (std::size_t i = 1; i < best.curve.size(); ++i) {  // where the error vanishes: now a result, not a choice
     const auto &left = best.curve[i - 1], &right = best.curve[i];

@@ -16,6 +16,7 @@ TEST(Corpus, EveryStoredInputIsReadOrRefused) {
     const auto folder = std::filesystem::path(KEMPE_SOURCE_DIR) / "tests" / "corpus" / target.name;
     ASSERT_TRUE(std::filesystem::is_directory(folder)) << "every reader has a corpus: " << folder;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (!entry.is_regular_file()) continue;
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string input{std::istreambuf_iterator<char>(stream), {}};
       SCOPED_TRACE(entry.path().string());
