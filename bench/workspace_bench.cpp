@@ -1,0 +1,175 @@
+// How long the map takes: by number of obstacles, beside a plain grid of samples of equal accuracy, and its
+// parts.
+//
+// The mechanism is the plagiograph report's with 6 mm links in two layers; obstacles are stars of 20 corners
+// strewn over the pen's reach, smaller the more there are, so that something stays free.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+
+#include "workspace/angle_grid.hpp"
+#include "workspace/clearance.hpp"
+#include "workspace/contact_scene.hpp"
+#include "workspace/layer_choice.hpp"
+#include "workspace/reach.hpp"
+#include "workspace/subdivision.hpp"
+
+namespace kempe {
+namespace {
+
+class Dice {
+ public:
+  double between(double lower, double upper) {
+    return lower + (upper - lower) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+
+ private:
+  std::mt19937_64 engine_{5};
+};
+
+Polygon star(Dice& dice, const Point& centre, double size, int corners) {
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i)
+    polygon.outer.push_back(centre + as_point(std::polar(size * dice.between(0.6, 1), 2 * pi * i / corners)));
+  return polygon;
+}
+
+Polygon disc(const Point& centre, double radius, int corners) {
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i)
+    polygon.outer.push_back(centre + as_point(std::polar(radius, 2 * pi * i / corners)));
+  return polygon;
+}
+
+MapTask report_task() {
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  return {linkage, {6, 3, 4, PlateStyle::bent}, {}, 0.5, radians(20), {}, {}, {}};
+}
+
+MapTask task_with(int obstacles) {
+  MapTask task = report_task();
+  Dice dice;
+  for (int i = 0; i < obstacles; ++i) {
+    const Point centre = as_point(std::polar(dice.between(96, 125), dice.between(-pi, pi)));
+    task.obstacles.push_back({star(dice, centre, 14 / std::sqrt(obstacles + 4.0), 20), 1, 2, {}});
+  }
+  return task;
+}
+
+constexpr MapOptions no_sheets{.largest_sheets = false};
+
+void map_by_obstacles(benchmark::State& state) {
+  const MapTask task = task_with(static_cast<int>(state.range(0)));
+  WorkspaceMap map;
+  for (auto _ : state) map = map_workspace(task, no_sheets);
+  const double free = area(map.collision_free), uncertain = area(map.uncertain);
+  state.counters["free_mm2"] = free;
+  state.counters["uncertain_share"] = free > 0 ? uncertain / free : 0;
+}
+BENCHMARK(map_by_obstacles)
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(5)
+    ->Arg(10)
+    ->Arg(25)
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Unit(benchmark::kMillisecond);
+
+void map_by_tolerance(benchmark::State& state) {
+  const MapTask task = task_with(20);
+  const double tolerance = 1.0 / static_cast<double>(state.range(0));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(map_workspace(task, {.map_tolerance = tolerance, .largest_sheets = false}));
+}
+BENCHMARK(map_by_tolerance)->Arg(20)->Arg(100)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+/// A grid over the same two angles with cells as small as the map's uncertain ones would leave the same band
+/// in doubt, and without proof. Its time is that of a sample times the number of its cells.
+void plain_grid(benchmark::State& state) {
+  const MapTask task = task_with(static_cast<int>(state.range(0)));
+  const auto free = contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
+                                          task.linkage.openings_with_transmission(task.transmission));
+  const ContactScene scene(task);
+  const EdgeTree nothing;
+  Subdivision cells(scene, nothing, AngleGrid(task.linkage, free.at(0).interval), task.clearance);
+  while (cells.open_area() > 0.005 * cells.free_area() && cells.split([](const OpenCell&) { return true; })) {
+  }
+  const AngleGrid& grid = cells.grid();
+  const double cell = cells.open_area() / static_cast<double>(cells.open().size());
+  const double count = grid.area({0, 0, AngleGrid::turn, AngleGrid::rise}) / cell;
+  Dice dice;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        tightest_obstacle(scene, grid.opening(dice.between(0, 1) * AngleGrid::rise), dice.between(-pi, pi)));
+  state.counters["samples_needed"] = count;
+  state.counters["s_for_all"] = benchmark::Counter(
+      1 / count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(plain_grid)->Arg(1)->Arg(10)->Arg(50)->Unit(benchmark::kMicrosecond);
+
+void free_openings(benchmark::State& state) {
+  const MapTask task = report_task();
+  const auto layers = layer_assignments(4)[static_cast<std::size_t>(state.range(0))];
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        contact_free_openings(task.linkage, task.style, layers, 0.5, task.linkage.assembly_interval()));
+}
+BENCHMARK(free_openings)->Arg(0)->Arg(37)->Unit(benchmark::kMicrosecond);
+
+void smallest_self_gap(benchmark::State& state) {
+  const MapTask task = report_task();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(smallest_gap_over(task.linkage, task.style, task.layers, {0.5, 1.2}));
+}
+BENCHMARK(smallest_self_gap)->Unit(benchmark::kMicrosecond);
+
+/// A region of 10^5 corners and 40 holes, its copy a few millimetres from an obstacle.
+void region_of_many_corners(benchmark::State& state) {
+  MapTask task = report_task();
+  task.obstacles = {{disc({115, 0}, 15, 20), 1, 2, {}}};
+  Polygon comb = disc({0, -64}, 5, 60'000);
+  for (int i = 0; i < 40; ++i) {
+    Ring hole = disc({-2.8 + 0.8 * (i % 8), -66.2 + 1.1 * (i / 8)}, 0.3, 1000).outer;
+    comb.holes.emplace_back(hole.rbegin(), hole.rend());
+  }
+  task.region = {{comb}};
+  bool covered = false, uncertain = false;
+  for (auto _ : state) {
+    const Coverage coverage = map_workspace(task, no_sheets).coverage;
+    covered = coverage.covered;
+    uncertain = coverage.uncertain;
+  }
+  state.counters["covered"] = covered;
+  state.counters["uncertain"] = uncertain;
+}
+BENCHMARK(region_of_many_corners)->Unit(benchmark::kMillisecond);
+
+void obstacle_of_a_million_corners(benchmark::State& state) {
+  MapTask task = report_task();
+  task.obstacles = {{disc({100, 0}, 20, 1'000'000), 1, 2, {}}};
+  for (auto _ : state) benchmark::DoNotOptimize(map_workspace(task, no_sheets));
+}
+BENCHMARK(obstacle_of_a_million_corners)->Unit(benchmark::kMillisecond);
+
+void map_with_largest_sheets(benchmark::State& state) {
+  MapTask task = task_with(10);
+  task.region = {{disc({0, -64}, 5, 40)}};
+  for (auto _ : state) benchmark::DoNotOptimize(map_workspace(task, {}));
+}
+BENCHMARK(map_with_largest_sheets)->Unit(benchmark::kMillisecond);
+
+void all_layer_assignments(benchmark::State& state) {
+  MapTask task = task_with(10);
+  task.region = {{disc({0, -64}, 5, 40)}};
+  for (auto _ : state) benchmark::DoNotOptimize(choose_layers(task, 4));
+}
+BENCHMARK(all_layer_assignments)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace kempe
