@@ -1,6 +1,7 @@
 #include "synthesis/choice_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,8 +19,9 @@ constexpr int most_local_evaluations = 120;
 constexpr double row_tolerance = 1e-11;
 /// Weight of what is missing against the goal, both in shares of the task's size.
 constexpr double penalty = 10;
-/// Starts are at least so far apart in the unit cube.
-constexpr double apart = 0.08;
+/// Starts differ at least by so much in the unit square, or in the pole's place over the task's size.
+constexpr double apart = 0.15;
+constexpr double poles_apart = 0.6;
 
 double merit_of(const DesignProblem& problem, const Assessment& seen) {
   const double unit = problem.layout().unit;
@@ -29,21 +31,53 @@ double merit_of(const DesignProblem& problem, const Assessment& seen) {
   return seen.cost / scale + penalty * seen.violation + (seen.feasible ? 0 : 1e-3);
 }
 
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
+/// A place to start from: in the unit square of lengths, seen from a pole.
+struct Start {
+  std::array<double, 2> z;
+  Point pole;
+  double merit;
+};
+
+/// The lattice points of the unit square of lengths, seen from one pole, that are no worse than their
+/// neighbours.
+void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lattice,
+                        std::vector<Start>& starts) {
+  std::vector<Start> seen;
+  for (int i = 0; i < lattice; ++i)
+    for (int j = 0; j < lattice; ++j) {
+      const double last = lattice - 1;
+      const DesignPoint point{problem.unit_lengths(pole, i / last, j / last), pole};
+      seen.push_back({{i / last, j / last}, pole, merit_of(problem, problem.assess(point, global_openings))});
+    }
+  const auto at = [&](int i, int j) -> const Start& {
+    return seen[static_cast<std::size_t>(std::clamp(i, 0, lattice - 1) * lattice +
+                                         std::clamp(j, 0, lattice - 1))];
+  };
+  for (int i = 0; i < lattice; ++i)
+    for (int j = 0; j < lattice; ++j) {
+      bool least = true;
+      for (int a = -1; a <= 1; ++a)
+        for (int b = -1; b <= 1; ++b) least = least && at(i, j).merit <= at(i + a, j + b).merit;
+      if (least) starts.push_back(at(i, j));
+    }
 }
 
-/// The best places that are not close to each other.
-std::vector<Explored> pick_starts(std::vector<Explored> seen, int count) {
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const Explored& a, const Explored& b) { return a.merit < b.merit; });
-  std::vector<Explored> picked;
-  for (const Explored& place : seen) {
+/// Local solutions move the pole further than from one end of the square to the other, where the lengths are
+/// those of another local optimum.
+bool are_close(const DesignProblem& problem, const Start& a, const Start& b) {
+  return std::abs(a.z[0] - b.z[0]) < apart && std::abs(a.z[1] - b.z[1]) < apart &&
+         (a.pole - b.pole).norm() < poles_apart * problem.layout().unit;
+}
+
+/// The best that are not close to each other.
+std::vector<Start> best_starts(const DesignProblem& problem, std::vector<Start> starts, int count) {
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Start& a, const Start& b) { return a.merit < b.merit; });
+  std::vector<Start> picked;
+  for (const Start& start : starts) {
     if (static_cast<int>(picked.size()) == count) break;
-    const auto close = [&](const Explored& other) { return distance(place.z, other.z) < apart; };
-    if (std::none_of(picked.begin(), picked.end(), close)) picked.push_back(place);
+    const auto close = [&](const Start& other) { return are_close(problem, start, other); };
+    if (std::none_of(picked.begin(), picked.end(), close)) picked.push_back(start);
   }
   return picked;
 }
@@ -106,22 +140,50 @@ ChoiceResult refine(const DesignProblem& shared, const DesignPoint& start, const
   return best;
 }
 
-ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& options) {
-  if (!problem.possible()) return no_result();
+namespace {
+
+/// The best places of the lattices and of the global search, more than enough of them.
+std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& options,
+                             std::uint64_t& evaluations) {
+  std::vector<Start> starts;
+  const std::vector<Point> poles = problem.start_poles(options.poles);
+  for (const Point& pole : poles) add_lattice_minima(problem, pole, options.lattice, starts);
+  evaluations += poles.size() * static_cast<std::size_t>(options.lattice * options.lattice);
   const auto merit = [&](std::span<const double> z) {
     return merit_of(problem, problem.assess(problem.unit_point(z), global_openings));
   };
   const std::vector<Explored> seen =
       explore({problem.cube_dimensions(), options.evaluations, options.seed, merit, options.stop});
-  std::vector<DesignPoint> starts = options.hints;
-  for (const Explored& place : pick_starts(seen, options.starts))
-    starts.push_back(problem.unit_point(place.z));
+  evaluations += seen.size();
+  for (const Explored& place : seen)
+    starts.push_back({{place.z[0], place.z[1]}, problem.unit_point(place.z).pole, place.merit});
+  return best_starts(problem, std::move(starts), options.starts_if_none);
+}
+
+/// Nothing better can be hoped for.
+bool is_done(const ChoiceResult& best, const ChoiceOptions& options) {
+  return best.feasible && best.cost <= options.bound + 1e-7 * std::abs(options.bound);
+}
+
+}  // namespace
+
+ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& options) {
   ChoiceResult best = no_result();
-  std::uint64_t evaluations = seen.size();
-  for (const DesignPoint& start : starts) {
-    const ChoiceResult found = refine(problem, start, options.stop);
+  if (!problem.possible()) return best;
+  std::uint64_t evaluations = 0;
+  const auto try_from = [&](const DesignPoint& point) {
+    const ChoiceResult found = refine(problem, point, options.stop);
     evaluations += found.evaluations;
     if (better(found, best)) best = found;
+  };
+  for (const DesignPoint& hint : options.hints) try_from(hint);
+  if (!is_done(best, options)) {
+    int tried = 0;
+    for (const Start& start : starts_of(problem, options, evaluations)) {
+      if (options.stop() || (best.feasible && (tried >= options.starts || is_done(best, options)))) break;
+      try_from({problem.unit_lengths(start.pole, start.z[0], start.z[1]), start.pole});
+      ++tried;
+    }
   }
   best.evaluations = evaluations;
   return best;

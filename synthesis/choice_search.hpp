@@ -9,10 +9,14 @@
 namespace kempe {
 
 struct ChoiceOptions {
-  int evaluations = 300;  ///< of the global part
-  int starts = 4;         ///< local solutions
+  int poles = 12;           ///< looked at by lattice, where the pole is free
+  int lattice = 10;         ///< squared: pairs of lengths looked at from each of these poles
+  int evaluations = 200;    ///< of the global search over lengths and poles together
+  int starts = 6;           ///< local solutions
+  int starts_if_none = 16;  ///< local solutions while none is feasible
   std::uint64_t seed = 1;
   std::vector<DesignPoint> hints{};  ///< further starts, tried first
+  double bound = -1e300;  ///< no cost below this is possible: a result that reaches it ends the search
   StopFlag stop{};
 };
 

@@ -64,25 +64,28 @@ Box DesignProblem::pole_box() const {
   return space_.pole_box(goal_ == Goal::pole_margin ? 2 * layout_.unit : limits_.pole_margin);
 }
 
-DesignPoint DesignProblem::unit_point(std::span<const double> z) const {
-  DesignPoint point{.pole = layout_.origin};
-  if (layout_.pole_is_free) {
-    const Box box = pole_box();
-    point.pole = box.lower + (box.upper - box.lower).cwiseProduct(Point(z[2], z[3]));
-    const double outside = space_.pole_distance(point.pole) - limits_.pole_margin;
-    if (goal_ != Goal::pole_margin && outside > 0) {
-      const Point home = space_.nearest_pole(point.pole);
-      point.pole = home + (point.pole - home).normalized() * limits_.pole_margin;
-    }
-  }
-  const SearchSpace::Annulus annulus = space_.annulus(point.pole);
+Point DesignProblem::unit_pole(double x, double y) const {
+  const Box box = pole_box();
+  const Point pole = box.lower + (box.upper - box.lower).cwiseProduct(Point(x, y));
+  const double outside = space_.pole_distance(pole) - limits_.pole_margin;
+  if (goal_ == Goal::pole_margin || outside <= 0) return pole;
+  const Point home = space_.nearest_pole(pole);
+  return home + (pole - home).normalized() * limits_.pole_margin;
+}
+
+LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, double of_m) const {
+  const SearchSpace::Annulus annulus = space_.annulus(pole);
   const double r_max = annulus.farthest, r_min = std::max(annulus.nearest, 1e-6 * r_max);
   const double limit = reach_.lambda_limit(r_min, r_max, allowed_).value_or(0);
-  const double lambda = at_share(overlap({-limit, limit}, reach_.lambda_range(box_)), z[0]);
+  const double lambda = at_share(overlap({-limit, limit}, reach_.lambda_range(box_)), of_lambda);
   const LogRange log_m =
       overlap(reach_.log_m_range(lambda, r_min, r_max, allowed_), reach_.log_m_range(lambda, box_));
-  point.lengths = reach_.lengths(lambda, at_share(log_m, z[1]));
-  return point;
+  return reach_.lengths(lambda, at_share(log_m, of_m));
+}
+
+DesignPoint DesignProblem::unit_point(std::span<const double> z) const {
+  const Point pole = layout_.pole_is_free ? unit_pole(z[2], z[3]) : layout_.origin;
+  return {unit_lengths(pole, z[0], z[1]), pole};
 }
 
 double DesignProblem::smallest_gap(const LogLengths& lengths, double from, double to, int openings) const {

@@ -93,6 +93,10 @@ class DesignProblem {
   /// For a pole from which the region can be reached: lengths that reach it and fit the length limits, if
   /// there are any.
   DesignPoint unit_point(std::span<const double> z) const;
+  LogLengths unit_lengths(const Point& pole, double of_lambda, double of_m) const;
+  Point unit_pole(double x, double y) const;
+  /// Few poles worth starting from: none of them sees the region in an annulus that holds that of another.
+  std::vector<Point> start_poles(int count) const;
 
   DesignVector vector_of(const DesignPoint& point) const;
   DesignPoint point_of(const DesignVector& x) const;
@@ -123,6 +127,7 @@ class DesignProblem {
   RowJet end_row(bool near, const DesignVector& x) const;
   RowJet length_row(bool longest, std::size_t family, const DesignVector& x) const;
   void add_nearest_and_farthest(std::vector<Row>& rows, const DesignVector& x) const;
+  void add_around(std::vector<Row>& rows, const DesignVector& x) const;
   void add_contacts(std::vector<Row>& rows, const DesignVector& x, double band) const;
   double tightest_share(const GapTerm& term, const DesignVector& x, double below, double above) const;
 

@@ -17,6 +17,8 @@ constexpr int openings_looked_at = 33;
 /// Kept inside a limit that is a length, in shares of the task's size, so that rounding the result cannot
 /// pass it.
 constexpr double inward_length = 4e-11;
+/// The same for gaps: certified openings end 1e-9 rad before a contact, which is 1e-9 of a lever arm.
+constexpr double inward_gap = 4e-8;
 /// Contacts nearer than this become rows from the start, in shares of the task's size.
 constexpr double contact_band = 0.05;
 
@@ -67,8 +69,8 @@ RowJet DesignProblem::near_row(std::size_t edge, const DesignVector& x) const {
   const auto& [from, to] = space_.region().edges()[edge];
   const Point place = nearest_on_segment(pole, from, to);
   const bool beside_edge = place != from && place != to;
-  const bool inside = beside_edge && cross(to - from, pole - from) > 0;
-  add_pole_distance(jet, layout_, inside ? -1 : 1, pole, place, beside_edge);
+  const double side = layout_.pole_is_free && space_.region().contains(pole) ? -1 : 1;
+  add_pole_distance(jet, layout_, side, pole, place, beside_edge);
   return jet;
 }
 
@@ -87,7 +89,7 @@ RowJet DesignProblem::contact_row(std::size_t term, double share, const DesignVe
   if (goal_ == Goal::clearance)
     add_variable(jet, x, layout_.goal(), -1);
   else
-    jet.value -= limits_.clearance / layout_.unit + inward_length;
+    jet.value -= limits_.clearance / layout_.unit + inward_gap;
   return jet;
 }
 
@@ -128,7 +130,7 @@ RowJet DesignProblem::length_row(bool longest, std::size_t family, const DesignV
 
 RowJet DesignProblem::half_plane_row(std::size_t plane, const DesignVector& x) const {
   RowJet jet = zero_jet(layout_.size());
-  jet.value = room_[plane].inside(layout_.pole(x)) / layout_.unit;
+  jet.value = room_[plane].inside(layout_.pole(x)) / layout_.unit - inward_length;
   jet.gradient.segment<2>(pole_x) = -room_[plane].normal;
   return jet;
 }
@@ -178,6 +180,20 @@ void DesignProblem::add_nearest_and_farthest(std::vector<Row>& rows, const Desig
   rows.push_back({Row::Kind::far_corner, space_.region().farthest(pole).corner});
 }
 
+/// What is nearest and farthest for poles some way off in all directions: the first solution then stays
+/// sensible.
+void DesignProblem::add_around(std::vector<Row>& rows, const DesignVector& x) const {
+  for (const double away : {0.2, 1.0})
+    for (int i = 0; i < 8; ++i) {
+      DesignVector beside = x;
+      beside.segment<2>(pole_x) += away * as_point(std::polar(1.0, i * pi / 4));
+      std::vector<Row> seen;
+      add_nearest_and_farthest(seen, beside);
+      for (const Row& row : seen)
+        if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+}
+
 double DesignProblem::tightest_share(const GapTerm& term, const DesignVector& x, double below,
                                      double above) const {
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
@@ -215,6 +231,7 @@ void DesignProblem::add_contacts(std::vector<Row>& rows, const DesignVector& x, 
 std::vector<Row> DesignProblem::rows_at(const DesignVector& x) const {
   std::vector<Row> rows;
   add_nearest_and_farthest(rows, x);
+  if (layout_.pole_is_free) add_around(rows, x);
   if (goal_ == Goal::transmission) rows.insert(rows.end(), {{Row::Kind::near_end}, {Row::Kind::far_end}});
   if (goal_ == Goal::longest) rows.insert(rows.end(), {{Row::Kind::longest, 0}, {Row::Kind::longest, 1}});
   if (goal_ == Goal::shortest) rows.insert(rows.end(), {{Row::Kind::shortest, 0}, {Row::Kind::shortest, 1}});

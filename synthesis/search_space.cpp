@@ -9,6 +9,10 @@ namespace {
 /// Relative distance kept from a bound of lengths, so that rounding a length cannot pass it.
 constexpr double inward = 1e-11;
 
+/// Poles looked at first: a lattice of so many squared, and so many places along the outline.
+constexpr int pole_lattice = 16;
+constexpr int pole_outline = 96;
+
 Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : std::get<Region>(pole.place); }
 
 }  // namespace
@@ -24,6 +28,32 @@ SearchSpace::SearchSpace(const Spec& spec) : spec_(spec), region_(spec.region) {
     fixed_annulus_ =
         Annulus{region_.nearest(layout_.origin).distance, region_.farthest(layout_.origin).distance};
     layout_.unit = fixed_annulus_->farthest;
+  }
+  sample_poles();
+}
+
+void SearchSpace::sample_poles() {
+  if (!area_) {
+    samples_.push_back({layout_.origin, *fixed_annulus_});
+    return;
+  }
+  const auto add = [&](const Point& pole) { samples_.push_back({pole, annulus(pole)}); };
+  const Box& box = area_->box();
+  for (int i = 0; i < pole_lattice; ++i)
+    for (int j = 0; j < pole_lattice; ++j) {
+      const Point share((i + 0.5) / pole_lattice, (j + 0.5) / pole_lattice);
+      const Point pole = box.lower + (box.upper - box.lower).cwiseProduct(share);
+      if (area_->contains(pole)) add(pole);
+    }
+  double outline = 0;
+  for (const BoundaryEdge& edge : area_->edges()) outline += (edge.to - edge.from).norm();
+  double walked = 0;
+  int next = 0;  // places evenly along the outline, whatever the edges' lengths
+  for (const BoundaryEdge& edge : area_->edges()) {
+    const double length = (edge.to - edge.from).norm();
+    for (; next < pole_outline && next * outline / pole_outline < walked + length; ++next)
+      add(edge.from + (next * outline / pole_outline - walked) / length * (edge.to - edge.from));
+    walked += length;
   }
 }
 

@@ -42,16 +42,25 @@ class SearchSpace {
   bool is_on_edge(const Point& place) const;
   /// Where poles are looked for: the bounding box of where the pole may stand, grown by `margin`.
   Box pole_box(double margin) const;
+  /// Permitted poles on a lattice and on the area's edge, each with its annulus.
+  struct PoleSample {
+    Point pole;
+    Annulus annulus;
+  };
+  const std::vector<PoleSample>& pole_samples() const { return samples_; }
   /// Half planes around a permitted pole whose intersection is permitted too: for a convex area its edges,
   /// else the largest that grows from this place (each edge cuts where it is nearest to the place).
   std::vector<HalfPlane> room_around(const Point& pole) const;
 
  private:
+  void sample_poles();
+
   Spec spec_;
   RegionReach region_;
   std::optional<RegionReach> area_;
   DesignLayout layout_;
   std::optional<Annulus> fixed_annulus_;
+  std::vector<PoleSample> samples_;
 };
 
 /// Bounds of log VA and log VB for which every length of every link keeps within the limits and the locks.
