@@ -73,6 +73,11 @@ PathPiece PathPiece::cubic(const Point& a, const Point& b, const Point& c, const
   return piece;
 }
 
+std::optional<double> PathPiece::most_curved() const {
+  if (kind_ == Kind::cubic) return std::nullopt;
+  return kind_ == Kind::arc ? 1 / radius_ : 0.0;
+}
+
 PathPlace PathPiece::at(double way) const {
   const double share = length_ > 0 ? std::clamp(way / length_, 0.0, 1.0) : 0;
   if (kind_ == Kind::cubic) return on_cubic(std::clamp(way, 0.0, length_));

@@ -33,7 +33,9 @@ class PathPiece {
   Point begin() const { return at(0).at; }
   Point end() const { return at(length_).at; }
   double length() const { return length_; }  ///< mm; of a cubic by quadrature, to rounding for tame curves
-  PathPlace at(double way) const;            ///< after `way` mm of arc length
+  /// A bound of the curvature, 1/mm; nothing if none is known.
+  std::optional<double> most_curved() const;
+  PathPlace at(double way) const;  ///< after `way` mm of arc length
   bool operator==(const PathPiece&) const = default;
 
  private:

@@ -116,8 +116,8 @@ int PlanarLinkage::drive(const Constraint& constraint, std::string name) {
 
 int PlanarLinkage::drive_point(const BodyPoint& point, const std::string& name) {
   const BodyPoint table{ground, Point::Zero()};
-  const int first = drive(Coordinate{point, table, Point(1, 0), 0}, name + ".x");
-  drive(Coordinate{point, table, Point(0, 1), 0}, name + ".y");
+  const int first = drive(Coordinate{point, table, Point(1, 0), 0}, name);
+  drive(Coordinate{point, table, Point(0, 1), 0}, name);
   return first;
 }
 

@@ -228,14 +228,30 @@ double PlanarPath::straight_share(const std::vector<double>& target) {
   return reach <= allowed ? 1 : allowed / reach;
 }
 
-/// The share of a curve that one step may take when `left` of it is left.
-double PlanarPath::curve_share(const DriverCurve& curve, double left) {
-  double reach = 0;
-  for (std::size_t i = 0; i < curve.fastest.size(); ++i)
-    reach += reach_of(static_cast<int>(i), curve.fastest[i] * left);
+/// The share of a curve that one step may take: by its slope and bend, if they are known, else by its speed.
+/// Over a share t the first Newton step is at most a t + b t^2 long.
+double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
+  const double left = 1 - covered;
+  double a = 0, b = 0;
+  if (curve.slopes_at && !equations_.has_distance_driver()) {
+    curve.slopes_at(covered, slopes_);
+    step_.setZero(q_.size());
+    for (std::size_t i = 0; i < slopes_.size(); ++i) {
+      const int driver = static_cast<int>(i);
+      step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * slopes_[i];
+    }
+    trial_.noalias() = lu_.solve(step_);
+    a = longest(trial_);
+    for (std::size_t i = 0; i < slopes_.size(); ++i)
+      if (curve.most_bent[i] > 0) b += 0.5 * reach_of(static_cast<int>(i), curve.most_bent[i]);
+  } else {
+    for (std::size_t i = 0; i < curve.fastest.size(); ++i)
+      a += reach_of(static_cast<int>(i), curve.fastest[i] * left) / left;
+  }
+  const double reach = (a + b * left) * left;
   if (!std::isfinite(reach)) return 0;
   const double allowed = allowed_step(reach);
-  return reach <= allowed ? left : left * allowed / reach;
+  return reach <= allowed ? left : 2 * allowed / (a + std::sqrt(a * a + 4 * b * allowed));
 }
 
 /// Newton from q_ to the position at `values`: true if it converges to rounding. The first step uses the
@@ -347,7 +363,7 @@ tl::expected<void, PathStop> PlanarPath::advance(const std::vector<double>& targ
 }
 
 tl::expected<void, PathStop> PlanarPath::follow(const DriverCurve& curve) {
-  return move([&](double covered) { return curve_share(curve, 1 - covered); }, curve.values_at);
+  return move([&](double covered) { return curve_share(curve, covered); }, curve.values_at);
 }
 
 Eigen::VectorXd PlanarPath::velocity(const std::vector<double>& speeds) {

@@ -56,6 +56,11 @@ struct DriverCurve {
   std::function<void(double share, std::vector<double>& values)> values_at;
   /// A bound of |dvalue/dshare| for each driver.
   std::vector<double> fastest;
+
+  /// Where known, for longer steps: dvalue/dshare at a share, and a bound of |d2value/dshare2| for each
+  /// driver.
+  std::function<void(double share, std::vector<double>& slopes)> slopes_at = {};
+  std::vector<double> most_bent = {};
 };
 
 /// A linkage on the move. Invariant: it is closed at position() with the drivers at values(), its Jacobian is
@@ -112,7 +117,7 @@ class PlanarPath {
   double allowed_step(double reach);
   double reach_of(int driver, double way);
   double straight_share(const std::vector<double>& target);
-  double curve_share(const DriverCurve& curve, double left);
+  double curve_share(const DriverCurve& curve, double covered);
   void accept();
   double closing_limit() const;
   bool correct(const std::vector<double>& values);
@@ -123,6 +128,7 @@ class PlanarPath {
   Eigen::MatrixXd jacobian_, trial_jacobian_, inverse_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   std::vector<PlanarEquations::Bend> bends_;
+  std::vector<double> slopes_;
   Eigen::VectorXd anchor_;  ///< where bending_ was computed
   double bending_ = -1;     ///< omega at the anchor, 1/rad; -1: not computed
   double moved_ = 0;        ///< from the anchor, rad

@@ -43,22 +43,45 @@ bool is_straight(const DriveSchedule& schedule, double from, double to) {
   return straight;
 }
 
-tl::expected<void, PathStop> move_leg(PlanarPath& path, const DriveSchedule& schedule, double from,
-                                      double to) {
-  if (is_straight(schedule, from, to)) return path.advance(schedule.values_at(to));
+/// The drivers' curve over one leg, its shares those of the leg.
+DriverCurve curve_of(const DriveSchedule& schedule, double from, double to) {
   DriverCurve curve;
-  curve.values_at = [&](double share, std::vector<double>& values) {
+  const double part = to - from;
+  bool bends_known = true;
+  curve.values_at = [&schedule, from, to](double share, std::vector<double>& values) {
     values = schedule.values_at(share < 1 ? from + share * (to - from) : to);
   };
   each_motion(
       schedule,
       [&](const DriverRange& range) {
-        curve.fastest.push_back(std::abs(range.to - range.from) * (to - from));
+        curve.fastest.push_back(std::abs(range.to - range.from) * part);
+        curve.most_bent.push_back(0);
       },
-      [&](const DriverPath& driven) {
-        curve.fastest.insert(curve.fastest.end(), 2, driven.length() * (to - from));
+      [&](const DriverPath& path) {
+        const double way = path.length() * part;
+        const auto curved = path.pieces[path.piece_at(0.5 * (from + to))].most_curved();
+        bends_known &= curved.has_value();
+        curve.fastest.insert(curve.fastest.end(), 2, way);
+        curve.most_bent.insert(curve.most_bent.end(), 2, curved.value_or(0) * way * way);
       });
-  return path.follow(curve);
+  if (bends_known)
+    curve.slopes_at = [&schedule, from, to](double share, std::vector<double>& slopes) {
+      slopes.clear();
+      each_motion(
+          schedule,
+          [&](const DriverRange& range) { slopes.push_back((range.to - range.from) * (to - from)); },
+          [&](const DriverPath& path) {
+            const Point slope = path.at(from + share * (to - from)).tangent * path.length() * (to - from);
+            slopes.insert(slopes.end(), {slope.x(), slope.y()});
+          });
+    };
+  return curve;
+}
+
+tl::expected<void, PathStop> move_leg(PlanarPath& path, const DriveSchedule& schedule, double from,
+                                      double to) {
+  if (is_straight(schedule, from, to)) return path.advance(schedule.values_at(to));
+  return path.follow(curve_of(schedule, from, to));
 }
 
 /// Moves to a share of the motion; on a stop, the share reached.

@@ -5,18 +5,15 @@
 
 #include <cmath>
 #include <complex>
-#include <random>
+
+#include "random_linkages.hpp"
 
 namespace kempe {
 namespace {
 
-/// Law of the oracle: the point at distances `a` from A and `b` from B, on the left of AB for side +1.
-Point meet(const Point& A, double a, const Point& B, double b, int side) {
-  const Point e = B - A;
-  const double d = e.norm(), along = (a * a - b * b + d * d) / (2 * d);
-  const double off = std::sqrt(a * a - along * along);
-  return A + along * e / d + side * off * Point(-e.y(), e.x()) / d;
-}
+using test::four_bar;
+using test::meet;
+using test::Random;
 
 /// The report's plagiograph as bodies: OA = 5, OB = AC = 3.5, AX = 2.5, BC = 5, BY = 7, rotation 90 degrees.
 struct Plagiograph {
@@ -95,19 +92,6 @@ TEST(PlanarPath, StopsAtTheReachAndAtTheChangePoint) {
   EXPECT_NEAR(inward->at(p.X).norm(), std::sqrt(5 * 5 + 2.5 * 2.5), 1e-6);
 }
 
-/// A four-bar driven by its input crank: ground (0,0)-(d,0), crank a, coupler b, rocker c.
-PlanarLinkage four_bar(double d, double a, double b, double c) {
-  PlanarLinkage linkage;
-  const int crank = linkage.add_body("crank"), coupler = linkage.add_body("coupler"),
-            rocker = linkage.add_body("rocker");
-  linkage.add(Revolute{{0, Point(0, 0)}, {crank, Point(0, 0)}}, "A");
-  linkage.add(Revolute{{crank, Point(a, 0)}, {coupler, Point(0, 0)}}, "B");
-  linkage.add(Revolute{{coupler, Point(b, 0)}, {rocker, Point(c, 0)}}, "C");
-  linkage.add(Revolute{{rocker, Point(0, 0)}, {0, Point(d, 0)}}, "D");
-  linkage.drive(RelativeAngle{crank, 0, 0}, "crank");
-  return linkage;
-}
-
 PlanarPosition four_bar_position(double d, double a, double b, double c, double crank, int side) {
   const Point B(a * std::cos(crank), a * std::sin(crank)), D(d, 0), C = meet(B, b, D, c, side);
   return {{},
@@ -117,10 +101,8 @@ PlanarPosition four_bar_position(double d, double a, double b, double c, double 
 }
 
 TEST(PlanarPath, FollowsRandomCrankRockersAroundInCoarseSteps) {
-  std::mt19937_64 random(2);
-  const auto uniform = [&](double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  Random random(2);
+  const auto uniform = [&](double lower, double upper) { return random.uniform(lower, upper); };
   int tried = 0;
   while (tried < 300) {
     const double a = uniform(0.2, 2), b = uniform(0.5, 5), c = uniform(0.5, 5), d = uniform(0.5, 5);
@@ -140,10 +122,8 @@ TEST(PlanarPath, FollowsRandomCrankRockersAroundInCoarseSteps) {
 }
 
 TEST(PlanarPath, FindsTheDeadPointOfARockerWhereTheTriangleSaysIt) {
-  std::mt19937_64 random(3);
-  const auto uniform = [&](double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  Random random(3);
+  const auto uniform = [&](double lower, double upper) { return random.uniform(lower, upper); };
   int tried = 0;
   while (tried < 200) {
     const double a = uniform(0.5, 3), b = uniform(0.5, 3), c = uniform(0.5, 3), d = uniform(0.5, 3);
