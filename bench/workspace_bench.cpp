@@ -132,10 +132,10 @@ BENCHMARK(smallest_self_gap)->Unit(benchmark::kMicrosecond);
 /// A region of 10^5 corners and 40 holes, its copy a few millimetres from an obstacle.
 void region_of_many_corners(benchmark::State& state) {
   MapTask task = report_task();
-  task.obstacles = {{disc({115, 0}, 15, 20), 1, 2, {}}};
-  Polygon comb = disc({0, -64}, 5, 60'000);
+  task.obstacles = {{disc({122, 0}, 15, 20), 1, 2, {}}};
+  Polygon comb = disc({0, -68.5}, 5, 60'000);
   for (int i = 0; i < 40; ++i) {
-    Ring hole = disc({-2.8 + 0.8 * (i % 8), -66.2 + 1.1 * (i / 8)}, 0.3, 1000).outer;
+    Ring hole = disc({-2.8 + 0.8 * (i % 8), -70.7 + 1.1 * (i / 8)}, 0.3, 1000).outer;
     comb.holes.emplace_back(hole.rbegin(), hole.rend());
   }
   task.region = {{comb}};

@@ -13,20 +13,36 @@
 namespace kempe {
 namespace {
 
-/// The openings that the region needs, or all that keep the transmission limit.
-OpeningInterval openings_of(const MapTask& task) {
+/// The openings by which assignments are compared, and whether they are those that the region needs.
+struct Compared {
+  OpeningInterval openings;
+  bool of_region;
+};
+
+Compared compared_openings(const MapTask& task) {
   const OpeningInterval usable = task.linkage.openings_with_transmission(task.transmission);
-  const auto needed = openings_over(task.linkage, task.region);
-  return needed ? *needed : usable.empty() ? task.linkage.assembly_interval() : usable;
+  if (const auto needed = openings_over(task.linkage, task.region)) return {*needed, true};
+  return {usable.empty() ? task.linkage.assembly_interval() : usable, false};
 }
 
-LayerFinding finding_of(MapTask task, const LayerAssignment& layers, double best_gap) {
+double widest_free(const MapTask& task) {
+  double width = 0;
+  for (const FreeOpenings& one :
+       contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
+                             task.linkage.openings_with_transmission(task.transmission)))
+    width = std::max(width, one.interval.width());
+  return width;
+}
+
+LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compared& by, double best_gap) {
   task.layers = layers;
-  const Tightest own = smallest_gap_over(task.linkage, task.style, layers, openings_of(task));
-  LayerFinding finding{layers, own.gap, name(*own.pair), task.linkage.tracer_at(own.opening, 0), false, true};
-  if (own.gap < best_gap && !task.obstacles.empty()) {
+  const Tightest own = smallest_gap_over(task.linkage, task.style, layers, by.openings);
+  LayerFinding finding{
+      layers, own.gap, name(*own.pair), task.linkage.tracer_at(own.opening, 0), false, widest_free(task),
+      true};
+  if (by.of_region && own.gap < best_gap && !task.obstacles.empty()) {
     finding.compared = false;
-  } else if (const auto figure = smallest_clearance(task)) {
+  } else if (const auto figure = by.of_region ? smallest_clearance(task) : std::nullopt) {
     finding.gap = figure->gap;
     finding.parts = figure->parts;
     finding.at = figure->at;
@@ -35,10 +51,11 @@ LayerFinding finding_of(MapTask task, const LayerAssignment& layers, double best
   return finding;
 }
 
-/// Gaps nearer to each other than this are equal, mm.
+/// Gaps and openings nearer to each other than this are equal, mm and rad.
 constexpr double same_gap = 1e-9;
 
-double rank_of(double gap) { return -std::round(gap / same_gap); }
+/// Larger is better; the last digits do not count.
+double rank_of(double figure) { return -std::round(figure / same_gap); }
 
 std::string why_not(const LayerFinding& finding, const LayerFinding& best, double clearance) {
   const int count = finding.layers.highest();
@@ -56,16 +73,18 @@ std::string why_not(const LayerFinding& finding, const LayerFinding& best, doubl
 
 LayerChoice choose_layers(const MapTask& task, int layers) {
   LayerChoice choice;
+  const Compared by = compared_openings(task);
   double best_gap = -std::numeric_limits<double>::infinity();
   for (const LayerAssignment& assignment : layer_assignments(layers)) {
-    choice.findings.push_back(finding_of(task, assignment, best_gap));
-    best_gap = std::max(best_gap, choice.findings.back().compared ? choice.findings.back().gap : best_gap);
+    choice.findings.push_back(finding_of(task, assignment, by, best_gap));
+    if (choice.findings.back().compared) best_gap = std::max(best_gap, choice.findings.back().gap);
   }
+  const auto order = [&](const LayerFinding& one) {
+    return std::tuple(!one.compared, by.of_region ? rank_of(one.gap) : 0, rank_of(one.free_opening),
+                      one.layers.highest());
+  };
   std::stable_sort(choice.findings.begin(), choice.findings.end(),
-                   [](const LayerFinding& a, const LayerFinding& b) {
-                     return std::tuple(!a.compared, rank_of(a.gap), a.layers.highest()) <
-                            std::tuple(!b.compared, rank_of(b.gap), b.layers.highest());
-                   });
+                   [&](const LayerFinding& a, const LayerFinding& b) { return order(a) < order(b); });
   const LayerFinding& best = choice.findings.front();
   choice.best = best.layers;
   for (int fewer = 2; fewer < best.layers.highest(); ++fewer)
