@@ -5,6 +5,14 @@
 
 namespace kempe {
 
+namespace {
+
+/// Inner circles smaller than this share of the outer are the pole itself: equal arms fold onto it up to
+/// rounding.
+constexpr double rounding = 1e-12;
+
+}  // namespace
+
 bool Annulus::contains(const Point& point) const {
   const double distance = (point - centre).norm();
   return inner <= distance && distance <= outer;
@@ -28,8 +36,7 @@ Annulus chain_annulus(const CopyingLinkage& linkage) {
   // Folded and stretched: the chain's directions differ by pi and by 0 at openings arg s + pi and arg s.
   const double stretched = std::arg(linkage.shape());
   const double folded = linkage.radius_at(stretched + pi), outer = linkage.radius_at(stretched);
-  const double rounding = 1e-12 * outer;  // equal arms fold onto the pole
-  return {linkage.pole(), folded > rounding ? folded : 0, outer};
+  return {linkage.pole(), folded > rounding * outer ? folded : 0, outer};
 }
 
 double area(const Annulus& annulus) {
@@ -39,7 +46,8 @@ double area(const Annulus& annulus) {
 ArcRegion as_region(const Annulus& annulus) {
   if (annulus.empty() || !(annulus.outer > annulus.inner)) return {};
   ArcPolygon polygon{circle(annulus.centre, annulus.outer), {}};
-  if (annulus.inner > 0) polygon.holes.push_back(reversed(circle(annulus.centre, annulus.inner)));
+  if (annulus.inner > rounding * annulus.outer)
+    polygon.holes.push_back(reversed(circle(annulus.centre, annulus.inner)));
   return {polygon};
 }
 

@@ -86,8 +86,12 @@ std::vector<ContactOpenings> lost_openings(const MapTask& task, const std::vecto
   return lost;
 }
 
-void add_lost(WorkspaceMap& map, Cause cause, std::vector<std::string> parts, ArcRegion area) {
-  if (!area.empty()) map.lost.push_back({cause, std::move(parts), std::move(area)});
+/// Slivers of rounding are no lost area.
+constexpr double sliver = 1e-12;
+
+void add_lost(WorkspaceMap& map, Cause cause, std::vector<std::string> parts, ArcRegion area_lost) {
+  if (area(area_lost) > sliver * area(map.reachable))
+    map.lost.push_back({cause, std::move(parts), std::move(area_lost)});
 }
 
 /// Exact Boolean operations on more corners than this would take seconds.
