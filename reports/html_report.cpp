@@ -64,9 +64,10 @@ std::string html_report(const Design& design, const ReportExtras& extras) {
   const MapPicture picture = map_picture(design);
   std::string body = section::header(design, extras) + section::key_figures(design) +
                      section::map(picture, report_is_live());
-  body += section::making(design) + section::quality(design) + section::workspace(design);
+  body += section::making(design) + section::parts(design, extras) + section::quality(design) +
+          section::workspace(design);
   body += section::tolerance(design) + section::verification(design) + section::search(design);
-  body += section::pareto(extras) + section::parts(extras) + section::spec(extras);
+  body += section::pareto(extras) + section::spec(extras);
   std::string page = head(design, extras) + "<body>\n<main>\n" + body + "</main>\n" +
                      section::footer(extras, report_is_live());
   if (report_is_live()) page += live_part(design, picture);

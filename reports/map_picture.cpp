@@ -131,6 +131,7 @@ class Picture {
   std::string things();
   std::string labels() const;
   std::string text(std::string_view css, const Point& at, const std::string& inside) const;
+  Point free_side(Joint joint) const;
   std::string joint_labels(LabelPlacer& placer) const;
   double detail() const { return 0.15 * view_.unit; }
   void layer(std::string id, std::string label, std::string figure, std::string group, bool shown = true) {
@@ -150,6 +151,7 @@ void Picture::frame_view() {
   Extent extent;
   extent.add(design_.map.reachable);
   extent.add(design_.map.collision_free);
+  for (const LostArea& lost : design_.map.lost) extent.add(lost.area);
   extent.add(design_.region);
   extent.add(copy_);
   for (const Obstacle& obstacle : design_.obstacles) extent.add(obstacle.shape.outer);
@@ -204,7 +206,8 @@ std::string Picture::grid() const {
   }
   for (double y = std::ceil(lower.y() / step) * step; y <= upper.y(); y += step) {
     lines += svg_line({{lower.x(), y}, {upper.x(), y}});
-    figures += text("tick end", {lower.x() - 6 * u, y}, number_text(std::round(y / step) * step, 6));
+    if (upper.y() - y > 7 * u)
+      figures += text("tick end", {lower.x() - 6 * u, y}, number_text(std::round(y / step) * step, 6));
   }
   return group("grid", path_element("grid-line", lines) + figures);
 }
@@ -292,6 +295,22 @@ std::string Picture::things() {
   return svg;
 }
 
+/// Away from the links that meet at a joint; the page's scripts put the moving letters there (stage.js,
+/// freeSide).
+Point Picture::free_side(Joint joint) const {
+  Point away = Point::Zero(), along(1, 0);
+  for (const Link link : all_links) {
+    const std::vector<Joint> line = body_line(link);
+    for (std::size_t i = 0; i < line.size(); ++i)
+      for (std::size_t j = i == 0 ? 0 : i - 1; line[i] == joint && j < line.size() && j <= i + 1; ++j)
+        if (j != i && (pose_[line[j]] - pose_[joint]).norm() > 0) {
+          along = (pose_[line[j]] - pose_[joint]).normalized();
+          away -= along;
+        }
+  }
+  return away.norm() > 0.15 ? Point(away.normalized()) : Point(-along.y(), along.x());
+}
+
 std::string Picture::joint_labels(LabelPlacer& placer) const {
   const double u = view_.unit, radius = 1.6 * drawn_pin_radius(design_.style, u);
   std::string svg;
@@ -303,7 +322,8 @@ std::string Picture::joint_labels(LabelPlacer& placer) const {
     const std::string_view what = role(design_.linkage, joint);
     const double width = letter_size * letter_width *
                          (1.2 + (what.empty() ? 0.0 : 0.5 + 0.86 * static_cast<double>(what.size())));
-    const Point at = placer.place_around(pose_[joint], radius, Point(width / 2, letter_size / 2) * u);
+    const Point at =
+        placer.place_around(pose_[joint], radius, Point(width / 2, letter_size / 2) * u, free_side(joint));
     std::string words = fmt::format("<tspan class=\"letter\">{}</tspan>", letter(joint));
     if (!what.empty()) words += fmt::format(" <tspan class=\"role\">{}</tspan>", what);
     svg += text(fmt::format("joint {}", what), at, words);

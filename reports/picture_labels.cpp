@@ -66,18 +66,19 @@ Point LabelPlacer::take_best(const std::vector<PictureBox>& candidates, double f
   return best.centre;
 }
 
-Point LabelPlacer::place_around(const Point& anchor, double radius, const Point& half) {
+Point LabelPlacer::place_around(const Point& anchor, double radius, const Point& half,
+                                const Point& preferred) {
   std::vector<PictureBox> candidates;
-  constexpr int directions = 16;
+  const double first = std::atan2(preferred.y(), preferred.x());
   for (const double away : {4.0, 12.0, 22.0, 36.0})
-    for (int i = 0; i < directions; ++i) {
-      const double angle = 2 * pi * i / directions;
+    for (const int turn : {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8}) {
+      const double angle = first + turn * pi / 8;
       const Point direction(std::cos(angle), std::sin(angle));
       const double support = std::min(half.x() / std::max(1e-9, std::abs(direction.x())),
                                       half.y() / std::max(1e-9, std::abs(direction.y())));
       candidates.push_back({anchor + direction * (radius + away * unit_ + support), half});
     }
-  return take_best(candidates, 0.12 * unit_);
+  return take_best(candidates, 0.2 * unit_);
 }
 
 Point LabelPlacer::place_beside(const PictureBox& box, const Point& half) {

@@ -25,9 +25,9 @@ class LabelPlacer {
   void avoid(const Point& from, const Point& to, double half_width);
   void avoid(const PictureBox& box) { boxes_.push_back(box); }
 
-  /// The centre for a label of half size `half` around a mark of radius `radius` at `anchor`; the place is
-  /// kept free from then on.
-  Point place_around(const Point& anchor, double radius, const Point& half);
+  /// The centre for a label of half size `half` around a mark of radius `radius` at `anchor`, best on the
+  /// side `preferred`; the place is kept free from then on.
+  Point place_around(const Point& anchor, double radius, const Point& half, const Point& preferred);
   /// The same beside a box: above, below, right or left of it, inside where nothing else is clear.
   Point place_beside(const PictureBox& box, const Point& half);
 

@@ -49,7 +49,7 @@ std::string key_figure(std::string_view name, const std::string& value, const st
 }
 
 std::string size_text(double scale) {
-  return scale == 1 ? "as large as it is" : number_text(scale, 4) + " times as large";
+  return scale == 1 ? "at the same size" : number_text(scale, 4) + " times as large";
 }
 
 /// What the page's scripts bring to life; hidden until they run.
@@ -99,7 +99,7 @@ std::string header(const Design& design, const ReportExtras& extras) {
   if (design.search && !design.search->complete) badges += badge(false, "", "Search stopped early");
   return fmt::format(
       "<header>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
-      "<p class=\"lead\">What the tracer follows, the pen draws {} and {}. The pole <b>{}</b> "
+      "<p class=\"lead\">What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> "
       "is fixed "
       "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.</p>\n<ul "
       "class=\"badges\">\n{}</ul>\n{}{}"

@@ -24,7 +24,8 @@ std::string tolerance(const Design& design);
 std::string verification(const Design& design);
 std::string search(const Design& design);
 std::string pareto(const ReportExtras& extras);
-std::string parts(const ReportExtras& extras);
+/// The links with their dimensions, and the pictures that the extras bring.
+std::string parts(const Design& design, const ReportExtras& extras);
 std::string spec(const ReportExtras& extras);
 std::string footer(const ReportExtras& extras, bool live);
 

@@ -207,17 +207,6 @@ std::string pareto(const ReportExtras& extras) {
       "<div class=\"columns\"><div>" + pareto_chart(front) + "</div><div>" + table + "</div></div>\n");
 }
 
-std::string parts(const ReportExtras& extras) {
-  std::string html;
-  for (const PartPicture& part : extras.parts)
-    // As an image an SVG runs no script and loads nothing, whatever it holds.
-    html += fmt::format(
-        "<figure class=\"part\"><img alt=\"Drawing of {0}\" "
-        "src=\"data:image/svg+xml;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
-        html_escaped(part.name), base64(part.svg));
-  return html.empty() ? html : html_section("parts", "Parts", "<div class=\"parts\">\n" + html + "</div>\n");
-}
-
 std::string spec(const ReportExtras& extras) {
   if (extras.spec_text.empty()) return {};
   constexpr std::size_t head = 16000, tail = 2000;
