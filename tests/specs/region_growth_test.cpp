@@ -55,7 +55,7 @@ TEST(Grown, ClosesHolesNarrowerThanTwiceTheMargin) {
 TEST(Grown, StrokesCoverTheirNeighbourhood) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 30; ++i) {
-    std::vector<Stroke> strokes(1 + i % 3);
+    std::vector<Stroke> strokes(static_cast<std::size_t>(1 + i % 3));
     for (Stroke& stroke : strokes) {
       for (int c = 0; c < 1 + i % 6; ++c)
         stroke.emplace_back(uniform(random, 0, 100), uniform(random, 0, 100));
