@@ -9,6 +9,7 @@
 #include "workspace/largest_sheet.hpp"
 #include "workspace/reach.hpp"
 #include "workspace/region_algebra.hpp"
+#include "workspace/region_losses.hpp"
 #include "workspace/sheets_gap.hpp"
 
 namespace kempe {
@@ -156,6 +157,12 @@ void lose_all_to(WorkspaceMap& map, const MapTask& task, std::size_t obstacle) {
                   {post, obstacle_name(task, obstacle)}};
 }
 
+void add_losses(WorkspaceMap& map, const Region& region) {
+  map.coverage.losses = region_losses(map.lost, region);
+  if (const std::string sentence = losses_sentence(map.coverage.losses); !sentence.empty())
+    map.coverage.why_not += " " + sentence;
+}
+
 /// Sheets that overlap are a fault of the region and the pole, wherever the linkage can go.
 void add_sheet_overlap(WorkspaceMap& map, const MapTask& task) {
   auto overlap = sheet_overlap(task);
@@ -197,6 +204,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   refine(charts, options.map_tolerance);
   for (const Subdivision& chart : charts) add_cells(map, task, scene, chart);
   map.coverage = coverage_of(task, charts, region);
+  if (!map.coverage.covered) add_losses(map, task.region);
   add_sheet_overlap(map, task);
   if (options.largest_sheets) map.largest_sheets = largest_sheets(map.collision_free, task.region);
   return map;

@@ -55,6 +55,13 @@ struct FittingSheet {
   double turn = 0;  ///< rad, of the width's direction against the x axis
 };
 
+/// A share of the region that is lost, and to what.
+struct RegionLoss {
+  Cause cause;
+  std::vector<std::string> parts;
+  double share;  ///< of the region's area
+};
+
 /// Is the region covered by one component of the collision-free workspace? Limits and clearances are taken as
 /// kept where they are missed by less than 1e-8 of the outer reach, so that a design optimal at a limit
 /// counts.
@@ -65,6 +72,9 @@ struct Coverage {
   std::optional<Point> witness;  ///< a point of the region that is not covered
   std::optional<Cause> cause;
   std::vector<std::string> parts;
+  /// Where parts of the region are lost: how much to what, the largest first. Empty if covered, or if map or
+  /// region have so many corners that the exact intersection would take seconds.
+  std::vector<RegionLoss> losses = {};
 };
 
 struct WorkspaceMap {

@@ -253,6 +253,24 @@ TEST(Coverage, ObstacleInTheWayIsNamedWithTheLinkItMeets) {
   EXPECT_TRUE(contains(task.region, *coverage.witness));
 }
 
+TEST(Coverage, SharesOfTheRegionThatAreLostAddUp) {
+  MapTask task = report_task();
+  task.region = {{box(50, -10, 30, 20)}};
+  task.obstacles = {block(box(64, 4, 1, 1))};
+  const WorkspaceMap map = map_workspace(task, no_sheets);
+  ASSERT_FALSE(map.coverage.losses.empty());
+  double lost = 0, last = 1;
+  for (const RegionLoss& loss : map.coverage.losses) {
+    EXPECT_LE(loss.share, last);
+    last = loss.share;
+    lost += loss.share;
+  }
+  const double free = area(intersection(map.collision_free, as_arcs(task.region))) / area(task.region);
+  const double uncertain = area(intersection(map.uncertain, as_arcs(task.region))) / area(task.region);
+  EXPECT_NEAR(free + uncertain + lost, 1, 1e-5);
+  EXPECT_NE(map.coverage.why_not.find("% of the region is lost"), std::string::npos) << map.coverage.why_not;
+}
+
 TEST(Coverage, HoleOfTheRegionLeavesRoomForAnObstacle) {
   MapTask task = report_task();
   Polygon frame = box(58, -7, 14, 14);
