@@ -22,6 +22,8 @@ constexpr double penalty = 10;
 /// Starts differ at least by so much in the unit square, or in the pole's place over the task's size.
 constexpr double apart = 0.15;
 constexpr double poles_apart = 0.6;
+/// Promising poles differ by so much of the task's size: kinks of the region's distances lie close together.
+constexpr double poles_told_apart = 0.06;
 
 double merit_of(const DesignProblem& problem, const Assessment& seen) {
   const double unit = problem.layout().unit;
@@ -138,6 +140,34 @@ ChoiceResult refine(const DesignProblem& shared, const DesignPoint& start, const
   }
   best.evaluations += evaluations;
   return best;
+}
+
+std::vector<Point> promising_poles(const DesignProblem& problem, int evaluations, int count,
+                                   const StopFlag& stop) {
+  if (!problem.layout().pole_is_free || !problem.possible()) return {};
+  const auto merit = [&](std::span<const double> z) {
+    const Point pole = problem.unit_pole(z[0], z[1]);
+    double best = std::numeric_limits<double>::infinity();
+    for (const double of_lambda : {0.0, 0.25, 0.5, 0.75, 1.0})
+      for (const double of_m : {0.0, 0.5, 1.0}) {
+        const DesignPoint point{problem.unit_lengths(pole, of_lambda, of_m), pole};
+        best = std::min(best, merit_of(problem, problem.assess(point, 1)));
+      }
+    return best;
+  };
+  std::vector<Explored> seen = explore({2, evaluations, 1, merit, stop});
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Explored& a, const Explored& b) { return a.merit < b.merit; });
+  std::vector<Point> poles;
+  for (const Explored& place : seen) {
+    const Point pole = problem.unit_pole(place.z[0], place.z[1]);
+    const auto close = [&](const Point& other) {
+      return (pole - other).norm() < poles_told_apart * problem.layout().unit;
+    };
+    if (std::none_of(poles.begin(), poles.end(), close)) poles.push_back(pole);
+    if (static_cast<int>(poles.size()) == count) break;
+  }
+  return poles;
 }
 
 namespace {

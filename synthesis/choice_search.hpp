@@ -16,6 +16,7 @@ struct ChoiceOptions {
   int starts_if_none = 16;  ///< local solutions while none is feasible
   std::uint64_t seed = 1;
   std::vector<DesignPoint> hints{};  ///< further starts, tried first
+  std::vector<Point> pole_hints{};   ///< further poles for the lattices
   double bound = -1e300;  ///< no cost below this is possible: a result that reaches it ends the search
   StopFlag stop{};
 };
@@ -35,6 +36,11 @@ ChoiceResult no_result();
 bool better(const ChoiceResult& a, const ChoiceResult& b);
 
 ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& options);
+
+/// The best poles by a global search over the pole alone, a few pairs of lengths tried at each; none if the
+/// pole is fixed. Meant for problems without contact.
+std::vector<Point> promising_poles(const DesignProblem& problem, int evaluations, int count,
+                                   const StopFlag& stop);
 
 /// A local solution from a start, the last digits included, judged anew.
 ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const StopFlag& stop);

@@ -16,6 +16,9 @@ namespace {
 
 /// Choices searched before what is found may leave out others.
 constexpr std::size_t group_size = 4;
+/// Of the global search for promising poles; how many are kept.
+constexpr int pole_evaluations = 240;
+constexpr int promising = 5;
 
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
 std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
@@ -33,6 +36,7 @@ struct SearchRun::Task {
   std::unique_ptr<DesignProblem> problem;
   const ContactChoice* choice = nullptr;
   OpeningInterval allowed;
+  std::vector<Point> poles;  ///< promising without contact
   ChoiceResult relaxed = no_result();
   ChoiceResult result = no_result();
 };
@@ -52,7 +56,7 @@ std::vector<SearchRun::Task> SearchRun::tasks_for(const Requirements& limits, Go
     for (const OpeningInterval& allowed : allowed_openings(spec(), choice.choice, limits)) {
       auto problem =
           std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);
-      if (problem->possible()) tasks.push_back({std::move(problem), &choice, allowed});
+      if (problem->possible()) tasks.push_back({std::move(problem), &choice, allowed, {}});
     }
   return tasks;
 }
@@ -69,20 +73,33 @@ ChoiceOptions SearchRun::options_for(bool relaxed) const {
 /// Groundings, assemblies and allowed openings once each, without contact.
 void SearchRun::relax(std::vector<Task>& tasks, const Requirements& limits, Goal goal) const {
   using Key = std::tuple<Vertex, int, double>;
+  struct Relaxed {
+    ChoiceResult result;
+    std::vector<Point> poles;
+  };
   const auto key = [](const Task& task) {
     return Key{task.choice->choice.vertex, task.choice->choice.assembly, task.allowed.lower};
   };
-  std::map<Key, ChoiceResult> relaxed;
-  for (const Task& task : tasks) relaxed.emplace(key(task), no_result());
-  std::vector<std::pair<const Key, ChoiceResult>*> all;
+  std::map<Key, Relaxed> relaxed;
+  for (const Task& task : tasks) relaxed.emplace(key(task), Relaxed{no_result(), {}});
+  std::vector<std::pair<const Key, Relaxed>*> all;
   for (auto& one : relaxed) all.push_back(&one);
   run_parallel(all.size(), options_.threads, [&](std::size_t i) {
     const auto task =
         std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return key(t) == all[i]->first; });
     const DesignProblem problem(space_, task->choice->choice, limits, goal, task->allowed, {});
-    all[i]->second = search_choice(problem, options_for(true));
+    Relaxed& found = all[i]->second;
+    found.poles = promising_poles(problem, pole_evaluations, promising, stop_);
+    ChoiceOptions options = options_for(true);
+    for (const Point& pole : found.poles)
+      for (const double of_lambda : {0.0, 1.0})
+        options.hints.push_back({problem.unit_lengths(pole, of_lambda, 0), pole});
+    found.result = search_choice(problem, options);
   });
-  for (Task& task : tasks) task.relaxed = relaxed[key(task)];
+  for (Task& task : tasks) {
+    task.relaxed = relaxed[key(task)].result;
+    task.poles = relaxed[key(task)].poles;
+  }
 }
 
 std::optional<FoundDesign> SearchRun::finished(const Task& task, const Requirements& limits,
@@ -116,6 +133,7 @@ SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
       Task& task = tasks[first + i];
       if (best.feasible && !better(task.relaxed, best)) return;
       ChoiceOptions options = options_for(false);
+      options.pole_hints = task.poles;
       if (task.relaxed.feasible) options.hints = {task.relaxed.point}, options.bound = task.relaxed.cost;
       task.result = search_choice(*task.problem, options);
     });
