@@ -5,6 +5,7 @@
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/footprint.hpp"
+#include "synthesis/lower_bound.hpp"
 #include "workspace/reach.hpp"
 #include "workspace/self_contact.hpp"
 
@@ -92,6 +93,8 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
                                .evaluations = found.evaluations,
                                .seed = found.seed,
                                .complete = found.complete};
+  if (const auto bound = lower_bound(spec, {.incumbent = found.value}); bound && !bound->no_design)
+    design.quality.lower_bound = bound->value;
   return design;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/last_digits.hpp"
 #include "synthesis/newton_polish.hpp"
 #include "synthesis/nlopt_backend.hpp"
 
@@ -118,14 +119,20 @@ bool better(const ChoiceResult& a, const ChoiceResult& b) {
   return a.feasible ? a.cost < b.cost : a.violation < b.violation;
 }
 
-ChoiceResult refine(const DesignProblem& shared, const DesignPoint& start, const StopFlag& stop) {
+namespace {
+
+using LocalSolver = std::function<LocalResult(const SmoothProgram&, const DesignVector&)>;
+
+/// The exchange method: solve, add the rows that the solution violates, solve again; then the last digits.
+ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, const LocalSolver& solve,
+                      const StopFlag& stop) {
   DesignProblem problem = shared;
   problem.set_room(start.pole);
   DesignVector x = problem.vector_of(start);
   std::vector<Row> rows = problem.rows_at(x);
   std::uint64_t evaluations = 0;
   for (int i = 0; i < most_exchanges && !stop(); ++i) {
-    const LocalResult local = minimize_by_sqp(problem.program(rows), x, most_local_evaluations, stop);
+    const LocalResult local = solve(problem.program(rows), x);
     evaluations += static_cast<std::uint64_t>(local.evaluations);
     if (!local.usable) break;
     x = local.x;
@@ -139,6 +146,27 @@ ChoiceResult refine(const DesignProblem& shared, const DesignPoint& start, const
     if (here.feasible || better(here, best)) best = here;
   }
   best.evaluations += evaluations;
+  return best;
+}
+
+}  // namespace
+
+ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const StopFlag& stop) {
+  const LocalSolver sqp = [&](const SmoothProgram& program, const DesignVector& x) {
+    return minimize_by_sqp(program, x, most_local_evaluations, stop);
+  };
+  return exchange(problem, start, sqp, stop);
+}
+
+ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const StopFlag& stop) {
+  const LocalSolver second = [&](const SmoothProgram& program, const DesignVector& x) {
+    return minimize_to_last_digits(program, x, stop);
+  };
+  ChoiceResult best = exchange(problem, found.point, second, stop);
+  const std::uint64_t evaluations = best.evaluations + found.evaluations;
+  // Rounding must not make one solver's digits look better than the other's.
+  if (!best.feasible || best.cost > found.cost - 1e-9 * std::abs(found.cost)) best = found;
+  best.evaluations = evaluations;
   return best;
 }
 

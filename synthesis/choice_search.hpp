@@ -45,4 +45,7 @@ std::vector<Point> promising_poles(const DesignProblem& problem, int evaluations
 /// A local solution from a start, the last digits included, judged anew.
 ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const StopFlag& stop);
 
+/// The same from a solution already found, by the second solver; the better of both.
+ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const StopFlag& stop);
+
 }  // namespace kempe

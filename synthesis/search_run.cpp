@@ -8,6 +8,7 @@
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/design_check.hpp"
+#include "synthesis/last_digits.hpp"
 #include "synthesis/nlopt_backend.hpp"
 #include "synthesis/parallel.hpp"
 
@@ -116,7 +117,8 @@ std::optional<FoundDesign> SearchRun::finished(const Task& task, const Requireme
   design.value = check.attained.of(goal);
   design.opening = check.opening;
   design.seed = options_.seed;
-  design.solvers = {nlopt_name() + " DIRECT-L", nlopt_name() + " CRS2", nlopt_name() + " SLSQP"};
+  design.solvers = {nlopt_name() + " DIRECT-L", nlopt_name() + " CRS2", nlopt_name() + " SLSQP",
+                    last_digits_solver()};
   return design;
 }
 
@@ -145,8 +147,9 @@ SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const Task& a, const Task& b) { return better(a.result, b.result); });
   for (const Task& task : tasks) result.evaluations += task.relaxed.evaluations + task.result.evaluations;
-  for (const Task& task : tasks) {
+  for (Task& task : tasks) {
     if (!task.result.feasible || result.design) break;
+    task.result = refine_further(*task.problem, task.result, stop_);
     result.design = finished(task, limits, goal);
   }
   result.stopped = stop_();

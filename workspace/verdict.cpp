@@ -31,6 +31,8 @@ namespace {
 
 /// Gaps within this share of the mechanism's size of the clearance are not decided.
 constexpr double undecided = 1e-12;
+/// A transmission angle that misses its limit by less, rad, keeps it: the opening is computed from the place.
+constexpr double limit_rounding = 1e-9;
 
 Verdict lost(Cause cause, std::string sentence, std::vector<std::string> parts = {}) {
   return {false, false, cause, std::move(parts), std::move(sentence)};
@@ -91,7 +93,7 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
   const auto opening = linkage.opening_at(distance);
   if (!opening) return unreachable(linkage, opening.error(), distance);
   const double transmission = linkage.transmission_angle(*opening);
-  if (transmission < task.transmission)
+  if (transmission < task.transmission - limit_rounding)
     return lost(Cause::transmission_below_limit,
                 fmt::format("transmission below the limit: {:.2f} degrees here, the limit is {:.2f}",
                             degrees(transmission), degrees(task.transmission)));
