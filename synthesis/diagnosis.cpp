@@ -1,12 +1,125 @@
+// Steps: for each limit alone, the best that designs can have of it while all others hold (that limit is the goal of its
+// own search); the limit moved there, a little further so that rounding does no harm; the spec searched again with it.
+
 #include "synthesis/diagnosis.hpp"
 
-namespace kempe {
+#include <fmt/format.h>
 
-NoDesign diagnose(const SearchRun&, std::uint64_t evaluations) {
-  return {.requirement = "limits",
-          .sentence = "no design keeps all limits",
-          .relaxations = {},
-          .evaluations = evaluations};
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kempe {
+namespace {
+
+/// A limit that can be moved: how a person knows it and how far it may go at most.
+struct Movable {
+  Goal goal;
+  const char* key;
+  double unit;      ///< the key's unit in mm or rad
+  double loosest;   ///< in mm or rad
+};
+
+constexpr std::array movables{
+    Movable{Goal::transmission, "limits.transmission_deg", pi / 180, 0},
+    Movable{Goal::clearance, "limits.clearance_mm", 1, 0},
+    Movable{Goal::longest, "links.longest_mm", 1, 1e5},
+    Movable{Goal::shortest, "links.shortest_mm", 1, 1e-3},
+    Movable{Goal::sheets_gap, "limits.sheets_gap_mm", 1, 0},
+    Movable{Goal::copy_error, "limits.copy_error_mm", 1, 1e3},
+    Movable{Goal::pole_margin, "pole.within_mm", 1, 1e4},
+};
+
+/// The limit's value, or nothing if the spec does not have it.
+std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goal goal) {
+  switch (goal) {
+    case Goal::transmission: return limits.transmission;
+    case Goal::clearance: return limits.clearance;
+    case Goal::longest: return limits.longest;
+    case Goal::shortest: return limits.shortest;
+    case Goal::sheets_gap: return limits.sheets_gap;
+    case Goal::copy_error: return limits.copy_error;
+    case Goal::pole_margin: return spec.pole.is_fixed() ? std::nullopt : std::optional<double>(limits.pole_margin);
+    default: return std::nullopt;
+  }
+}
+
+Requirements moved(Requirements limits, Goal goal, double value) {
+  switch (goal) {
+    case Goal::transmission: limits.transmission = value; break;
+    case Goal::clearance: limits.clearance = value; break;
+    case Goal::longest: limits.longest = value; break;
+    case Goal::shortest: limits.shortest = value; break;
+    case Goal::sheets_gap: limits.sheets_gap = value; break;
+    case Goal::copy_error: limits.copy_error = value; break;
+    case Goal::pole_margin: limits.pole_margin = value; break;
+    default: break;
+  }
+  return limits;
+}
+
+/// The attained value given way by a thousandth, in the limit's own unit rounded to four figures on the loose side.
+double possible_value(const Movable& limit, double attained) {
+  const double wanted = attained / limit.unit * (is_maximized(limit.goal) ? 0.999 : 1.001);
+  const double step = std::pow(10, std::floor(std::log10(std::max(std::abs(wanted), 1e-6))) - 3);
+  const double rounded = is_maximized(limit.goal) ? std::floor(wanted / step) : std::ceil(wanted / step);
+  return rounded * step * limit.unit;
+}
+
+std::string sentence_of(const Movable& limit, double demanded, double possible) {
+  if (limit.goal == Goal::pole_margin)
+    return fmt::format("{} is in the way; the pole {:.4g} mm outside it would do", limit.key, possible);
+  return fmt::format("{} = {:.4g} is in the way; {:.4g} would do", limit.key, demanded / limit.unit, possible / limit.unit);
+}
+
+std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements& limits, const Movable& limit,
+                                        std::uint64_t& evaluations) {
+  const auto demanded = value_of(limits, run.spec(), limit.goal);
+  if (!demanded) return std::nullopt;
+  const SearchResult widest = run.best(moved(limits, limit.goal, limit.loosest), limit.goal);
+  evaluations += widest.evaluations;
+  if (!widest.design) return std::nullopt;
+  const double possible = possible_value(limit, widest.design->attained.of(limit.goal));
+  const SearchResult again =
+      run.best(moved(limits, limit.goal, possible), goal_of(run.spec().objective.objective));
+  evaluations += again.evaluations;
+  if (!again.design) return std::nullopt;
+  return Relaxation{limit.goal, *demanded, possible, sentence_of(limit, *demanded, possible), *again.design};
+}
+
+bool stands_in_region(const Spec& spec) {
+  return spec.pole.is_fixed() && contains(spec.region, std::get<Point>(spec.pole.place));
+}
+
+}  // namespace
+
+NoDesign diagnose(const SearchRun& run, std::uint64_t evaluations) {
+  NoDesign none{.requirement = "limits", .sentence = "", .relaxations = {}, .evaluations = evaluations};
+  if (stands_in_region(run.spec())) {
+    none.requirement = "pole.at_mm";
+    none.sentence = "the pole stands inside the region, and no linkage brings its tracer to the pole";
+    return none;
+  }
+  const Requirements limits = requirements_of(run.spec());
+  if (run.options().diagnose)
+    for (const Movable& limit : movables)
+      if (const auto relaxation = relaxation_of(run, limits, limit, none.evaluations))
+        none.relaxations.push_back(*relaxation);
+  if (none.relaxations.empty()) {
+    none.sentence = "no design keeps all limits, and no limit moved alone makes one possible";
+    if (!run.options().diagnose) none.sentence = "no design keeps all limits";
+    return none;
+  }
+  // The limit that has to give least, as a share of itself, is named first.
+  const auto give = [](const Relaxation& r) {
+    return std::abs(r.possible - r.demanded) / std::max(std::abs(r.demanded), 1e-3);
+  };
+  std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
+                   [&](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
+  none.sentence = none.relaxations.front().sentence;
+  for (const Movable& limit : movables)
+    if (limit.goal == none.relaxations.front().limit) none.requirement = limit.key;
+  return none;
 }
 
 }  // namespace kempe

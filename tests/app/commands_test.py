@@ -352,7 +352,7 @@ class Generators(Case):
 
     def test_function_mistakes(self):
         good = (EXAMPLES / "generators" / "logarithm.toml").read_text()
-        for old, new, word in (("log10(x)", "log10(", "expression"), ("x = [1, 2]", "x = [2, 1]", "function.x"),
+        for old, new, word in (("\"log10(x)\"", "\"log10(\"", "expression"), ("x = [1, 2]", "x = [2, 1]", "function.x"),
                                ("range_deg = 60", "range_deg = 0", "range_deg"), ("method = ", "methd = ", "function.method"),
                                ("ground_mm", "ground_cm", "links.ground_mm")):
             run = kempe("function", self.spec(good.replace(old, new, 1)))

@@ -113,7 +113,7 @@ TEST(PartSolid, IsClosedAndHasThePartsVolume) {
       const auto read = read_stl(stl_bytes(solid, part.name));
       ASSERT_TRUE(read);
       EXPECT_TRUE(is_closed(*read));
-      EXPECT_NEAR(volume(*read), volume(solid), 1e-9 * volume(solid));
+      EXPECT_NEAR(volume(*read), volume(solid), 1e-6 * volume(solid));  // STL stores 32-bit floats
     }
 }
 

@@ -267,19 +267,17 @@ TEST(LinkageExamples, ChebyshevLineHasItsKnownDeviation) {
     above = std::max(above, line.at(frame, "P").y() - 4);
     below = std::min(below, line.at(frame, "P").y() - 4);
   }
-  // By the oracle: left crank at every angle, the right one by intersection.
+  // By the oracle: for each direction e of the coupler, P - e and P + e lie on the cranks' circles.
   double known_above = 0, known_below = 0;
-  for (int i = 1; i < 20000; ++i) {
-    const double left = pi / 2 + i * (std::atan2(3, 4) - pi / 2) / 20000;
-    const Point A = on_circle(5, left);
-    for (const int side : {-1, 1}) {
-      const double y = 0.5 * (A + meet(A, 2, Point(4, 0), 5, side)).y() - 4;
-      if (std::abs(y) < 0.1) known_above = std::max(known_above, y), known_below = std::min(known_below, y);
-    }
+  for (int i = 0; i <= 20000; ++i) {
+    const Point e = on_circle(1, -pi / 2 - pi * i / 20000);
+    const double y = meet(e, 5, Point(4, 0) - e, 5, 1).y() - 4;
+    known_above = std::max(known_above, y);
+    known_below = std::min(known_below, y);
   }
-  EXPECT_NEAR(above, known_above, 1e-6);
-  EXPECT_NEAR(below, known_below, 1e-6);
-  EXPECT_LT(above - below, 0.012 * 4);  // about one per cent of the stroke at most
+  EXPECT_NEAR(above, known_above, 1e-7);
+  EXPECT_NEAR(below, known_below, 1e-7);
+  EXPECT_NEAR(above, 0.0097537, 1e-6);  // 0.24 per cent of the stroke of 4
 }
 
 TEST(LinkageExamples, GearedFiveBarKeepsItsRatio) {

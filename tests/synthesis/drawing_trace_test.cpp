@@ -29,7 +29,7 @@ DrawnStroke reachable_stroke(const TraceTask& task, Random& random, int corners)
   DrawnStroke stroke;
   double bearing = random(-3, 3);
   for (int i = 0; i < corners; ++i) {
-    bearing += random(-0.02, 0.02);
+    bearing += random(-0.002, 0.002);  // chords must not leave a thin annulus of reach
     const double share = random(0.3, 0.7);
     stroke.points.push_back(
         task.mechanism.linkage.tracer_at(task.opening.lower + share * task.opening.width(), bearing));
