@@ -11,115 +11,22 @@
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/lower_bound_box.hpp"
+#include "synthesis/lower_bound_branch.hpp"
 #include "synthesis/lower_bound_contact.hpp"
+#include "synthesis/lower_bound_sheets.hpp"
 #include "synthesis/region_reach.hpp"
 
 namespace kempe {
 namespace {
 
 using bounding::Assembly;
+using bounding::Branch;
 using bounding::LengthBox;
 using bounding::PoleDistances;
 using bounding::Range;
+using bounding::SheetsGap;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double lock_slack = 1e-9;  // relative
-
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
-
-/// An assembly with what is needed to turn |psi| into openings.
-struct Branch {
-  Assembly assembly;
-  double middle = 0, middle_psi = 0;  // the interval's middle: opening and |psi|, rad
-  std::vector<LayerAssignment> layers;
-
-  double psi_of(double opening) const { return middle_psi + assembly.bend * (opening - middle); }
-  double opening_of(double psi) const { return middle + assembly.bend * (psi - middle_psi); }
-};
-
-/// Lengths per VA (VA, BC, BY, CY) and per b = VB/|s| (VB, AC, AX, CX), with the sources' places in
-/// LinkLengths.
-struct Factor {
-  std::size_t length;
-  double per;
-};
-
-Range allowed(const Spec& spec, const std::array<Factor, 4>& factors) {
-  Range range{0, infinity};
-  const auto& locked = spec.links.workshop.locked;
-  for (const Factor& factor : factors) {
-    range.lower = std::max(range.lower, spec.links.shortest * (1 - lock_slack) / factor.per);
-    range.upper = std::min(range.upper, spec.links.longest * (1 + lock_slack) / factor.per);
-    if (!locked[factor.length]) continue;
-    range.lower = std::max(range.lower, *locked[factor.length] * (1 - lock_slack) / factor.per);
-    range.upper = std::min(range.upper, *locked[factor.length] * (1 + lock_slack) / factor.per);
-  }
-  return range;
-}
-
-Branch make_branch(const Spec& spec, Vertex vertex, int number) {
-  Branch branch;
-  Assembly& assembly = branch.assembly;
-  assembly.vertex = vertex;
-  assembly.number = number;
-  assembly.s = shape_of(spec.copy.k, vertex);
-  assembly.chain = vertex == Vertex::pen ? std::abs(spec.copy.k) : 1;
-  const OpeningInterval interval = assemblies(assembly.s)[static_cast<std::size_t>(number)];
-  const double psi = wrapped(interval.middle() - std::arg(assembly.s));
-  assembly.bend = psi < 0 ? -1 : 1;
-  branch.middle = interval.middle();
-  branch.middle_psi = std::abs(psi);
-  assembly.far_end = std::max(0.0, branch.middle_psi - interval.width() / 2);
-  assembly.near_end = std::min(pi, branch.middle_psi + interval.width() / 2);
-  assembly.allowed = {0, pi};
-  const double plate = std::abs(assembly.s), side = std::abs(1.0 - assembly.s);
-  assembly.size_per_a = 1 + (1 + plate + side) / 2;
-  assembly.size_per_b = plate + (plate + 1 + side) / 2;
-  assembly.a = allowed(spec, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
-  assembly.b = allowed(spec, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
-  if (spec.limits.copy_error && spec.tolerance) {
-    const CopyErrorProfile profile(spec.copy.k, vertex, CopyTolerance::uniform(*spec.tolerance));
-    const OpeningInterval kept = profile.openings_not_ruled_out(*spec.limits.copy_error, interval);
-    const double one = branch.psi_of(kept.lower), other = branch.psi_of(kept.upper);
-    assembly.allowed = kept.empty() ? Range{} : Range{std::min(one, other), std::max(one, other)};
-  }
-  return branch;
-}
-
-/// Where the sheets are looked at: some places of the region; the copy's distance from the region at a pole
-/// is at most the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
-class SheetsGap {
- public:
-  SheetsGap(const Spec& spec, const RegionReach& region)
-      : region_(region), k_(spec.copy.k), gap_(spec.limits.sheets_gap) {
-    if (!gap_) return;
-    constexpr std::size_t most = 24;
-    const auto& edges = region.edges();
-    for (std::size_t i = 0; i < edges.size(); i += 1 + edges.size() / most) places_.push_back(edges[i].from);
-    places_.insert(places_.end(), region.hull().begin(),
-                   region.hull().begin() + static_cast<std::ptrdiff_t>(std::min(most, region.hull().size())));
-  }
-
-  /// True if original and copy come too near for every pole within `radius` of `pole`.
-  bool ruled_out(const Point& pole, double radius) const {
-    if (!gap_) return false;
-    const double slack = std::abs(1.0 - k_) * radius;
-    for (const Point& place : places_) {
-      const Complex from_pole = as_complex(place - pole);
-      const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
-      if (region_.nearest(image).distance + slack < *gap_ - rounding()) return true;
-      if (std::abs(k_) * region_.nearest(source).distance + slack < *gap_ - rounding()) return true;
-    }
-    return false;
-  }
-
- private:
-  double rounding() const { return 1e-12 * (region_.diagonal() + *gap_); }
-  const RegionReach& region_;
-  Complex k_;
-  std::optional<double> gap_;
-  std::vector<Point> places_;
-};
 
 /// Two points of a linkage that came too near at an opening in some box: a cheap first test for the boxes
 /// within it.
@@ -136,6 +43,7 @@ struct Node {
   std::size_t number = 0;
   std::size_t branch = 0;
   Range x, y;
+  bool sheets_apart = false;  // wherever the pole stands in the box
   PoleDistances distances;
   LengthBox lengths;
   std::uint64_t alive = 0;  // layer assignments not yet ruled out, one bit each
@@ -161,6 +69,9 @@ class Tree {
         region_(spec.region),
         sheets_(spec, region_) {
     if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
+    constexpr std::size_t most_corners = 256;
+    const std::size_t stride = 1 + (region_.hull().size() - 1) / most_corners;
+    for (std::size_t i = 0; i < region_.hull().size(); i += stride) corners_.push_back(region_.hull()[i]);
     if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
     // The posts stand on the table: pole, tracer and pen keep their distance from each other.
     const double between_posts = spec.links.style.pin_diameter + spec.limits.clearance;
@@ -205,11 +116,10 @@ class Tree {
     for (const Vertex vertex : all_vertices) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), vertex) == permitted.end()) continue;
-      const auto layers = bounding::least_layer_assignments(spec_.copy.k, vertex, spec_.links.layers);
+      const auto layers = bounding::least_layer_choices(spec_.copy.k, vertex, spec_.links.layers);
       const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
       for (std::size_t number = 0; number < count; ++number) {
-        branches_.push_back(make_branch(spec_, vertex, static_cast<int>(number)));
-        branches_.back().layers = layers;
+        branches_.push_back(bounding::make_branch(spec_, vertex, static_cast<int>(number), layers));
         const Assembly& a = branches_.back().assembly;
         if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
         Node root;
@@ -226,6 +136,24 @@ class Tree {
 
   /// Distances over the pole's places; false if the pole cannot stand in the box.
   bool measure_pole(Node& node) const {
+    if (!measure_distances(node)) return false;
+    if (node.sheets_apart) return true;
+    const SheetsGap::Verdict sheets = sheets_.verdict(node.pole(), node.radius() * (1 + 1e-12));
+    node.sheets_apart = sheets == SheetsGap::Verdict::far_enough;
+    return sheets != SheetsGap::Verdict::too_near;
+  }
+
+  /// The corner of the region that is farthest from the nearest point of the box to it.
+  const Point& farthest_corner(const Range& x, const Range& y) const {
+    const Point lower(x.lower, y.lower), upper(x.upper, y.upper);
+    const auto apart = [&](const Point& corner) {
+      return (corner - corner.cwiseMax(lower).cwiseMin(upper)).squaredNorm();
+    };
+    return *std::max_element(corners_.begin(), corners_.end(),
+                             [&](const Point& less, const Point& more) { return apart(less) < apart(more); });
+  }
+
+  bool measure_distances(Node& node) const {
     const Point centre = node.pole();
     const double radius = node.radius() * (1 + 1e-12);
     if (area_ && area_->nearest(centre).distance > radius + 1e-12 * area_->diagonal()) return false;
@@ -235,16 +163,14 @@ class Tree {
     const double rounding = 1e-12 * (region_.diagonal() + centre.norm());
     node.distances.nearest_at_most =
         bounding::distance_from_box(nearest.place, node.x, node.y).upper + rounding;
-    node.distances.farthest_at_least = 0;
-    for (const Point& corner : region_.hull())
-      node.distances.farthest_at_least = std::max(node.distances.farthest_at_least,
-                                                  bounding::distance_from_box(corner, node.x, node.y).lower);
+    node.distances.farthest_at_least =
+        bounding::distance_from_box(farthest_corner(node.x, node.y), node.x, node.y).lower;
     if (node.distances.nearest_at_most < least_radius_) return false;
-    const bounding::Spread spread = bounding::spread_over(region_.hull()[region_.farthest(centre).corner],
-                                                          nearest.place, rounding, node.x, node.y);
+    const Point& farthest = farthest_corner({centre.x(), centre.x()}, {centre.y(), centre.y()});
+    const bounding::Spread spread = bounding::spread_over(farthest, nearest.place, rounding, node.x, node.y);
     node.distances.ratio_at_least = spread.ratio;
     node.distances.squares_at_least = spread.squares;
-    return !sheets_.ruled_out(centre, radius);
+    return true;
   }
 
   /// Shrinks, bounds and keeps a box, or drops it.
@@ -290,6 +216,12 @@ class Tree {
     return node.alive != 0;
   }
 
+  /// Drops every layer assignment in which the pair must keep its clearance.
+  static void strike(Node& node, const Branch& branch, const bounding::PairKey& pair) {
+    for (std::size_t i = 0; i < branch.layers.size() && i < 64; ++i)
+      if (branch.layers[i].has(pair)) node.alive &= ~(std::uint64_t{1} << i);
+  }
+
   /// Drops layer assignments in which the linkage touches itself at an opening that every design of the box
   /// passes, and remembers where it does in others; false if none is left.
   bool rule_out_layers(Node& node) {
@@ -305,14 +237,16 @@ class Tree {
     const OpeningInterval openings{std::min(one, other), std::max(one, other)};
     for (std::size_t i = 0; i < branch.layers.size() && i < 64; ++i) {
       if (!(node.alive >> i & 1)) continue;
-      const Tightest tightest = smallest_gap_over(*linkage, spec_.links.style, branch.layers[i], openings);
+      ++boxes_;
+      const Tightest tightest =
+          smallest_gap_over(*linkage, spec_.links.style, branch.layers[i].layers, openings);
       if (tightest.gap >= spec_.limits.clearance || !tightest.pair) continue;
       const double psi = std::clamp(branch.psi_of(tightest.opening), passed.lower, passed.upper);
       const auto points = bounding::nearest_points(*tightest.pair, branch.assembly.s, spec_.links.style, a, b,
                                                    branch.assembly.bend * psi);
       const Cut cut{psi, points.first, points.second, (points.needed + spec_.limits.clearance) * (1 - 1e-12)};
       if (is_cut(node, passed, cut)) {
-        node.alive &= ~(std::uint64_t{1} << i);
+        strike(node, branch, bounding::key_of(*tightest.pair));
       } else if (i < kept_cuts) {
         node.cut[i] = static_cast<std::uint32_t>(cuts_.size());
         cuts_.push_back(cut);
@@ -335,7 +269,7 @@ class Tree {
                               range.farthest * range.farthest - range.nearest * range.nearest};
     const Assembly& a = assembly(node);
     LengthBox lengths = node.lengths;
-    if (!(range.nearest > 0) || sheets_.ruled_out(node.pole(), 0)) return;
+    if (!(range.nearest > 0) || sheets_.verdict(node.pole(), 0) == SheetsGap::Verdict::too_near) return;
     if (!bounding::contract(a, exact, transmission(), lengths)) return;
     const double middle = std::sqrt(lengths.t.lower * lengths.t.upper);
     for (const double t :
@@ -372,14 +306,15 @@ class Tree {
       const CopyErrorProfile profile = copy_error_profile(*linkage, CopyTolerance::uniform(*spec_.tolerance));
       if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
     }
-    const auto free = [&](const LayerAssignment& layers) {
+    const auto free = [&](const bounding::LayerChoice& choice) {
       return !options_.self_contact ||
-             smallest_gap_over(*linkage, spec_.links.style, layers, openings).gap >= spec_.limits.clearance;
+             smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
+                 spec_.limits.clearance;
     };
     const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
     if (layers == branch.layers.end()) return;
     design_ = RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(),
-                            linkage->VB(),     node.pole(),         *layers};
+                            linkage->VB(),     node.pole(),         layers->layers};
     best_ = value;
   }
 
@@ -389,7 +324,7 @@ class Tree {
     Node fixed = node;
     fixed.x.lower = fixed.x.upper = node.pole().x();
     fixed.y.lower = fixed.y.upper = node.pole().y();
-    if (node.radius() == 0 || !measure_pole(fixed)) return 1;
+    if (node.radius() == 0 || !measure_distances(fixed)) return 1;
     if (!bounding::contract(assembly(node), fixed.distances, transmission(), fixed.lengths)) return 1;
     return bound_of(fixed) > node.bound ? 1 : idle;
   }
@@ -442,6 +377,7 @@ class Tree {
   bool by_size_;
   RegionReach region_;
   std::optional<RegionReach> area_;
+  std::vector<Point> corners_;  // of the region's hull, so many as are worth looking at
   SheetsGap sheets_;
   std::vector<Branch> branches_;
   std::vector<Cut> cuts_{Cut{}};  // number 0 stands for none

@@ -22,7 +22,8 @@ struct BoundOptions {
   /// The search ends when bound >= (1 - tolerance) * best value known (for transmission: bound <= (1 +
   /// tolerance) * it).
   double tolerance = 0.001;
-  /// Boxes that may be looked at: what limits the time, so that the result does not depend on the machine.
+  /// Boxes that may be looked at (a box's test for contact in a layer assignment counts as one more): what
+  /// limits the time, so that the result does not depend on the machine.
   std::size_t boxes = 100000;
   /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred
   /// boxes.

@@ -8,17 +8,14 @@
 namespace kempe::bounding {
 namespace {
 
-using PartKey = std::tuple<int, int, int>;
-using PairKey = std::pair<PartKey, PartKey>;
-
-PartKey key_of(const Part& part) {
+PartKey part_key(const Part& part) {
   if (part.kind == Part::Kind::link) return {0, static_cast<int>(part.link), 0};
   return {1 + static_cast<int>(part.kind), 0, static_cast<int>(part.joint)};
 }
 
 std::vector<PairKey> keys_of(const std::vector<ContactPair>& pairs) {
   std::vector<PairKey> keys;
-  for (const ContactPair& pair : pairs) keys.push_back(std::minmax(key_of(pair.first), key_of(pair.second)));
+  for (const ContactPair& pair : pairs) keys.push_back(key_of(pair));
   std::sort(keys.begin(), keys.end());
   return keys;
 }
@@ -125,28 +122,23 @@ std::vector<Piece> pieces_of(const Part& part, Complex s, const LinkStyle& style
 
 }  // namespace
 
-std::vector<LayerAssignment> least_layer_assignments(Complex k, Vertex vertex, int layers) {
+PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first), part_key(pair.second)); }
+
+std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers) {
   const auto any = CopyingLinkage::make(k, vertex, 100, 100, 0);
   if (!any) return {};
-  struct Candidate {
-    LayerAssignment layers;
-    std::vector<PairKey> pairs;
-  };
-  std::vector<Candidate> least;
+  std::vector<LayerChoice> least;
   for (const LayerAssignment& each : layer_assignments(layers)) {
-    const Candidate candidate{each, keys_of(contact_pairs(*any, each))};
-    const auto holds = [](const Candidate& more, const Candidate& less) {
+    const LayerChoice candidate{each, keys_of(contact_pairs(*any, each))};
+    const auto holds = [](const LayerChoice& more, const LayerChoice& less) {
       return std::includes(more.pairs.begin(), more.pairs.end(), less.pairs.begin(), less.pairs.end());
     };
-    if (std::any_of(least.begin(), least.end(),
-                    [&](const Candidate& other) { return holds(candidate, other); }))
+    if (std::any_of(least.begin(), least.end(), [&](const auto& other) { return holds(candidate, other); }))
       continue;
-    std::erase_if(least, [&](const Candidate& other) { return holds(other, candidate); });
+    std::erase_if(least, [&](const auto& other) { return holds(other, candidate); });
     least.push_back(candidate);
   }
-  std::vector<LayerAssignment> result;
-  for (const Candidate& each : least) result.push_back(each.layers);
-  return result;
+  return least;
 }
 
 NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkStyle& style, double a,

@@ -1,6 +1,9 @@
 #pragma once
 // Contact for the proven bound: which pairs of parts can matter, and which two points of theirs are nearest.
 
+#include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "synthesis/lower_bound_box.hpp"
@@ -8,9 +11,22 @@
 
 namespace kempe::bounding {
 
+/// A part whatever its layers, and two of them in a fixed order: what makes pairs of two layer assignments
+/// the same.
+using PartKey = std::tuple<int, int, int>;
+using PairKey = std::pair<PartKey, PartKey>;
+PairKey key_of(const ContactPair& pair);
+
+/// A layer assignment with the pairs of parts that must keep their clearance in it, sorted.
+struct LayerChoice {
+  LayerAssignment layers;
+  std::vector<PairKey> pairs;
+  bool has(const PairKey& pair) const { return std::binary_search(pairs.begin(), pairs.end(), pair); }
+};
+
 /// Layer assignments of a grounding whose pairs of parts hold no other assignment's pairs: if no design keeps
 /// its clearance in one of these, none does in any.
-std::vector<LayerAssignment> least_layer_assignments(Complex k, Vertex vertex, int layers);
+std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers);
 
 /// Two points, one of each part of a pair, that are nearest (or coincide) in a pose with these lengths and
 /// opening, and how far apart they must stay, mm.
