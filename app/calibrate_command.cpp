@@ -24,7 +24,8 @@ struct CalibrateArguments {
 };
 
 /// The options given on the command line over those of the file.
-tl::expected<Measurements, InputError> with_arguments(Measurements measurements, const CalibrateArguments& arguments) {
+tl::expected<Measurements, InputError> with_arguments(Measurements measurements,
+                                                      const CalibrateArguments& arguments) {
   if (arguments.target) measurements.fit.target = *arguments.target;
   if (arguments.method == "knight") measurements.fit.method = CalibrationMethod::knight;
   if (arguments.method == "least_squares") measurements.fit.method = CalibrationMethod::least_squares;
@@ -33,7 +34,8 @@ tl::expected<Measurements, InputError> with_arguments(Measurements measurements,
   for (const std::string& text : arguments.ratios) {
     const auto value = parse_ratio(text);
     if (!value || *value < 0.01 || *value > 100)
-      return tl::unexpected(InputError{"", 0, "--ratios", text, "ratios from 0.01 to 100, such as 1:3 or 0.4"});
+      return tl::unexpected(
+          InputError{"", 0, "--ratios", text, "ratios from 0.01 to 100, such as 1:3 or 0.4"});
     measurements.ratios.push_back({text, *value});
   }
   if (arguments.plan && !measurements.plan) measurements.plan.emplace();
@@ -57,7 +59,8 @@ tl::expected<std::optional<CopyingLinkage>, InputError> linkage_for(const Measur
 }
 
 int write_report(const CalibrateArguments& arguments, const CalibrationRecord& record,
-                 const std::optional<SimulationRecord>& simulation, const std::string& json, const std::string& text) {
+                 const std::optional<SimulationRecord>& simulation, const std::string& json,
+                 const std::string& text) {
   std::vector<OutputFile> files{{"calibration.json", json}};
   const CalibrationPage page{KEMPE_VERSION, std::filesystem::path(arguments.file).filename().string(), text};
   files.push_back({"report.html", calibration_html(record, simulation, page)});
@@ -81,8 +84,9 @@ int run(const CalibrateArguments& arguments, bool quiet) {
   if (measurements->simulation) {
     const Interrupt interrupt;
     Progress progress(quiet);
-    simulation = simulate_calibration(*measurements, *linkage, arguments.seed,
-                                      [&](double share) { progress.show(share, "simulating"); }, interrupt.requested());
+    simulation = simulate_calibration(
+        *measurements, *linkage, arguments.seed, [&](double share) { progress.show(share, "simulating"); },
+        interrupt.requested());
     if (!simulation) return fail(interrupted, "interrupted");
   }
   const std::string json = calibration_json(*record, simulation);
@@ -95,15 +99,23 @@ int run(const CalibrateArguments& arguments, bool quiet) {
 }  // namespace
 
 void add_calibrate_command(CLI::App& program, Session& session) {
-  CLI::App* command = add_command(program, session, "calibrate", "Find what is wrong with a real instrument from what it drew",
+  CLI::App* command = add_command(program, session, "calibrate",
+                                  "Find what is wrong with a real instrument from what it drew",
                                   "kempe calibrate specs/examples/calibration/knight.toml");
   auto arguments = std::make_shared<CalibrateArguments>();
-  command->add_option("MEASUREMENTS", arguments->file, "Instrument and readings (TOML; see docs/calibration.md)")->required();
-  command->add_option("-o,--output", arguments->folder, "Write calibration.json and report.html into this folder");
-  command->add_option("--target-mm", arguments->target, "Departure that is good enough")->check(CLI::Range(1e-6, 1000.0));
-  command->add_option("--method", arguments->method, "knight or least_squares; otherwise knight for two readings a round")
+  command
+      ->add_option("MEASUREMENTS", arguments->file, "Instrument and readings (TOML; see docs/calibration.md)")
+      ->required();
+  command->add_option("-o,--output", arguments->folder,
+                      "Write calibration.json and report.html into this folder");
+  command->add_option("--target-mm", arguments->target, "Departure that is good enough")
+      ->check(CLI::Range(1e-6, 1000.0));
+  command
+      ->add_option("--method", arguments->method,
+                   "knight or least_squares; otherwise knight for two readings a round")
       ->check(CLI::IsMember({"knight", "least_squares"}));
-  command->add_option("--ratios", arguments->ratios, "Setting table for these ratios, such as 1:2,1:3,0.4")->delimiter(',');
+  command->add_option("--ratios", arguments->ratios, "Setting table for these ratios, such as 1:2,1:3,0.4")
+      ->delimiter(',');
   command->add_flag("--plan", arguments->plan, "Propose the readings that tell most");
   command->add_option("--plan-readings", arguments->plan_readings, "How many readings --plan proposes")
       ->check(CLI::Range(1, 100));

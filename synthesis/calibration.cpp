@@ -231,7 +231,7 @@ class Fitting {
   }
 
   double choose_noise(const detail::NoiseEstimate& estimate, NoiseSource& source) const {
-    const double least = 1e-15 / units_[index_of(Measure::turn)];
+    const double least = std::max(task_.rounding, 1e-15 / units_[index_of(Measure::turn)]);
     const bool estimable = estimate.freedom >= 1.5;
     source = task_.reading_uncertainty ? NoiseSource::stated
              : estimable               ? NoiseSource::residuals
@@ -359,6 +359,30 @@ void fill_readings(const CalibrationTask& task, const Fitted& fitted, const std:
   result.left_rms = std::sqrt(squares / std::max<double>(1, static_cast<double>(2 * used.size())));
 }
 
+/// An unknown deviation of a measure that was taken as drawn is explained by the free ones instead: by minus
+/// the least-squares solution of its own slopes.
+void add_known_within(const CalibrationTask& task, const Fitted& fitted, const std::vector<std::size_t>& used,
+                      Calibration& result) {
+  if (task.known_within.empty()) return;
+  std::vector<Measure> taken;
+  for (const auto& known : task.known_within) taken.push_back(known.measure);
+  const auto weighted = weighted_for(task, fitted, used);
+  Eigen::VectorXd residuals(weighted.rows());
+  Eigen::MatrixXd slopes(weighted.rows(), static_cast<Eigen::Index>(taken.size()));
+  if (!weighted.evaluate(result.deviations, taken, residuals, &slopes)) return;
+  const Eigen::MatrixXd explained =
+      detail::inverse_normal(fitted.outcome.slopes) * fitted.outcome.slopes.transpose() * slopes;
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    Measures shift = Measures::Zero();
+    for (std::size_t j = 0; j < fitted.free.size(); ++j)
+      shift[index_of(fitted.free[j])] =
+          -explained(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) *
+          weighted.units[index_of(fitted.free[j])];
+    shift[index_of(taken[k])] += weighted.units[index_of(taken[k])];
+    result.covariance += std::pow(task.known_within[k].uncertainty, 2) * shift * shift.transpose();
+  }
+}
+
 Calibration result_of(const CalibrationTask& task, const Fitted& fitted,
                       const std::vector<std::size_t>& used) {
   Calibration result;
@@ -368,6 +392,7 @@ Calibration result_of(const CalibrationTask& task, const Fitted& fitted,
     for (const Indistinct::Part& part : one.parts) result.determined[index_of(part.measure)] = false;
   result.covariance = covariance_of(fitted, detail::units_of(task));
   add_traces_of_held(task, fitted, used, result);
+  add_known_within(task, fitted, used, result);
   result.noise = fitted.noise;
   result.noise_source = fitted.source;
   result.degrees_of_freedom = static_cast<int>(std::lround(fitted.freedom));

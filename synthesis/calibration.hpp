@@ -36,8 +36,17 @@ struct CalibrationTask {
   std::vector<CalibrationReading> readings;
   std::vector<MeasuredLength> lengths;
   std::vector<Measure> free;  ///< what may deviate; the rest is as drawn
+  /// Measures that are not free but only known to be as drawn within a standard uncertainty (mm): it goes
+  /// into the uncertainty of the others.
+  struct Known {
+    Measure measure;
+    double uncertainty;
+  };
+  std::vector<Known> known_within;
   std::optional<double>
-      reading_uncertainty;         ///< standard, of each coordinate read; absent: from the residuals
+      reading_uncertainty;  ///< standard, of each coordinate read; absent: from the residuals
+  /// An estimate from the residuals is never taken as smaller: the rounding of what was written down, mm.
+  double rounding = 0;
   double setting_uncertainty = 0;  ///< standard, of each coordinate set (the tracer on its mark)
   /// Deviations expected of the maker. A combination of measures known worse than this is one that the
   /// readings cannot tell.
@@ -79,7 +88,8 @@ inline constexpr double assumed_reading_uncertainty = 0.01;  ///< mm
 
 struct Calibration {
   Measures deviations = Measures::Zero();
-  /// Of the deviations, given that the held measures are as drawn; zero for measures that were not free.
+  /// Of the deviations, given that the held measures are as drawn; zero for measures that were neither free
+  /// nor only known within an uncertainty.
   Eigen::Matrix<double, measure_count, measure_count> covariance =
       Eigen::Matrix<double, measure_count, measure_count>::Zero();
   std::vector<Indistinct> indistinct;  ///< empty: everything free is determined
