@@ -8,6 +8,7 @@ namespace kempe::app {
 void add_synthesize_command(CLI::App& program, Session& session);
 void add_workspace_command(CLI::App& program, Session& session);
 void add_verify_command(CLI::App& program, Session& session);
+void add_trace_command(CLI::App& program, Session& session);
 void add_solve_command(CLI::App& program, Session& session);
 void add_mobility_command(CLI::App& program, Session& session);
 void add_centres_command(CLI::App& program, Session& session);
@@ -21,6 +22,7 @@ inline constexpr AddCommand all_commands[] = {
     add_synthesize_command,
     add_workspace_command,
     add_verify_command,
+    add_trace_command,
     add_solve_command,
     add_mobility_command,
     add_centres_command,

@@ -36,9 +36,9 @@ struct MapTask {
   LayerAssignment layers;
   double clearance = 0;     ///< mm
   double transmission = 0;  ///< rad
-  std::vector<Obstacle> obstacles;
-  Region region;                     ///< what must be covered; may be empty
-  std::optional<double> sheets_gap;  ///< mm
+  std::vector<Obstacle> obstacles{};
+  Region region{};                     ///< what must be covered; may be empty
+  std::optional<double> sheets_gap{};  ///< mm
 };
 
 struct MapOptions {

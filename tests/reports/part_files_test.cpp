@@ -1,0 +1,188 @@
+#include "reports/part_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "reports/bom.hpp"
+#include "reports/design_drawing.hpp"
+#include "reports/design_json.hpp"
+#include "reports/dxf_writer.hpp"
+#include "reports/nesting.hpp"
+#include "reports/part_drawings.hpp"
+#include "reports/part_solid.hpp"
+#include "reports/recheck.hpp"
+#include "tests/reports/sample_designs.hpp"
+
+namespace kempe {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::plagiograph;
+using testing::sample_design;
+
+std::vector<Design> designs() {
+  std::vector<Design> list{plagiograph()};
+  for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
+    for (const Vertex vertex : all_vertices)
+      for (const Complex k :
+           {Complex(2.5), Complex(-1.0 / 3), std::polar(1.0, radians(60)), Complex(0.9, 0.1)})
+        list.push_back(sample_design(k, vertex, 90, 70, 1, plate, {20, -10}));
+  return list;
+}
+
+std::vector<CutPart> parts(const Design& design) {
+  const auto all = cut_parts(design, {});
+  return {all.begin(), all.end()};
+}
+
+/// Points along the outline, dense enough for distances to a twentieth of a millimetre.
+Ring dense(const ArcRing& ring, const Placement& placement) {
+  const Ring corners = flattened(ArcPolygon{placed(ring, placement), {}}, 0.001, Flatten::grows).outer;
+  Ring result;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point way = corners[(i + 1) % corners.size()] - corners[i];
+    const int steps = 1 + static_cast<int>(way.norm() / 0.7);
+    for (int j = 0; j < steps; ++j) result.push_back(corners[i] + way * j / steps);
+  }
+  return result;
+}
+
+TEST(Nesting, KeepsPartsApartAndOnTheSheet) {
+  const Point sheet(300, 250);
+  const double gap = 4;
+  for (const Design& design : designs()) {
+    const auto all = parts(design);
+    const auto nested = nest(all, sheet, gap);
+    if (!nested) continue;
+    std::vector<Ring> outlines;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      outlines.push_back(dense(all[i].outline, (*nested)[i].placement));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (const Point& p : outlines[i]) {
+        ASSERT_GE(p.minCoeff(), gap - 0.01);
+        ASSERT_GE((sheet - p).minCoeff(), gap - 0.01);
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if ((*nested)[i].sheet != (*nested)[j].sheet) continue;
+        double nearest = HUGE_VAL;
+        for (const Point& p : outlines[i])
+          for (const Point& q : outlines[j]) nearest = std::min(nearest, (p - q).squaredNorm());
+        EXPECT_GE(std::sqrt(nearest), gap - 0.1);
+        EXPECT_FALSE(contains(Region{{Polygon{outlines[i], {}}}}, outlines[j][0]));
+        EXPECT_FALSE(contains(Region{{Polygon{outlines[j], {}}}}, outlines[i][0]));
+      }
+    }
+  }
+}
+
+TEST(Nesting, UsesMoreSheetsWhenOneIsFull) {
+  const auto nested = nest(parts(sample_design(2.5, Vertex::tracer, 90, 70, 1)), {250, 30}, 2);
+  ASSERT_TRUE(nested) << nested.error();
+  std::size_t last = 0;
+  for (const NestedPart& part : *nested) last = std::max(last, part.sheet);
+  EXPECT_GE(last, 1U);
+}
+
+TEST(Nesting, TurnsAPartThatFitsOnlyAslant) {
+  Design design = sample_design(2.5, Vertex::tracer, 130, 30, 1);
+  const auto one = std::vector<CutPart>{cut_part(design, Link::VA, {})};
+  EXPECT_TRUE(nest(one, {118, 118}, 0));
+}
+
+TEST(Nesting, NamesThePartThatDoesNotFit) {
+  const Design design = sample_design(2.5, Vertex::tracer, 90, 70, 1);
+  CuttingSpec cutting;
+  cutting.sheet = Point(100, 30);
+  const auto fault = nesting_fault(design, cutting);
+  ASSERT_TRUE(fault);
+  EXPECT_THAT(*fault, HasSubstr("does not fit on a sheet of 100 x 30 mm"));
+  for (const OutputFile& file : part_files(design, cutting)) EXPECT_NE(file.name, "nested.dxf");
+}
+
+TEST(PartSolid, IsClosedAndHasThePartsVolume) {
+  for (const Design& design : designs())
+    for (const CutPart& part : parts(design)) {
+      const Solid solid = part_solid(part, 0.001);
+      EXPECT_TRUE(is_closed(solid));
+      EXPECT_NEAR(volume(solid) / (area(part) * part.thickness), 1, 1e-3);
+      const auto read = read_stl(stl_bytes(solid, part.name));
+      ASSERT_TRUE(read);
+      EXPECT_TRUE(is_closed(*read));
+      EXPECT_NEAR(volume(*read), volume(solid), 1e-9 * volume(solid));
+    }
+}
+
+TEST(PartSolid, ReadsNoBrokenStl) {
+  const std::string bytes = stl_bytes(part_solid(parts(plagiograph())[0]), "VA");
+  EXPECT_FALSE(read_stl(bytes.substr(0, 40)));
+  EXPECT_FALSE(read_stl(bytes.substr(0, bytes.size() - 1)));
+  EXPECT_NE(bytes.substr(0, 5), "solid");
+}
+
+TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
+  Design design = plagiograph();
+  design.layers.of = {1, 4, 2, 3};
+  const std::string csv = bom_csv(design);
+  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX; head sunk"));
+  EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,\"joins VB and BCY\""));
+  EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,8,12,,\"under the lowest link\""));
+  EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
+}
+
+class WrittenFolder {
+ public:
+  WrittenFolder(const Design& design, const CuttingSpec& cutting) {
+    path = std::filesystem::path(KEMPE_BINARY_DIR) / "test-output" / ("parts-" + std::to_string(::getpid()));
+    auto files = part_files(design, cutting);
+    files.push_back({"design.json", design_json(design)});
+    files.push_back({"drawing.dxf", dxf_text(design_drawing(design, cutting))});
+    EXPECT_TRUE(write_whole(path, files));
+  }
+  ~WrittenFolder() { std::filesystem::remove_all(path); }
+  /// Replaces the first `from` in a file.
+  void edit(const std::string& name, const std::string& from, const std::string& to) const {
+    std::ifstream in(path / name, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos);
+    std::ofstream(path / name, std::ios::binary) << text.replace(at, from.size(), to);
+  }
+  std::filesystem::path path;
+};
+
+TEST(Recheck, FindsNothingWrongWithWhatWasWritten) {
+  for (const Design& design : designs()) {
+    CuttingSpec cutting;
+    cutting.hole_fit = 0.1;
+    cutting.kerf = 0.2;
+    cutting.sheet = Point(600, 400);
+    const WrittenFolder folder(design, cutting);
+    EXPECT_TRUE(std::filesystem::exists(folder.path / "nested.dxf"));
+    EXPECT_THAT(recheck(folder.path, design, cutting), IsEmpty());
+  }
+}
+
+TEST(Recheck, SeesEveryDamage) {
+  const Design design = plagiograph();
+  const WrittenFolder folder(design, {});
+  folder.edit("parts/VA.dxf", "50.0", "50.00001");
+  folder.edit("parts/VB.dxf", " 30\n0.0\n 70\n1\n", " 30\n0.0\n 70\n0\n");
+  folder.edit("parts/ACX.svg", "r=\"3\"", "r=\"4\"");
+  folder.edit("design.json", "86.02", "86.03");
+  folder.edit("drawing.dxf", "CIRCLE", "POINT");
+  std::filesystem::resize_file(folder.path / "parts/BCY.stl", 500);
+  const std::string all = ::testing::PrintToString(recheck(folder.path, design, {}));
+  for (const char* words : {"parts/VA.dxf", "parts/VB.dxf", "parts/ACX.svg", "lengths_mm.CY",
+                            "drawing.dxf: 1 outlines and 1 holes", "parts/BCY.stl"})
+    EXPECT_THAT(all, HasSubstr(words));
+}
+
+}  // namespace
+}  // namespace kempe
