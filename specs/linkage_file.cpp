@@ -211,7 +211,7 @@ class LinkageReader {
     }
     const std::set<std::size_t> different(numbers.begin(), numbers.end());
     if (parts.size() != (is_angle ? 3u : 2u) || different.size() != parts.size()) {
-      table.refuse(key, "a key of this form", "A-B for a length, A-B-C_deg for an angle at B");
+      table.refuse(key, "the key " + key, "A-B for a length, A-B-C_deg for an angle at B");
       return false;
     }
     const auto value = is_angle ? table.number(key) : table.positive(key);
@@ -232,7 +232,7 @@ class LinkageReader {
       const std::vector<std::string> ends = split(key.name, '-');
       const auto value = table.positive(key.name);
       if (ends.size() != 2 || ends[0] == ends[1]) {
-        table.refuse(key.name, "a key of this form", "A-B, two different points");
+        table.refuse(key.name, "the key " + key.name, "a key of two different points such as A-B");
         continue;
       }
       for (const std::string& end : ends) names_.check_name({end, key.line}, table.dotted(key.name));

@@ -135,7 +135,12 @@ std::optional<Point> LinkageTable::point(std::string_view key) const {
   if (!node) return std::nullopt;
   const auto value = finite_point(*node);
   if (value && value->cwiseAbs().maxCoeff() <= largest_number) return value;
-  refuse(key, describe(*node));
+  const toml::array* list = node->as_array();
+  if (list && list->size() == 2)
+    refuse(key, fmt::format("[{}, {}]", describe((*list)[0]), describe((*list)[1])),
+           allowed(key) + " (finite numbers, at most 1e9)");
+  else
+    refuse(key, describe(*node));
   return std::nullopt;
 }
 

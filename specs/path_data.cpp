@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
+
+#include "specs/svg_path_reader.hpp"
 
 namespace kempe {
 namespace {
 
 constexpr double arc_step = pi / 12;  ///< rad of an ellipse that one cubic stands for
 
-bool is_separator(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == ','; }
 bool is_command(char c) { return std::string_view("MmLlHhVvCcSsQqTtAaZz").find(c) != std::string_view::npos; }
 
 /// How many numbers a command takes.
@@ -38,34 +38,32 @@ int numbers_of(char command) {
 
 class PathReader {
  public:
-  PathReader(std::string_view data, double unit) : data_(data), unit_(unit) {}
+  PathReader(std::string_view data, double unit) : scan_(data), unit_(unit) {}
 
   tl::expected<std::vector<PathPiece>, std::string> read() {
-    skip();
-    if (at_end()) return fail("nothing");
     char command = 0;
-    while (!at_end()) {
-      if (is_command(data_[place_])) {
-        command = data_[place_++];
+    while (!scan_.at_end()) {
+      if (is_command(scan_.look())) {
+        command = scan_.take();
       } else if (command == 0 || numbers_of(command) == 0) {
-        return fail(fmt::format("'{}' where a command belongs", data_[place_]));
+        return fail("no command");
       } else if (command == 'M') {
         command = 'L';  // further pairs after a move are lines
       } else if (command == 'm') {
         command = 'l';
       }
-      if (pieces_.empty() && !started_ && std::tolower(command) != 'm')
-        return fail("a path that does not start with M");
-      std::array<double, 7> numbers{};
+      if (!started_ && std::tolower(command) != 'm') return fail("no M at the start");
+      Numbers numbers{};
       for (int i = 0; i < numbers_of(command); ++i) {
-        const auto number = std::tolower(command) == 'a' && (i == 3 || i == 4) ? read_flag() : read_number();
-        if (!number) return fail("no number where one belongs");
+        const bool is_flag = std::tolower(command) == 'a' && (i == 3 || i == 4);
+        const auto number = is_flag ? read_flag() : scan_.number();
+        if (!number) return fail("no number");
         numbers[static_cast<std::size_t>(i)] = *number;
+        scan_.skip_separator();
       }
       if (const std::string fault = obey(command, numbers); !fault.empty()) return fail(fault);
-      skip();
     }
-    if (pieces_.empty()) return fail("a path of no length");
+    if (pieces_.empty()) return tl::unexpected(std::string("a path of no length"));
     return std::move(pieces_);
   }
 
@@ -73,28 +71,12 @@ class PathReader {
   using Numbers = std::array<double, 7>;
 
   tl::unexpected<std::string> fail(const std::string& what) const {
-    return tl::unexpected(fmt::format("{} at character {}", what, place_ + 1));
-  }
-  bool at_end() const { return place_ >= data_.size(); }
-  void skip() {
-    while (!at_end() && is_separator(data_[place_])) ++place_;
+    return tl::unexpected(fmt::format("{} before {}", what, scan_.excerpt()));
   }
 
-  std::optional<double> read_number() {
-    skip();
-    if (!at_end() && data_[place_] == '+') ++place_;
-    double value = 0;
-    const auto [end, error] = std::from_chars(data_.data() + place_, data_.data() + data_.size(), value);
-    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-    place_ = static_cast<std::size_t>(end - data_.data());
-    return value;
-  }
-
-  /// A flag is one digit: "a1 1 0 01 5 5" runs flags and numbers together.
   std::optional<double> read_flag() {
-    skip();
-    if (at_end() || (data_[place_] != '0' && data_[place_] != '1')) return std::nullopt;
-    return data_[place_++] - '0';
+    const auto flag = scan_.flag();
+    return flag ? std::optional(*flag ? 1.0 : 0.0) : std::nullopt;
   }
 
   Point point(char command, double x, double y) const {
@@ -199,9 +181,8 @@ class PathReader {
     }
   }
 
-  std::string_view data_;
+  SvgScanner scan_;
   double unit_;
-  std::size_t place_ = 0;
   bool started_ = false;
   char last_ = 0;
   Point here_ = Point::Zero(), first_ = Point::Zero(), control_ = Point::Zero();
