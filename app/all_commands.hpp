@@ -13,6 +13,7 @@ void add_solve_command(CLI::App& program, Session& session);
 void add_mobility_command(CLI::App& program, Session& session);
 void add_centres_command(CLI::App& program, Session& session);
 void add_calibrate_command(CLI::App& program, Session& session);
+void add_pareto_command(CLI::App& program, Session& session);
 void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
 
@@ -27,6 +28,7 @@ inline constexpr AddCommand all_commands[] = {
     add_mobility_command,
     add_centres_command,
     add_calibrate_command,
+    add_pareto_command,
     add_function_command,
     add_inversor_command,
 };
