@@ -30,6 +30,7 @@ export async function launch() {
 export async function open(browser, name, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1200, height: 1400 }, ...options });
   const page = await context.newPage();
+  page.setDefaultTimeout(120000);  // a machine that does other work meanwhile
   const faults = [];
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) faults.push(message.text()); });
   page.on("pageerror", (error) => faults.push(String(error)));
