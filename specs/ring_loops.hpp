@@ -17,6 +17,6 @@ namespace kempe {
 ///  3. The rings may overlap each other.
 /// Nothing comes back if the ring crosses itself so often that the work would exceed `corner_visits`.
 /// Expects finite coordinates.
-std::optional<std::vector<Ring>> simple_loops(const Ring& ring, std::size_t corner_visits = 20'000'000);
+std::optional<std::vector<Ring>> simple_loops(const Ring& ring, std::size_t corner_visits = 10'000'000);
 
 }  // namespace kempe

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "specs/geojson_reader.hpp"
 #include "specs/region_checks.hpp"
 #include "specs/spec_reader.hpp"
 #include "tests/specs/random_rings.hpp"
@@ -18,11 +19,11 @@ namespace {
 
 const std::filesystem::path source(KEMPE_SOURCE_DIR);
 
-std::vector<std::string> specs_in(const std::filesystem::path& folder) {
+std::vector<std::string> files_in(const std::filesystem::path& folder, const char* extension) {
   std::vector<std::string> texts;
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    if (entry.path().extension() == extension && entry.is_regular_file()) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   for (const auto& file : files) {
@@ -131,7 +132,8 @@ void expect_promises_kept(const Spec& spec) {
 TEST(SpecReader, AnswersEveryDamagedSpec) {
   std::mt19937_64 random(1);
   const std::filesystem::path faulty_folder = source / "tests/corpus/specs";
-  const std::vector<std::string> good = specs_in(source / "specs/examples"), faulty = specs_in(faulty_folder);
+  const std::vector<std::string> good = files_in(source / "specs/examples", ".toml"),
+                                 faulty = files_in(faulty_folder, ".toml");
   int accepted = 0, refused = 0;
   for (int i = 0; i < 30000; ++i) {
     const std::vector<std::string>& texts = i % 2 == 0 ? good : faulty;
@@ -150,6 +152,21 @@ TEST(SpecReader, AnswersEveryDamagedSpec) {
   }
   EXPECT_GT(accepted, 1500);
   EXPECT_GT(refused, 15000);
+}
+
+TEST(GeoJson, AnswersEveryDamagedFile) {
+  std::mt19937_64 random(2);
+  const std::vector<std::string> texts = files_in(source / "tests/corpus/specs", ".geojson");
+  int accepted = 0;
+  for (int i = 0; i < 10000; ++i) {
+    std::string text = texts[random() % texts.size()];
+    for (int edits = 1 + static_cast<int>(random() % 2); edits > 0; --edits) damage(random, text, texts);
+    const auto region = read_geojson_region(text, "damaged.geojson", {});
+    accepted += region.has_value();
+    EXPECT_TRUE(region ? !region->empty() && keeps_invariant(*region) : !region.error().found.empty())
+        << text;
+  }
+  EXPECT_GT(accepted, 100);
 }
 
 }  // namespace
