@@ -111,8 +111,10 @@ std::string why_lost(const LostArea& lost) {
 /// Draws one design; a function a layer, from the table upward.
 class Picture {
  public:
-  explicit Picture(const Design& design)
+  /// `coarseness` nominal pixels are left out between two corners of an outline.
+  Picture(const Design& design, double coarseness)
       : design_(design),
+        coarseness_(coarseness),
         tracer_(place_to_show(design)),
         copy_(similar_image(design.region, design.linkage.k(), design.linkage.pole())) {
     if (auto pose = design.linkage.pose_with_tracer_at(tracer_)) pose_ = *pose;
@@ -133,12 +135,13 @@ class Picture {
   std::string text(std::string_view css, const Point& at, const std::string& inside) const;
   Point free_side(Joint joint) const;
   std::string joint_labels(LabelPlacer& placer) const;
-  double detail() const { return 0.15 * view_.unit; }
+  double detail() const { return coarseness_ * view_.unit; }
   void layer(std::string id, std::string label, std::string figure, std::string group, bool shown = true) {
     layers_.push_back({std::move(id), std::move(label), std::move(figure), std::move(group), shown});
   }
 
   const Design& design_;
+  double coarseness_;
   Point tracer_;
   Region copy_;
   Pose pose_;
@@ -373,7 +376,7 @@ MapPicture Picture::draw() {
       "above</title>\n{}</svg>\n",
       coordinate(view_.left), coordinate(view_.top), coordinate(view_.width), coordinate(view_.height),
       coordinate(letter_size * u, 5), inside);
-  return {svg, view_, layers_, tracer_};
+  return {svg, view_, layers_, tracer_, detail()};
 }
 
 Point centroid(const Ring& ring) {
@@ -408,6 +411,16 @@ Point place_to_show(const Design& design) {
   return linkage.tracer_at(openings.middle(), 0);
 }
 
-MapPicture map_picture(const Design& design) { return Picture(design).draw(); }
+MapPicture map_picture(const Design& design) {
+  // Finer than anyone sees; a map of very many corners is drawn coarser, so that the page stays a page.
+  constexpr double finest = 0.15, coarsest = 5;
+  constexpr std::size_t most = 500000;
+  MapPicture picture;
+  for (double coarseness = finest; coarseness < coarsest; coarseness *= 2) {
+    picture = Picture(design, coarseness).draw();
+    if (picture.svg.size() <= most) break;
+  }
+  return picture;
+}
 
 }  // namespace kempe

@@ -28,6 +28,7 @@ struct MapPicture {
   PictureView view;
   std::vector<MapLayer> layers;
   Point tracer = Point::Zero();  ///< where the tracer stands in it
+  double detail = 0;             ///< mm: corners of outlines nearer to each other are left out
 };
 
 MapPicture map_picture(const Design& design);

@@ -115,7 +115,7 @@ std::string report_model(const Design& design, const MapPicture& picture) {
   const CopyingLinkage& linkage = design.linkage;
   const std::vector<Part> of_linkage = parts_of(linkage, design.layers);
   const PictureView& view = picture.view;
-  const double detail = 0.15 * view.unit;
+  const double detail = picture.detail;
   Json region = Json::array();
   for (const Polygon& polygon : design.region.polygons)
     for (const Json& one : rings(polygon, detail)) region.push_back(one);

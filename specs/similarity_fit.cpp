@@ -75,7 +75,8 @@ bool is_mirrored(const Centred& data, double left_by_rotation) {
 
 std::optional<Point> SimilarityFit::fixed_point() const {
   if (k == Complex(1, 0)) return std::nullopt;
-  return as_point(as_complex(translation) / (1.0 - k));
+  // Adding zero makes a negative zero positive.
+  return as_point(as_complex(translation) / (1.0 - k)) + Point::Zero();
 }
 
 tl::expected<SimilarityFit, PairFault> fit_similarity(const std::vector<PointPair>& pairs) {

@@ -101,7 +101,7 @@ TEST(HtmlReport, OfAMillionCornersStaysBelowTwoMegabytes) {
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * pi * i / corners;
     ring.push_back(Point(67.5, 0) +
-                   (3 + 0.001 * std::sin(5000 * angle)) * Point(std::cos(angle), std::sin(angle)));
+                   (3 + 0.3 * std::sin(50000 * angle)) * Point(std::cos(angle), std::sin(angle)));
   }
   specimen.design.region = {{Polygon{ring, {}}}};
   specimen.extras.spec_text.assign(20000000, 'x');

@@ -29,6 +29,7 @@ export async function launch() {
 /** Opens a specimen's report; `faults` collects what a page must never do: errors, violations, requests. */
 export async function open(browser, name, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1200, height: 1400 }, ...options });
+  context.setDefaultTimeout(240000);  // a busy machine is no fault of the page
   const page = await context.newPage();
   page.setDefaultTimeout(120000);  // a machine that does other work meanwhile
   const faults = [];
