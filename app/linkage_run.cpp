@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "kinematics/mobility.hpp"
+#include "kinematics/planar_singularity.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/linkage_json.hpp"
 
@@ -30,33 +31,54 @@ std::string driver_text(const LoadedLinkage& loaded, std::size_t driver, double 
   return fmt::format("{} = {}", label, length_text(loaded, value));
 }
 
-std::string mobility_text(const LoadedLinkage& loaded, const PlanarPosition& position) {
-  const Mobility mobility = mobility_of(loaded.model.linkage, position);
-  return fmt::format("{}", fmt::join(mobility_sentences(loaded.model, mobility), "; "));
+std::string opening_text(const LoadedLinkage& loaded, const NotAssembled& open) {
+  return fmt::format("{} stays open by {}", constraint_label(loaded.model, open.constraint),
+                     length_text(loaded, open.closure_error));
+}
+
+int tell_wrong_drivers(const LoadedLinkage& loaded, const Mobility& mobility) {
+  const std::size_t driven = loaded.model.linkage.drivers().size();
+  return fail({loaded.file.file, loaded.file.drivers.empty() ? 0 : loaded.file.drivers.back().line, "drivers",
+               fmt::format("{} driven {} on a mobility of {} ({})", driven, driven == 1 ? "value" : "values",
+                           mobility.mobility, fmt::join(mobility_sentences(loaded.model, mobility), "; ")),
+               "as many driven values as the mobility"});
+}
+
+/// Nothing closes with the drivers at their start: too many drivers, values out of reach, or no linkage at
+/// all.
+int tell_not_assembled(const LoadedLinkage& loaded, const NotAssembled& open, std::uint64_t seed) {
+  LoadedLinkage free = loaded;
+  free.model.linkage = loaded.model.linkage.undriven();
+  free.model.schedule = {};
+  free.file.bounds.clear();
+  AssemblySearch search;
+  search.seed = seed;
+  const auto found = start_assemblies(free.file, free.model, search);
+  if (!found)
+    return fail(no_design,
+                fmt::format("{}: does not assemble: {}", loaded.file.file, opening_text(loaded, open)));
+  const Mobility mobility = mobility_of(free.model.linkage, found->front());
+  if (mobility.mobility < static_cast<int>(loaded.model.linkage.drivers().size()))
+    return tell_wrong_drivers(loaded, mobility);
+  return fail(
+      no_design,
+      fmt::format(
+          "{}: does not assemble at the start of the motion, where the drivers begin out of reach: {}",
+          loaded.file.file, opening_text(loaded, open)));
 }
 
 int tell_no_path(const LoadedLinkage& loaded, const NoPathHere& none) {
-  const std::string& file = loaded.file.file;
-  const std::size_t drivers = loaded.model.linkage.drivers().size();
-  if (none.why == NoPath::does_not_assemble)
-    return fail(no_design,
-                fmt::format("{}: does not assemble: {} stays open by {}", file, none.assembly.worst,
-                            length_text(loaded, none.assembly.closure_error)));
+  if (none.why == NoPath::does_not_assemble) return tell_not_assembled(loaded, none.assembly, 1);
   const Mobility mobility = mobility_of(loaded.model.linkage, none.position);
-  if (mobility.mobility == static_cast<int>(drivers) && mobility.singular_here())
-    return fail(no_design, fmt::format("{}: the motion starts at a singular position: {}", file,
-                                       mobility_text(loaded, none.position)));
-  if (mobility.mobility == static_cast<int>(drivers))
-    return fail(
-        no_design,
-        fmt::format("{}: the motion starts at a dead point: the drivers cannot move the linkage there",
-                    file));
-  return fail(
-      bad_input,
-      fmt::format(
-          "{}: drivers: found {} driven {} on a mobility of {} ({}); allowed: as many as the mobility", file,
-          drivers, drivers == 1 ? "value" : "values", mobility.mobility,
-          mobility_text(loaded, none.position)));
+  if (mobility.mobility != static_cast<int>(loaded.model.linkage.drivers().size()))
+    return tell_wrong_drivers(loaded, mobility);
+  const std::string why =
+      mobility.singular_here()
+          ? fmt::format("a singular position: {}",
+                        fmt::join(mobility_sentences(loaded.model, mobility), "; "))
+          : fmt::format("a dead point, where the drivers cannot move the linkage: {}",
+                        fmt::join(describe_singularity(loaded.model.linkage, none.position), "; "));
+  return fail(no_design, fmt::format("{}: the motion starts at {}", loaded.file.file, why));
 }
 
 }  // namespace
@@ -83,9 +105,7 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLink
     return refuse(
         loaded, no_design,
         fmt::format("no closing of the linkage lies within the bounds of {}", fmt::join(none.unmet, ", ")));
-  return refuse(loaded, no_design,
-                fmt::format("does not assemble at the start: {} stays open by {}", none.nearest.worst,
-                            length_text(loaded, none.nearest.closure_error)));
+  return tl::unexpected(tell_not_assembled(loaded, none.nearest, seed));
 }
 
 tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const PlanarPosition& start,

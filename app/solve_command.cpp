@@ -44,30 +44,39 @@ int check_links(const LoadedLinkage& loaded, const SolveArguments& arguments) {
   return done;
 }
 
+/// A row an assembly: where the points are.
+SolveTable assembly_table(const LoadedLinkage& loaded, const std::vector<PlanarPosition>& found) {
+  SolveTable table{{"assembly"}, {Quantity::step}, {}};
+  for (std::size_t i = 0; i < found.size(); ++i) table.rows.push_back({static_cast<double>(i)});
+  for (const ModelPoint& point : loaded.model.points) {
+    if (point.place.body == PlanarLinkage::ground) continue;
+    for (const int axis : {0, 1}) {
+      table.columns.push_back(
+          fmt::format("{}_{}_{}", point.name, axis == 0 ? 'x' : 'y', loaded.file.unit.name));
+      table.quantities.push_back(Quantity::place);
+      for (std::size_t i = 0; i < found.size(); ++i)
+        table.rows[i].push_back(place(found[i], point.place)[axis] / loaded.file.unit.in_mm);
+    }
+  }
+  return table;
+}
+
+Json table_json(const SolveTable& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json values = Json::array();
+    for (const auto& value : row) values.push_back(value ? Json(*value) : Json(nullptr));
+    rows.push_back(std::move(values));
+  }
+  return {{"columns", table.columns}, {"rows", std::move(rows)}};
+}
+
 int list_assemblies(const Session& session, const LoadedLinkage& loaded,
                     const std::vector<PlanarPosition>& found) {
-  const double unit = loaded.file.unit.in_mm;
-  std::string text = fmt::format("assembly{}\n", [&] {
-    std::string columns;
-    for (const ModelPoint& point : loaded.model.points)
-      if (point.place.body != PlanarLinkage::ground)
-        columns += fmt::format(",{0}_x_{1},{0}_y_{1}", point.name, loaded.file.unit.name);
-    return columns;
-  }());
-  Json object{{"linkage", loaded.file.name}, {"unit", loaded.file.unit.name}, {"assemblies", Json::array()}};
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    Json points = Json::object();
-    text += fmt::format("{}", i);
-    for (const ModelPoint& point : loaded.model.points) {
-      if (point.place.body == PlanarLinkage::ground) continue;
-      const Point at = place(found[i], point.place) / unit;
-      text += fmt::format(",{},{}", at.x() + 0.0, at.y() + 0.0);
-      points[point.name] = {at.x() + 0.0, at.y() + 0.0};
-    }
-    text += "\n";
-    object["assemblies"].push_back({{"assembly", i}, {"points", points}});
-  }
-  print(session.json ? object.dump(1) + "\n" : text);
+  const SolveTable table = assembly_table(loaded, found);
+  Json object{{"linkage", loaded.file.name}, {"unit", loaded.file.unit.name}, {"assemblies", found.size()}};
+  object.update(table_json(table));
+  print(session.json ? object.dump() + "\n" : csv_text(table));
   return done;
 }
 
@@ -95,13 +104,7 @@ Json summary_json(const LoadedLinkage& loaded, const SolveTable& table, const Pl
     object["stop"] = {{"kind", std::string(name(run.stop->end))},
                       {"step", run.frames.back().share * loaded.file.steps},
                       {"sentences", run.stop->sentences}};
-  object["columns"] = table.columns;
-  object["rows"] = Json::array();
-  for (const auto& row : table.rows) {
-    Json values = Json::array();
-    for (const auto& value : row) values.push_back(value ? Json(*value) : Json(nullptr));
-    object["rows"].push_back(std::move(values));
-  }
+  object.update(table_json(table));
   return object;
 }
 

@@ -282,8 +282,10 @@ bool PlanarPath::correct(const std::vector<double>& values) {
 }
 
 /// What the constraints that are not solved for may be off, mm: looser than Newton's own residual, since they
-/// only follow from the others.
-double PlanarPath::closing_limit() const { return 1e-11 * magnitude_of(q_, equations_.size()); }
+/// only follow from the others, and looser the nearer a singular position is.
+double PlanarPath::closing_limit() const {
+  return 1e-12 * (1 + std::max(bending_, 0.0)) * magnitude_of(q_, equations_.size());
+}
 
 /// At a singular position the left null vector tells: a dead point resists the drivers, a change point does
 /// not.

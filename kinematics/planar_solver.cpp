@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kinematics/planar_equations.hpp"
@@ -9,7 +10,8 @@
 namespace kempe {
 namespace {
 
-constexpr double singular_below = 1e-11;  ///< of the largest pivot: what counts as no pivot at all
+/// Shares of the largest pivot below which a pivot counts as none, tried in this order.
+constexpr std::array<double, 4> left_out{1e-11, 1e-8, 1e-5, 1e-3};
 constexpr int most_damped_steps = 120, most_newton_steps = 40;
 
 /// Newton and its damped form on one linkage. Angles are scaled by the linkage's size, so that every unknown
@@ -49,18 +51,24 @@ class Closing {
     }
   }
 
-  /// Newton to the last digit: stops when the residual no longer falls.
+  /// Newton to the last digit. Where the equations are dependent, or nearly so, singular values that are
+  /// rounding or a small distance from a singular position spoil the step: then those below a larger share
+  /// are left out.
   void finish(Eigen::VectorXd& q) {
     double best = linearise(q);
     for (int step = 0; step < most_newton_steps && best > 0; ++step, ++iterations) {
-      const Eigen::VectorXd trial = q - scale_.cwiseProduct(least_squares_step());
-      equations_.residual(trial, f_);
-      const double now = f_.norm();
-      if (!(now < best)) return;
-      const bool at_rounding = now > 0.5 * best && now < 1e-13 * equations_.size();
-      q = trial;
+      bool gained = false;
+      for (const double share : left_out) {
+        const Eigen::VectorXd trial = q - scale_.cwiseProduct(least_squares_step(share));
+        equations_.residual(trial, trial_f_);
+        const double now = trial_f_.norm();
+        if (!(now < 0.5 * best)) continue;
+        q = trial;
+        gained = true;
+        break;
+      }
+      if (!gained) return;
       best = linearise(q);
-      if (at_rounding) return;
     }
   }
 
@@ -71,15 +79,15 @@ class Closing {
     return f_.norm();
   }
 
-  Eigen::VectorXd least_squares_step() {
+  Eigen::VectorXd least_squares_step(double share) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(singular_below);
+    decomposition.setThreshold(share);
     decomposition.compute(jacobian_);
     return decomposition.solve(f_);
   }
 
   PlanarEquations equations_;
-  Eigen::VectorXd scale_, f_;
+  Eigen::VectorXd scale_, f_, trial_f_;
   Eigen::MatrixXd jacobian_;
 };
 
@@ -102,7 +110,7 @@ tl::expected<Assembled, NotAssembled> solve_from(const PlanarLinkage& linkage, c
   if (error.largest <= closing_tolerance(linkage, position))
     return Assembled{std::move(position), error.largest, closing.iterations};
   const auto& worst = linkage.constraints()[static_cast<std::size_t>(error.constraint)];
-  return tl::unexpected(NotAssembled{std::move(position), error.largest, worst.name});
+  return tl::unexpected(NotAssembled{std::move(position), error.largest, worst.name, error.constraint});
 }
 
 tl::expected<Assembled, NotAssembled> solve_from(const PlanarLinkage& linkage, const PlanarPosition& guess) {

@@ -22,6 +22,7 @@ struct NotAssembled {
   PlanarPosition nearest;
   double closure_error = 0;  ///< mm, left there
   std::string worst;         ///< name of the constraint that is violated most
+  int constraint = 0;        ///< its number
 };
 
 /// Largest closure error that counts as closed, mm: 1e-13 of the linkage's size and of the coordinates'

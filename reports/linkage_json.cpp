@@ -11,22 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string constraint_name(const LinkageModel& model, int number) {
-  const auto& [name, constraint] = model.linkage.constraints()[static_cast<std::size_t>(number)];
-  const auto with_links = [&](std::string_view kind) {
-    std::string links;
-    for (const int body : bodies_of(constraint))
-      links += (links.empty() ? "" : ", ") + model.linkage.body_name(body);
-    return fmt::format("{} {} ({})", kind, name, links);
-  };
-  if (std::holds_alternative<Revolute>(constraint)) return with_links("joint");
-  if (std::holds_alternative<Coordinate>(constraint)) return with_links("slider");
-  return name;
-}
-
 std::vector<std::string> names_of(const LinkageModel& model, const std::vector<int>& set) {
   std::vector<std::string> names;
-  for (const int number : set) names.push_back(constraint_name(model, number));
+  for (const int number : set) names.push_back(constraint_label(model, number));
   return names;
 }
 
@@ -48,11 +35,9 @@ std::string compared_with_count(const Mobility& m) {
 std::string driver_sentence(const LinkageModel& model, const Mobility& m) {
   const int drivers = static_cast<int>(model.linkage.drivers().size());
   if (drivers == m.mobility || drivers == 0) return {};
-  return drivers < m.mobility
-             ? fmt::format("{} for {}: the motion is not determined", counted(drivers, "driver", "drivers"),
-                           counted(m.mobility, "freedom", "freedoms"))
-             : fmt::format("{} for {}: they cannot be chosen freely", counted(drivers, "driver", "drivers"),
-                           counted(m.mobility, "freedom", "freedoms"));
+  return fmt::format("{} for {}: {}", counted(drivers, "driven value", "driven values"),
+                     counted(m.mobility, "freedom", "freedoms"),
+                     drivers < m.mobility ? "the motion is not determined" : "too many to be chosen freely");
 }
 
 /// Without what is rounding only, against a size: 1e-16 becomes 0.
@@ -82,7 +67,7 @@ Json line_json(const LinkageModel& model, const InstantCentre& centre, const Cen
   if (line.from != CentreLine::From::kennedy)
     return {
         {"from", line.from == CentreLine::From::slider ? "square to the slider" : "no turning: at infinity"},
-        {"joint", constraint_name(model, line.constraint)}};
+        {"joint", constraint_label(model, line.constraint)}};
   return {{"from", "aronhold-kennedy"},
           {"through", Json::array({Json::array({link(centre.first), link(line.via)}),
                                    Json::array({link(line.via), link(centre.second)})})}};
@@ -98,7 +83,7 @@ Json centre_json(const LinkageFile& file, const LinkageModel& model, const Insta
   } else if (centre.kind == InstantCentre::Kind::at_infinity) {
     object["direction_deg"] = degrees(std::atan2(centre.direction.y(), centre.direction.x()));
   }
-  if (centre.constraint >= 0) object["joint"] = constraint_name(model, centre.constraint);
+  if (centre.constraint >= 0) object["joint"] = constraint_label(model, centre.constraint);
   if (centre.lines)
     object["lines"] = {line_json(model, centre, (*centre.lines)[0]),
                        line_json(model, centre, (*centre.lines)[1])};
@@ -107,6 +92,21 @@ Json centre_json(const LinkageFile& file, const LinkageModel& model, const Insta
 }
 
 }  // namespace
+
+std::string constraint_label(const LinkageModel& model, int number) {
+  const auto& [name, constraint] = model.linkage.constraints()[static_cast<std::size_t>(number)];
+  const auto& drivers = model.linkage.drivers();
+  if (const auto driver = std::find(drivers.begin(), drivers.end(), number); driver != drivers.end())
+    return "driver " + model.driver_label(static_cast<int>(driver - drivers.begin()));
+  const auto with_links = [&](std::string_view kind) {
+    std::string links;
+    for (const int body : bodies_of(constraint))
+      links += (links.empty() ? "" : ", ") + model.linkage.body_name(body);
+    return fmt::format("{} {} ({})", kind, name, links);
+  };
+  if (std::holds_alternative<Revolute>(constraint)) return with_links("joint");
+  return std::holds_alternative<Coordinate>(constraint) ? with_links("slider") : name;
+}
 
 std::vector<std::string> mobility_sentences(const LinkageModel& model, const Mobility& m) {
   std::vector<std::string> sentences{compared_with_count(m)};
@@ -177,14 +177,14 @@ std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis
 std::string source_of(const LinkageModel& model, const InstantCentre& centre) {
   const auto line = [&](const CentreLine& each) {
     if (each.from == CentreLine::From::slider)
-      return "the normal of " + constraint_name(model, each.constraint);
+      return "the normal of " + constraint_label(model, each.constraint);
     if (each.from == CentreLine::From::no_turning) return std::string("the line at infinity");
     const auto pair = [&](int a, int b) {
       return fmt::format("({}, {})", model.linkage.body_name(a), model.linkage.body_name(b));
     };
     return fmt::format("{}-{}", pair(centre.first, each.via), pair(each.via, centre.second));
   };
-  if (centre.source == InstantCentre::Source::primary) return constraint_name(model, centre.constraint);
+  if (centre.source == InstantCentre::Source::primary) return constraint_label(model, centre.constraint);
   if (centre.source == InstantCentre::Source::rates) return "the drivers' rates";
   if (centre.lines) return fmt::format("{} and {}", line((*centre.lines)[0]), line((*centre.lines)[1]));
   return "nothing: the links do not move against each other";

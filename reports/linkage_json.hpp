@@ -25,6 +25,9 @@ std::string centres_json(const LinkageFile& file, const LinkageModel& model, dou
                          const RunFrame& frame, const std::vector<double>& speeds,
                          const std::vector<InstantCentre>& centres);
 
+/// A constraint for people: "joint B (crank, rod)", "slider C (rod, ground)", "driver P.y".
+std::string constraint_label(const LinkageModel& model, int number);
+
 /// "ground, crank by Aronhold-Kennedy (through rod and rocker)" and the like: where a centre comes from.
 std::string source_of(const LinkageModel& model, const InstantCentre& centre);
 
