@@ -1,13 +1,12 @@
 #include "synthesis/assemble.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/footprint.hpp"
 #include "synthesis/lower_bound.hpp"
+#include "workspace/layer_choice.hpp"
 #include "workspace/reach.hpp"
-#include "workspace/self_contact.hpp"
 
 namespace kempe {
 namespace {
@@ -52,24 +51,17 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
   return design;
 }
 
-/// Width of the contact-free opening that covers the region, or of the widest where none does; a covering one
-/// first.
-std::pair<bool, double> suits(const Spec& spec, const CopyingLinkage& linkage,
-                              const LayerAssignment& layers) {
-  const OpeningInterval usable = linkage.openings_with_transmission(spec.limits.transmission);
-  const auto needed = openings_over(linkage, spec.region);
-  std::pair<bool, double> best{false, 0};
-  for (const FreeOpenings& free :
-       contact_free_openings(linkage, spec.links.style, layers, spec.limits.clearance, usable))
-    best = std::max(best, {needed && free.interval.contains(*needed), free.interval.width()});
-  return best;
-}
-
+/// The assignment with the largest gap over the region, obstacles included.
 LayerAssignment best_layers(const Spec& spec, const CopyingLinkage& linkage) {
-  std::optional<LayerAssignment> best;
-  for (const LayerAssignment& layers : layer_assignments(spec.links.layers))
-    if (!best || suits(spec, linkage, layers) > suits(spec, linkage, *best)) best = layers;
-  return *best;
+  const MapTask task{.linkage = linkage,
+                     .style = spec.links.style,
+                     .layers = {},
+                     .clearance = spec.limits.clearance,
+                     .transmission = spec.limits.transmission,
+                     .obstacles = spec.obstacles,
+                     .region = spec.region,
+                     .sheets_gap = spec.limits.sheets_gap};
+  return choose_layers(task, spec.links.layers).best;
 }
 
 }  // namespace

@@ -340,6 +340,57 @@ TEST(Coverage, ManyCornersAndHolesAreDecided) {
   EXPECT_EQ(coverage.covered, clearance->gap >= task.clearance) << coverage.why_not;
 }
 
+TEST(Coverage, AgreesWithVerdictsAndClearanceOnRandomTasks) {
+  Dice dice(78);
+  int covered = 0, refused = 0;
+  for (int i = 0; i < 150; ++i) {
+    MapTask task{test::random_linkage(dice),
+                 {5, 3, 4, PlateStyle::bent},
+                 test::random_layers(dice),
+                 0.5,
+                 radians(8),
+                 {},
+                 {},
+                 {}};
+    const Annulus reach = reachable_annulus(task.linkage);
+    const double size = reach.outer;
+    for (int k = dice.below(4); k > 0; --k) {
+      const Point at =
+          task.linkage.pole() + as_point(std::polar(size * dice.between(0.3, 2), dice.between(-pi, pi)));
+      task.obstacles.push_back(
+          block({regular(at, size * dice.between(0.01, 0.1), 3 + dice.below(8)), {}}, 1 + dice.below(3)));
+    }
+    const double radius =
+        dice.between(0.3 * reach.inner + 0.7 * reach.outer, 0.7 * reach.inner + 0.3 * reach.outer);
+    const Point middle = task.linkage.pole() + as_point(std::polar(radius, dice.between(-pi, pi)));
+    const double extent = (reach.outer - reach.inner) * dice.between(0.02, 0.3);
+    task.region = {{{regular(middle, extent, 3 + dice.below(6)), {}}}};
+    const WorkspaceMap map = map_workspace(task, no_sheets);
+    const double all = area(map.collision_free) + area(map.uncertain);
+    EXPECT_LE(area(map.uncertain),
+              0.005 * std::max(area(map.collision_free), 0.011 * all) + 0.0001 * area(reach))
+        << i;
+    if (map.coverage.covered) {
+      ++covered;
+      EXPECT_GE(map.clearance_min, task.clearance - 1e-2) << i;
+      for (int sample = 0; sample < 20; ++sample) {
+        const Point point = middle + extent * Point(dice.between(-1, 1), dice.between(-1, 1));
+        if (contains(task.region, point)) {
+          const Verdict verdict = verdict_at(task, point);
+          EXPECT_TRUE(verdict.free) << i << " " << verdict.sentence;
+        }
+      }
+    } else if (!map.coverage.uncertain && map.coverage.why_not.find("cut off") == std::string::npos) {
+      ++refused;
+      ASSERT_TRUE(map.coverage.witness) << i;
+      EXPECT_FALSE(verdict_at(task, *map.coverage.witness).free) << i << " " << map.coverage.why_not;
+      EXPECT_LT(distance(task.region, *map.coverage.witness), 1e-6 * size) << i;
+    }
+  }
+  EXPECT_GT(covered, 15);
+  EXPECT_GT(refused, 15);
+}
+
 // The smallest gap over the region.
 
 TEST(Clearance, IsAttainedAndNoSampleIsBelowIt) {
