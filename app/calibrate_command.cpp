@@ -45,8 +45,8 @@ tl::expected<Measurements, InputError> with_arguments(Measurements measurements,
   return measurements;
 }
 
-tl::expected<std::optional<CopyingLinkage>, InputError> linkage_for(const Measurements& measurements,
-                                                                    const std::string& file) {
+tl::expected<std::optional<DrawnDesign>, InputError> design_for(const Measurements& measurements,
+                                                                const std::string& file) {
   if (measurements.design.empty()) return std::nullopt;
   const auto path = (std::filesystem::path(file).parent_path() / measurements.design).string();
   const auto text = read_text_file(path);
@@ -55,7 +55,7 @@ tl::expected<std::optional<CopyingLinkage>, InputError> linkage_for(const Measur
   if (!design) return tl::unexpected(design.error());
   const auto linkage = linkage_of(*design, path);
   if (!linkage) return tl::unexpected(linkage.error());
-  return *linkage;
+  return drawn_design(*linkage, design->mechanism.opening, design->region);
 }
 
 int write_report(const CalibrateArguments& arguments, const CalibrationRecord& record,
@@ -76,16 +76,16 @@ int run(const CalibrateArguments& arguments, bool quiet) {
   if (!read) return fail(read.error());
   const auto measurements = with_arguments(std::move(*read), arguments);
   if (!measurements) return fail(measurements.error());
-  const auto linkage = linkage_for(*measurements, arguments.file);
-  if (!linkage) return fail(linkage.error());
-  const auto record = run_calibration(*measurements, *linkage, arguments.file);
+  const auto design = design_for(*measurements, arguments.file);
+  if (!design) return fail(design.error());
+  const auto record = run_calibration(*measurements, *design, arguments.file);
   if (!record) return fail(record.error());
   std::optional<SimulationRecord> simulation;
   if (measurements->simulation) {
     const Interrupt interrupt;
     Progress progress(quiet);
     simulation = simulate_calibration(
-        *measurements, *linkage, arguments.seed, [&](double share) { progress.show(share, "simulating"); },
+        *measurements, *design, arguments.seed, [&](double share) { progress.show(share, "simulating"); },
         interrupt.requested());
     if (!simulation) return fail(interrupted, "interrupted");
   }

@@ -53,6 +53,12 @@ std::string bound_line(const Design& design) {
                      angle ? degrees(bound) : bound, angle ? "degrees" : "mm");
 }
 
+std::string relaxation_line(const Relaxation& relaxation) {
+  const CopyingLinkage& linkage = relaxation.design.linkage;
+  return fmt::format("  {}: VA = {:.3f} mm, VB = {:.3f} mm, {} at the vertex, pole ({:.3f}, {:.3f})\n", relaxation.sentence,
+                     linkage.VA(), linkage.VB(), name(linkage.vertex()), linkage.pole().x(), linkage.pole().y());
+}
+
 }  // namespace
 
 std::string summary_text(const Design& design, const std::filesystem::path& folder,
@@ -92,6 +98,25 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   object["folder"] = folder.string();
   object["files"] = files;
   return object.dump(1) + "\n";
+}
+
+int tell_no_design(const Session& session, const NoDesign& none) {
+  std::string message = "no design exists: " + none.sentence + "\n";
+  if (none.proven) message += "  proven by interval arithmetic over all designs, not only searched\n";
+  for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
+  message.pop_back();
+  if (session.json) {
+    nlohmann::ordered_json object{{"error", "no design exists"}, {"requirement", none.requirement}, {"sentence", none.sentence}, {"proven", none.proven}};
+    object["relaxations"] = nlohmann::ordered_json::array();
+    for (const Relaxation& relaxation : none.relaxations)
+      object["relaxations"].push_back({{"limit", std::string(name(relaxation.limit))},
+                                       {"sentence", relaxation.sentence},
+                                       {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
+                                       {"VA_mm", relaxation.design.linkage.VA()},
+                                       {"VB_mm", relaxation.design.linkage.VB()}});
+    print(object.dump(1) + "\n");
+  }
+  return fail(no_design, message);
 }
 
 int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,

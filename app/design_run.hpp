@@ -8,6 +8,7 @@
 #include "app/command.hpp"
 #include "specs/spec.hpp"
 #include "synthesis/design.hpp"
+#include "synthesis/search.hpp"
 
 namespace kempe::app {
 
@@ -22,6 +23,9 @@ tl::expected<LoadedSpec, InputError> load_spec(const std::string& file);
 /// nothing written), `cannot_write`, or done.
 int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,
                           const std::filesystem::path& folder);
+
+/// Says why no design exists and what would make one possible; returns `no_design`.
+int tell_no_design(const Session& session, const NoDesign& none);
 
 /// The summary that a person reads, or with --json one object.
 std::string summary_text(const Design& design, const std::filesystem::path& folder,

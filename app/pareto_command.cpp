@@ -49,15 +49,15 @@ struct FrontFiles {
 };
 
 /// Assembles and verifies every point; the error names the point that failed.
-tl::expected<FrontFiles, std::string> files_of(const Front& front, const LoadedSpec& loaded, Objective first,
+tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& front, const LoadedSpec& loaded, Objective first,
                                                Objective second) {
   FrontFiles all;
   all.chart = {std::string(name(first)), unit_of(first), std::string(name(second)), unit_of(second), {}};
   all.csv = fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first), unit_of(first),
                         name(second), unit_of(second));
   std::optional<Design> middle;
-  for (std::size_t i = 0; i < front.points.size(); ++i) {
-    const ParetoPoint& point = front.points[i];
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const ParetoPoint& point = front[i];
     MapOptions map;
     map.largest_sheets = false;
     Design design = assemble_design(loaded.spec, point.design, map);
@@ -66,10 +66,10 @@ tl::expected<FrontFiles, std::string> files_of(const Front& front, const LoadedS
     const std::string number = fmt::format("{:02}", i + 1);
     if (!design.verification.certified) return tl::unexpected("point " + number + ": " + design.verification.failure);
     all.files.push_back({number + "/design.json", design_json(design)});
-    const bool is_middle = i == front.points.size() / 2;
-    all.chart.rows.push_back({number, shown(first, point.first), shown(second, point.second), is_middle});
+    const bool is_middle = i == front.size() / 2;
+    all.chart.rows.push_back({number, shown(first, point.a), shown(second, point.b), is_middle});
     const CopyingLinkage& l = design.linkage;
-    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.first), shown(second, point.second),
+    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.a), shown(second, point.b),
                            name(l.vertex()), l.assembly(), l.VA(), l.VB(), l.pole().x() + 0.0, l.pole().y() + 0.0);
     if (is_middle) middle = std::move(design);
   }
@@ -93,7 +93,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if ((*first == Objective::copy_error || *second == Objective::copy_error) && !loaded->spec.tolerance)
     return fail({loaded->file, 0, "tolerance", "no such table", "[tolerance] with length_mm and play_mm, for copy_error"});
   const Interrupt interrupt;
-  Front front;
+  tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {
     Progress progress(session.quiet);
     SearchOptions options;
@@ -104,11 +104,12 @@ int run(const Session& session, const ParetoArguments& arguments) {
     front = pareto_front(loaded->spec, *first, *second, arguments.points, options);
   }
   if (interrupt.requested()) return fail(interrupted, "stopped; nothing is written");
-  if (front.points.empty()) return fail(no_design, "no design exists; kempe synthesize says why");
-  const auto files = files_of(front, *loaded, *first, *second);
+  if (!front) return tell_no_design(session, front.error());
+  if (front->empty()) return fail(no_design, "no design was found");
+  const auto files = files_of(*front, *loaded, *first, *second);
   if (!files) return fail(verification_failed, files.error());
   if (const auto written = write_whole(arguments.folder, files->files); !written) return fail(cannot_write, written.error());
-  nlohmann::ordered_json object{{"points", front.points.size()}, {"folder", arguments.folder}};
+  nlohmann::ordered_json object{{"points", front->size()}, {"folder", arguments.folder}};
   print(session.json ? object.dump(1) + "\n" : files->csv + fmt::format("written {}\n", arguments.folder));
   return done;
 }

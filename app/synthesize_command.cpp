@@ -25,30 +25,6 @@ struct SynthesizeArguments {
   double map_tolerance = MapOptions{}.map_tolerance;
 };
 
-std::string relaxation_line(const Relaxation& relaxation) {
-  const CopyingLinkage& linkage = relaxation.design.linkage;
-  return fmt::format("  {}: VA = {:.3f} mm, VB = {:.3f} mm, {} at the vertex, pole ({:.3f}, {:.3f})\n", relaxation.sentence,
-                     linkage.VA(), linkage.VB(), name(linkage.vertex()), linkage.pole().x(), linkage.pole().y());
-}
-
-int tell_no_design(const Session& session, const NoDesign& none) {
-  std::string message = "no design exists: " + none.sentence + "\n";
-  for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
-  message.pop_back();
-  if (session.json) {
-    nlohmann::ordered_json object{{"error", "no design exists"}, {"requirement", none.requirement}, {"sentence", none.sentence}};
-    object["relaxations"] = nlohmann::ordered_json::array();
-    for (const Relaxation& relaxation : none.relaxations)
-      object["relaxations"].push_back({{"limit", std::string(name(relaxation.limit))},
-                                       {"sentence", relaxation.sentence},
-                                       {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
-                                       {"VA_mm", relaxation.design.linkage.VA()},
-                                       {"VB_mm", relaxation.design.linkage.VB()}});
-    print(object.dump(1) + "\n");
-  }
-  return fail(no_design, message);
-}
-
 int run(const Session& session, const SynthesizeArguments& arguments) {
   if (!arguments.batch_source.empty())
     return run_batch(session, {arguments.batch_source, arguments.folder, arguments.threads, arguments.seed});

@@ -37,7 +37,7 @@ Json errors(const std::vector<Quantity>& quantities) {
 Json corrections(const CalibrationRecord& record, const RoundRecord& round) {
   Json object = Json::object();
   for (const Quantity& one : round.quantities)
-    if (one.kind == Quantity::Kind::scale || (record.linkage && one.kind == Quantity::Kind::length))
+    if (one.kind == Quantity::Kind::scale || (record.design && one.kind == Quantity::Kind::length))
       object[one.name] = number(correction_of(record, round, one));
   return object;
 }
@@ -62,15 +62,15 @@ Json placement(const std::vector<Quantity>& quantities) {
 }
 
 Json instrument(const CalibrationRecord& record) {
-  if (!record.linkage)
+  if (!record.design)
     return {{"kind", "variable ratio pantograph"},
             {"arm_mm", record.measurements.instrument->arm},
             {"ratio", record.measurements.instrument->ratio}};
   return {{"kind", "design"},
           {"design", record.measurements.design},
-          {"vertex", std::string(name(record.linkage->vertex()))},
-          {"scale", std::abs(record.linkage->k())},
-          {"rotation_deg", degrees(std::arg(record.linkage->k()))}};
+          {"vertex", std::string(name(record.design->linkage.vertex()))},
+          {"scale", std::abs(record.design->linkage.k())},
+          {"rotation_deg", degrees(std::arg(record.design->linkage.k()))}};
 }
 
 /// By how much to shift each index so that its scale reads right once all corrections are set.
@@ -114,12 +114,12 @@ Json unidentifiable(const CalibrationRecord& record) {
   for (const Told& told : record.indistinct) {
     Json combination = Json::object(), remedies = Json::array();
     for (const auto& [measure, factor] : told.combination.parts)
-      combination[spoken_name(measure, !record.linkage)] = number(factor);
+      combination[spoken_name(measure, !record.design)] = number(factor);
     for (const Remedy& remedy : told.remedies)
       remedies.push_back({{"measure", remedy.words}, {"then_known_to_mm", number(remedy.uncertainty)}});
     list.push_back({{"combination", combination},
                     {"in_words", told.words},
-                    {"held_as_drawn", spoken_name(told.combination.parts.front().measure, !record.linkage)},
+                    {"held_as_drawn", spoken_name(told.combination.parts.front().measure, !record.design)},
                     {"known_to_mm",
                      told.combination.uncertainty ? number(*told.combination.uncertainty) : Json(nullptr)},
                     {"what_would_tell", remedies}});
@@ -233,9 +233,12 @@ void put_calibration(const CalibrationRecord& record, Json& object) {
   object["corrections_mm"] = corrections(record, record.rounds.back());
   object["uncertainty_mm"] = uncertainties(last, 1);
   object["interval_95_mm"] = uncertainties(last, found.coverage_factor);
-  if (record.linkage)
+  if (!record.indistinct.empty())
+    object["uncertainty_if_held_mm"] =
+        by_name(last, [](const Quantity& one) { return number(one.uncertainty); });
+  if (record.design)
     object["lengths_mm"] = by_name(last, [](const Quantity& one) { return number(one.drawn + one.error); });
-  if (!record.linkage) object["index_offsets_mm"] = index_offsets(record);
+  if (!record.design) object["index_offsets_mm"] = index_offsets(record);
   if (record.rounds.size() > 1) object["total_errors_mm"] = errors(record.total);
   const Json place = placement(last);
   if (!place.empty()) object["placement"] = place;

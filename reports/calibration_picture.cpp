@@ -69,9 +69,8 @@ class Picture {
   std::vector<Vector> field() const {
     const Instrument& drawn = record_.setups.front();
     std::vector<Candidate> places;
-    if (record_.linkage) {
-      places = candidates_over_reach(
-          *record_.linkage, record_.linkage->openings_with_transmission(radians(20)), false, 0, 5, 18);
+    if (record_.design) {
+      places = candidates_over_reach(*record_.design, false, 0, 7, 9);
     } else {
       CalibrationTask task;
       task.setups = {drawn};
@@ -106,9 +105,8 @@ class Picture {
 
   tl::expected<Pose, ClosureFault> shown_pose() const {
     const Instrument& drawn = record_.setups.front();
-    if (record_.linkage) {
-      const OpeningInterval openings = record_.linkage->assembly_interval();
-      return pose_of(drawn, drawn.drawn, record_.linkage->tracer_at(openings.middle(), pi / 4));
+    if (record_.design) {
+      return pose_of(drawn, drawn.drawn, record_.design->place(0.5, 0.5));
     }
     return pose_of(drawn, drawn.drawn, Point(std::sqrt(2.0) * record_.measurements.instrument->arm, 0));
   }
@@ -135,7 +133,7 @@ class Picture {
 
   /// Knight's letters on his instrument, ours on a design.
   std::string letter_of(Joint joint) const {
-    if (record_.linkage) return std::string(1, letter(joint));
+    if (record_.design) return std::string(1, letter(joint));
     switch (joint) {
       case Joint::V:
         return "E";

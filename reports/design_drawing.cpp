@@ -70,20 +70,6 @@ void add_region(Drawing& drawing, const DrawingLayer& layer, const Region& regio
   }
 }
 
-/// The pose with the tracer in the middle of the region, or in the middle of its reach towards it.
-Pose shown_pose(const Design& design) {
-  const CopyingLinkage& linkage = design.linkage;
-  Point middle = linkage.pole() + Point(1, 0);
-  if (!design.region.empty()) {
-    const Box box = bounding_box(design.region);
-    middle = 0.5 * (box.lower + box.upper);
-    const auto pose = linkage.pose_with_tracer_at(middle);
-    if (pose && design.opening.contains(*linkage.opening_at((middle - linkage.pole()).norm()))) return *pose;
-  }
-  const Point towards = middle - linkage.pole();
-  return linkage.pose_at(design.opening.middle(), std::atan2(towards.y(), towards.x()));
-}
-
 std::string role(const Design& design, Joint joint) {
   if (joint == design.linkage.pole_joint()) return " pole";
   if (joint == design.linkage.tracer_joint()) return " tracer";
@@ -94,7 +80,7 @@ std::string role(const Design& design, Joint joint) {
 /// The mechanism as it stands on the table, with region and copy.
 Drawing assembly(const Design& design) {
   Drawing drawing{{assembly_layer}, {}};
-  const Pose pose = shown_pose(design);
+  const Pose pose = assembly_pose(design);
   const double radius = 0.5 * design.style.pin_diameter;
   for (const Link link : all_links)
     drawing.shapes.push_back(
@@ -202,6 +188,19 @@ double width_of(const Drawing& drawing) {
 }
 
 }  // namespace
+
+Pose assembly_pose(const Design& design) {
+  const CopyingLinkage& linkage = design.linkage;
+  Point middle = linkage.pole() + Point(1, 0);
+  if (!design.region.empty()) {
+    const Box box = bounding_box(design.region);
+    middle = 0.5 * (box.lower + box.upper);
+    const auto pose = linkage.pose_with_tracer_at(middle);
+    if (pose && design.opening.contains(*linkage.opening_at((middle - linkage.pole()).norm()))) return *pose;
+  }
+  const Point towards = middle - linkage.pole();
+  return linkage.pose_at(design.opening.middle(), std::atan2(towards.y(), towards.x()));
+}
 
 std::string drawing_title(const Design& design) {
   return fmt::format("Copying linkage, scale {}, rotation {} deg", figure(design.scale),

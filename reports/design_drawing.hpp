@@ -13,6 +13,10 @@ namespace kempe {
 /// and the table of lengths on TITLE. 1:1, mm. What must be cut is on the links' layers alone.
 Drawing design_drawing(const Design& design, const CuttingSpec& cutting = {});
 
+/// The pose of the assembly view: the tracer in the middle of the region's box, or, where it cannot stand
+/// there, in the middle of its reach towards it.
+Pose assembly_pose(const Design& design);
+
 /// "Copying linkage, scale 1.4, rotation 90 deg": the drawing's title, ASCII.
 std::string drawing_title(const Design& design);
 

@@ -5,6 +5,7 @@
 #include "reports/nesting.hpp"
 #include "reports/part_drawings.hpp"
 #include "reports/part_solid.hpp"
+#include "reports/step_assembly.hpp"
 #include "reports/svg_writer.hpp"
 
 namespace kempe {
@@ -28,6 +29,7 @@ std::vector<OutputFile> part_files(const Design& design, const CuttingSpec& cutt
     files.push_back({stem + ".stl", stl_bytes(part_solid(part), "link " + part.name)});
   }
   files.push_back({"bom.csv", bom_csv(design)});
+  if (const auto step = step_assembly(design, cutting)) files.push_back({"assembly.step", *step});
   if (!cutting.sheet) return files;
   if (const auto nested = nest(parts, *cutting.sheet, cutting.gap))
     files.push_back({"nested.dxf", dxf_text(nested_drawing(parts, *nested, *cutting.sheet))});

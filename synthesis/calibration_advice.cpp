@@ -98,7 +98,7 @@ struct PlanSpace {
 
 PlanSpace plan_space(TaskMaking& making) {
   const Measurements& measurements = making.measurements();
-  const std::optional<CopyingLinkage>& linkage = making.linkage();
+  const std::optional<DrawnDesign>& design = making.design();
   PlanSpace space;
   const double ratio = measurements.instrument ? measurements.instrument->ratio : 0;
   std::vector<std::size_t> setups{0};
@@ -106,24 +106,20 @@ PlanSpace plan_space(TaskMaking& making) {
   space.task = making.task();
   const ArmAngles& angles = measurements.arm_angles;
   for (const std::size_t setup : setups) {
-    const auto more = linkage
-                          ? candidates_over_reach(*linkage, linkage->openings_with_transmission(radians(20)),
-                                                  setup != 0, setup, 8, 8)
-                          : candidates_on_axis(space.task, setup, measurements.instrument->arm, angles.lower,
-                                               angles.upper, 21);
+    const auto more = design ? candidates_over_reach(*design, setup != 0, setup, 8, 8)
+                             : candidates_on_axis(space.task, setup, measurements.instrument->arm,
+                                                  angles.lower, angles.upper, 21);
     space.candidates.insert(space.candidates.end(), more.begin(), more.end());
   }
   const int count = measurements.plan->readings;
-  space.evenly = linkage ? candidates_over_reach(*linkage, linkage->openings_with_transmission(radians(20)),
-                                                 false, 0, count, 1)
-                         : candidates_on_axis(space.task, 0, measurements.instrument->arm, angles.lower,
-                                              angles.upper, count);
-  if (linkage)  // one turn around while the distance grows
-    for (std::size_t i = 0; i < space.evenly.size(); ++i) {
-      const Complex pole = as_complex(linkage->pole());
-      const Complex turn = std::polar(1.0, 2 * pi * static_cast<double>(i) / count);
-      space.evenly[i].input = as_point(pole + turn * (as_complex(space.evenly[i].input) - pole));
-    }
+  if (design) {
+    constexpr double golden = 0.6180339887498949;
+    for (int i = 0; i < count; ++i)
+      space.evenly.push_back({0, design->place((i + 0.5) / count, std::fmod(golden * i, 1.0))});
+  } else {
+    space.evenly =
+        candidates_on_axis(space.task, 0, measurements.instrument->arm, angles.lower, angles.upper, count);
+  }
   return space;
 }
 
@@ -175,8 +171,8 @@ std::vector<Told> advice_for(TaskMaking& making, const Calibration& calibration)
   return all;
 }
 
-PlanRecord plan_for(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage) {
-  TaskMaking making = last_round(measurements, linkage);
+PlanRecord plan_for(const Measurements& measurements, const std::optional<DrawnDesign>& design) {
+  TaskMaking making = last_round(measurements, design);
   const PlanSpace space = plan_space(making);
   const double noise = measurements.fit.reading_uncertainty.value_or(assumed_reading_uncertainty);
   const auto chosen =
@@ -197,7 +193,7 @@ PlanRecord plan_for(const Measurements& measurements, const std::optional<Copyin
   }
   const Eigen::MatrixXd best = with_plausible(space.task, information_of(space.task, chosen, noise));
   const Eigen::MatrixXd even = with_plausible(space.task, information_of(space.task, space.evenly, noise));
-  plan.quantities = quantities_of(space.task.setups.front(), !linkage, space.task.free,
+  plan.quantities = quantities_of(space.task.setups.front(), !design, space.task.free,
                                   expected_calibration(space.task, best, noise))
                         .quantities;
   const double ratio = std::log(best.determinant()) - std::log(even.determinant());

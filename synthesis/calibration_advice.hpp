@@ -13,7 +13,7 @@ namespace kempe {
 std::vector<Told> advice_for(TaskMaking& making, const Calibration& calibration);
 
 /// The readings of [plan], to be taken besides those of the last round.
-PlanRecord plan_for(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage);
+PlanRecord plan_for(const Measurements& measurements, const std::optional<DrawnDesign>& design);
 
 /// "CY +1 mm together with VA +0.5 mm and BC +0.5 mm"
 std::string words_of(const Indistinct& combination, bool variable_ratio);

@@ -41,6 +41,10 @@ struct FitOutcome {
   Eigen::MatrixXd slopes;     ///< at the solution, by `free`
 };
 
+/// Too few readings, all at one opening, a place out of reach, a copy of the wrong size; nothing if all is
+/// well.
+std::optional<CalibrationFault> fault_of(const CalibrationTask& task);
+
 /// Fits `free` from `start`; nothing where the start cannot be closed.
 std::optional<FitOutcome> fit(const WeightedTask& weighted, const std::vector<Measure>& free,
                               const Measures& start);

@@ -42,16 +42,16 @@ double largest_departure(const Calibration& calibration) {
 
 class Job {
  public:
-  Job(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage, const std::string& file)
-      : measurements_(measurements), linkage_(linkage), file_(file) {}
+  Job(const Measurements& measurements, const std::optional<DrawnDesign>& design, const std::string& file)
+      : measurements_(measurements), design_(design), file_(file) {}
 
   tl::expected<CalibrationRecord, InputError> run() {
     record_.measurements = measurements_;
-    record_.linkage = linkage_;
+    record_.design = design_;
     record_.method = method_for(measurements_);
-    TaskMaking present(measurements_, linkage_);
+    TaskMaking present(measurements_, design_);
     for (const std::vector<std::size_t>& readings : readings_by_round()) {
-      present = TaskMaking(measurements_, linkage_);
+      present = TaskMaking(measurements_, design_);
       for (const std::size_t i : readings) present.add(measurements_.readings[i]);
       if (const auto fault = add_round(present.task(), readings)) return tl::unexpected(*fault);
     }
@@ -85,7 +85,7 @@ class Job {
     round.residual = residual_of(task, *found, record_.method);
     round.deviations = found->deviations;
     round.corrections = scale_corrections(found->deviations);
-    round.quantities = quantities_of(task.setups.front(), !linkage_, task.free, *found).quantities;
+    round.quantities = quantities_of(task.setups.front(), !design_, task.free, *found).quantities;
     record_.rounds.push_back(std::move(round));
     record_.calibration = std::move(*found);
     fill_readings(task, readings);
@@ -97,7 +97,7 @@ class Job {
     Measures unsettable = deviations;
     for (const Scale& scale : scales) unsettable[index_of(scale.measure)] = 0;
     unsettable.tail<5>().setZero();
-    if (linkage_ || unsettable.isZero(0)) return -scale_errors_of(deviations);
+    if (design_ || unsettable.isZero(0)) return -scale_errors_of(deviations);
     SettingTask task = setting_task();
     task.deviations = deviations;
     task.deviations.tail<5>().setZero();
@@ -121,12 +121,12 @@ class Job {
       record_.indistinct = advice_for(present, record_.calibration);
     }
     if (measurements_.instrument) record_.settings = setting_table(setting_task(), measurements_.ratios);
-    if (measurements_.plan) record_.plan = plan_for(measurements_, linkage_);
+    if (measurements_.plan) record_.plan = plan_for(measurements_, design_);
     record_.setups = task.setups;
   }
 
   void finish_errors(const CalibrationTask& task) {
-    const auto table = quantities_of(task.setups.front(), !linkage_, task.free, record_.calibration);
+    const auto table = quantities_of(task.setups.front(), !design_, task.free, record_.calibration);
     const Eigen::MatrixXd covariance = table.by * record_.calibration.covariance * table.by.transpose();
     const Eigen::VectorXd deviations = covariance.diagonal().cwiseMax(0).cwiseSqrt();
     record_.correlations = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
@@ -156,7 +156,7 @@ class Job {
   }
 
   const Measurements& measurements_;
-  const std::optional<CopyingLinkage>& linkage_;
+  const std::optional<DrawnDesign>& design_;
   const std::string& file_;
   CalibrationRecord record_;
 };
@@ -164,15 +164,15 @@ class Job {
 }  // namespace
 
 double correction_of(const CalibrationRecord& record, const RoundRecord& round, const Quantity& quantity) {
-  for (std::size_t i = 0; i < 4 && !record.linkage; ++i)
+  for (std::size_t i = 0; i < 4 && !record.design; ++i)
     if (quantity.name == ScaleErrors::names[i]) return round.corrections.values()[i];
   return -quantity.error;
 }
 
 tl::expected<CalibrationRecord, InputError> run_calibration(const Measurements& measurements,
-                                                            const std::optional<CopyingLinkage>& linkage,
+                                                            const std::optional<DrawnDesign>& design,
                                                             const std::string& file) {
-  return Job(measurements, linkage, file).run();
+  return Job(measurements, design, file).run();
 }
 
 }  // namespace kempe

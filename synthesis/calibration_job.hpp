@@ -9,7 +9,7 @@
 
 #include "specs/input_error.hpp"
 #include "specs/measurements.hpp"
-#include "synthesis/calibration.hpp"
+#include "synthesis/calibration_plan.hpp"
 #include "synthesis/knight.hpp"
 
 namespace kempe {
@@ -85,7 +85,7 @@ struct PlanRecord {
 
 struct CalibrationRecord {
   Measurements measurements;
-  std::optional<CopyingLinkage> linkage;  ///< of a design
+  std::optional<DrawnDesign> design;  ///< absent for a variable ratio instrument
   std::vector<Instrument> setups;
   CalibrationMethod method = CalibrationMethod::least_squares;
   std::vector<RoundRecord> rounds;      ///< the last is the present state; empty if there are no readings
@@ -102,10 +102,11 @@ struct CalibrationRecord {
 /// What to set or to make a quantity of a round other by: a scale's correction, else the error's negative.
 double correction_of(const CalibrationRecord& record, const RoundRecord& round, const Quantity& quantity);
 
-/// The calibration of a file's readings. `linkage` is the design's, nothing for a variable ratio instrument.
+/// The calibration of a file's readings. `design` is the one that the file names, nothing for a
+/// variable ratio instrument.
 /// `file` names the measurements in errors.
 tl::expected<CalibrationRecord, InputError> run_calibration(const Measurements& measurements,
-                                                            const std::optional<CopyingLinkage>& linkage,
+                                                            const std::optional<DrawnDesign>& design,
                                                             const std::string& file);
 
 /// The quantities that deviations make, in the order of the result, with their uncertainties.

@@ -121,6 +121,17 @@ Eigen::VectorXd direction_of(const CalibrationTask& task, const Indistinct& comb
   return direction;
 }
 
+Point middle_of(const Region& region) {
+  Point sum(0, 0);
+  double count = 0;
+  for (const Polygon& polygon : region.polygons)
+    for (const Point& corner : polygon.outer) {
+      sum += corner;
+      ++count;
+    }
+  return count > 0 ? Point(sum / count) : Point(0, 0);
+}
+
 double inverse_of(double tells) { return tells > 0 ? 1 / tells : std::numeric_limits<double>::infinity(); }
 
 }  // namespace
@@ -143,14 +154,40 @@ std::vector<Candidate> candidates_on_axis(const CalibrationTask& task, std::size
   return candidates;
 }
 
-std::vector<Candidate> candidates_over_reach(const CopyingLinkage& linkage, const OpeningInterval& openings,
-                                             bool exchanged, std::size_t setup, int radii, int bearings) {
+Point DrawnDesign::place(double share_of_openings, double share_of_bearings) const {
+  return linkage.tracer_at(usable.lower + share_of_openings * usable.width(),
+                           bearing_lower + share_of_bearings * (bearing_upper - bearing_lower));
+}
+
+DrawnDesign drawn_design(const CopyingLinkage& linkage, const OpeningInterval& certified,
+                         const Region& region) {
+  DrawnDesign design{linkage, intersect(certified, linkage.assembly_interval())};
+  constexpr double least_transmission = radians(20), around = radians(30);
+  if (!(design.usable.width() > 0)) design.usable = linkage.openings_with_transmission(least_transmission);
+  const Point middle = middle_of(region) - linkage.pole();
+  if (!(middle.norm() > 0)) return design;
+  double widest = 0;
+  for (const Polygon& polygon : region.polygons)
+    for (const Point& corner : polygon.outer) {
+      const Point at = corner - linkage.pole();
+      if (at.norm() > 0) widest = std::max(widest, std::abs(std::arg(as_complex(at) / as_complex(middle))));
+    }
+  const double half = std::min(pi, widest + around), bearing = std::arg(as_complex(middle));
+  design.bearing_lower = bearing - half;
+  design.bearing_upper = bearing + half;
+  return design;
+}
+
+std::vector<Candidate> candidates_over_reach(const DrawnDesign& design, bool exchanged, std::size_t setup,
+                                             int radii, int bearings) {
   std::vector<Candidate> candidates;
+  const CopyingLinkage& linkage = design.linkage;
   for (int i = 0; i < radii; ++i)
     for (int j = 0; j < bearings; ++j) {
-      const double opening = openings.lower + openings.width() * i / std::max(1, radii - 1);
-      const Pose pose = linkage.pose_at(opening, 2 * pi * j / bearings);
-      candidates.push_back({setup, pose[exchanged ? linkage.pen_joint() : linkage.tracer_joint()]});
+      const Point tracer = design.place((i + 0.5) / radii, (j + 0.5) / bearings);
+      const Complex from_pole = as_complex(tracer - linkage.pole());
+      candidates.push_back(
+          {setup, exchanged ? Point(linkage.pole() + as_point(linkage.k() * from_pole)) : tracer});
     }
   return candidates;
 }

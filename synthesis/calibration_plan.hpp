@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "specs/region.hpp"
 #include "synthesis/calibration.hpp"
 
 namespace kempe {
@@ -17,9 +18,26 @@ struct Candidate {
 std::vector<Candidate> candidates_on_axis(const CalibrationTask& task, std::size_t setup, double arm,
                                           double lower, double upper, int count);
 
-/// Candidates all over a linkage's reach: openings over `openings`, bearings all around.
-std::vector<Candidate> candidates_over_reach(const CopyingLinkage& linkage, const OpeningInterval& openings,
-                                             bool exchanged, std::size_t setup, int radii, int bearings);
+/// A design whose made instrument is calibrated, and where it may be read.
+struct DrawnDesign {
+  CopyingLinkage linkage;
+  OpeningInterval usable;      ///< openings at which nothing touches
+  double bearing_lower = -pi;  ///< of the tracer as seen from the pole, rad
+  double bearing_upper = pi;
+
+  /// The tracer at a share (0..1) of the usable openings and of the bearings.
+  Point place(double share_of_openings, double share_of_bearings) const;
+};
+
+/// The design with the openings that its file certifies (those with 20 degrees of transmission if it
+/// certifies none), and the bearings of its region, widened by 30 degrees.
+DrawnDesign drawn_design(const CopyingLinkage& linkage, const OpeningInterval& certified,
+                         const Region& region);
+
+/// Candidates all over a design's places: `radii` openings times `bearings`. Exchanged: the places of the
+/// pen.
+std::vector<Candidate> candidates_over_reach(const DrawnDesign& design, bool exchanged, std::size_t setup,
+                                             int radii, int bearings);
 
 /// What a set of readings would tell about the measures in `task.free` (in task.units of calibration_fit,
 /// mm), the task's own readings and lengths included: J^T J / noise^2.

@@ -41,20 +41,19 @@ Displaced displaced(Complex corner, Complex middle, Complex outer) {
 
 class Simulation {
  public:
-  Simulation(const Measurements& spec, const std::optional<CopyingLinkage>& linkage, std::uint64_t seed)
-      : spec_(spec), linkage_(linkage), wanted_(*spec.simulation), chance_(seed) {
+  Simulation(const Measurements& spec, const std::optional<DrawnDesign>& design, std::uint64_t seed)
+      : spec_(spec), design_(design), wanted_(*spec.simulation), chance_(seed) {
     Measurements bare = spec;
     bare.readings.clear();
     bare.fit.arm_tolerance_percent = std::max(bare.fit.arm_tolerance_percent, wanted_.arm_error_percent);
     bare.fit.bearing_tolerance_percent =
         std::max(bare.fit.bearing_tolerance_percent, wanted_.bearing_error_percent);
     bare_ = bare;
-    method_ =
-        spec.fit.method.value_or(linkage ? CalibrationMethod::least_squares : CalibrationMethod::knight);
+    method_ = spec.fit.method.value_or(design ? CalibrationMethod::least_squares : CalibrationMethod::knight);
     const int usual = method_ == CalibrationMethod::knight ? 2 : 10;
-    places_ = places(wanted_.readings > 0 ? wanted_.readings : linkage ? 16 : usual);
+    places_ = places(wanted_.readings > 0 ? wanted_.readings : design ? 16 : usual);
     fan_ = places(25);
-    const TaskMaking making(bare_, linkage_);
+    const TaskMaking making(bare_, design_);
     drawn_ = making.task().setups.front();
     free_ = making.task().free;
   }
@@ -83,10 +82,8 @@ class Simulation {
     const ArmAngles& angles = spec_.arm_angles;
     for (int i = 0; i < count; ++i) {
       const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.5;
-      if (linkage_) {
-        const OpeningInterval openings = linkage_->openings_with_transmission(radians(20));
-        all.push_back(
-            {{}, linkage_->tracer_at(openings.lower + share * openings.width(), 2 * pi * i * 0.618034)});
+      if (design_) {
+        all.push_back({{}, design_->place(share, std::fmod(0.6180339887498949 * i, 1.0))});
       } else {
         const bool knights_own = method_ == CalibrationMethod::knight && count == 2;
         const double angle =
@@ -102,7 +99,7 @@ class Simulation {
     for (const Measure measure : free_)
       hidden[index_of(measure)] =
           chance_.symmetric(wanted_.largest_error) * (measure == Measure::turn ? 1 / size() : 1);
-    if (!linkage_) {
+    if (!design_) {
       const double arm = spec_.instrument->arm / 100;
       for (const Measure measure : {Measure::CX, Measure::CY})
         hidden[index_of(measure)] += chance_.symmetric(wanted_.arm_error_percent * arm);
@@ -111,9 +108,9 @@ class Simulation {
     }
     for (int j = 0; j < measure_count; ++j) {
       const auto measure = static_cast<Measure>(j);
-      const auto given = wanted_.errors.find(spoken_name(measure, !linkage_));
+      const auto given = wanted_.errors.find(spoken_name(measure, !design_));
       if (given != wanted_.errors.end())
-        hidden[j] = given->second * (!linkage_ && measure == Measure::VB ? -1 : 1);
+        hidden[j] = given->second * (!design_ && measure == Measure::VB ? -1 : 1);
     }
     return hidden;
   }
@@ -143,7 +140,7 @@ class Simulation {
   std::optional<Calibration> calibrated(const std::vector<ReadingSpec>& readings) const {
     Measurements file = bare_;
     file.readings = readings;
-    TaskMaking making(file, linkage_);
+    TaskMaking making(file, design_);
     std::vector<std::size_t> all;
     for (const ReadingSpec& reading : readings) {
       making.add(reading);
@@ -215,7 +212,7 @@ class Simulation {
   void remember(const Measures& hidden) {
     Calibration truth;
     truth.deviations = hidden;
-    record_.hidden = quantities_of(drawn_, !linkage_, free_, truth).quantities;
+    record_.hidden = quantities_of(drawn_, !design_, free_, truth).quantities;
   }
 
   void finish() {
@@ -229,7 +226,7 @@ class Simulation {
   }
 
   const Measurements& spec_;
-  const std::optional<CopyingLinkage>& linkage_;
+  const std::optional<DrawnDesign>& design_;
   const SimulationSpec& wanted_;
   Chance chance_;
   Measurements bare_;
@@ -268,11 +265,11 @@ Measures with_play(const Measures& measures, double play, const std::function<do
 }
 
 std::optional<SimulationRecord> simulate_calibration(const Measurements& spec,
-                                                     const std::optional<CopyingLinkage>& linkage,
+                                                     const std::optional<DrawnDesign>& design,
                                                      std::uint64_t seed,
                                                      const std::function<void(double)>& progress,
                                                      const std::atomic<bool>& interrupted) {
-  return Simulation(spec, linkage, seed).run(progress, interrupted);
+  return Simulation(spec, design, seed).run(progress, interrupted);
 }
 
 }  // namespace kempe

@@ -36,7 +36,7 @@ struct SimulationRecord {
 /// Plays `spec.simulation` (it must be there). The same seed gives the same record. Nothing comes back when
 /// `interrupted` is set; `progress` gets the share done.
 std::optional<SimulationRecord> simulate_calibration(const Measurements& spec,
-                                                     const std::optional<CopyingLinkage>& linkage,
+                                                     const std::optional<DrawnDesign>& design,
                                                      std::uint64_t seed,
                                                      const std::function<void(double)>& progress,
                                                      const std::atomic<bool>& interrupted);

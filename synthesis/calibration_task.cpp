@@ -59,12 +59,12 @@ std::size_t length_index(std::string_view name) {
                                   LinkLengths::names.begin());
 }
 
-TaskMaking::TaskMaking(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage)
-    : measurements_(&measurements), linkage_(&linkage) {
+TaskMaking::TaskMaking(const Measurements& measurements, const std::optional<DrawnDesign>& design)
+    : measurements_(&measurements), design_(&design) {
   task_.setups.push_back(setup(reference_ratio(), false));
   keys_.emplace_back(reference_ratio(), false);
   const FitSpec& fit = measurements.fit;
-  task_.free = free_measures(fit.free, !linkage, is_straight(task_.setups.front()));
+  task_.free = free_measures(fit.free, !design, is_straight(task_.setups.front()));
   task_.reading_uncertainty = fit.reading_uncertainty;
   task_.setting_uncertainty = fit.tracer_uncertainty;
   task_.keep_outliers = fit.keep_outliers;
@@ -110,13 +110,13 @@ double TaskMaking::reference_ratio() const {
 }
 
 Instrument TaskMaking::setup(double ratio, bool exchanged) const {
-  const Instrument drawn = *linkage_ ? instrument_of(**linkage_)
-                                     : variable_ratio_instrument(measurements_->instrument->arm, ratio);
+  const Instrument drawn = *design_ ? instrument_of((*design_)->linkage)
+                                    : variable_ratio_instrument(measurements_->instrument->arm, ratio);
   return exchanged ? drawn.exchanged() : drawn;
 }
 
-TaskMaking last_round(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage) {
-  TaskMaking making(measurements, linkage);
+TaskMaking last_round(const Measurements& measurements, const std::optional<DrawnDesign>& design) {
+  TaskMaking making(measurements, design);
   for (const ReadingSpec& reading : measurements.readings)
     if (reading.round == measurements.readings.back().round) making.add(reading);
   return making;

@@ -16,11 +16,11 @@ namespace kempe {
 /// agree. Setup 0 is the instrument as drawn. Keeps references to its arguments.
 class TaskMaking {
  public:
-  TaskMaking(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage);
+  TaskMaking(const Measurements& measurements, const std::optional<DrawnDesign>& design);
 
   const CalibrationTask& task() const { return task_; }
   const Measurements& measurements() const { return *measurements_; }
-  const std::optional<CopyingLinkage>& linkage() const { return *linkage_; }
+  const std::optional<DrawnDesign>& design() const { return *design_; }
 
   void add(const ReadingSpec& reading);
   /// The setup at this setting of the scales (0 for a design), made if it is new.
@@ -32,13 +32,13 @@ class TaskMaking {
   Instrument setup(double ratio, bool exchanged) const;
 
   const Measurements* measurements_;
-  const std::optional<CopyingLinkage>* linkage_;
+  const std::optional<DrawnDesign>* design_;
   CalibrationTask task_;
   std::vector<std::pair<double, bool>> keys_;
 };
 
 /// The task of the last round's readings.
-TaskMaking last_round(const Measurements& measurements, const std::optional<CopyingLinkage>& linkage);
+TaskMaking last_round(const Measurements& measurements, const std::optional<DrawnDesign>& design);
 
 /// True if Knight's equations apply to the readings: arm angles, the scales alone free, no lengths taken.
 bool knights_case(const Measurements& measurements);

@@ -27,11 +27,7 @@ constexpr double poles_apart = 0.6;
 constexpr double poles_told_apart = 0.06;
 
 double merit_of(const DesignProblem& problem, const Assessment& seen) {
-  const double unit = problem.layout().unit;
-  const double scale = problem.goal() == Goal::transmission ? 1
-                       : problem.goal() == Goal::footprint  ? unit * unit
-                                                            : unit;
-  return seen.cost / scale + penalty * seen.violation + (seen.feasible ? 0 : 1e-3);
+  return seen.cost / problem.goal_scale() + penalty * seen.violation + (seen.feasible ? 0 : 1e-3);
 }
 
 /// A place to start from: in the unit square of lengths, seen from a pole.
@@ -94,16 +90,14 @@ ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point) {
           .evaluations = 1};
 }
 
-/// Rounded so that the last digits of a solver do not matter, and short in print.
-double rounded(double value, double quantum) { return std::round(value / quantum) * quantum; }
-
+/// Rounded to a decimal place so far below the task's size that it costs nothing: the last digits of a solver then do not
+/// matter, and numbers are short in print.
 DesignPoint rounded(const DesignProblem& problem, const DesignPoint& point) {
-  const double quantum = std::pow(10.0, std::floor(std::log10(problem.layout().unit)) - 11);
-  DesignPoint result{{std::log(rounded(std::exp(point.lengths.u), quantum)),
-                      std::log(rounded(std::exp(point.lengths.v), quantum))},
+  const double scale = std::pow(10.0, 11 - std::floor(std::log10(problem.layout().unit)));
+  const auto to_place = [&](double value) { return std::round(value * scale) / scale; };
+  DesignPoint result{{std::log(to_place(std::exp(point.lengths.u))), std::log(to_place(std::exp(point.lengths.v)))},
                      point.pole};
-  if (problem.layout().pole_is_free)
-    result.pole = {rounded(point.pole.x(), quantum), rounded(point.pole.y(), quantum)};
+  if (problem.layout().pole_is_free) result.pole = {to_place(point.pole.x()), to_place(point.pole.y())};
   return result;
 }
 

@@ -17,19 +17,14 @@ std::vector<int> corners(const JointHull& hull) {
   return joints;
 }
 
-Demands demands_of(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
-                   const std::vector<GapTerm>& terms) {
+Demands demands_of(const ContactTerms& terms) {
   Demands demands;
-  for (const GapTerm& term : terms)
+  for (const GapTerm& term : terms.gaps)
     demands.emplace_back(corners(term.first.hull), term.first.half_width, corners(term.second.hull),
                          term.second.half_width);
-  for (std::size_t i = 0; i < spec.obstacles.size(); ++i)
-    for (const Part& part : parts_of(linkage, layers))
-      if (part.lowest_layer <= spec.obstacles[i].highest_layer &&
-          spec.obstacles[i].lowest_layer <= part.highest_layer)
-        for (const JointHull& hull : axis_of(part, linkage.shape(), spec.links.style.plate))
-          demands.emplace_back(corners(hull), half_width(part, spec.links.style),
-                               std::vector{-1 - static_cast<int>(i)}, 0);
+  for (const ObstacleTerm& term : terms.obstacles)
+    demands.emplace_back(corners(term.piece.hull), term.piece.half_width,
+                         std::vector{-1 - static_cast<int>(term.obstacle)}, 0);
   std::sort(demands.begin(), demands.end());
   demands.erase(std::unique(demands.begin(), demands.end()), demands.end());
   return demands;
@@ -62,8 +57,9 @@ std::vector<ContactChoice> choices_of(const Spec& spec) {
       std::vector<ContactChoice> here;
       std::vector<Demands> demands;
       for (const LayerAssignment& layers : layer_assignments(spec.links.layers)) {
-        here.push_back({{vertex, assembly, layers}, gap_terms(*linkage, layers, spec.links.style)});
-        demands.push_back(demands_of(spec, *linkage, layers, here.back().terms));
+        here.push_back({{vertex, assembly, layers},
+                        {gap_terms(*linkage, layers, spec.links.style), obstacle_terms(*linkage, layers, spec)}});
+        demands.push_back(demands_of(here.back().terms));
       }
       for (const std::size_t i : least_demanding(demands)) choices.push_back(std::move(here[i]));
     }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "synthesis/link_gap.hpp"
+#include "synthesis/design_problem.hpp"
 #include "synthesis/requirements.hpp"
 
 namespace kempe {
@@ -11,7 +11,7 @@ namespace kempe {
 /// A choice with the pairs of parts that must keep their clearance.
 struct ContactChoice {
   Choice choice;
-  std::vector<GapTerm> terms;
+  ContactTerms terms;
 };
 
 /// Every grounding that the spec permits, assembly and layer assignment, in that order, without those that

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/footprint.hpp"
+
 namespace kempe {
 namespace {
 
@@ -18,6 +20,8 @@ constexpr double reach_slack = 1e-13;
 constexpr double far_apart = 1e3;
 /// Openings looked at for contact where only a first impression is wanted.
 constexpr int search_openings = 9;
+/// Fine enough to tell a better footprint from a worse one.
+constexpr FootprintGrid search_footprint{16, 48, 0};
 
 /// What is missing to a wanted least value.
 double missing(double wanted, double attained) { return std::max(0.0, wanted - attained); }
@@ -36,18 +40,15 @@ bool goal_is_variable(Goal goal) { return goal != Goal::size && goal != Goal::fo
 }  // namespace
 
 DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits,
-                             Goal goal, const OpeningInterval& allowed, std::vector<GapTerm> terms)
-    : space_(space),
-      choice_(choice),
-      limits_(limits),
-      goal_(goal),
-      allowed_(allowed),
-      terms_(std::move(terms)),
-      reach_(space.k(), choice.vertex, choice.assembly),
-      box_(length_box(reach_, limits, space.spec().links.workshop)),
-      layout_(space.layout()) {
+                             Goal goal, const OpeningInterval& allowed, ContactTerms terms)
+    : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed), terms_(std::move(terms)),
+      grounding_(grounding_of(choice.vertex)), reach_(space.k(), choice.vertex, choice.assembly),
+      box_(length_box(reach_, limits, space.spec().links.workshop)), layout_(space.layout()) {
   layout_.pole_is_free = space.pole_is_free(limits) || goal == Goal::pole_margin;
   layout_.has_goal = goal_is_variable(goal);
+  if (!terms_.obstacles.empty()) places_ = space.tracer_places();
+  if (goal == Goal::copy_error && space.spec().tolerance)
+    copy_error_.emplace(space.k(), choice.vertex, CopyTolerance::uniform(*space.spec().tolerance));
 }
 
 OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
@@ -90,12 +91,41 @@ DesignPoint DesignProblem::unit_point(std::span<const double> z) const {
 
 double DesignProblem::smallest_gap(const LogLengths& lengths, double from, double to, int openings) const {
   double smallest = far_apart * layout_.unit;
-  for (int i = 0; i < openings && !terms_.empty(); ++i) {
+  for (int i = 0; i < openings && !terms_.gaps.empty(); ++i) {
     const double share = openings > 1 ? i / (openings - 1.0) : 0.5;
     const JointFrame frame(reach_.shape(), lengths, from + share * (to - from));
-    for (const GapTerm& term : terms_) smallest = std::min(smallest, gap_value(term, frame));
+    for (const GapTerm& term : terms_.gaps) smallest = std::min(smallest, gap_value(term, frame));
   }
   return smallest;
+}
+
+double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double enough) const {
+  double smallest = enough;
+  for (const Point& place : places_) {
+    const PlacedJoints joints(reach_, grounding_, point.lengths, point.pole, place);
+    for (const ObstacleTerm& term : terms_.obstacles)
+      smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest));
+  }
+  return smallest;
+}
+
+double DesignProblem::footprint_at(const DesignPoint& point) const {
+  const auto linkage = CopyingLinkage::make(space_.k(), choice_.vertex, std::exp(point.lengths.u),
+                                            std::exp(point.lengths.v), choice_.assembly, point.pole);
+  return linkage ? footprint_estimate(*linkage, space_.spec().links.style, space_.spec().region, search_footprint) : 0;
+}
+
+double DesignProblem::goal_scale() const {
+  switch (goal_) {
+    case Goal::transmission:
+      return 1;
+    case Goal::footprint:
+      return layout_.unit * layout_.unit;
+    case Goal::copy_error:
+      return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play, 1e-9);
+    default:
+      return layout_.unit;
+  }
 }
 
 double DesignProblem::violation_of(const Attained& has) const {
@@ -105,6 +135,9 @@ double DesignProblem::violation_of(const Attained& has) const {
   sum += missing(limits_.shortest * (1 - 1e-12), has.shortest) / unit;
   sum += missing(has.longest * (1 - 1e-12), limits_.longest) / unit;
   sum += missing(has.pole_margin, limits_.pole_margin + 1e-12 * unit) / unit;
+  if (limits_.size) sum += missing(has.size, *limits_.size) / unit;
+  if (limits_.footprint) sum += missing(has.footprint, *limits_.footprint) / (unit * unit);
+  if (limits_.sheets_gap) sum += missing(*limits_.sheets_gap, has.sheets_gap) / unit;
   return sum;
 }
 
@@ -124,6 +157,13 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
       std::min(reach_.from_near_end(result.near_opening), reach_.from_far_end(result.far_opening));
   has.pole_margin = space_.pole_distance(point.pole);
   has.clearance = smallest_gap(lengths, result.near_opening, result.far_opening, openings);
+  if (!terms_.obstacles.empty())
+    has.clearance = smallest_obstacle_gap(point, std::min(has.clearance, far_apart * unit));
+  if (goal_ == Goal::footprint || limits_.footprint) has.footprint = footprint_at(point);
+  if (limits_.sheets_gap || goal_ == Goal::sheets_gap)
+    has.sheets_gap = space_.smallest_sheet_gap(point.pole).distance;
+  if (copy_error_)
+    has.copy_error = std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
   const double too_near =
       missing(reach_.radius_value(lengths, result.near_opening) - reach_slack * unit, annulus.nearest);
@@ -155,6 +195,8 @@ double DesignProblem::goal_in_vector(double value) const {
   switch (goal_) {
     case Goal::transmission:
       return value;
+    case Goal::copy_error:
+      return value / goal_scale();
     case Goal::shortest:
     case Goal::longest:
       return std::log(value);

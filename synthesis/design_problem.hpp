@@ -20,7 +20,9 @@
 #include <span>
 #include <vector>
 
+#include "synthesis/copy_error.hpp"
 #include "synthesis/link_gap.hpp"
+#include "synthesis/obstacle_gap.hpp"
 #include "synthesis/search_space.hpp"
 #include "synthesis/smooth_program.hpp"
 
@@ -41,21 +43,22 @@ struct Assessment {
   Attained attained;
 };
 
+/// What must keep its clearance: parts from each other, and parts from obstacles.
+struct ContactTerms {
+  std::vector<GapTerm> gaps{};
+  std::vector<ObstacleTerm> obstacles{};
+  bool empty() const { return gaps.empty() && obstacles.empty(); }
+};
+
 /// One row of the semi-infinite program.
 struct Row {
   enum class Kind {
-    near_edge,
-    far_corner,
-    near_end,
-    far_end,
-    contact,
-    half_plane,
-    pole_margin,
-    longest,
-    shortest
+    near_edge, far_corner, near_end, far_end, contact, obstacle, sheets, half_plane, pole_margin, longest, shortest,
+    copy_error, size
   } kind;
-  std::size_t index = 0;  ///< edge, corner, gap term, half plane; 0: VA, 1: VB
-  double share = 0;       ///< h of a contact
+  std::size_t index = 0;  ///< edge, corner, gap or obstacle term, sheet corner, half plane; 0: VA, 1: VB
+  double share = 0;       ///< h of a contact or of a copy error
+  std::size_t place = 0;  ///< of the tracer, for an obstacle
   bool operator==(const Row&) const = default;
 };
 
@@ -74,8 +77,10 @@ class DesignProblem {
   /// `allowed`: the openings at which transmission and copy error keep their limits; `terms`: the pairs that
   /// must keep their clearance, none for the relaxation without contact.
   DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits, Goal goal,
-                const OpeningInterval& allowed, std::vector<GapTerm> terms);
+                const OpeningInterval& allowed, ContactTerms terms);
 
+  /// What a cost is divided by to be of order 1.
+  double goal_scale() const;
   const Choice& choice() const { return choice_; }
   const Requirements& limits() const { return limits_; }
   Goal goal() const { return goal_; }
@@ -106,6 +111,8 @@ class DesignProblem {
   /// Adds rows that x violates by more than `tolerance`; true if there was one.
   bool add_violated(std::vector<Row>& rows, const DesignVector& x, double tolerance) const;
   void set_room(const Point& pole);
+  /// One more place of the tracer at which obstacles are looked at.
+  void add_place(const Point& tracer) { places_.push_back(tracer); }
   RowJet row(const Row& row, const DesignVector& x) const;
   RowJet objective(const DesignVector& x) const;
   /// The program of these rows; refers to this problem and copies the rows.
@@ -115,6 +122,8 @@ class DesignProblem {
 
  private:
   double cost_of(const Attained& attained) const;
+  double footprint_at(const DesignPoint& point) const;
+  RowJet footprint_objective(const DesignVector& x) const;
   double goal_in_vector(double value) const;
   double violation_of(const Attained& attained) const;
   double smallest_gap(const LogLengths& lengths, double from, double to, int openings) const;
@@ -122,6 +131,15 @@ class DesignProblem {
   RowJet near_row(std::size_t edge, const DesignVector& x) const;
   RowJet far_row(std::size_t corner, const DesignVector& x) const;
   RowJet contact_row(std::size_t term, double share, const DesignVector& x) const;
+  RowJet obstacle_row(const Row& row, const DesignVector& x) const;
+  RowJet obstacle_row_values(const Row& row, const DesignVector& x) const;
+  RowJet sheets_row(std::size_t corner, const DesignVector& x) const;
+  RowJet copy_error_row(double share, const DesignVector& x) const;
+  RowJet size_row(const DesignVector& x) const;
+  void add_obstacles(std::vector<Row>& rows, const DesignVector& x, double band) const;
+  void add_sheets(std::vector<Row>& rows, const DesignVector& x) const;
+  void add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const;
+  double smallest_obstacle_gap(const DesignPoint& point, double enough) const;
   RowJet half_plane_row(std::size_t plane, const DesignVector& x) const;
   RowJet pole_margin_row(const DesignVector& x) const;
   RowJet end_row(bool near, const DesignVector& x) const;
@@ -136,7 +154,10 @@ class DesignProblem {
   Requirements limits_;
   Goal goal_;
   OpeningInterval allowed_;
-  std::vector<GapTerm> terms_;
+  ContactTerms terms_;
+  std::vector<Point> places_;  ///< of the tracer, where obstacles are looked at
+  Grounding grounding_;
+  std::optional<CopyErrorProfile> copy_error_;
   Reach reach_;
   LogBox box_;
   DesignLayout layout_;

@@ -85,7 +85,7 @@ RowJet DesignProblem::contact_row(std::size_t term, double share, const DesignVe
   RowJet jet = zero_jet(layout_.size());
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
   const JointFrame frame(reach_.shape(), lengths_of(x), near + share * (far - near));
-  add_linkage(jet, 1 / layout_.unit, gap_jet(terms_[term], frame), 1 - share, share);
+  add_linkage(jet, 1 / layout_.unit, gap_jet(terms_.gaps[term], frame), 1 - share, share);
   if (goal_ == Goal::clearance)
     add_variable(jet, x, layout_.goal(), -1);
   else
@@ -147,10 +147,18 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x) const {
       return end_row(false, x);
     case Row::Kind::contact:
       return contact_row(row.index, row.share, x);
+    case Row::Kind::obstacle:
+      return obstacle_row(row, x);
+    case Row::Kind::sheets:
+      return sheets_row(row.index, x);
     case Row::Kind::half_plane:
       return half_plane_row(row.index, x);
     case Row::Kind::pole_margin:
       return pole_margin_row(x);
+    case Row::Kind::copy_error:
+      return copy_error_row(row.share, x);
+    case Row::Kind::size:
+      return size_row(x);
     case Row::Kind::longest:
       return length_row(true, row.index, x);
     case Row::Kind::shortest:
@@ -165,6 +173,7 @@ RowJet DesignProblem::objective(const DesignVector& x) const {
     add_variable(jet, x, layout_.goal(), is_maximized(goal_) ? -1 : 1);
     return jet;
   }
+  if (goal_ == Goal::footprint) return footprint_objective(x);
   const Reach::LengthFactors& f = reach_.factors();
   const double of_VA = f.size_per_VA * std::exp(x[log_VA]) / layout_.unit;
   const double of_VB = f.size_per_VB * std::exp(x[log_VB]) / layout_.unit;
@@ -210,20 +219,20 @@ void DesignProblem::add_contacts(std::vector<Row>& rows, const DesignVector& x, 
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
   constexpr int last = openings_looked_at - 1;
   std::vector<JointFrame> frames;
-  for (int i = 0; i <= last && !terms_.empty(); ++i)
+  for (int i = 0; i <= last && !terms_.gaps.empty(); ++i)
     frames.emplace_back(reach_.shape(), lengths_of(x), near + i * (far - near) / last);
   const double least = goal_ == Goal::clearance ? x[layout_.goal()] * layout_.unit : limits_.clearance;
-  for (std::size_t t = 0; t < terms_.size(); ++t) {
+  for (std::size_t t = 0; t < terms_.gaps.size(); ++t) {
     std::array<double, openings_looked_at> gap;
-    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = gap_value(terms_[t], frames[i]);
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = gap_value(terms_.gaps[t], frames[i]);
     for (int i = 0; i <= last; ++i) {
       const auto at = [&](int j) { return gap[static_cast<std::size_t>(std::clamp(j, 0, last))]; };
       if (at(i) > at(i - 1) || at(i) > at(i + 1) || (i > 0 && at(i) == at(i - 1))) continue;
       const double below = std::max(0, i - 1) / static_cast<double>(last);
       const double above = std::min(last, i + 1) / static_cast<double>(last);
-      const Row row{Row::Kind::contact, t, tightest_share(terms_[t], x, below, above)};
+      const Row row{Row::Kind::contact, t, tightest_share(terms_.gaps[t], x, below, above)};
       const JointFrame frame(reach_.shape(), lengths_of(x), near + row.share * (far - near));
-      if (gap_value(terms_[t], frame) - least < band * layout_.unit) rows.push_back(row);
+      if (gap_value(terms_.gaps[t], frame) - least < band * layout_.unit) rows.push_back(row);
     }
   }
 }
@@ -236,8 +245,12 @@ std::vector<Row> DesignProblem::rows_at(const DesignVector& x) const {
   if (goal_ == Goal::longest) rows.insert(rows.end(), {{Row::Kind::longest, 0}, {Row::Kind::longest, 1}});
   if (goal_ == Goal::shortest) rows.insert(rows.end(), {{Row::Kind::shortest, 0}, {Row::Kind::shortest, 1}});
   if (goal_ == Goal::pole_margin || limits_.pole_margin > 0) rows.push_back({Row::Kind::pole_margin});
+  if (limits_.size) rows.push_back({Row::Kind::size});
   for (std::size_t i = 0; i < room_.size(); ++i) rows.push_back({Row::Kind::half_plane, i});
   add_contacts(rows, x, contact_band);
+  add_obstacles(rows, x, contact_band);
+  add_sheets(rows, x);
+  add_copy_errors(rows, x);
   return rows;
 }
 
@@ -245,6 +258,9 @@ bool DesignProblem::add_violated(std::vector<Row>& rows, const DesignVector& x, 
   std::vector<Row> seen;
   add_nearest_and_farthest(seen, x);
   add_contacts(seen, x, 0);
+  add_obstacles(seen, x, 0);
+  add_sheets(seen, x);
+  add_copy_errors(seen, x);
   const std::size_t before = rows.size();
   for (const Row& candidate : seen) {
     if (row(candidate, x).value > -tolerance) continue;

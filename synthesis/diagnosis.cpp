@@ -93,10 +93,15 @@ bool stands_in_region(const Spec& spec) {
 
 }  // namespace
 
-NoDesign diagnose(const SearchRun& run, std::uint64_t evaluations) {
-  NoDesign none{.requirement = "limits", .sentence = "", .relaxations = {}, .evaluations = evaluations};
+NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
+  NoDesign none{.requirement = "limits",
+                .sentence = "",
+                .relaxations = {},
+                .proven = nothing.proven_none,
+                .evaluations = nothing.evaluations};
   if (stands_in_region(run.spec())) {
     none.requirement = "pole.at_mm";
+    none.proven = true;
     none.sentence = "the pole stands inside the region, and no linkage brings its tracer to the pole";
     return none;
   }

@@ -7,6 +7,7 @@ namespace kempe {
 
 /// Each limit made a goal of its own while all others hold; then the spec is searched again with that limit
 /// moved to a round value, so that every relaxation comes with a design.
-NoDesign diagnose(const SearchRun& run, std::uint64_t evaluations);
+/// `nothing`: the outcome of the search for the spec itself.
+NoDesign diagnose(const SearchRun& run, const SearchResult& nothing);
 
 }  // namespace kempe

@@ -19,6 +19,28 @@ struct Bearings {
   double from, to;
 };
 
+/// Overlapping ones joined, by rising angle.
+std::vector<Bearings> merged(std::vector<Bearings> all) {
+  std::sort(all.begin(), all.end(), [](const Bearings& a, const Bearings& b) { return a.from < b.from; });
+  std::vector<Bearings> found;
+  for (const Bearings& one : all) {
+    if (!found.empty() && one.from <= found.back().to)
+      found.back().to = std::max(found.back().to, one.to);
+    else
+      found.push_back(one);
+  }
+  return found;
+}
+
+/// The angles shifted by every bearing between two, cut at a whole turn.
+void add_turned(const Bearings& angles, const Bearings& turned, std::vector<Bearings>& all) {
+  const double width = std::min(2 * pi, angles.to - angles.from + turned.to - turned.from);
+  double from = angles.from + turned.from;
+  from -= 2 * pi * std::floor(from / (2 * pi));
+  all.push_back({from, std::min(from + width, 2 * pi)});
+  if (from + width > 2 * pi) all.push_back({0, from + width - 2 * pi});
+}
+
 /// Rings and bins about the pole, filled by angles; a difference array a ring.
 class PolarBins {
  public:
@@ -225,18 +247,6 @@ class RegionBearings {
     }
   }
 
-  static std::vector<Bearings> merged(std::vector<Bearings> all) {
-    std::sort(all.begin(), all.end(), [](const Bearings& a, const Bearings& b) { return a.from < b.from; });
-    std::vector<Bearings> found;
-    for (const Bearings& one : all) {
-      if (!found.empty() && one.from <= found.back().to)
-        found.back().to = std::max(found.back().to, one.to);
-      else
-        found.push_back(one);
-    }
-    return found;
-  }
-
   const Region& region_;
   Point pole_;
   std::vector<std::pair<Point, Point>> edges_;
@@ -382,8 +392,30 @@ Footprint footprint(const CopyingLinkage& linkage, const LinkStyle& style, const
 
 double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
                           const FootprintGrid& grid) {
-  const auto bins = swept_bins(linkage, style, region, grid, false);
-  return bins ? bins->area() : 0;
+  const auto openings = openings_met(linkage, region);
+  if (!openings) return 0;
+  const Sweep sweep{linkage, style, *openings, false};
+  const LinkageMotion motion(linkage);
+  double farthest = 0;
+  for (const Joint joint : all_joints) farthest = std::max(farthest, motion.farthest(joint));
+  const double step = (farthest + style.width) / grid.rings;
+  const RegionBearings region_bearings(region, linkage.pole());
+  std::vector<std::vector<Bearings>> swept(static_cast<std::size_t>(grid.rings));
+  for (int slab = 0; slab < grid.slabs; ++slab) {
+    const double opening = openings->lower + slab * openings->width() / std::max(1, grid.slabs - 1);
+    const double radius = linkage.radius_at(opening);
+    const auto bearings = region_bearings.between(radius, radius);
+    for (const GrownPiece& piece : pieces_at(sweep, motion, opening, 0, 0))
+      for (int ring = 0; ring < grid.rings; ++ring)
+        for (const Bearings& angles : angles_in(piece, (ring + 0.5) * step))
+          for (const Bearings& turned : bearings)
+            add_turned(angles, turned, swept[static_cast<std::size_t>(ring)]);
+  }
+  double area = 0;
+  for (int ring = 0; ring < grid.rings; ++ring)
+    for (const Bearings& angles : merged(std::move(swept[static_cast<std::size_t>(ring)])))
+      area += std::min(2 * pi, angles.to - angles.from) * (ring + 0.5) * step * step;
+  return area;
 }
 
 }  // namespace kempe

@@ -1,68 +1,92 @@
 #include "synthesis/pareto.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "synthesis/diagnosis.hpp"
+#include "synthesis/footprint.hpp"
 #include "synthesis/search_run.hpp"
 
 namespace kempe {
 namespace {
 
-/// The limits with the objective kept at least as good as `value`.
-Requirements kept(Requirements limits, Objective objective, double value) {
+/// The limits with a limit on an objective.
+Requirements limited(Requirements limits, Objective objective, double value) {
   switch (objective) {
-    case Objective::size: limits.size = value; break;
-    case Objective::footprint: limits.footprint = value; break;
-    case Objective::copy_error: limits.copy_error = std::min(limits.copy_error.value_or(value), value); break;
-    case Objective::transmission: limits.transmission = std::max(limits.transmission, value); break;
+    case Objective::size:
+      limits.size = value;
+      break;
+    case Objective::transmission:
+      limits.transmission = value;
+      break;
+    case Objective::copy_error:
+      limits.copy_error = value;
+      break;
+    case Objective::footprint:
+      limits.footprint = value;
+      break;
   }
   return limits;
 }
 
-/// Limits that a spec knows itself: the search is at its best with them.
-bool is_natural_limit(Objective objective) {
-  return objective == Objective::transmission || objective == Objective::copy_error;
+/// A copy of `value` that a design with exactly this value still keeps.
+double slackened(Objective objective, double value) { return value * (is_maximized(objective) ? 1 - 1e-7 : 1 + 1e-7); }
+
+double value_of(const Spec& spec, const FoundDesign& design, Objective objective) {
+  if (objective == Objective::footprint && design.attained.footprint == 0)
+    return footprint(design.linkage, spec.links.style, spec.region).area;
+  return design.attained.of(goal_of(objective));
 }
 
-bool beats(const ParetoPoint& a, const ParetoPoint& b, Objective first, Objective second) {
-  const auto better = [](double x, double y, bool larger) { return larger ? x > y : x < y; };
-  const bool worse_first = better(b.first, a.first, is_maximized(first));
-  const bool worse_second = better(b.second, a.second, is_maximized(second));
-  return !worse_first && !worse_second &&
-         (better(a.first, b.first, is_maximized(first)) || better(a.second, b.second, is_maximized(second)));
+bool is_no_worse(Objective objective, double one, double other) {
+  return is_maximized(objective) ? one >= other : one <= other;
+}
+
+/// Without those that another beats in both, in the order of `a`.
+std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective a, Objective b) {
+  std::vector<ParetoPoint> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bool beaten = false;
+    for (std::size_t j = 0; j < points.size() && !beaten; ++j) {
+      const bool as_good = is_no_worse(a, points[j].a, points[i].a) && is_no_worse(b, points[j].b, points[i].b);
+      const bool equal = points[j].a == points[i].a && points[j].b == points[i].b;
+      beaten = j != i && as_good && (!equal || j < i);
+    }
+    if (!beaten) kept.push_back(points[i]);
+  }
+  std::stable_sort(kept.begin(), kept.end(), [](const ParetoPoint& x, const ParetoPoint& y) { return x.a < y.a; });
+  return kept;
 }
 
 }  // namespace
 
-Front pareto_front(const Spec& spec, Objective first, Objective second, int count, const SearchOptions& options) {
+tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b, int points,
+                                                              const SearchOptions& options) {
   const SearchRun run(spec, options);
   const Requirements limits = requirements_of(spec);
-  const Goal first_goal = goal_of(first), second_goal = goal_of(second);
-  Front front;
+  // The footprint is the one that is hard to limit: then the other is limited.
+  const Objective limited_one = a == Objective::footprint ? b : a, other = a == Objective::footprint ? a : b;
   std::vector<ParetoPoint> found;
   const auto add = [&](const SearchResult& result) {
-    front.stopped = front.stopped || result.stopped;
-    if (result.design)
-      found.push_back({result.design->attained.of(first_goal), result.design->attained.of(second_goal), *result.design});
+    if (result.design) found.push_back({value_of(spec, *result.design, a), value_of(spec, *result.design, b), *result.design});
     return result.design.has_value();
   };
-  if (!add(run.best(limits, first_goal)) || !add(run.best(limits, second_goal))) return front;
-  const bool limit_second = is_natural_limit(second) || !is_natural_limit(first);
-  const double from = limit_second ? found[0].second : found[0].first;
-  const double to = limit_second ? found[1].second : found[1].first;
-  for (int i = 1; i + 1 < count && !front.stopped; ++i) {
-    const double value = from + (to - from) * i / (count - 1);
-    add(limit_second ? run.best(kept(limits, second, value), first_goal)
-                     : run.best(kept(limits, first, value), second_goal));
-    if (options.progress) options.progress(static_cast<double>(i) / count, "front");
+  const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };
+  const SearchResult first = run.best(limits, goal_of(limited_one));
+  if (!first.design) return tl::unexpected(diagnose(run, first));
+  const double from = value_of(spec, *first.design, limited_one);
+  add(run.best(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other)));
+  if (found.empty()) add(first);
+  if (!add(run.best(limits, goal_of(other)))) return found;
+  const double to = limited_value(found.back());
+  const int steps = std::max(2, points) - 1;
+  for (int i = 1; i < steps && !run.stop()(); ++i) {
+    if (options.progress) options.progress(static_cast<double>(i) / steps, "front");
+    // Even steps in the logarithm: both ends may differ by much.
+    const double at = from * std::pow(to / from, static_cast<double>(i) / steps);
+    add(run.best(limited(limits, limited_one, at), goal_of(other)));
   }
-  for (const ParetoPoint& point : found)
-    if (std::none_of(found.begin(), found.end(),
-                     [&](const ParetoPoint& other) { return beats(other, point, first, second); }))
-      front.points.push_back(point);
-  std::stable_sort(front.points.begin(), front.points.end(), [&](const ParetoPoint& a, const ParetoPoint& b) {
-    return is_maximized(first) ? a.first > b.first : a.first < b.first;
-  });
-  return front;
+  return undominated(std::move(found), a, b);
 }
 
 }  // namespace kempe

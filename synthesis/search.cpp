@@ -10,7 +10,7 @@ SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
   const SearchResult result = run.best(requirements_of(spec), goal_of(spec.objective.objective));
   if (result.design) return *result.design;
   if (result.stopped) return Stopped{result.evaluations};
-  return diagnose(run, result.evaluations);
+  return diagnose(run, result);
 }
 
 }  // namespace kempe

@@ -46,9 +46,10 @@ struct Relaxation {
 
 /// Why there is no design.
 struct NoDesign {
-  std::string requirement;  ///< the limit's key, "limits.transmission_deg"
-  std::string sentence;     ///< for a person
-  std::vector<Relaxation> relaxations;
+  std::string requirement{};  ///< the limit's key, "limits.transmission_deg"
+  std::string sentence{};     ///< for a person
+  std::vector<Relaxation> relaxations{};  ///< the least share first
+  bool proven = false;      ///< interval arithmetic proves it (lower_bound.hpp); else an exhaustive search found nothing
   std::uint64_t evaluations = 0;
 };
 

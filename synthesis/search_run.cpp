@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <tuple>
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/design_check.hpp"
+#include "synthesis/footprint.hpp"
 #include "synthesis/last_digits.hpp"
 #include "synthesis/nlopt_backend.hpp"
+#include "synthesis/obstacle_check.hpp"
 #include "synthesis/parallel.hpp"
+#include "synthesis/workshop.hpp"
 
 namespace kempe {
 namespace {
@@ -20,44 +22,77 @@ constexpr std::size_t group_size = 4;
 /// Of the global search for promising poles; how many are kept.
 constexpr int pole_evaluations = 240;
 constexpr int promising = 5;
+/// How often a place of the region in contact with an obstacle is added before a choice is given up.
+constexpr int most_repairs = 12;
+/// Of the tree that looks for a proof or a start before the search: some tenths of a second at most.
+constexpr std::size_t boxes_of_proof = 20000;
 
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
-std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
-                                              const Requirements& limits) {
+std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice, const Requirements& limits) {
   const Reach reach(spec.copy.k, choice.vertex, choice.assembly);
   const OpeningInterval usable = openings_with_transmission(reach, limits.transmission);
   if (!limits.copy_error || !spec.tolerance || usable.empty()) return {usable};
   const CopyErrorProfile profile(spec.copy.k, choice.vertex, CopyTolerance::uniform(*spec.tolerance));
-  return profile.openings_within(*limits.copy_error, usable);
+  std::vector<OpeningInterval> allowed;
+  for (const OpeningInterval& within : profile.openings_within(*limits.copy_error, usable))
+    if (const OpeningInterval inside = shrink(within, 1e-9); !inside.empty()) allowed.push_back(inside);
+  return allowed;
+}
+
+/// The tree of the proven bound for other limits than the spec's: a proof that no design keeps them, or a design to start
+/// from. Nothing where the pole may leave its area, which the tree does not know.
+std::optional<ProvenBound> proven_bound(const Spec& spec, const Requirements& limits, Goal goal) {
+  if (goal == Goal::pole_margin || limits.pole_margin > 0) return std::nullopt;
+  Spec moved = spec;
+  moved.limits.transmission = limits.transmission;
+  moved.limits.clearance = limits.clearance;
+  moved.limits.sheets_gap = limits.sheets_gap;
+  moved.limits.copy_error = limits.copy_error;
+  moved.links.shortest = limits.shortest;
+  moved.links.longest = limits.longest;
+  return lower_bound(moved, goal == Goal::transmission ? Objective::transmission : Objective::size,
+                     {.boxes = boxes_of_proof});
+}
+
+void remember(std::vector<SearchTask>& tasks, const std::optional<RelaxedDesign>& known) {
+  if (!known) return;
+  for (SearchTask& task : tasks)
+    if (task.choice->choice.vertex == known->vertex && task.choice->choice.assembly == known->assembly)
+      task.known = DesignPoint{{std::log(known->VA), std::log(known->VB)}, known->pole};
+}
+
+/// A length from its logarithm: the decimal number next to it, 120 and not 119.99999999999999.
+double length_from(double logarithm) {
+  const double length = std::exp(logarithm);
+  const double scale = std::pow(10.0, 13 - std::floor(std::log10(length)));
+  return std::round(length * scale) / scale;
+}
+
+std::optional<CopyingLinkage> linkage_of(const Spec& spec, const SearchTask& task) {
+  const Choice& choice = task.choice->choice;
+  const auto [u, v] = task.result.point.lengths;
+  const auto made = CopyingLinkage::make(spec.copy.k, choice.vertex, length_from(u), length_from(v),
+                                         choice.assembly, task.result.point.pole);
+  if (!made) return std::nullopt;
+  return *made;
 }
 
 }  // namespace
-
-struct SearchRun::Task {
-  std::unique_ptr<DesignProblem> problem;
-  const ContactChoice* choice = nullptr;
-  OpeningInterval allowed;
-  std::vector<Point> poles;  ///< promising without contact
-  ChoiceResult relaxed = no_result();
-  ChoiceResult result = no_result();
-};
 
 SearchRun::SearchRun(const Spec& spec, const SearchOptions& options)
     : space_(spec), options_(options), start_(std::chrono::steady_clock::now()), choices_(choices_of(spec)) {
   stop_ = [this] {
     return (options_.stop && options_.stop->load(std::memory_order_relaxed)) ||
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
-               options_.time_limit;
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > options_.time_limit;
   };
 }
 
-std::vector<SearchRun::Task> SearchRun::tasks_for(const Requirements& limits, Goal goal) const {
-  std::vector<Task> tasks;
+std::vector<SearchTask> SearchRun::tasks_for(const Requirements& limits, Goal goal) const {
+  std::vector<SearchTask> tasks;
   for (const ContactChoice& choice : choices_)
     for (const OpeningInterval& allowed : allowed_openings(spec(), choice.choice, limits)) {
-      auto problem =
-          std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);
-      if (problem->possible()) tasks.push_back({std::move(problem), &choice, allowed, {}});
+      auto problem = std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);
+      if (problem->possible()) tasks.push_back({std::move(problem), &choice, allowed});
     }
   return tasks;
 }
@@ -65,56 +100,80 @@ std::vector<SearchRun::Task> SearchRun::tasks_for(const Requirements& limits, Go
 ChoiceOptions SearchRun::options_for(bool relaxed) const {
   ChoiceOptions options{.seed = options_.seed, .stop = stop_};
   const bool free = space_.layout().pole_is_free;
+  const bool obstacles = !space_.obstacles().empty() && !relaxed;
   options.lattice = free ? 8 : 20;
-  options.evaluations = relaxed ? 60 : free ? 300 : 200;
-  options.starts = 6;
+  options.evaluations = relaxed ? 60 : free ? (obstacles ? 500 : 300) : 200;
+  options.starts = obstacles ? 10 : 6;
   return options;
 }
 
 /// Groundings, assemblies and allowed openings once each, without contact.
-void SearchRun::relax(std::vector<Task>& tasks, const Requirements& limits, Goal goal) const {
+void SearchRun::relax(std::vector<SearchTask>& tasks, const Requirements& limits, Goal goal) const {
   using Key = std::tuple<Vertex, int, double>;
   struct Relaxed {
+    const SearchTask* task;
     ChoiceResult result;
     std::vector<Point> poles;
   };
-  const auto key = [](const Task& task) {
+  const auto key = [](const SearchTask& task) {
     return Key{task.choice->choice.vertex, task.choice->choice.assembly, task.allowed.lower};
   };
   std::map<Key, Relaxed> relaxed;
-  for (const Task& task : tasks) relaxed.emplace(key(task), Relaxed{no_result(), {}});
-  std::vector<std::pair<const Key, Relaxed>*> all;
-  for (auto& one : relaxed) all.push_back(&one);
+  for (const SearchTask& task : tasks) relaxed.emplace(key(task), Relaxed{&task, no_result(), {}});
+  std::vector<Relaxed*> all;
+  for (auto& one : relaxed) all.push_back(&one.second);
   run_parallel(all.size(), options_.threads, [&](std::size_t i) {
-    const auto task =
-        std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return key(t) == all[i]->first; });
-    const DesignProblem problem(space_, task->choice->choice, limits, goal, task->allowed, {});
-    Relaxed& found = all[i]->second;
-    found.poles = promising_poles(problem, pole_evaluations, promising, stop_);
+    Relaxed& here = *all[i];
+    const DesignProblem problem(space_, here.task->choice->choice, limits, goal, here.task->allowed, {});
+    here.poles = promising_poles(problem, pole_evaluations, promising, stop_);
     ChoiceOptions options = options_for(true);
-    for (const Point& pole : found.poles)
+    for (const Point& pole : here.poles)
       for (const double of_lambda : {0.0, 1.0})
         options.hints.push_back({problem.unit_lengths(pole, of_lambda, 0), pole});
-    found.result = search_choice(problem, options);
+    if (here.task->known) options.hints.push_back(*here.task->known);
+    here.result = search_choice(problem, options);
   });
-  for (Task& task : tasks) {
-    task.relaxed = relaxed[key(task)].result;
-    task.poles = relaxed[key(task)].poles;
+  for (SearchTask& task : tasks) {
+    task.relaxed = relaxed.at(key(task)).result;
+    task.poles = relaxed.at(key(task)).poles;
   }
 }
 
-std::optional<FoundDesign> SearchRun::finished(const Task& task, const Requirements& limits,
-                                               Goal goal) const {
-  const auto& [choice, terms] = *task.choice;
-  const DesignPoint& point = task.result.point;
-  const auto linkage = CopyingLinkage::make(spec().copy.k, choice.vertex, std::exp(point.lengths.u),
-                                            std::exp(point.lengths.v), choice.assembly, point.pole);
+bool SearchRun::certify(SearchTask& task, const Requirements& limits) const {
+  for (int repairs = 0; task.result.feasible; ++repairs) {
+    const auto linkage = linkage_of(spec(), task);
+    const LayerAssignment& layers = task.choice->choice.layers;
+    const DesignCheck check = linkage ? check_design(spec(), limits, *linkage, layers) : DesignCheck{};
+    task.result.feasible = check.feasible;
+    if (!check.feasible || space_.obstacles().empty()) break;
+    const ObstacleCheck obstacles = check_obstacles(spec(), limits, *linkage, layers, check.opening);
+    if (obstacles.clear) break;
+    if (!obstacles.witness || repairs == most_repairs || stop_()) {
+      task.result.feasible = false;
+      break;
+    }
+    task.problem->add_place(*obstacles.witness);
+    const std::uint64_t before = task.result.evaluations;
+    task.result = refine(*task.problem, task.result.point, stop_);
+    task.result.evaluations += before;
+  }
+  return task.result.feasible;
+}
+
+std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Requirements& limits, Goal goal) const {
+  const auto linkage = linkage_of(spec(), task);
   if (!linkage) return std::nullopt;
-  const DesignCheck check = check_design(spec(), limits, *linkage, choice.layers);
+  const LayerAssignment& layers = task.choice->choice.layers;
+  const DesignCheck check = check_design(spec(), limits, *linkage, layers);
   if (!check.feasible) return std::nullopt;
-  FoundDesign design{.linkage = *linkage, .layers = choice.layers, .goal = goal};
+  FoundDesign design{.linkage = *linkage, .layers = layers, .goal = goal};
   design.attained = check.attained;
-  design.value = check.attained.of(goal);
+  if (goal == Goal::footprint || limits.footprint)
+    design.attained.footprint = footprint(*linkage, spec().links.style, spec().region).area;
+  if (!space_.obstacles().empty())
+    design.attained.clearance = std::min(
+        design.attained.clearance, check_obstacles(spec(), limits, *linkage, layers, check.opening).clearance);
+  design.value = design.attained.of(goal);
   design.opening = check.opening;
   design.seed = options_.seed;
   design.solvers = {nlopt_name() + " DIRECT-L", nlopt_name() + " CRS2", nlopt_name() + " SLSQP",
@@ -122,37 +181,95 @@ std::optional<FoundDesign> SearchRun::finished(const Task& task, const Requireme
   return design;
 }
 
-SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
+void SearchRun::report(double share, std::string_view what) const {
+  if (options_.progress) options_.progress(share, what);
+}
+
+void SearchRun::search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count,
+                             const ChoiceResult& best) const {
+  run_parallel(count, options_.threads, [&](std::size_t i) {
+    SearchTask& task = tasks[first + i];
+    if (best.feasible && !better(task.relaxed, best)) return;
+    ChoiceOptions options = options_for(false);
+    options.pole_hints = task.poles;
+    if (task.relaxed.feasible) {
+      options.hints = {task.relaxed.point};
+      options.bound = task.relaxed.cost;
+    }
+    if (task.known) options.hints.push_back(*task.known);
+    task.result = search_choice(*task.problem, options);
+  });
+}
+
+SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goal,
+                                            const std::optional<RelaxedDesign>& known) const {
   SearchResult result;
-  std::vector<Task> tasks = tasks_for(limits, goal);
+  std::vector<SearchTask> tasks = tasks_for(limits, goal);
+  remember(tasks, known);
   relax(tasks, limits, goal);
   std::stable_sort(tasks.begin(), tasks.end(),
-                   [](const Task& a, const Task& b) { return better(a.relaxed, b.relaxed); });
+                   [](const SearchTask& a, const SearchTask& b) { return better(a.relaxed, b.relaxed); });
   ChoiceResult best = no_result();
+  SearchTask* chosen = nullptr;
   for (std::size_t first = 0; first < tasks.size() && !stop_(); first += group_size) {
     const std::size_t count = std::min(group_size, tasks.size() - first);
-    run_parallel(count, options_.threads, [&](std::size_t i) {
-      Task& task = tasks[first + i];
-      if (best.feasible && !better(task.relaxed, best)) return;
-      ChoiceOptions options = options_for(false);
-      options.pole_hints = task.poles;
-      if (task.relaxed.feasible) options.hints = {task.relaxed.point}, options.bound = task.relaxed.cost;
-      task.result = search_choice(*task.problem, options);
-    });
-    for (std::size_t i = 0; i < count; ++i)
-      if (better(tasks[first + i].result, best)) best = tasks[first + i].result;
-    if (options_.progress)
-      options_.progress(static_cast<double>(first + count) / static_cast<double>(tasks.size()), "searching");
+    search_group(tasks, first, count, best);
+    for (std::size_t i = first; i < first + count; ++i)
+      if (better(tasks[i].result, best) && certify(tasks[i], limits) && better(tasks[i].result, best))
+        best = tasks[i].result, chosen = &tasks[i];
+    report(static_cast<double>(first + count) / static_cast<double>(tasks.size()), "searching");
+  }
+  if (chosen) {
+    const ChoiceResult first = chosen->result;
+    chosen->result = refine_further(*chosen->problem, first, stop_);
+    if (!certify(*chosen, limits)) chosen->result = first;
+    result.design = design_of(*chosen, limits, goal);
+  }
+  for (const SearchTask& task : tasks) result.evaluations += task.relaxed.evaluations + task.result.evaluations;
+  result.stopped = stop_();
+  return result;
+}
+
+SearchResult SearchRun::best_footprint(const Requirements& limits, const std::optional<RelaxedDesign>& known) const {
+  SearchResult result;
+  std::vector<SearchTask> small = tasks_for(limits, Goal::size);
+  remember(small, known);
+  relax(small, limits, Goal::size);
+  run_parallel(small.size(), options_.threads, [&](std::size_t i) {
+    search_group(small, i, 1, no_result());
+  });
+  std::vector<SearchTask> tasks = tasks_for(limits, Goal::footprint);  // of the same choices in the same order
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    tasks[i].relaxed = small[i].result;
+    tasks[i].relaxed.cost = tasks[i].problem->assess(small[i].result.point, 1).cost;
+    result.evaluations += small[i].relaxed.evaluations + small[i].result.evaluations;
   }
   std::stable_sort(tasks.begin(), tasks.end(),
-                   [](const Task& a, const Task& b) { return better(a.result, b.result); });
-  for (const Task& task : tasks) result.evaluations += task.relaxed.evaluations + task.result.evaluations;
-  for (Task& task : tasks) {
-    if (!task.result.feasible || result.design) break;
-    task.result = refine_further(*task.problem, task.result, stop_);
-    result.design = finished(task, limits, goal);
+                   [](const SearchTask& a, const SearchTask& b) { return better(a.relaxed, b.relaxed); });
+  if (tasks.size() > group_size) tasks.resize(group_size);
+  run_parallel(tasks.size(), options_.threads, [&](std::size_t i) {
+    const ChoiceOptions options{.poles = 4, .lattice = 4, .evaluations = 80, .starts = 2, .starts_if_none = 2,
+                                .seed = options_.seed, .hints = {tasks[i].relaxed.point}, .stop = stop_};
+    if (tasks[i].relaxed.feasible) tasks[i].result = search_choice(*tasks[i].problem, options);
+  });
+  const SearchTask* chosen = nullptr;
+  for (SearchTask& task : tasks) {
+    result.evaluations += task.result.evaluations;
+    if (certify(task, limits) && (!chosen || better(task.result, chosen->result))) chosen = &task;
   }
+  if (chosen) result.design = design_of(*chosen, limits, Goal::footprint);
   result.stopped = stop_();
+  return result;
+}
+
+SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
+  const auto proof = proven_bound(spec(), limits, goal);
+  if (proof && proof->no_design) return {.proven_none = true};
+  const std::optional<RelaxedDesign> known = proof ? proof->design : std::nullopt;
+  SearchResult result =
+      goal == Goal::footprint ? best_footprint(limits, known) : best_of_any_lengths(limits, goal, known);
+  if (result.design && (spec().links.workshop.grid || !spec().links.workshop.stock.empty()))
+    result = best_with_workshop_lengths(*this, limits, goal, result);
   if (result.design) {
     result.design->evaluations = result.evaluations;
     result.design->complete = !result.stopped;

@@ -1,50 +1,74 @@
 #pragma once
-// The search over all discrete choices, for any limits and any goal: what synthesize(), the diagnosis of
-// specs without a design and the trade-offs share.
+// The search over all discrete choices, for any limits and any goal: what synthesize(), the diagnosis of specs without a
+// design and the trade-offs share.
 //
-//   1. every grounding and assembly without contact: the relaxed problem, a bound for all its layer
-//   assignments
-//   2. the choices in the order of their relaxed cost, in groups of fixed size; a group is searched in
-//   parallel
-//   3. a choice whose relaxed cost is no better than the best found before its group is left out
-//   4. the best by (feasible, cost, index) is finished and checked anew; if the check fails the next one is
-//   taken
+//   1. the proven bound's tree (lower_bound.hpp): it proves that there is no design, or gives one to start from
+//   2. every grounding and assembly without contact: the relaxed problem, a bound for all its layer assignments
+//   3. the choices in the order of their relaxed cost, in groups of fixed size; a group is searched in parallel
+//   4. a choice whose relaxed cost is no better than the best found before its group is left out
+//   5. what would become the best is certified first: the second solver, all requirements anew, obstacles over the whole
+//      region (a place where it fails is added to the problem, which is solved again)
+//   6. the best by (feasible, cost, index)
 //
 // Groups have the same size whatever the number of threads, so what is left out does not depend on it.
 
 #include <chrono>
+#include <memory>
 #include <optional>
 
 #include "synthesis/choice_search.hpp"
 #include "synthesis/choices.hpp"
+#include "synthesis/lower_bound.hpp"
 #include "synthesis/search.hpp"
 
 namespace kempe {
 
 struct SearchResult {
-  std::optional<FoundDesign> design;
+  std::optional<FoundDesign> design{};
   bool stopped = false;  ///< by time or by request
+  bool proven_none = false;  ///< interval arithmetic proves that no design keeps the limits
   std::uint64_t evaluations = 0;
+};
+
+/// A choice on its way through the search.
+struct SearchTask {
+  std::unique_ptr<DesignProblem> problem;
+  const ContactChoice* choice = nullptr;
+  OpeningInterval allowed{};         ///< openings at which transmission and copy error keep their limits
+  std::vector<Point> poles{};        ///< promising without contact
+  std::optional<DesignPoint> known{}; ///< a design of the relaxation without obstacles
+  ChoiceResult relaxed = no_result();
+  ChoiceResult result = no_result();
 };
 
 class SearchRun {
  public:
   /// The options, and what they refer to, must outlive the run.
   SearchRun(const Spec& spec, const SearchOptions& options);
+  SearchRun(const SearchRun&) = delete;
+  SearchRun& operator=(const SearchRun&) = delete;
 
   const Spec& spec() const { return space_.spec(); }
+  const SearchSpace& space() const { return space_; }
   const SearchOptions& options() const { return options_; }
-  bool stopped() const { return stop_(); }
+  const StopFlag& stop() const { return stop_; }
 
-  /// The design with the best goal that keeps the limits.
+  /// The design with the best goal that keeps the limits, the workshop's numbers included.
   SearchResult best(const Requirements& limits, Goal goal) const;
 
+  /// The steps of it, for searches of other kinds.
+  std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal) const;
+  void relax(std::vector<SearchTask>& tasks, const Requirements& limits, Goal goal) const;
+  /// Certifies a task's result: true if it holds. May improve it, or make it worse or infeasible.
+  bool certify(SearchTask& task, const Requirements& limits) const;
+  std::optional<FoundDesign> design_of(const SearchTask& task, const Requirements& limits, Goal goal) const;
+
  private:
-  struct Task;
-  std::vector<Task> tasks_for(const Requirements& limits, Goal goal) const;
-  void relax(std::vector<Task>& tasks, const Requirements& limits, Goal goal) const;
-  std::optional<FoundDesign> finished(const Task& task, const Requirements& limits, Goal goal) const;
+  SearchResult best_footprint(const Requirements& limits, const std::optional<RelaxedDesign>& known) const;
+  SearchResult best_of_any_lengths(const Requirements& limits, Goal goal, const std::optional<RelaxedDesign>& known) const;
+  void search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count, const ChoiceResult& best) const;
   ChoiceOptions options_for(bool relaxed) const;
+  void report(double share, std::string_view what) const;
 
   SearchSpace space_;
   const SearchOptions& options_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kempe {
 namespace {
@@ -12,6 +13,10 @@ constexpr double inward = 1e-11;
 /// Poles looked at first: a lattice of so many squared, and so many places along the outline.
 constexpr int pole_lattice = 16;
 constexpr int pole_outline = 96;
+/// Places of the tracer at which obstacles are looked at first.
+constexpr int obstacle_places = 90;
+/// Regions with more corners are seen as their hull when the sheets must keep apart.
+constexpr std::size_t most_sheet_corners = 128;
 
 Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : std::get<Region>(pole.place); }
 
@@ -30,6 +35,42 @@ SearchSpace::SearchSpace(const Spec& spec) : spec_(spec), region_(spec.region) {
     layout_.unit = fixed_annulus_->farthest;
   }
   sample_poles();
+  obstacles_ = obstacle_shapes(spec.obstacles);
+  if (!obstacles_.empty()) places_ = kempe::tracer_places(spec.region, obstacle_places);
+  if (spec.limits.sheets_gap) list_sheet_corners();
+}
+
+void SearchSpace::list_sheet_corners() {
+  std::vector<Point> corners;
+  if (region_.edges().size() <= most_sheet_corners)
+    for (const BoundaryEdge& edge : region_.edges()) corners.push_back(edge.from);
+  else  // the hull's gap is never larger than the region's: the safe side
+    for (std::size_t i = 0; i < region_.hull().size(); i += 1 + region_.hull().size() / most_sheet_corners)
+      corners.push_back(region_.hull()[i]);
+  for (const Point& corner : corners) sheet_corners_.insert(sheet_corners_.end(), {{corner, true}, {corner, false}});
+}
+
+SearchSpace::SheetGap SearchSpace::sheet_gap(const SheetCorner& corner, const Point& pole) const {
+  // A corner of the copy lies at pole + k (z - pole). A corner z of the region against the copy is, |k| times as large,
+  // pole + (z - pole)/k against the region.
+  const Complex factor = corner.is_copied ? k() : 1.0 / k();
+  const double scale = corner.is_copied ? 1 : std::abs(k());
+  const Point place = pole + as_point(factor * as_complex(corner.corner - pole));
+  const RegionReach::Nearest nearest = region_.nearest(place);
+  const BoundaryEdge& edge = region_.edges()[nearest.edge];
+  const double away = std::abs(nearest.distance);
+  const Point normal = away > 0 ? Point((place - nearest.place) / nearest.distance) : Point(1, 0);
+  const bool at_corner = nearest.place == edge.from || nearest.place == edge.to;
+  return {scale * nearest.distance, scale * normal, 1.0 - factor, at_corner && away > 0 ? scale / nearest.distance : 0};
+}
+
+SearchSpace::SmallestSheetGap SearchSpace::smallest_sheet_gap(const Point& pole) const {
+  SmallestSheetGap smallest{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < sheet_corners_.size(); ++i) {
+    const double distance = sheet_gap(sheet_corners_[i], pole).distance;
+    if (distance < smallest.distance) smallest = {distance, i};
+  }
+  return smallest;
 }
 
 void SearchSpace::sample_poles() {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "synthesis/design_vector.hpp"
+#include "synthesis/obstacle_gap.hpp"
 #include "synthesis/reach.hpp"
 #include "synthesis/region_reach.hpp"
 #include "synthesis/requirements.hpp"
@@ -42,6 +43,32 @@ class SearchSpace {
   bool is_on_edge(const Point& place) const;
   /// Where poles are looked for: the bounding box of where the pole may stand, grown by `margin`.
   Box pole_box(double margin) const;
+  /// Obstacles as convex parts, and the places of the tracer at which they are looked at first.
+  const std::vector<ObstacleShape>& obstacles() const { return obstacles_; }
+  const std::vector<Point>& tracer_places() const { return places_; }
+
+  /// A corner of the region against its copy, or a corner of the copy against the region.
+  struct SheetCorner {
+    Point corner;    ///< of the region
+    bool is_copied;  ///< its image is meant
+  };
+  const std::vector<SheetCorner>& sheet_corners() const { return sheet_corners_; }
+  /// Distance of a sheet corner from the other sheet with the pole at a place, mm; negative: inside it. And the place of
+  /// the region that decides it, with the map's derivative by the pole (a complex factor).
+  struct SheetGap {
+    double distance;
+    Point normal;      ///< d distance / d pole = conj(factor) * normal
+    Complex factor;
+    double curvature;  ///< 1/mm of the distance across the normal: 0 beside an edge
+  };
+  SheetGap sheet_gap(const SheetCorner& corner, const Point& pole) const;
+  /// The smallest of them and which it is. Crossing edges without a corner inside are not noticed.
+  struct SmallestSheetGap {
+    double distance;
+    std::size_t corner;
+  };
+  SmallestSheetGap smallest_sheet_gap(const Point& pole) const;
+
   /// Permitted poles on a lattice and on the area's edge, each with its annulus.
   struct PoleSample {
     Point pole;
@@ -54,6 +81,7 @@ class SearchSpace {
 
  private:
   void sample_poles();
+  void list_sheet_corners();
 
   Spec spec_;
   RegionReach region_;
@@ -61,6 +89,9 @@ class SearchSpace {
   DesignLayout layout_;
   std::optional<Annulus> fixed_annulus_;
   std::vector<PoleSample> samples_;
+  std::vector<ObstacleShape> obstacles_;
+  std::vector<Point> places_;
+  std::vector<SheetCorner> sheet_corners_;
 };
 
 /// Bounds of log VA and log VB for which every length of every link keeps within the limits and the locks.

@@ -1,0 +1,106 @@
+// What makes a calibration hopeless, and what to give or to measure instead.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/calibration_fit.hpp"
+
+namespace kempe::calibration_detail {
+namespace {
+
+using Fault = std::optional<CalibrationFault>;
+
+/// The copy's size against the ratio, over the two readings of a setup that lie farthest apart.
+Fault fault_of_size(const CalibrationTask& task, std::size_t setup) {
+  double far_in = 0, far_out = 0, farthest_wanted = 0;
+  for (const auto& a : task.readings)
+    for (const auto& b : task.readings)
+      if (a.setup == setup && b.setup == setup && (a.input - b.input).norm() > far_in) {
+        far_in = (a.input - b.input).norm();
+        far_out = (a.output - b.output).norm();
+      }
+  const double size = task.setups[setup].drawn.head<8>().cwiseAbs().maxCoeff(),
+               k = std::abs(task.setups[setup].ratio);
+  farthest_wanted = k * far_in;
+  constexpr double far_enough = 0.02, near_enough = 0.25;
+  if (far_in < far_enough * size || std::abs(far_out - farthest_wanted) < near_enough * farthest_wanted)
+    return {};
+  const double factor = far_out / farthest_wanted;
+  const auto near = [&](double other) { return std::abs(factor / other - 1) < 0.1; };
+  std::string hint;
+  if (near(1 / (k * k))) hint = "; are the place set and the place read exchanged?";
+  for (const double unit : {1000.0, 25.4, 10.0})
+    if (near(unit) || near(1 / unit)) hint = fmt::format("; a factor of {} looks like another unit", unit);
+  return CalibrationFault{
+      {},
+      fmt::format("points read that lie {:.4g} times as far apart as the points set", far_out / far_in),
+      fmt::format("about {:.4g} times, the instrument's ratio, all in millimetres{}", k, hint)};
+}
+
+/// Another unit that would bring the place within reach, for the message.
+std::string unit_hint(const Instrument& setup, const Point& input) {
+  for (const auto& [factor, unit] : {std::pair{1000.0, "metres"}, {25.4, "inches"}, {10.0, "centimetres"}})
+    if (output_at(setup, setup.drawn, factor * input)) return fmt::format("; is it in {}?", unit);
+  if (output_at(setup, setup.drawn, input / 1000)) return "; is it in micrometres?";
+  return "";
+}
+
+Fault fault_of_reach(const CalibrationTask& task) {
+  for (std::size_t i = 0; i < task.readings.size(); ++i) {
+    const auto& reading = task.readings[i];
+    const Instrument& setup = task.setups[reading.setup];
+    const auto closed = output_at(setup, setup.drawn, reading.input);
+    if (closed) continue;
+    const Point from_pole(reading.input - Point(setup.drawn[index_of(Measure::pole_x)],
+                                                setup.drawn[index_of(Measure::pole_y)]));
+    return CalibrationFault{
+        i, fmt::format("a place {:.6g} mm from the pole, {}", from_pole.norm(), name(closed.error())),
+        "a place that the instrument reaches, in millimetres" + unit_hint(setup, reading.input)};
+  }
+  return {};
+}
+
+Fault fault_of_count(const CalibrationTask& task) {
+  const std::size_t rows = 2 * task.readings.size() + task.lengths.size();
+  if (rows < task.free.size()) {
+    const std::size_t needed = (task.free.size() - task.lengths.size() + 1) / 2;
+    return CalibrationFault{
+        {},
+        fmt::format("{} readings for {} unknown measures", task.readings.size(), task.free.size()),
+        fmt::format("at least {} readings; better {}, at places spread over the whole reach", needed,
+                    2 * needed)};
+  }
+  return {};
+}
+
+Fault fault_of_spread(const CalibrationTask& task) {
+  if (task.readings.empty()) return {};
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const auto& reading : task.readings) {
+    const Instrument& setup = task.setups[reading.setup];
+    if (reading.setup != task.readings.front().setup) return {};
+    const Point pole(setup.drawn[index_of(Measure::pole_x)], setup.drawn[index_of(Measure::pole_y)]);
+    lowest = std::min(lowest, (reading.input - pole).norm());
+    highest = std::max(highest, (reading.input - pole).norm());
+  }
+  if (highest - lowest > 1e-3 * highest) return {};
+  return CalibrationFault{
+      {},
+      fmt::format("all readings {:.4g} mm from the pole, at one opening of the linkage", highest),
+      "readings near to and far from the pole, a few at each"};
+}
+
+}  // namespace
+
+std::optional<CalibrationFault> fault_of(const CalibrationTask& task) {
+  if (auto fault = fault_of_count(task)) return fault;
+  if (auto fault = fault_of_reach(task)) return fault;
+  if (auto fault = fault_of_spread(task)) return fault;
+  for (std::size_t setup = 0; setup < task.setups.size(); ++setup)
+    if (auto fault = fault_of_size(task, setup)) return fault;
+  return {};
+}
+
+}  // namespace kempe::calibration_detail

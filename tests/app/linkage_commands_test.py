@@ -1,0 +1,203 @@
+#!/usr/bin/env python3
+"""solve, mobility and centres from outside: what a person types, what must come of it.
+
+usage: linkage_commands_test.py KEMPE SOURCE_DIR [unittest arguments]
+"""
+import csv
+import html.parser
+import io
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+KEMPE = pathlib.Path(sys.argv[1]).resolve()
+LINKAGES = pathlib.Path(sys.argv[2]).resolve() / "specs" / "examples" / "linkages"
+
+BARS = """
+[ground]
+A = [0, 0]
+D = [60, 0]
+[links]
+crank = { joints = ["A", "B"], A-B = 20 }
+rod = { joints = ["B", "C"], B-C = 50 }
+rocker = { joints = ["D", "C"], D-C = 40 }
+[guess]
+C = [45, 38]
+"""
+TURN = """
+[[drivers]]
+angle = "crank"
+from_deg = 0
+to_deg = 360
+"""
+
+
+def kempe(*arguments):
+    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.scratch = pathlib.Path(scratch.name)
+
+    def linkage(self, text):
+        path = self.scratch / "linkage.toml"
+        path.write_text(text)
+        return path
+
+    def assertRefused(self, run, code, *words):
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertNotIn("nan", run.stdout.lower())
+
+
+class Solve(Case):
+    def test_press_table(self):
+        table = self.scratch / "press.csv"
+        run = kempe("solve", LINKAGES / "shear-press.toml", "-o", table)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        rows = list(csv.DictReader(io.StringIO(table.read_text())))
+        self.assertEqual(len(rows), 9)
+        self.assertAlmostEqual(float(rows[4]["P_x_m"]), 0.512348, places=6)
+        self.assertAlmostEqual(float(rows[8]["C_y_m"]), -0.198994, places=6)
+        on_stdout = kempe("solve", LINKAGES / "shear-press.toml").stdout
+        self.assertEqual(on_stdout, table.read_text())
+        as_json = json.loads(kempe("solve", LINKAGES / "shear-press.toml", "--json").stdout)
+        self.assertIsNone(as_json["stop"])
+        self.assertEqual(len(as_json["rows"]), 9)
+
+    def test_every_example_runs_with_its_animation(self):
+        for linkage in sorted(LINKAGES.glob("*.toml")):
+            page, picture = self.scratch / "motion.html", self.scratch / "motion.svg"
+            run = kempe("solve", linkage, "-o", self.scratch / "t.csv", "--animate", page, "--animate", picture)
+            self.assertEqual(run.returncode, 0, linkage.name + run.stderr)
+            xml.etree.ElementTree.parse(picture)
+            html.parser.HTMLParser().feed(page.read_text())
+            self.assertIn("</html>", page.read_text())
+
+    def test_rates_agree_with_differences(self):
+        run = kempe("solve", LINKAGES / "slider-crank.toml", "--steps", 7200)
+        rows = list(csv.DictReader(io.StringIO(run.stdout)))
+        for i in range(100, 7100, 333):
+            step = float(rows[i + 1]["time_s"]) - float(rows[i - 1]["time_s"])
+            for place, rate in [("B_x_mm", "B_vx_mm_per_s"), ("B_vx_mm_per_s", "B_ax_mm_per_s2")]:
+                difference = (float(rows[i + 1][place]) - float(rows[i - 1][place])) / step
+                self.assertTrue(math.isclose(difference, float(rows[i][rate]), rel_tol=1e-4, abs_tol=1), (place, i))
+
+    def test_flags_ask_for_more_columns(self):
+        linkage = self.linkage(BARS + TURN)
+        plain = kempe("solve", linkage).stdout.splitlines()[0]
+        full = kempe("solve", linkage, "--velocities", "--accelerations", "--angles", "rod,rocker").stdout.splitlines()[0]
+        self.assertEqual(plain, "step,time_s,B_x_mm,B_y_mm,C_x_mm,C_y_mm")
+        for column in ["C_vy_mm_per_s", "C_ax_mm_per_s2", "rod_angle_deg", "rocker_rate_rad_per_s",
+                       "rocker_acceleration_rad_per_s2"]:
+            self.assertIn(column, full)
+        self.assertRefused(kempe("solve", linkage, "--angles", "piston"), 2, "piston")
+
+    def test_assemblies(self):
+        linkage = self.linkage(BARS + TURN)
+        rows = list(csv.DictReader(io.StringIO(kempe("solve", linkage, "--assemblies").stdout)))
+        self.assertEqual(len(rows), 2)
+        self.assertGreater(float(rows[0]["C_y_mm"]), 0)
+        self.assertLess(float(rows[1]["C_y_mm"]), 0)
+        other = list(csv.DictReader(io.StringIO(kempe("solve", linkage, "--assembly", 1).stdout)))
+        self.assertTrue(all(float(row["C_y_mm"]) < 0 for row in other))
+        self.assertRefused(kempe("solve", linkage, "--assembly", 2), 2, "0 to 1")
+
+    def test_dead_point_is_named_and_the_table_kept(self):
+        linkage, table = self.linkage(BARS.replace("A-B = 20", "A-B = 45") + TURN), self.scratch / "t.csv"
+        run = kempe("solve", linkage, "-o", table, "--animate", self.scratch / "m.html")
+        self.assertRefused(run, 3, "dead point at step 11.728 of 36", "angle of crank = 117.279613 deg",
+                           "B, C and D in line (rod, rocker)")
+        rows = table.read_text().splitlines()
+        self.assertEqual(len(rows), 14)
+        self.assertIn("The motion ends early: dead point", (self.scratch / "m.html").read_text())
+        stop = json.loads(kempe("solve", linkage, "--json").stdout)["stop"]
+        self.assertEqual(stop["kind"], "dead point")
+
+    def test_bad_input(self):
+        cases = [
+            (BARS.replace("B-C = 50", "B-C = 130") + TURN, 3, ["does not assemble: joint", "stays open by"]),
+            (BARS.replace("B-C = 50", "B-C = 110") + TURN, 3, ["at the start of the motion", "out of reach", "stays open by"]),
+            (BARS + TURN + '[[drivers]]\nangle = "rocker"\nfrom_deg = 70\nto_deg = 90\n', 2,
+             ["linkage.toml:16: drivers: found 2 driven values on a mobility of 1"]),
+            (BARS + TURN + "[bars]\nA-C = 50\n", 2, ["1 driven value on a mobility of 0"]),
+            (BARS, 2, ["[[drivers]]"]),
+            (BARS.replace("rocker =", 'loose = { joints = ["C", "E"], C-E = 9 }\nrocker =') + TURN, 2,
+             ["1 driven value on a mobility of 2"]),
+            (BARS + TURN.replace('"crank"', '"clank"'), 2, ["linkage.toml:13: drivers[1].angle", "clank", "crank"]),
+            (BARS.replace("A-B = 20", "A-B = 0") + TURN, 2, ["linkage.toml:6: links.crank.A-B: found 0"]),
+            ("", 2, ["an empty file"]),
+        ]
+        for text, code, words in cases:
+            self.assertRefused(kempe("solve", self.linkage(text)), code, *words)
+        self.assertRefused(kempe("solve", self.scratch / "none.toml"), 2, "none.toml")
+        self.assertRefused(kempe("solve", self.linkage(BARS + TURN), "--animate", "x.gif"), 2, ".html or .svg")
+        self.assertRefused(kempe("solve", self.linkage(BARS + TURN), "-o", self.scratch / "no" / "such" / "t.csv"), 5)
+
+    def test_same_input_same_bytes(self):
+        linkage = LINKAGES / "watt-six-bar.toml"
+        for name in ["a", "b"]:
+            kempe("solve", linkage, "-o", self.scratch / f"{name}.csv", "--animate", self.scratch / f"{name}.html")
+        for kind in ["csv", "html"]:
+            self.assertEqual((self.scratch / f"a.{kind}").read_bytes(), (self.scratch / f"b.{kind}").read_bytes())
+
+    def test_distances_are_understood_and_a_better_way_is_told(self):
+        run = kempe("solve", LINKAGES / "pantograph-by-distances.toml")
+        self.assertEqual(run.returncode, 0)
+        self.assertIn('along = [0, 6, 9]', run.stderr)
+        self.assertEqual(kempe("solve", LINKAGES / "pantograph-by-distances.toml", "--quiet").stderr, "")
+        last = list(csv.DictReader(io.StringIO(run.stdout)))[-1]
+        self.assertAlmostEqual(float(last["E_x_cm"]), 9, places=12)
+        self.assertAlmostEqual(float(last["E_y_cm"]), 7.5, places=12)
+
+
+class Mobility(Case):
+    def test_examples(self):
+        for name, expected in [("plagiograph", 2), ("six-bar-plagiograph", 1), ("pantograph-by-distances", 2), ("hart", 1)]:
+            answer = json.loads(kempe("mobility", LINKAGES / f"{name}.toml").stdout)
+            self.assertEqual(answer["mobility"], expected, name)
+            self.assertTrue(answer["sentences"])
+
+    def test_number_synthesis(self):
+        answer = json.loads(kempe("mobility", "--links", 6, "--dof", 1).stdout)
+        self.assertEqual(answer["joints"], 7)
+        self.assertEqual(answer["assortments"], [{"n2": 4, "n3": 2, "n4": 0}])
+        self.assertEqual(kempe("mobility").returncode, 2)
+        self.assertEqual(kempe("mobility", "--links", 100).returncode, 2)
+
+    def test_contradicting_drivers_do_not_hide_the_mobility(self):
+        linkage = self.linkage(BARS + TURN + '[[drivers]]\nangle = "rocker"\nfrom_deg = 70\nto_deg = 90\n')
+        answer = json.loads(kempe("mobility", linkage).stdout)
+        self.assertEqual(answer["mobility"], 1)
+        self.assertEqual(answer["drivers"], 2)
+
+
+class Centres(Case):
+    def test_plagiograph_has_ten_of_which_two_at_infinity(self):
+        picture = self.scratch / "centres.svg"
+        run = kempe("centres", LINKAGES / "plagiograph.toml", "--at", 3, "-o", picture)
+        answer = json.loads(run.stdout)
+        self.assertEqual(answer["count"], 10)
+        far = [sorted(c["links"]) for c in answer["centres"] if c["kind"] == "infinity"]
+        self.assertEqual(sorted(far), [["ACX", "OB"], ["BCY", "OA"]])
+        self.assertTrue(all(c["velocity_error"] < 1e-9 for c in answer["centres"]))
+        xml.etree.ElementTree.parse(picture)
+
+    def test_steps_between_and_beyond(self):
+        self.assertEqual(kempe("centres", LINKAGES / "slider-crank.toml", "--at", 2.5).returncode, 0)
+        self.assertRefused(kempe("centres", LINKAGES / "slider-crank.toml", "--at", 73), 2, "a step from 0 to 72")
+        dead = self.linkage(BARS.replace("A-B = 20", "A-B = 45") + TURN)
+        self.assertRefused(kempe("centres", dead, "--at", 20), 3, "dead point")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
