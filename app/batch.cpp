@@ -91,6 +91,7 @@ Json figures(const Design& design) {
             {"pole_mm", {l.pole().x(), l.pole().y()}}, {"layers", design.layers.of}, {"size_mm", design.quality.size},
             {"transmission_deg", degrees(design.quality.transmission_min)}, {"clearance_mm", design.quality.clearance_min},
             {"region_covered", design.map.coverage.covered}, {"copy_error_max_mm", design.verification.copy_error_max}};
+  if (design.search) line["objective"] = std::string(name(design.search->objective)), line["value"] = design.search->value;
   if (design.quality.lower_bound) line["lower_bound"] = *design.quality.lower_bound;
   return line;
 }
@@ -218,18 +219,23 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
   }
   SearchOptions options;
   options.seed = seed;
+  options.diagnose = false;  // of thousands of specs: `kempe synthesize` on one of them says why
   const SearchOutcome outcome = synthesize(*spec, options);
   const auto* found = std::get_if<FoundDesign>(&outcome);
   if (found == nullptr) {
     const auto* none = std::get_if<NoDesign>(&outcome);
     line["status"] = "no design";
     line["message"] = none != nullptr ? none->sentence : "stopped";
+    line["proven"] = none != nullptr && none->proven;
     return line.dump();
   }
-  Design design = assemble_design(*spec, *found, {});
+  MapOptions map;
+  map.largest_sheets = false;  // not among the figures of a batch
+  Design design = assemble_design(*spec, *found, map);
   design.verification = verify(verification_task(design));
   if (!design.map.coverage.covered) {
     line["status"] = "no design";
+    line["proven"] = false;
     line["message"] = design.map.coverage.why_not;
     return line.dump();
   }

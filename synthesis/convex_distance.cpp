@@ -25,13 +25,14 @@ void separate(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, 
   const double outward = free_side(edges);
   for (std::size_t i = 0; i < edge_count(edges); ++i) {
     const Complex edge = next(edges, i) - edges[i];
-    const double length = std::abs(edge);
+    const double length = std::sqrt(std::norm(edge));  // lengths of links are far from overflow: no need of hypot
     if (!(length > 0)) continue;
+    const Complex along = edge / length;
     for (const double side : {1.0, -1.0}) {
       if (outward * side < 0) continue;
       NearestFeatures here{infinity, corner_of_first, 0, i, (i + 1) % edges.size(), true, side};
       for (std::size_t j = 0; j < corners.size(); ++j) {
-        const double height = side * cross(edge, corners[j] - edges[i]) / length;
+        const double height = side * cross(along, corners[j] - edges[i]);
         if (height < here.distance) here.distance = height, here.corner = j;
       }
       if (here.distance > best.distance) best = here;
@@ -39,21 +40,23 @@ void separate(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, 
   }
 }
 
-/// The smallest distance of `corners` from the corners and edges of `edges`.
+/// The smallest distance of `corners` from the corners and edges of `edges`; squared in `best` on the way.
 void approach(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, NearestFeatures& best) {
-  for (std::size_t j = 0; j < corners.size(); ++j) {
+  for (std::size_t j = 0; j < corners.size(); ++j)
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      const double distance = std::abs(corners[j] - edges[i]);
-      if (distance < best.distance) best = {distance, corner_of_first, j, i, i, false, 1};
+      const double squared = std::norm(corners[j] - edges[i]);
+      if (squared < best.distance) best = {squared, corner_of_first, j, i, i, false, 1};
     }
-    for (std::size_t i = 0; i < edge_count(edges); ++i) {
-      const Complex edge = next(edges, i) - edges[i], to_corner = corners[j] - edges[i];
+  for (std::size_t i = 0; i < edge_count(edges); ++i) {
+    const Complex edge = next(edges, i) - edges[i];
+    const double length_squared = std::norm(edge);
+    for (std::size_t j = 0; j < corners.size(); ++j) {
+      const Complex to_corner = corners[j] - edges[i];
       const double along = dot(edge, to_corner);
-      if (along <= 0 || along >= std::norm(edge)) continue;
-      const double height = cross(edge, to_corner) / std::abs(edge);
-      if (std::abs(height) < best.distance)
-        best = {std::abs(height),       corner_of_first, j, i, (i + 1) % edges.size(), true,
-                height < 0 ? -1.0 : 1.0};
+      if (along <= 0 || along >= length_squared) continue;
+      const double product = cross(edge, to_corner), squared = product * product / length_squared;
+      if (squared < best.distance)
+        best = {squared, corner_of_first, j, i, (i + 1) % edges.size(), true, product < 0 ? -1.0 : 1.0};
     }
   }
 }
@@ -68,6 +71,7 @@ NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second) {
   best = {.distance = infinity};
   approach(first, second, false, best);
   approach(second, first, true, best);
+  best.distance = std::sqrt(best.distance);
   return best;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "synthesis/convex_distance.hpp"
 
@@ -20,13 +21,28 @@ struct PieceCorners {
   ConvexCorners span() const { return {at.data(), count}; }
 };
 
-/// A lower bound of the distance of the piece's hull from a point.
+/// Distance of a point from a bar's axis, or a lower bound of it from a plate's.
 double distance_below(const PieceCorners& piece, Complex point) {
-  double far = 0;
-  Complex middle = 0;
-  for (std::size_t i = 0; i < piece.count; ++i) middle += piece.at[i] / static_cast<double>(piece.count);
-  for (std::size_t i = 0; i < piece.count; ++i) far = std::max(far, std::abs(piece.at[i] - middle));
-  return std::abs(point - middle) - far;
+  if (piece.count > 2) return nearest_features(piece.span(), {&point, 1}).distance;
+  const Complex from = piece.at[0], to_point = point - from;
+  if (piece.count == 1) return std::sqrt(std::norm(to_point));
+  const Complex axis = piece.at[1] - from;
+  const double share = std::clamp(dot(axis, to_point) / std::norm(axis), 0.0, 1.0);
+  return std::sqrt(std::norm(to_point - share * axis));
+}
+
+/// The middle of the corners' box, and the radius around it that holds them.
+template <typename Corners>
+std::pair<Complex, double> circle_around(const Corners& corners) {
+  Complex lower = corners.front(), upper = lower;
+  for (const Complex& z : corners) {
+    lower = {std::min(lower.real(), z.real()), std::min(lower.imag(), z.imag())};
+    upper = {std::max(upper.real(), z.real()), std::max(upper.imag(), z.imag())};
+  }
+  const Complex centre = 0.5 * (lower + upper);
+  double radius = 0;
+  for (const Complex& z : corners) radius = std::max(radius, std::abs(z - centre));
+  return {centre, radius};
 }
 
 void add_line(const Ring& ring, double step, std::vector<Point>& places) {
@@ -50,11 +66,14 @@ double length_of(const Ring& ring) {
 std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstacle>& obstacles) {
   std::vector<ObstacleShape> shapes;
   for (const Obstacle& obstacle : obstacles) {
-    ObstacleShape shape{convex_parts(obstacle.shape), 0, 0};
-    const Box box = bounding_box({{obstacle.shape}});
-    shape.centre = as_complex(0.5 * (box.lower + box.upper));
-    for (const Point& corner : obstacle.shape.outer)
-      shape.radius = std::max(shape.radius, std::abs(as_complex(corner) - shape.centre));
+    ObstacleShape shape;
+    std::vector<Complex> outer;
+    for (const Point& corner : obstacle.shape.outer) outer.push_back(as_complex(corner));
+    std::tie(shape.centre, shape.radius) = circle_around(outer);
+    for (ConvexPart& part : convex_parts(obstacle.shape)) {
+      const auto [centre, radius] = circle_around(part);
+      shape.parts.push_back({std::move(part), centre, radius});
+    }
     shapes.push_back(std::move(shape));
   }
   return shapes;
@@ -126,7 +145,12 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
   const double below = distance_below(piece, obstacle.centre) - obstacle.radius - term.piece.half_width;
   if (below > enough) return below;
   double gap = std::numeric_limits<double>::infinity();
-  for (const ConvexPart& part : obstacle.parts) gap = std::min(gap, nearest_features(piece.span(), part).distance);
+  for (const EncircledPart& part : obstacle.parts) {
+    const double part_below = distance_below(piece, part.centre) - part.radius;
+    gap = std::min(gap, part_below > std::min(gap, enough + term.piece.half_width)
+                            ? part_below
+                            : nearest_features(piece.span(), part.corners).distance);
+  }
   return gap - term.piece.half_width;
 }
 
@@ -134,9 +158,9 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
   const PieceCorners piece(term.piece.hull, joints);
   NearestFeatures nearest{.distance = std::numeric_limits<double>::infinity()};
   const ConvexPart* of_part = nullptr;
-  for (const ConvexPart& part : obstacle.parts) {
-    const NearestFeatures here = nearest_features(piece.span(), part);
-    if (here.distance < nearest.distance) nearest = here, of_part = &part;
+  for (const EncircledPart& part : obstacle.parts) {
+    const NearestFeatures here = nearest_features(piece.span(), part.corners);
+    if (here.distance < nearest.distance) nearest = here, of_part = &part.corners;
   }
   PlacedJet jet{.value = nearest.distance - term.piece.half_width};
   // Unit vector along which the piece's deciding place leaves the obstacle; that place as a mixture of joints.

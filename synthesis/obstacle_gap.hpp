@@ -15,9 +15,16 @@
 
 namespace kempe {
 
-/// An obstacle's convex parts with a circle around it.
+/// Convex corners with a circle around them.
+struct EncircledPart {
+  ConvexPart corners;
+  Complex centre;
+  double radius = 0;
+};
+
+/// An obstacle's convex parts with a circle around all of them.
 struct ObstacleShape {
-  std::vector<ConvexPart> parts;
+  std::vector<EncircledPart> parts;
   Complex centre;
   double radius = 0;
 };

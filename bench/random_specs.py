@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Thousands of random specs through search, map and independent verification, as one batch; then what came of them.
+
+Scale 0.1 .. 10, any rotation, regions of 3 .. 30 corners, fixed and free poles, bent and triangular plates, two and three
+layers; every third spec has obstacles, every sixth a gap between the sheets. Says how many designs failed their
+verification (none may), how far they are above the proven bound, how often each grounding wins, and how many verdicts
+without a design are proven by interval arithmetic.
+
+usage: random_specs.py KEMPE [COUNT] [SEED] [FOLDER]
+"""
+import collections
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+
+def star(rng, centre, radius, corners):
+    turns = sorted(rng.uniform(0, 0.8) + i for i in range(corners))
+    return [[centre[0] + r * math.cos(2 * math.pi * t / corners), centre[1] + r * math.sin(2 * math.pi * t / corners)]
+            for t in turns for r in [radius * rng.uniform(0.3, 1)]]
+
+
+def spec(rng):
+    scale = math.exp(rng.uniform(math.log(0.1), math.log(10)))
+    rotation = rng.choice([0, 90, 180, -90]) if rng.random() < 0.25 else rng.uniform(-180, 180)
+    if abs(scale - 1) < 1e-3 and abs(rotation) < 0.1:
+        scale = 2
+    away, bearing = rng.uniform(40, 400), rng.uniform(-math.pi, math.pi)
+    centre, radius = (away * math.cos(bearing), away * math.sin(bearing)), away * rng.uniform(0.02, 0.8)
+    width = rng.uniform(2, 25)
+    one = {"copy": {"scale": scale, "rotation_deg": rotation},
+           "region": {"polygon_mm": star(rng, centre, radius, rng.randint(3, 30))},
+           "pole": {"at_mm": [0, 0]},
+           "links": {"width_mm": width, "pin_diameter_mm": width * rng.uniform(0.2, 1), "layers": rng.choice([2, 3]),
+                     "plate": rng.choice(["bent", "triangle"]), "shortest_mm": rng.uniform(1, 40),
+                     "longest_mm": rng.uniform(200, 2000)},
+           "limits": {"transmission_deg": rng.uniform(0, 50), "clearance_mm": rng.uniform(0, 3)}}
+    if rng.random() < 1 / 3:
+        reach = rng.uniform(5, 60)
+        one["pole"] = {"within_mm": [[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]]}
+    if rng.random() < 1 / 3:
+        one["objective"] = {"maximize": "transmission"}
+    if rng.random() < 1 / 6:
+        one["limits"]["sheets_gap_mm"] = rng.uniform(0, 20)
+    if rng.random() < 1 / 3:
+        one["obstacles"] = []
+        for _ in range(rng.randint(1, 4)):
+            turn, far = rng.uniform(-math.pi, math.pi), away * rng.uniform(0.3, 3)
+            one["obstacles"].append({"polygon_mm": star(rng, (far * math.cos(turn), far * math.sin(turn)),
+                                                       rng.uniform(3, 0.2 * away + 3), rng.randint(3, 12)),
+                                    "layers": rng.choice([[1, 1], [1, 2], [2, 2]])})
+    return one
+
+
+def gap(design):
+    """How far the design is from its bound, as a share; None without a bound."""
+    bound, value = design.get("lower_bound"), design.get("value")
+    return None if bound is None or not bound else abs(value - bound) / abs(bound)
+
+
+def report(rows):
+    states = collections.Counter(row["status"] for row in rows)
+    print("outcomes            ", dict(states))
+    designs = [row for row in rows if row["status"] == "design"]
+    print("groundings          ", dict(collections.Counter(row["vertex"] for row in designs)))
+    for free, kind in ((True, "no obstacles"), (False, "obstacles")):
+        gaps = sorted(g for row in designs if row["plain"] == free for g in [gap(row)] if g is not None)
+        if gaps:
+            print(f"{kind:20s} {len(gaps)} with a bound; within 0.1 %: {sum(g <= 1e-3 for g in gaps)}, 1 %: "
+                  f"{sum(g <= 1e-2 for g in gaps)}, 5 %: {sum(g <= 0.05 for g in gaps)}; worst {100 * gaps[-1]:.1f} %")
+    none = [row for row in rows if row["status"] == "no design"]
+    print(f"no design            {len(none)}, proven {sum(bool(row.get('proven')) for row in none)}")
+    for row in rows:
+        if row["status"] not in ("design", "no design"):
+            print("FAILED", json.dumps(row)[:300])
+
+
+def main():
+    kempe = sys.argv[1]
+    count, seed = (int(sys.argv[i]) if len(sys.argv) > i else default for i, default in ((2, 1000), (3, 1)))
+    folder = pathlib.Path(sys.argv[4] if len(sys.argv) > 4 else tempfile.mkdtemp())
+    folder.mkdir(parents=True, exist_ok=True)
+    rng = random.Random(seed)
+    specs = [spec(rng) for _ in range(count)]
+    lines = folder / "specs.jsonl"
+    lines.write_text("".join(json.dumps(one) + "\n" for one in specs))
+    subprocess.run([kempe, "synthesize", "--batch", lines, "-o", folder / "out", "--quiet"], check=False)
+    rows = [json.loads(line) for line in (folder / "out" / "results.jsonl").read_text().splitlines()]
+    for one, row in zip(specs, rows):
+        row["plain"] = "obstacles" not in one
+    report(rows)
+
+
+main()
