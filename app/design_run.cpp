@@ -59,14 +59,39 @@ std::string relaxation_line(const Relaxation& relaxation) {
                      linkage.VA(), linkage.VB(), name(linkage.vertex()), linkage.pole().x(), linkage.pole().y());
 }
 
+std::string ratio_line(const Design& design) {
+  std::string text = fmt::format("copy         scale {:.6g}, rotation {:.6g} degrees\n", design.scale, degrees(design.rotation));
+  if (design.wanted)
+    text += fmt::format("             wanted: scale {:.6g}, rotation {:.6g} degrees; the workshop's lengths are off by {:.2g} mm per "
+                        "100 mm from the pole\n",
+                        design.wanted->scale, degrees(design.wanted->rotation), 100 * design.wanted->error);
+  return text;
+}
+
+/// What to put on the tracer, or how to draw the template, so that the cut is right.
+std::string tool_line(const std::optional<ToolAdvice>& tool) {
+  if (!tool) return "";
+  std::string text = "tool         ";
+  if (tool->exact_follower_radius)
+    text += fmt::format("for a cutter of radius {:.4g} mm a follower of radius {:.4g} mm cuts the exact copy\n",
+                        *tool->cutter_radius, *tool->exact_follower_radius);
+  else
+    text += fmt::format("with a follower of radius {:.4g} mm a cutter of radius {:.4g} mm cuts the exact copy\n",
+                        *tool->follower_radius, *tool->exact_cutter_radius);
+  if (tool->template_offset && std::abs(*tool->template_offset) > 1e-9)
+    text += fmt::format("             with the follower of {:.4g} mm the cut lies {:.4g} mm {}: draw the template {:.4g} mm {} all around\n",
+                        *tool->follower_radius, std::abs(*tool->cut_outside), *tool->cut_outside > 0 ? "outside" : "inside",
+                        std::abs(*tool->template_offset), *tool->template_offset > 0 ? "larger" : "smaller");
+  return text;
+}
+
 }  // namespace
 
 std::string summary_text(const Design& design, const std::filesystem::path& folder,
                          const std::vector<std::string>& files) {
   const Quality& q = design.quality;
   const Point& pole = design.linkage.pole();
-  std::string text = fmt::format("copy         scale {:.6g}, rotation {:.6g} degrees\n", design.scale,
-                                 degrees(design.rotation));
+  std::string text = ratio_line(design);
   text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
   text += fmt::format("pole         ({:.3f}, {:.3f}) mm\n", pole.x(), pole.y());
   text += "lengths\n" + lengths_table(design);
@@ -81,6 +106,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
                         q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
   text += design.map.coverage.covered ? "region       covered by one component of the collision-free workspace\n"
                                       : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
+  text += tool_line(design.tool);
   text += fmt::format("verified     {} positions by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
                       "{} changes of assembly\n",
                       design.verification.samples, design.verification.copy_error_max,

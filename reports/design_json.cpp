@@ -160,11 +160,31 @@ Json obstacles_json(const std::vector<Obstacle>& obstacles) {
   return json;
 }
 
+Json copy_json(const Design& design) {
+  Json json{{"scale", design.scale}, {"rotation_deg", stated_degrees(design.rotation)}};
+  if (design.wanted) {
+    json["wanted_scale"] = design.wanted->scale;
+    json["wanted_rotation_deg"] = stated_degrees(design.wanted->rotation);
+    json["ratio_error"] = design.wanted->error;
+  }
+  return json;
+}
+
+Json tool_json(const std::optional<ToolAdvice>& tool) {
+  if (!tool) return nullptr;
+  return {{"follower_radius_mm", finite_or_null(tool->follower_radius)},
+          {"cutter_radius_mm", finite_or_null(tool->cutter_radius)},
+          {"exact_follower_radius_mm", finite_or_null(tool->exact_follower_radius)},
+          {"exact_cutter_radius_mm", finite_or_null(tool->exact_cutter_radius)},
+          {"cut_outside_mm", finite_or_null(tool->cut_outside)},
+          {"template_offset_mm", finite_or_null(tool->template_offset)}};
+}
+
 }  // namespace
 
 std::string design_json(const Design& design) {
   const Json json{{"format", "kempe-design/1"},
-                  {"copy", {{"scale", design.scale}, {"rotation_deg", stated_degrees(design.rotation)}}},
+                  {"copy", copy_json(design)},
                   {"region", multi_polygon(design.region)},
                   {"mechanism", mechanism_json(design)},
                   {"quality", quality_json(design)},
@@ -173,7 +193,8 @@ std::string design_json(const Design& design) {
                   {"search", search_json(design.search)},
                   {"limits", limits_json(design.limits)},
                   {"tolerance", tolerance_json(design.tolerance)},
-                  {"obstacles", obstacles_json(design.obstacles)}};
+                  {"obstacles", obstacles_json(design.obstacles)},
+                  {"tool", tool_json(design.tool)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

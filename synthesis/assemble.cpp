@@ -1,10 +1,10 @@
 #include "synthesis/assemble.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/footprint.hpp"
-#include "synthesis/lower_bound.hpp"
 #include "workspace/layer_choice.hpp"
 #include "workspace/reach.hpp"
 
@@ -28,6 +28,15 @@ void measure_copy_error(Design& design) {
   design.quality.distortion_worst = error->distortion_worst;
 }
 
+/// With workshop lengths k may be off: the design then states what it attains, and what was wanted beside it.
+void note_ratio(Design& design, const CopySpec& copy) {
+  const double error = std::abs(design.linkage.k() - copy.k);
+  if (error <= 1e-12 * std::abs(copy.k)) return;
+  design.wanted = WantedCopy{copy.scale, copy.rotation, error};
+  design.scale = std::abs(design.linkage.k());
+  design.rotation = std::arg(design.linkage.k());
+}
+
 Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
                  const MapOptions& options) {
   Design design{.linkage = linkage,
@@ -38,7 +47,9 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
                 .layers = layers,
                 .limits = spec.limits,
                 .tolerance = spec.tolerance,
-                .obstacles = spec.obstacles};
+                .obstacles = spec.obstacles,
+                .tool = tool_advice(spec.tool, std::abs(linkage.k()))};
+  note_ratio(design, spec.copy);
   design.map = map_workspace(map_task(design), options);
   design.opening = design.map.certified_opening;
   Footprint swept = footprint(linkage, design.style, design.region);
@@ -85,8 +96,7 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
                                .evaluations = found.evaluations,
                                .seed = found.seed,
                                .complete = found.complete};
-  if (const auto bound = lower_bound(spec, {.incumbent = found.value}); bound && !bound->no_design)
-    design.quality.lower_bound = bound->value;
+  design.quality.lower_bound = found.lower_bound;
   return design;
 }
 

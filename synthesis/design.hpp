@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "synthesis/tool_advice.hpp"
 #include "workspace/workspace_map.hpp"
 
 namespace kempe {
@@ -40,15 +41,23 @@ struct SearchRecord {
   bool complete = true;              ///< false if stopped early (time limit, Ctrl-C)
 };
 
+/// The ratio that the spec wants where the workshop's lengths do not allow it.
+struct WantedCopy {
+  double scale = 1, rotation = 0;  ///< rotation rad
+  double error = 0;                ///< |k attained - k wanted|: mm of error per mm of distance from the pole
+};
+
 struct Design {
   CopyingLinkage linkage;
-  double scale = 1, rotation = 0;   ///< as the spec gave them; rotation rad
+  double scale = 1, rotation = 0;   ///< that the lengths give: as the spec gave them unless `wanted`; rotation rad
+  std::optional<WantedCopy> wanted{};
   Region region{};
   LinkStyle style{};
   LayerAssignment layers{};
   Limits limits{};
   std::optional<Tolerance> tolerance{};
   std::vector<Obstacle> obstacles{};
+  std::optional<ToolAdvice> tool{};
   OpeningInterval opening{};          ///< certified
   Quality quality{};
   WorkspaceMap map{};

@@ -115,6 +115,23 @@ double DesignProblem::footprint_at(const DesignPoint& point) const {
   return linkage ? footprint_estimate(*linkage, space_.spec().links.style, space_.spec().region, search_footprint) : 0;
 }
 
+bool DesignProblem::tighten(Goal limit, double shortfall) {
+  const double more = 1.5 * shortfall;
+  switch (limit) {
+    case Goal::clearance:
+      limits_.clearance += more + 1e-12 * layout_.unit;
+      return true;
+    case Goal::transmission:
+      allowed_ = shrink(allowed_, more + 1e-12);
+      return !allowed_.empty();
+    case Goal::sheets_gap:
+      limits_.sheets_gap = *limits_.sheets_gap + more + 1e-12 * layout_.unit;
+      return true;
+    default:
+      return false;
+  }
+}
+
 double DesignProblem::goal_scale() const {
   switch (goal_) {
     case Goal::transmission:

@@ -18,7 +18,7 @@ struct SearchOptions {
   double time_limit = 1e9;                  ///< s of wall clock, > 0; at its end the best so far comes back
   const std::atomic<bool>* stop = nullptr;  ///< set: the same at once
   /// Share of the work done, 0..1, and what is being done; called from one thread at a time.
-  std::function<void(double share, std::string_view what)> progress;
+  std::function<void(double share, std::string_view what)> progress{};
   bool diagnose = true;  ///< look for the least relaxations where there is no design
 };
 
@@ -34,6 +34,7 @@ struct FoundDesign {
   std::uint64_t evaluations = 0;
   std::uint64_t seed = 0;
   bool complete = true;  ///< false: stopped early, a better one may exist
+  std::optional<double> lower_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
 };
 
 /// One limit that, moved so far and alone, makes a design possible.

@@ -139,13 +139,30 @@ void SearchRun::relax(std::vector<SearchTask>& tasks, const Requirements& limits
   }
 }
 
+bool SearchRun::demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const {
+  if (!check.broken || check.needed.empty()) return false;
+  const double shortfall = *check.broken == Goal::clearance      ? limits.clearance - check.attained.clearance
+                           : *check.broken == Goal::transmission ? limits.transmission - check.attained.transmission
+                           : *check.broken == Goal::sheets_gap   ? *limits.sheets_gap - check.attained.sheets_gap
+                                                                 : 0;
+  if (!task.problem->tighten(*check.broken, std::max(0.0, shortfall))) return false;
+  const std::uint64_t before = task.result.evaluations;
+  task.result = refine(*task.problem, task.result.point, stop_);
+  task.result.evaluations += before;
+  return task.result.feasible;
+}
+
 bool SearchRun::certify(SearchTask& task, const Requirements& limits) const {
   for (int repairs = 0; task.result.feasible; ++repairs) {
     const auto linkage = linkage_of(spec(), task);
     const LayerAssignment& layers = task.choice->choice.layers;
     const DesignCheck check = linkage ? check_design(spec(), limits, *linkage, layers) : DesignCheck{};
     task.result.feasible = check.feasible;
-    if (!check.feasible || space_.obstacles().empty()) break;
+    if (!check.feasible) {
+      if (repairs == most_repairs || stop_() || !demand_more(task, check, limits)) break;
+      continue;
+    }
+    if (space_.obstacles().empty()) break;
     const ObstacleCheck obstacles = check_obstacles(spec(), limits, *linkage, layers, check.opening);
     if (obstacles.clear) break;
     if (!obstacles.witness || repairs == most_repairs || stop_()) {
@@ -260,6 +277,22 @@ SearchResult SearchRun::best_footprint(const Requirements& limits, const std::op
   if (chosen) result.design = design_of(*chosen, limits, Goal::footprint);
   result.stopped = stop_();
   return result;
+}
+
+SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal,
+                                  SearchResult found) const {
+  const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
+  for (SearchTask& task : tasks_for(limits, goal)) {
+    if (task.choice->choice.vertex != start.vertex || task.choice->choice.assembly != start.assembly) continue;
+    task.result = refine(*task.problem, point, stop_);
+    found.evaluations += task.result.evaluations;
+    if (!certify(task, limits)) continue;
+    const auto design = design_of(task, limits, goal);
+    if (design && (!found.design || (is_maximized(goal) ? design->value > found.design->value
+                                                        : design->value < found.design->value)))
+      found.design = design;
+  }
+  return found;
 }
 
 SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {

@@ -18,6 +18,7 @@
 
 #include "synthesis/choice_search.hpp"
 #include "synthesis/choices.hpp"
+#include "synthesis/design_check.hpp"
 #include "synthesis/lower_bound.hpp"
 #include "synthesis/search.hpp"
 
@@ -56,6 +57,9 @@ class SearchRun {
   /// The design with the best goal that keeps the limits, the workshop's numbers included.
   SearchResult best(const Requirements& limits, Goal goal) const;
 
+  /// The better of a design and what a local search from `start` makes of it.
+  SearchResult best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal, SearchResult found) const;
+
   /// The steps of it, for searches of other kinds.
   std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal) const;
   void relax(std::vector<SearchTask>& tasks, const Requirements& limits, Goal goal) const;
@@ -64,6 +68,7 @@ class SearchRun {
   std::optional<FoundDesign> design_of(const SearchTask& task, const Requirements& limits, Goal goal) const;
 
  private:
+  bool demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const;
   SearchResult best_footprint(const Requirements& limits, const std::optional<RelaxedDesign>& known) const;
   SearchResult best_of_any_lengths(const Requirements& limits, Goal goal, const std::optional<RelaxedDesign>& known) const;
   void search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count, const ChoiceResult& best) const;

@@ -1,0 +1,63 @@
+#pragma once
+// Random specs for tests of the search: any ratio, regions beside the pole, fixed and free poles.
+
+#include <cmath>
+#include <random>
+
+#include "synthesis/search.hpp"
+
+namespace kempe::test {
+
+class SpecDice {
+ public:
+  explicit SpecDice(unsigned seed) : random_(seed) {}
+
+  double uniform(double lower, double upper) {
+    return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
+  }
+  double log_uniform(double lower, double upper) {
+    return std::exp(uniform(std::log(lower), std::log(upper)));
+  }
+  bool one_in(int n) { return random_() % static_cast<unsigned>(n) == 0; }
+
+  Polygon star(const Point& centre, double radius, int corners) {
+    Ring ring;
+    for (int i = 0; i < corners; ++i)
+      ring.push_back(centre + as_point(std::polar(radius * uniform(0.4, 1), 2 * pi * i / corners)));
+    return {ring, {}};
+  }
+
+  Spec spec() {
+    Spec spec;
+    spec.copy.scale = log_uniform(0.1, 10);
+    spec.copy.rotation = uniform(-pi, pi);
+    spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+    const double away = uniform(60, 300);
+    const Point centre = as_point(std::polar(away, uniform(-pi, pi)));
+    spec.region.polygons.push_back(star(centre, away * uniform(0.1, 0.6), 3 + static_cast<int>(random_() % 12)));
+    spec.links.style.width = uniform(2, 15);
+    spec.links.style.pin_diameter = spec.links.style.width * uniform(0.2, 1);
+    spec.links.style.plate = one_in(2) ? PlateStyle::bent : PlateStyle::triangle;
+    spec.links.layers = 2 + static_cast<int>(random_() % 2);
+    spec.links.shortest = uniform(5, 20);
+    spec.links.longest = uniform(600, 3000);
+    spec.limits.transmission = uniform(0, radians(35));
+    spec.limits.clearance = uniform(0, 2);
+    if (one_in(2)) {
+      const double reach = uniform(5, 40);
+      spec.pole.place = Region{{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}};
+    }
+    return spec;
+  }
+
+  Obstacle obstacle_beside(const Spec& spec) {
+    const double away = spec.region.polygons[0].outer[0].norm() * uniform(0.3, 1.2);
+    return {star(as_point(std::polar(away, uniform(-pi, pi))), away * uniform(0.05, 0.15), 3 + static_cast<int>(random_() % 5)),
+            1, 1, "block"};
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+}  // namespace kempe::test
