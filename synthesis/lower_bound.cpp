@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <set>
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/lower_bound_box.hpp"
@@ -356,6 +357,15 @@ class Tree {
     halve([](Node& n) -> Range& { return n.y; }, 0.5 * (node.y.lower + node.y.upper));
   }
 
+  std::optional<RelaxedDesign> middle_of(const Node& node) const {
+    const Branch& branch = branches_[node.branch];
+    const double t = std::sqrt(node.lengths.t.lower * node.lengths.t.upper);
+    const double w = std::sqrt(node.lengths.w.lower * node.lengths.w.upper);
+    const auto linkage = linkage_of(branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), node.pole());
+    if (!linkage) return std::nullopt;
+    return RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(), linkage->VB(), node.pole(), {}};
+  }
+
   ProvenBound verdict() {
     ProvenBound result;
     const bool exhausted = open_.empty();
@@ -366,7 +376,13 @@ class Tree {
     if (!result.no_design) result.value = by_size_ ? bound : -bound;
     if (best_ < infinity) result.relaxation = by_size_ ? best_ : -best_;
     result.design = design_;
-    for (; !open_.empty(); open_.pop()) note(assembly(open_.top()).vertex, open_.top().bound);
+    std::set<std::size_t> promising;
+    for (; !open_.empty(); open_.pop()) {
+      const Node& node = open_.top();
+      note(assembly(node).vertex, node.bound);
+      if (result.tight || !promising.insert(node.branch).second) continue;
+      if (const auto middle = middle_of(node)) result.promising.push_back(*middle);
+    }
     for (std::size_t i = 0; i < 3; ++i)
       if (by_grounding_[i]) result.by_grounding[i] = by_size_ ? *by_grounding_[i] : -*by_grounding_[i];
     return result;
@@ -395,6 +411,12 @@ std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective, co
   if (objective != Objective::size && objective != Objective::transmission) return std::nullopt;
   if (spec.region.empty()) return std::nullopt;
   return Tree(spec, objective, options).grow();
+}
+
+std::vector<RelaxedDesign> starts_of(const ProvenBound& bound) {
+  std::vector<RelaxedDesign> starts = bound.promising;
+  if (bound.design) starts.insert(starts.begin(), *bound.design);
+  return starts;
 }
 
 std::optional<ProvenBound> lower_bound(const Spec& spec, const BoundOptions& options) {

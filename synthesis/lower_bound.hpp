@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "specs/spec.hpp"
 #include "workspace/parts.hpp"
@@ -55,11 +56,17 @@ struct ProvenBound {
   /// The best design of the relaxation met, if it is better than the incumbent. Limits are kept to 1e-9
   /// (rad).
   std::optional<RelaxedDesign> design;
+  /// The middle of the most promising boxes that were left when the boxes ran out, the best first, at most one a grounding
+  /// and assembly: no designs, but places where one better than `relaxation` may hide. Empty if tight.
+  std::vector<RelaxedDesign> promising;
   /// The bound if the vertex were one of these alone (indexed by Vertex); absent where none is possible or
   /// permitted. Groundings worse than the best are looked at no longer than needed, so theirs are loose.
   std::array<std::optional<double>, 3> by_grounding;
   std::size_t boxes = 0;
 };
+
+/// Where a search may start: the design and the promising places of a bound.
+std::vector<RelaxedDesign> starts_of(const ProvenBound& bound);
 
 /// The bound for the spec's objective; nothing for objectives other than size and transmission.
 /// Deterministic. Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio

@@ -16,9 +16,10 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
     return result;  // the bound is one of designs with the exact ratio
   const auto bound = lower_bound(spec, {.incumbent = result.design->value});
   if (!bound || bound->no_design) return result;
-  if (bound->design && !has_workshop_lengths(spec) && !run.stop()()) {
+  if (!has_workshop_lengths(spec) && !run.stop()()) {
     const bool complete = result.design->complete;
-    result = run.best_from(*bound->design, requirements_of(spec), goal, std::move(result));
+    for (const RelaxedDesign& start : starts_of(*bound))
+      result = run.best_from(start, requirements_of(spec), goal, std::move(result));
     result.design->evaluations = result.evaluations;
     result.design->complete = complete;
   }

@@ -54,11 +54,11 @@ std::optional<ProvenBound> proven_bound(const Spec& spec, const Requirements& li
                      {.boxes = boxes_of_proof});
 }
 
-void remember(std::vector<SearchTask>& tasks, const std::optional<RelaxedDesign>& known) {
-  if (!known) return;
+void remember(std::vector<SearchTask>& tasks, const std::vector<RelaxedDesign>& known) {
   for (SearchTask& task : tasks)
-    if (task.choice->choice.vertex == known->vertex && task.choice->choice.assembly == known->assembly)
-      task.known = DesignPoint{{std::log(known->VA), std::log(known->VB)}, known->pole};
+    for (const RelaxedDesign& one : known)
+      if (task.choice->choice.vertex == one.vertex && task.choice->choice.assembly == one.assembly)
+        task.known.push_back({{std::log(one.VA), std::log(one.VB)}, one.pole});
 }
 
 /// A length from its logarithm: the decimal number next to it, 120 and not 119.99999999999999.
@@ -130,7 +130,7 @@ void SearchRun::relax(std::vector<SearchTask>& tasks, const Requirements& limits
     for (const Point& pole : here.poles)
       for (const double of_lambda : {0.0, 1.0})
         options.hints.push_back({problem.unit_lengths(pole, of_lambda, 0), pole});
-    if (here.task->known) options.hints.push_back(*here.task->known);
+    options.hints.insert(options.hints.end(), here.task->known.begin(), here.task->known.end());
     here.result = search_choice(problem, options);
   });
   for (SearchTask& task : tasks) {
@@ -213,13 +213,13 @@ void SearchRun::search_group(std::vector<SearchTask>& tasks, std::size_t first, 
       options.hints = {task.relaxed.point};
       options.bound = task.relaxed.cost;
     }
-    if (task.known) options.hints.push_back(*task.known);
+    options.hints.insert(options.hints.end(), task.known.begin(), task.known.end());
     task.result = search_choice(*task.problem, options);
   });
 }
 
 SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goal,
-                                            const std::optional<RelaxedDesign>& known) const {
+                                            const std::vector<RelaxedDesign>& known) const {
   SearchResult result;
   std::vector<SearchTask> tasks = tasks_for(limits, goal);
   remember(tasks, known);
@@ -247,7 +247,7 @@ SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goa
   return result;
 }
 
-SearchResult SearchRun::best_footprint(const Requirements& limits, const std::optional<RelaxedDesign>& known) const {
+SearchResult SearchRun::best_footprint(const Requirements& limits, const std::vector<RelaxedDesign>& known) const {
   SearchResult result;
   std::vector<SearchTask> small = tasks_for(limits, Goal::size);
   remember(small, known);
@@ -298,7 +298,7 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
 SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
   const auto proof = proven_bound(spec(), limits, goal);
   if (proof && proof->no_design) return {.proven_none = true};
-  const std::optional<RelaxedDesign> known = proof ? proof->design : std::nullopt;
+  const std::vector<RelaxedDesign> known = proof ? starts_of(*proof) : std::vector<RelaxedDesign>{};
   SearchResult result =
       goal == Goal::footprint ? best_footprint(limits, known) : best_of_any_lengths(limits, goal, known);
   if (result.design && (spec().links.workshop.grid || !spec().links.workshop.stock.empty()))

@@ -37,7 +37,7 @@ struct SearchTask {
   const ContactChoice* choice = nullptr;
   OpeningInterval allowed{};         ///< openings at which transmission and copy error keep their limits
   std::vector<Point> poles{};        ///< promising without contact
-  std::optional<DesignPoint> known{}; ///< a design of the relaxation without obstacles
+  std::vector<DesignPoint> known{};  ///< designs of the bound's tree, and places where it could not rule one out
   ChoiceResult relaxed = no_result();
   ChoiceResult result = no_result();
 };
@@ -69,8 +69,8 @@ class SearchRun {
 
  private:
   bool demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const;
-  SearchResult best_footprint(const Requirements& limits, const std::optional<RelaxedDesign>& known) const;
-  SearchResult best_of_any_lengths(const Requirements& limits, Goal goal, const std::optional<RelaxedDesign>& known) const;
+  SearchResult best_footprint(const Requirements& limits, const std::vector<RelaxedDesign>& known) const;
+  SearchResult best_of_any_lengths(const Requirements& limits, Goal goal, const std::vector<RelaxedDesign>& known) const;
   void search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count, const ChoiceResult& best) const;
   ChoiceOptions options_for(bool relaxed) const;
   void report(double share, std::string_view what) const;
