@@ -45,12 +45,26 @@ std::string objective_line(const SearchRecord& search) {
                      name(search.objective), shown, unit);
 }
 
+std::string layers_line(const Design& design) {
+  std::string text = "layers      ";
+  for (const Link link : all_links)
+    text += fmt::format("{} {} in {}", link == all_links.front() ? "" : ",", name(link), design.layers[link]);
+  text += " (1 is next to the table)\n";
+  for (const std::string& sentence : design.why_not_fewer_layers) text += "             " + sentence + "\n";
+  return text;
+}
+
 std::string bound_line(const Design& design) {
   if (!design.quality.lower_bound || !design.search) return "";
   const bool angle = design.search->objective == Objective::transmission;
   const double bound = *design.quality.lower_bound;
-  return fmt::format("bound        no design can be {} {:.4f} {}\n", angle ? "above" : "below",
-                     angle ? degrees(bound) : bound, angle ? "degrees" : "mm");
+  const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
+  std::string text = fmt::format("bound        no design can be {} {:.4f} {}", angle ? "above" : "below",
+                                 angle ? degrees(bound) : bound, angle ? "degrees" : "mm");
+  if (gap > 0.005)
+    text += fmt::format(": {:.1f} % away{}", 100 * gap,
+                        design.obstacles.empty() ? "" : "; what the obstacles cost is not part of the proof");
+  return text + "\n";
 }
 
 std::string relaxation_line(const Relaxation& relaxation) {
@@ -94,7 +108,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   std::string text = ratio_line(design);
   text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
   text += fmt::format("pole         ({:.3f}, {:.3f}) mm\n", pole.x(), pole.y());
-  text += "lengths\n" + lengths_table(design);
+  text += "lengths\n" + lengths_table(design) + layers_line(design);
   if (design.search) text += objective_line(*design.search);
   text += bound_line(design);
   text += fmt::format("size         {:.3f} mm\n", q.size);

@@ -194,6 +194,7 @@ std::string design_json(const Design& design) {
                   {"limits", limits_json(design.limits)},
                   {"tolerance", tolerance_json(design.tolerance)},
                   {"obstacles", obstacles_json(design.obstacles)},
+                  {"why_not_fewer_layers", design.why_not_fewer_layers},
                   {"tool", tool_json(design.tool)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -62,8 +62,8 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
   return design;
 }
 
-/// The assignment with the largest gap over the region, obstacles included.
-LayerAssignment best_layers(const Spec& spec, const CopyingLinkage& linkage) {
+/// Every assignment compared by its gap over the region, obstacles included.
+LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers) {
   const MapTask task{.linkage = linkage,
                      .style = spec.links.style,
                      .layers = {},
@@ -72,7 +72,7 @@ LayerAssignment best_layers(const Spec& spec, const CopyingLinkage& linkage) {
                      .obstacles = spec.obstacles,
                      .region = spec.region,
                      .sheets_gap = spec.limits.sheets_gap};
-  return choose_layers(task, spec.links.layers).best;
+  return choose_layers(task, most_layers);
 }
 
 }  // namespace
@@ -90,6 +90,8 @@ MapTask map_task(const Design& design) {
 
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options) {
   Design design = assembled(spec, found.linkage, found.layers, options);
+  if (found.layers.highest() > 2)
+    design.why_not_fewer_layers = layer_choice(spec, found.linkage, found.layers.highest()).why_not_fewer;
   design.search = SearchRecord{.objective = spec.objective.objective,
                                .value = found.value,
                                .solvers = found.solvers,
@@ -101,12 +103,12 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
 }
 
 Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
-  LayerAssignment layers;
   if (spec.mechanism && spec.mechanism->layers)
-    layers.of = *spec.mechanism->layers;
-  else
-    layers = best_layers(spec, linkage);
-  return assembled(spec, linkage, layers, options);
+    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options);
+  const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers);
+  Design design = assembled(spec, linkage, choice.best, options);
+  design.why_not_fewer_layers = choice.why_not_fewer;
+  return design;
 }
 
 }  // namespace kempe

@@ -54,6 +54,7 @@ struct Design {
   Region region{};
   LinkStyle style{};
   LayerAssignment layers{};
+  std::vector<std::string> why_not_fewer_layers{};  ///< sentences; empty with two layers
   Limits limits{};
   std::optional<Tolerance> tolerance{};
   std::vector<Obstacle> obstacles{};
