@@ -62,7 +62,10 @@ struct Row {
   bool operator==(const Row&) const = default;
 };
 
-/// A row's value and derivatives by the design vector.
+/// How many derivatives a caller needs: those of obstacles and of the footprint cost several evaluations.
+enum class Derivatives { none, first, second };
+
+/// A row's value and derivatives by the design vector; those that were not asked for may be zero.
 struct RowJet {
   double value = 0;
   DesignVector gradient;
@@ -116,8 +119,8 @@ class DesignProblem {
   /// A limit that a finished design misses by `shortfall` (mm or rad) is demanded so much more strictly: rows and samples
   /// look at single openings, the check of the finished design at all. False if that limit cannot be demanded more strictly.
   bool tighten(Goal limit, double shortfall);
-  RowJet row(const Row& row, const DesignVector& x) const;
-  RowJet objective(const DesignVector& x) const;
+  RowJet row(const Row& row, const DesignVector& x, Derivatives wanted = Derivatives::second) const;
+  RowJet objective(const DesignVector& x, Derivatives wanted = Derivatives::second) const;
   /// The program of these rows; refers to this problem and copies the rows.
   SmoothProgram program(const std::vector<Row>& rows) const;
   DesignVector lower_bounds() const;
@@ -126,7 +129,7 @@ class DesignProblem {
  private:
   double cost_of(const Attained& attained) const;
   double footprint_at(const DesignPoint& point) const;
-  RowJet footprint_objective(const DesignVector& x) const;
+  RowJet footprint_objective(const DesignVector& x, Derivatives wanted) const;
   double goal_in_vector(double value) const;
   double violation_of(const Attained& attained) const;
   double smallest_gap(const LogLengths& lengths, double from, double to, int openings) const;
@@ -134,7 +137,7 @@ class DesignProblem {
   RowJet near_row(std::size_t edge, const DesignVector& x) const;
   RowJet far_row(std::size_t corner, const DesignVector& x) const;
   RowJet contact_row(std::size_t term, double share, const DesignVector& x) const;
-  RowJet obstacle_row(const Row& row, const DesignVector& x) const;
+  RowJet obstacle_row(const Row& row, const DesignVector& x, Derivatives wanted) const;
   RowJet obstacle_row_values(const Row& row, const DesignVector& x) const;
   RowJet sheets_row(std::size_t corner, const DesignVector& x) const;
   RowJet copy_error_row(double share, const DesignVector& x) const;

@@ -135,7 +135,7 @@ RowJet DesignProblem::half_plane_row(std::size_t plane, const DesignVector& x) c
   return jet;
 }
 
-RowJet DesignProblem::row(const Row& row, const DesignVector& x) const {
+RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wanted) const {
   switch (row.kind) {
     case Row::Kind::near_edge:
       return near_row(row.index, x);
@@ -148,7 +148,7 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x) const {
     case Row::Kind::contact:
       return contact_row(row.index, row.share, x);
     case Row::Kind::obstacle:
-      return obstacle_row(row, x);
+      return obstacle_row(row, x, wanted);
     case Row::Kind::sheets:
       return sheets_row(row.index, x);
     case Row::Kind::half_plane:
@@ -167,13 +167,13 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x) const {
   return length_row(false, row.index, x);
 }
 
-RowJet DesignProblem::objective(const DesignVector& x) const {
+RowJet DesignProblem::objective(const DesignVector& x, Derivatives wanted) const {
   RowJet jet = zero_jet(layout_.size());
   if (layout_.has_goal) {
     add_variable(jet, x, layout_.goal(), is_maximized(goal_) ? -1 : 1);
     return jet;
   }
-  if (goal_ == Goal::footprint) return footprint_objective(x);
+  if (goal_ == Goal::footprint) return footprint_objective(x, wanted);
   const Reach::LengthFactors& f = reach_.factors();
   const double of_VA = f.size_per_VA * std::exp(x[log_VA]) / layout_.unit;
   const double of_VB = f.size_per_VB * std::exp(x[log_VB]) / layout_.unit;
@@ -279,14 +279,14 @@ SmoothProgram DesignProblem::program(const std::vector<Row>& rows) const {
   SmoothProgram program{
       .lower = lower_bounds(), .upper = upper_bounds(), .constraint_count = static_cast<int>(rows.size())};
   program.objective = [this](const DesignVector& x, DesignVector* gradient) {
-    const RowJet jet = objective(x);
+    const RowJet jet = objective(x, gradient ? Derivatives::first : Derivatives::none);
     if (gradient) *gradient = jet.gradient;
     return jet.value;
   };
   program.constraints = [this, rows](const DesignVector& x, ConstraintValues& values,
                                      ConstraintGradients* gradients) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const RowJet jet = row(rows[i], x);
+      const RowJet jet = row(rows[i], x, gradients ? Derivatives::first : Derivatives::none);
       values[static_cast<Eigen::Index>(i)] = jet.value;
       if (gradients) gradients->row(static_cast<Eigen::Index>(i)) = jet.gradient;
     }

@@ -42,8 +42,9 @@ RowJet DesignProblem::obstacle_row_values(const Row& row, const DesignVector& x)
   return jet;
 }
 
-RowJet DesignProblem::obstacle_row(const Row& row, const DesignVector& x) const {
+RowJet DesignProblem::obstacle_row(const Row& row, const DesignVector& x, Derivatives wanted) const {
   RowJet jet = obstacle_row_values(row, x);
+  if (wanted != Derivatives::second) return jet;
   constexpr double step = 1e-5;  // second derivatives as differences of exact first ones
   for (int j = 0; j < layout_.size(); ++j) {
     if (j == DesignLayout::near_opening || j == DesignLayout::far_opening) continue;
@@ -109,10 +110,11 @@ RowJet DesignProblem::size_row(const DesignVector& x) const {
 }
 
 /// The one objective without a formula: an area, by differences. Curvature is left to the solver.
-RowJet DesignProblem::footprint_objective(const DesignVector& x) const {
+RowJet DesignProblem::footprint_objective(const DesignVector& x, Derivatives wanted) const {
   RowJet jet = zero_jet(layout_.size());
   const auto area = [&](const DesignVector& at) { return footprint_at(point_of(at)) / goal_scale(); };
   jet.value = area(x);
+  if (wanted == Derivatives::none) return jet;
   constexpr double step = 2e-3;  // above the grain of the estimate
   for (int j = 0; j < layout_.size(); ++j) {
     if (j == DesignLayout::near_opening || j == DesignLayout::far_opening) continue;

@@ -7,6 +7,10 @@
 namespace kempe {
 namespace {
 
+/// A design further than this from the proven bound is searched around once more.
+constexpr double unproven_share = 0.004;
+constexpr int hops = 24;
+
 bool has_workshop_lengths(const Spec& spec) { return spec.links.workshop.grid || !spec.links.workshop.stock.empty(); }
 
 /// The proven bound, and the design improved where the bound's tree met a better one.
@@ -20,6 +24,8 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
     const bool complete = result.design->complete;
     for (const RelaxedDesign& start : starts_of(*bound))
       result = run.best_from(start, requirements_of(spec), goal, std::move(result));
+    if (std::abs(result.design->value - bound->value) > unproven_share * std::abs(bound->value))
+      result = run.best_around(requirements_of(spec), goal, std::move(result), hops);
     result.design->evaluations = result.evaluations;
     result.design->complete = complete;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 #include <tuple>
 
 #include "synthesis/copy_error.hpp"
@@ -279,6 +280,25 @@ SearchResult SearchRun::best_footprint(const Requirements& limits, const std::ve
   return result;
 }
 
+namespace {
+
+bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
+  return is_maximized(goal) ? a.value > b.value : a.value < b.value;
+}
+
+/// A place around a point, the nearer the smaller `reach` (in shares of the lengths and of the task's size).
+DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is_free, std::mt19937_64& random) {
+  const auto within = [&](double size) { return size * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1); };
+  DesignPoint to = from;
+  to.lengths.u += within(reach);
+  to.lengths.v += within(reach);
+  const Point step(within(0.5 * reach * unit), within(0.5 * reach * unit));
+  if (pole_is_free) to.pole += step;
+  return to;
+}
+
+}  // namespace
+
 SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal,
                                   SearchResult found) const {
   const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
@@ -288,9 +308,41 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
     found.evaluations += task.result.evaluations;
     if (!certify(task, limits)) continue;
     const auto design = design_of(task, limits, goal);
-    if (design && (!found.design || (is_maximized(goal) ? design->value > found.design->value
-                                                        : design->value < found.design->value)))
-      found.design = design;
+    if (design && (!found.design || is_better(goal, *design, *found.design))) found.design = design;
+  }
+  return found;
+}
+
+SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, SearchResult found, int hops) const {
+  std::vector<SearchTask> tasks;
+  for (SearchTask& task : tasks_for(limits, goal))
+    if (task.choice->choice.vertex == found.design->linkage.vertex() &&
+        task.choice->choice.assembly == found.design->linkage.assembly())
+      tasks.push_back(std::move(task));
+  std::mt19937_64 random(options_.seed);
+  constexpr int at_once = 8;
+  for (int first = 0; first < hops && !tasks.empty() && !stop_(); first += at_once) {
+    const CopyingLinkage& best = found.design->linkage;
+    const DesignPoint centre{{std::log(best.VA()), std::log(best.VB())}, best.pole()};
+    std::vector<std::pair<std::size_t, DesignPoint>> starts;
+    for (int i = 0; i < at_once; ++i) {
+      const std::size_t task = static_cast<std::size_t>(i) % tasks.size();
+      const double reach = 0.6 * std::pow(0.6, i / 2 + first / at_once);
+      starts.emplace_back(task, hop(centre, reach, space_.layout().unit, space_.layout().pole_is_free, random));
+    }
+    std::vector<ChoiceResult> results(starts.size());
+    run_parallel(starts.size(), options_.threads, [&](std::size_t i) {
+      results[i] = refine(*tasks[starts[i].first].problem, starts[i].second, stop_);
+    });
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      found.evaluations += results[i].evaluations;
+      const double now = is_maximized(goal) ? -found.design->value : found.design->value;
+      SearchTask& task = tasks[starts[i].first];
+      task.result = results[i];
+      if (!task.result.feasible || task.result.cost > now - 1e-6 * std::abs(now) || !certify(task, limits)) continue;
+      const auto design = design_of(task, limits, goal);
+      if (design && is_better(goal, *design, *found.design)) found.design = design;
+    }
   }
   return found;
 }

@@ -60,6 +60,9 @@ class SearchRun {
   /// The better of a design and what a local search from `start` makes of it.
   SearchResult best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal, SearchResult found) const;
 
+  /// The better of a design and what local searches from `hops` random places around it find, ever nearer ones.
+  SearchResult best_around(const Requirements& limits, Goal goal, SearchResult found, int hops) const;
+
   /// The steps of it, for searches of other kinds.
   std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal) const;
   void relax(std::vector<SearchTask>& tasks, const Requirements& limits, Goal goal) const;
