@@ -142,14 +142,14 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
 
 int tell_no_design(const Session& session, const NoDesign& none) {
   std::string message = "no design exists: " + none.sentence + "\n";
-  if (none.proven) message += "  proven by interval arithmetic over all designs, not only searched\n";
+  if (none.proven) message += "  proven, not only searched\n";
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
   message.pop_back();
   if (session.json) {
     nlohmann::ordered_json object{{"error", "no design exists"}, {"requirement", none.requirement}, {"sentence", none.sentence}, {"proven", none.proven}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
-      object["relaxations"].push_back({{"limit", std::string(name(relaxation.limit))},
+      object["relaxations"].push_back({{"limit", relaxation.limit ? std::string(name(*relaxation.limit)) : "obstacles"},
                                        {"sentence", relaxation.sentence},
                                        {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
                                        {"VA_mm", relaxation.design.linkage.VA()},

@@ -8,6 +8,7 @@
 #include "app/all_commands.hpp"
 #include "app/design_run.hpp"
 #include "synthesis/assemble.hpp"
+#include "synthesis/diagnosis.hpp"
 
 namespace kempe::app {
 namespace {
@@ -56,6 +57,8 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   if (!loaded) return fail(loaded.error());
   const auto linkage = linkage_of(*loaded);
   if (!linkage) return fail(linkage.error());
+  if (const auto none = plainly_impossible(loaded->spec); none && none->requirement == "obstacles")
+    return tell_no_design(session, *none);
   Design design = assemble_given(loaded->spec, *linkage, {.map_tolerance = arguments.map_tolerance});
   if (!arguments.why.empty()) return tell_why(session, design, {arguments.why[0], arguments.why[1]});
   return verify_write_and_tell(session, design, *loaded, arguments.folder);

@@ -87,43 +87,89 @@ std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements
   return Relaxation{limit.goal, *demanded, possible, sentence_of(limit, *demanded, possible), *again.design};
 }
 
-bool stands_in_region(const Spec& spec) {
-  return spec.pole.is_fixed() && contains(spec.region, std::get<Point>(spec.pole.place));
+/// Obstacles looked at one by one; with more of them only all together.
+constexpr std::size_t most_single_obstacles = 12;
+
+std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirements& limits,
+                                            const std::vector<Obstacle>& left, const std::string& gone,
+                                            std::uint64_t& evaluations) {
+  Spec spec = run.spec();
+  spec.obstacles = left;
+  SearchOptions options = run.options();
+  options.progress = nullptr;
+  const SearchResult found = SearchRun(spec, options).best(limits, goal_of(spec.objective.objective));
+  evaluations += found.evaluations;
+  if (!found.design) return std::nullopt;
+  return Relaxation{{}, 0, 0, fmt::format("{} in the way; without {} there is a design", gone + (gone == "the obstacles" ? " are" : " is"),
+                                          gone == "the obstacles" ? "them" : "it"),
+                    *found.design};
+}
+
+std::vector<Relaxation> obstacle_relaxations(const SearchRun& run, const Requirements& limits, std::uint64_t& evaluations) {
+  const std::vector<Obstacle>& all = run.spec().obstacles;
+  if (all.empty()) return {};
+  const auto none_left = without_obstacles(run, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
+  if (!none_left) return {};
+  std::vector<Relaxation> single;
+  for (std::size_t i = 0; i < all.size() && all.size() > 1 && all.size() <= most_single_obstacles; ++i) {
+    std::vector<Obstacle> left = all;
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+    if (const auto one = without_obstacles(run, limits, left, all[i].name, evaluations)) single.push_back(*one);
+  }
+  return single.empty() ? std::vector{*none_left} : single;
+}
+
+NoDesign impossible(std::string requirement, std::string sentence) {
+  return {.requirement = std::move(requirement), .sentence = std::move(sentence), .proven = true};
+}
+
+/// The share of itself by which a limit has to give; an obstacle is whole or away.
+double give(const Relaxation& r) {
+  return r.limit ? std::abs(r.possible - r.demanded) / std::max(std::abs(r.demanded), 1e-3) : 1;
+}
+
+std::string key_of(const Relaxation& relaxation) {
+  for (const Movable& limit : movables)
+    if (limit.goal == relaxation.limit) return limit.key;
+  return "obstacles";
 }
 
 }  // namespace
 
+std::optional<NoDesign> plainly_impossible(const Spec& spec) {
+  if (!spec.pole.is_fixed()) return std::nullopt;
+  const Point& pole = std::get<Point>(spec.pole.place);
+  if (contains(spec.region, pole))
+    return impossible("pole.at_mm", "the pole stands inside the region, and no linkage brings its tracer to the pole");
+  const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
+  for (const Obstacle& obstacle : spec.obstacles)
+    if (obstacle.lowest_layer == 1 && distance(Region{{obstacle.shape}}, pole) < needed)
+      return impossible("obstacles", fmt::format("{} stands over the pole at ({:.6g}, {:.6g}) mm, or within its clearance",
+                                                 obstacle.name, pole.x(), pole.y()));
+  return std::nullopt;
+}
+
 NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
   NoDesign none{.requirement = "limits",
-                .sentence = "",
+                .sentence = "no design keeps all limits",
                 .relaxations = {},
                 .proven = nothing.proven_none,
                 .evaluations = nothing.evaluations};
-  if (stands_in_region(run.spec())) {
-    none.requirement = "pole.at_mm";
-    none.proven = true;
-    none.sentence = "the pole stands inside the region, and no linkage brings its tracer to the pole";
-    return none;
-  }
+  if (!run.options().diagnose) return none;
   const Requirements limits = requirements_of(run.spec());
-  if (run.options().diagnose)
-    for (const Movable& limit : movables)
-      if (const auto relaxation = relaxation_of(run, limits, limit, none.evaluations))
-        none.relaxations.push_back(*relaxation);
-  if (none.relaxations.empty()) {
-    none.sentence = "no design keeps all limits, and no limit moved alone makes one possible";
-    if (!run.options().diagnose) none.sentence = "no design keeps all limits";
-    return none;
-  }
-  // The limit that has to give least, as a share of itself, is named first.
-  const auto give = [](const Relaxation& r) {
-    return std::abs(r.possible - r.demanded) / std::max(std::abs(r.demanded), 1e-3);
-  };
-  std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
-                   [&](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
-  none.sentence = none.relaxations.front().sentence;
   for (const Movable& limit : movables)
-    if (limit.goal == none.relaxations.front().limit) none.requirement = limit.key;
+    if (const auto relaxation = relaxation_of(run, limits, limit, none.evaluations))
+      none.relaxations.push_back(*relaxation);
+  for (Relaxation& relaxation : obstacle_relaxations(run, limits, none.evaluations))
+    none.relaxations.push_back(std::move(relaxation));
+  std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
+                   [](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
+  if (none.relaxations.empty()) {
+    none.sentence += ", and no limit moved alone makes one possible";
+  } else {
+    none.sentence = none.relaxations.front().sentence;
+    none.requirement = key_of(none.relaxations.front());
+  }
   return none;
 }
 

@@ -36,6 +36,7 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
 }  // namespace
 
 SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
+  if (auto none = plainly_impossible(spec)) return *std::move(none);
   const SearchRun run(spec, options);
   const Goal goal = goal_of(spec.objective.objective);
   SearchResult result = run.best(requirements_of(spec), goal);

@@ -37,10 +37,10 @@ struct FoundDesign {
   std::optional<double> lower_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
 };
 
-/// One limit that, moved so far and alone, makes a design possible.
+/// One limit that, moved so far and alone, makes a design possible; or one obstacle that, taken away alone, does.
 struct Relaxation {
-  Goal limit = Goal::transmission;
-  double demanded = 0, possible = 0;  ///< mm or rad
+  std::optional<Goal> limit{};        ///< absent: an obstacle
+  double demanded = 0, possible = 0;  ///< mm or rad; 0 for an obstacle
   std::string sentence;               ///< "transmission_deg = 30 is in the way; 27.4 would do"
   FoundDesign design;                 ///< that keeps all other limits
 };
@@ -50,7 +50,7 @@ struct NoDesign {
   std::string requirement{};  ///< the limit's key, "limits.transmission_deg"
   std::string sentence{};     ///< for a person
   std::vector<Relaxation> relaxations{};  ///< the least share first
-  bool proven = false;      ///< interval arithmetic proves it (lower_bound.hpp); else an exhaustive search found nothing
+  bool proven = false;      ///< plain, or proven by interval arithmetic (lower_bound.hpp); else a search found nothing
   std::uint64_t evaluations = 0;
 };
 

@@ -41,11 +41,12 @@ void check(const Spec& spec, const NoDesign& none) {
   const SearchRun run(spec, {.diagnose = false});
   for (const Relaxation& relaxation : none.relaxations) {
     SCOPED_TRACE(relaxation.sentence);
-    const Requirements moved = with(requirements_of(spec), relaxation.limit, relaxation.possible);
+    ASSERT_TRUE(relaxation.limit);
+    const Requirements moved = with(requirements_of(spec), *relaxation.limit, relaxation.possible);
     const DesignCheck design = check_design(spec, moved, relaxation.design.linkage, relaxation.design.layers);
     EXPECT_TRUE(design.feasible) << (design.broken ? name(*design.broken) : "");
     const double less = relaxation.demanded + 0.98 * (relaxation.possible - relaxation.demanded);
-    EXPECT_FALSE(run.best(with(requirements_of(spec), relaxation.limit, less), Goal::size).design)
+    EXPECT_FALSE(run.best(with(requirements_of(spec), *relaxation.limit, less), Goal::size).design)
         << "less would do: " << less;
   }
 }
@@ -92,6 +93,27 @@ TEST(Diagnosis, OfRandomSpecs) {
     check(spec, nothing_for(spec));
   }
   EXPECT_GE(seen, 4);
+}
+
+TEST(Diagnosis, AnObstacleInTheWayIsNamed) {
+  Spec spec = example("plagiograph");
+  spec.obstacles.push_back({{{{-200, -200}, {-190, -200}, {-190, -190}, {-200, -190}}, {}}, 1, 8, "harmless block"});
+  const Point corner = spec.region.polygons[0].outer[0];
+  const double x = corner.x(), y = corner.y();
+  spec.obstacles.push_back({{{{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}}, {}}, 1, 8, "clamp"});
+  const NoDesign none = nothing_for(spec);
+  EXPECT_EQ(none.requirement, "obstacles");
+  ASSERT_FALSE(none.relaxations.empty());
+  EXPECT_NE(none.sentence.find("clamp is in the way"), std::string::npos) << none.sentence;
+}
+
+TEST(Diagnosis, AnObstacleOverThePoleIsNamedWithoutASearch) {
+  Spec spec = example("plagiograph");
+  spec.obstacles.push_back({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, {}}, 1, 1, "vice"});
+  const NoDesign none = nothing_for(spec);
+  EXPECT_EQ(none.requirement, "obstacles");
+  EXPECT_TRUE(none.proven);
+  EXPECT_EQ(none.evaluations, 0U);
 }
 
 TEST(Diagnosis, APoleInTheRegionIsNamed) {
