@@ -2,7 +2,8 @@
 """Thousands of random specs through search, map and independent verification, as one batch; then what came of them.
 
 Scale 0.1 .. 10, any rotation, regions of 3 .. 30 corners, fixed and free poles, bent and triangular plates, two and three
-layers; every third spec has obstacles, every sixth a gap between the sheets. Says how many designs failed their
+layers; every third spec has obstacles, every fourth a tolerance, every sixth a gap between the sheets, every twelfth a
+grid of lengths. Says how many designs failed their
 verification (none may), how far they are above the proven bound, how often each grounding wins, and how many verdicts
 without a design are proven by interval arithmetic.
 
@@ -44,6 +45,14 @@ def spec(rng):
         one["pole"] = {"within_mm": [[-reach, -reach], [reach, -reach], [reach, reach], [-reach, reach]]}
     if rng.random() < 1 / 3:
         one["objective"] = {"maximize": "transmission"}
+    if rng.random() < 1 / 4:
+        one["tolerance"] = {"length_mm": rng.uniform(0.01, 0.1), "play_mm": rng.uniform(0, 0.05)}
+        if rng.random() < 1 / 2:
+            one["limits"]["copy_error_mm"] = rng.uniform(0.1, 2) * max(1, scale)
+        if rng.random() < 1 / 2:
+            one["objective"] = {"minimize": rng.choice(["copy_error", "copy_error", "copy_error", "footprint"])}
+    if rng.random() < 1 / 12:
+        one["links"]["grid_mm"] = rng.choice([1, 2, 5])
     if rng.random() < 1 / 6:
         one["limits"]["sheets_gap_mm"] = rng.uniform(0, 20)
     if rng.random() < 1 / 3:
