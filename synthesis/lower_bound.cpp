@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <set>
 
@@ -14,6 +15,7 @@
 #include "synthesis/lower_bound_box.hpp"
 #include "synthesis/lower_bound_branch.hpp"
 #include "synthesis/lower_bound_contact.hpp"
+#include "synthesis/lower_bound_obstacles.hpp"
 #include "synthesis/lower_bound_sheets.hpp"
 #include "synthesis/region_reach.hpp"
 
@@ -48,6 +50,7 @@ struct Node {
   PoleDistances distances;
   LengthBox lengths;
   std::uint64_t alive = 0;  // layer assignments not yet ruled out, one bit each
+  std::optional<bounding::Hit> hit;  // where an obstacle came nearest to being in the way
   std::array<std::uint32_t, kept_cuts>
       cut{};  // of the first layer assignments: number in Tree::cuts_, 0 for none
 
@@ -86,6 +89,7 @@ class Tree {
       Node node = open_.top();
       open_.pop();
       if (options_.self_contact && !rule_out_layers(node)) continue;
+      if (!rule_out_by_obstacles(node, false)) continue;
       if (++opened_ <= 100 || opened_ % 8 == 0)
         try_designs(node);  // often at first, when the boxes are still many
       split(node);
@@ -117,10 +121,12 @@ class Tree {
     for (const Vertex vertex : all_vertices) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), vertex) == permitted.end()) continue;
-      const auto layers = bounding::least_layer_choices(spec_.copy.k, vertex, spec_.links.layers);
+      const auto layers = sees_obstacles() ? bounding::all_layer_choices(spec_.copy.k, vertex, spec_.links.layers)
+                                           : bounding::least_layer_choices(spec_.copy.k, vertex, spec_.links.layers);
       const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
       for (std::size_t number = 0; number < count; ++number) {
         branches_.push_back(bounding::make_branch(spec_, vertex, static_cast<int>(number), layers));
+        if (sees_obstacles()) add_obstacle_test(branches_.back());
         const Assembly& a = branches_.back().assembly;
         if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
         Node root;
@@ -183,9 +189,26 @@ class Tree {
     node.bound = bound_of(node);
     if (!by_size_ && -node.bound < spec_.limits.transmission) return;
     if (node.bound >= best_) return drop(node, best_);
-    if (!repeat_cuts(node)) return;
+    if (!repeat_cuts(node) || (node.hit && !rule_out_by_obstacles(node, true))) return;
     node.number = boxes_;
     open_.push(node);
+  }
+
+  bool sees_obstacles() const { return options_.self_contact && !spec_.obstacles.empty(); }
+
+  void add_obstacle_test(const Branch& branch) {
+    std::vector<LayerAssignment> layers;
+    for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
+    obstacle_tests_.push_back(std::make_unique<bounding::ObstacleTest>(spec_, branch.assembly, layers));
+  }
+
+  /// Drops layer assignments in which every design of the box has a part in an obstacle; false if none is left.
+  bool rule_out_by_obstacles(Node& node, bool only_where_last) {
+    if (!sees_obstacles()) return true;
+    if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost();
+    node.alive = obstacle_tests_[node.branch]->not_hit({node.lengths, node.pole(), node.radius() * (1 + 1e-12)}, node.alive,
+                                                       node.hit, only_where_last);
+    return node.alive != 0;
   }
 
   double bound_of(const Node& node) const {
@@ -309,8 +332,11 @@ class Tree {
     }
     const auto free = [&](const bounding::LayerChoice& choice) {
       return !options_.self_contact ||
-             smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
-                 spec_.limits.clearance;
+             (smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
+                  spec_.limits.clearance &&
+              (!sees_obstacles() ||
+               obstacle_tests_[node.branch]->is_clear(linkage->VA(), linkage->VB(), node.pole(),
+                                                      static_cast<std::size_t>(&choice - branch.layers.data()))));
     };
     const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
     if (layers == branch.layers.end()) return;
@@ -396,6 +422,7 @@ class Tree {
   std::vector<Point> corners_;  // of the region's hull, so many as are worth looking at
   SheetsGap sheets_;
   std::vector<Branch> branches_;
+  std::vector<std::unique_ptr<bounding::ObstacleTest>> obstacle_tests_;  // one a branch, if there are obstacles
   std::vector<Cut> cuts_{Cut{}};  // number 0 stands for none
   std::priority_queue<Node, std::vector<Node>, LessPromising> open_;
   double best_ = infinity;  // of the relaxation's designs met, or the incumbent; as in Node::bound

@@ -4,7 +4,7 @@
 //
 // Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission
 // limit, the lengths' limits, the copy error, the gap between the sheets and the linkage's contact with
-// itself are kept; obstacles, the workshop's grid and stock, and that the footprint costs are not. Steps and
+// itself and with obstacles (at places of the tracer) are kept; the workshop's grid and stock are not. Steps and
 // proof: docs/lower-bound.md.
 
 #include <array>
@@ -31,8 +31,7 @@ struct BoundOptions {
   bool self_contact = true;
 };
 
-/// A design that keeps all limits looked at: a start for the search, and its result where no obstacle is in
-/// the way.
+/// A design that keeps all limits looked at: a start for the search, and mostly its result.
 struct RelaxedDesign {
   Vertex vertex = Vertex::pole;
   int assembly = 0;

@@ -124,12 +124,17 @@ std::vector<Piece> pieces_of(const Part& part, Complex s, const LinkStyle& style
 
 PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first), part_key(pair.second)); }
 
-std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers) {
+std::vector<LayerChoice> all_layer_choices(Complex k, Vertex vertex, int layers) {
   const auto any = CopyingLinkage::make(k, vertex, 100, 100, 0);
-  if (!any) return {};
+  std::vector<LayerChoice> all;
+  for (const LayerAssignment& each : layer_assignments(layers))
+    if (any) all.push_back({each, keys_of(contact_pairs(*any, each))});
+  return all;
+}
+
+std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers) {
   std::vector<LayerChoice> least;
-  for (const LayerAssignment& each : layer_assignments(layers)) {
-    const LayerChoice candidate{each, keys_of(contact_pairs(*any, each))};
+  for (const LayerChoice& candidate : all_layer_choices(k, vertex, layers)) {
     const auto holds = [](const LayerChoice& more, const LayerChoice& less) {
       return std::includes(more.pairs.begin(), more.pairs.end(), less.pairs.begin(), less.pairs.end());
     };

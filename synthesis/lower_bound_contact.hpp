@@ -27,6 +27,8 @@ struct LayerChoice {
 /// Layer assignments of a grounding whose pairs of parts hold no other assignment's pairs: if no design keeps
 /// its clearance in one of these, none does in any.
 std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers);
+/// All of them: with obstacles more contact among the links may be worth it.
+std::vector<LayerChoice> all_layer_choices(Complex k, Vertex vertex, int layers);
 
 /// Two points, one of each part of a pair, that are nearest (or coincide) in a pose with these lengths and
 /// opening, and how far apart they must stay, mm.
