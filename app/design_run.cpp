@@ -8,6 +8,8 @@
 
 #include "reports/design_json.hpp"
 #include "reports/design_package.hpp"
+#include "reports/part_files.hpp"
+#include "reports/recheck.hpp"
 #include "specs/spec_reader.hpp"
 #include "synthesis/verification.hpp"
 
@@ -125,7 +127,12 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
                       design.verification.samples, design.verification.copy_error_max,
                       design.verification.loop_residual_max, design.verification.flips);
   text += fmt::format("written      {}:", folder.string());
-  for (const std::string& file : files) text += " " + file;
+  bool has_parts = false;
+  for (const std::string& file : files) {
+    const bool is_part = file.starts_with("parts/");
+    if (!is_part || !has_parts) text += is_part ? " parts/" : " " + file;
+    has_parts = has_parts || is_part;
+  }
   return text + "\n";
 }
 
@@ -167,11 +174,15 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = std::filesystem::path(spec.file).filename().string();
   extras.spec_text = spec.text;
-  const auto package = design_package(design, std::move(extras));
+  const CuttingSpec& cutting = spec.spec.cutting;
+  const auto package = design_package(design, cutting, extras);
+  if (const auto faults = recheck(package, design, cutting); !faults.empty())
+    return fail(verification_failed, "the drawings, read again, are not the design; nothing is written: " + faults.front());
   if (const auto written = write_whole(folder, package); !written) return fail(cannot_write, written.error());
   std::vector<std::string> files;
   for (const OutputFile& file : package) files.push_back(file.name.string());
   print(session.json ? summary_json(design, folder, files) : summary_text(design, folder, files));
+  if (const auto fault = nesting_fault(design, cutting)) return fail(done, "no nested.dxf: " + *fault);
   return done;
 }
 

@@ -30,14 +30,6 @@ tl::expected<StoredDesign, InputError> load_design(const std::string& file) {
   return read_text_file(file).and_then([&](const std::string& text) { return read_design(text, file); });
 }
 
-tl::expected<StrokeDrawing, InputError> load_drawing(const TraceArguments& arguments) {
-  return read_text_file(arguments.drawing).and_then([&](const std::string& text) {
-    // The tolerance holds on the table, after the drawing has been scaled.
-    return read_svg(text, arguments.drawing,
-                    {.tolerance = arguments.tolerance / std::max(1.0, arguments.scale)});
-  });
-}
-
 Box box_of(const std::vector<DrawnStroke>& strokes) {
   Box box{strokes.front().points.front(), strokes.front().points.front()};
   for (const DrawnStroke& stroke : strokes)
@@ -46,6 +38,27 @@ Box box_of(const std::vector<DrawnStroke>& strokes) {
       box.upper = box.upper.cwiseMax(point);
     }
   return box;
+}
+
+/// By how much the drawing is enlarged to fill the region's box as far as it can.
+double fitting_scale(const std::vector<DrawnStroke>& strokes, const Region& region) {
+  const Box drawing = box_of(strokes), room = bounding_box(region);
+  const Point size = (drawing.upper - drawing.lower).cwiseMax(1e-9);
+  return (room.upper - room.lower).cwiseQuotient(size).minCoeff();
+}
+
+/// The drawing as its file has it. Curves are followed so closely that the tolerance holds on the table, after
+/// the drawing has been enlarged.
+tl::expected<StrokeDrawing, InputError> load_drawing(const TraceArguments& arguments, const Region& region) {
+  const auto text = read_text_file(arguments.drawing);
+  if (!text) return tl::unexpected(text.error());
+  const auto read = [&](double scale) {
+    return read_svg(*text, arguments.drawing, {.tolerance = arguments.tolerance / std::max(1.0, scale)});
+  };
+  auto drawing = read(arguments.scale);
+  if (!drawing || !arguments.fit || drawing->strokes.empty() || region.empty()) return drawing;
+  const double scale = fitting_scale(drawing->strokes, region);
+  return scale > 1 ? read(scale) : drawing;
 }
 
 void place(std::vector<DrawnStroke>& strokes, double scale, const Point& move) {
@@ -62,8 +75,7 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
     return place(strokes, arguments.scale,
                  arguments.at.size() == 2 ? Point(arguments.at[0], arguments.at[1]) : Point(0, 0));
   const Box drawing = box_of(strokes), room = bounding_box(region);
-  const Point size = (drawing.upper - drawing.lower).cwiseMax(1e-9);
-  const double scale = (room.upper - room.lower).cwiseQuotient(size).minCoeff();
+  const double scale = fitting_scale(strokes, region);
   place(strokes, scale, 0.5 * (room.lower + room.upper) - 0.5 * scale * (drawing.lower + drawing.upper));
 }
 
@@ -132,7 +144,7 @@ int run(const Session& session, const TraceArguments& arguments) {
   if (!design) return fail(design.error());
   const auto linkage = linkage_of(*design, arguments.design);
   if (!linkage) return fail(linkage.error());
-  auto drawing = load_drawing(arguments);
+  auto drawing = load_drawing(arguments, design->region);
   if (!drawing) return fail(drawing.error());
   if (drawing->strokes.empty())
     return fail({arguments.drawing, 0, "", "a drawing without lines",
@@ -178,7 +190,7 @@ void add_trace_command(CLI::App& program, Session& session) {
   command->add_option("--instrument", arguments->instrument,
                       "Draw with an instrument made within the design's tolerances, chosen by this seed");
   command->add_option("--tolerance", arguments->tolerance, "Curves are followed to this, mm")
-      ->check(CLI::Range(1e-6, 10.0))
+      ->check(CLI::Range(1e-7, 10.0))
       ->capture_default_str();
   command->add_option("--step", arguments->step, "Poses are at most this far apart, mm")
       ->check(CLI::Range(1e-4, 1e3))

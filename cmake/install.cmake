@@ -13,4 +13,4 @@ configure_package_config_file(cmake/kempe-config.cmake.in ${PROJECT_BINARY_DIR}/
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kempe-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/kempe-config.cmake ${PROJECT_BINARY_DIR}/kempe-config-version.cmake
-  cmake/FindIpopt.cmake cmake/FindCminpack.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
+  cmake/FindIpopt.cmake cmake/FindCminpack.cmake cmake/FindOcct.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "reports/html_text.hpp"
+#include "reports/map_contours.hpp"
 #include "reports/mechanism_picture.hpp"
 #include "reports/picture_labels.hpp"
+#include "reports/round_step.hpp"
 #include "reports/svg_path.hpp"
 
 namespace kempe {
@@ -60,11 +63,14 @@ class Extent {
   Point upper_ = Point::Constant(-std::numeric_limits<double>::infinity());
 };
 
-double round_step(double wanted) {
-  const double power = std::pow(10, std::floor(std::log10(wanted)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (wanted <= factor * power) return factor * power;
-  return 10 * power;
+/// A name that a person gave, no longer than a picture bears; cut between characters of UTF-8.
+std::string shortened(const std::string& name) {
+  std::size_t end = 0, characters = 0;
+  const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(name[at]) & 0xC0) == 0x80; };
+  for (; end < name.size() && characters < 24; ++characters)
+    do ++end;
+    while (end < name.size() && continues(end));
+  return end == name.size() ? name : name.substr(0, end) + "…";
 }
 
 std::string path_element(std::string_view css, const std::string& data) {
@@ -131,6 +137,8 @@ class Picture {
   std::string areas();
   std::string lost_areas();
   std::string things();
+  std::string contours(const std::vector<ContourCircle>& circles,
+                       const std::function<std::string(double)>& words) const;
   std::string labels() const;
   std::string text(std::string_view css, const Point& at, const std::string& inside) const;
   Point free_side(Joint joint) const;
@@ -273,17 +281,16 @@ std::string Picture::areas() {
 }
 
 std::string Picture::things() {
-  std::string obstacles, sheets;
+  std::string obstacles, sheets, tightest;
   for (const Obstacle& obstacle : design_.obstacles)
     obstacles += path_element("thing", svg_path(obstacle.shape, detail()));
   for (const FittingSheet& sheet : design_.map.largest_sheets) {
-    const Complex turn = std::polar(1.0, sheet.turn);
-    Ring ring;
-    for (const Complex corner : {Complex{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-      ring.push_back(sheet.centre + as_point(turn * Complex(corner.real() * sheet.width / 2,
-                                                            corner.imag() * sheet.height / 2)));
-    sheets += path_element("sheet", svg_path(Polygon{ring, {}}, 0)) +
+    sheets += path_element("sheet", svg_path(Polygon{corners(sheet), {}}, 0)) +
               text("small", sheet.centre, html_escaped(sheet.name));
+  }
+  if (std::isfinite(design_.map.clearance_min) && !design_.map.clearance_min_parts.empty()) {
+    const Point at = design_.map.clearance_min_at, a(5 * view_.unit, 5 * view_.unit), b(a.x(), -a.y());
+    tightest = path_element("tight", svg_line({at - a, at + a}) + svg_line({at - b, at + b}));
   }
   const auto add = [&](const char* id, const char* label, const std::string& inside, std::string figure,
                        bool shown = true) {
@@ -295,7 +302,29 @@ std::string Picture::things() {
   svg += add("region", "Region to trace", path_element("outline", svg_path(design_.region, detail())),
              area_text(area(design_.region)));
   svg += add("copy", "Its copy", path_element("outline", svg_path(copy_, detail())), area_text(area(copy_)));
+  svg += add("footprint", "Footprint", path_element("outline", svg_path(design_.footprint, detail())),
+             area_text(design_.quality.footprint), false);
+  svg += add("angle-lines", "Transmission angle",
+             contours(transmission_circles(design_.linkage), [](double level) { return angle_text(level, 0); }),
+             "10° steps", false);
+  svg += add("error-lines", "Copy error, worst",
+             contours(copy_error_circles(design_), [](double level) { return length_text(level); }), "lines", false);
+  svg += add("tightest", "Tightest place", tightest, length_text(design_.map.clearance_min, 2), false);
   return svg;
+}
+
+/// Circles about the pole, each with its level, side by side along a line square to the way to the region.
+std::string Picture::contours(const std::vector<ContourCircle>& circles,
+                              const std::function<std::string(double)>& words) const {
+  const Point pole = design_.linkage.pole();
+  const double bearing = std::arg(as_complex(tracer_ - pole)) + 0.75 * pi;
+  std::string lines, figures;
+  for (const auto& [level, radius] : circles) {
+    lines += fmt::format("<circle class=\"contour\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", coordinate(pole.x()),
+                         coordinate(-pole.y()), coordinate(radius));
+    figures += text("small", pole + as_point(std::polar(radius, bearing)), words(level));
+  }
+  return lines + figures;
 }
 
 /// Away from the links that meet at a joint; the page's scripts put the moving letters there (stage.js,
@@ -342,6 +371,12 @@ std::string Picture::labels() const {
     for (std::size_t i = 1; i < line.size(); ++i)
       placer.avoid(pose_[line[i - 1]], pose_[line[i]], drawn_width(design_.style, u) / 2);
   }
+  constexpr std::size_t corners_looked_at = 60;
+  for (const Obstacle& obstacle : design_.obstacles) {
+    const Ring& ring = obstacle.shape.outer;
+    for (std::size_t i = 0; i < ring.size() && ring.size() <= corners_looked_at; ++i)
+      placer.avoid(ring[i], ring[(i + 1) % ring.size()], 0);
+  }
   std::string svg;
   for (const Joint joint : all_joints)
     placer.avoid({pose_[joint], Point::Constant(1.6 * drawn_pin_radius(design_.style, u))});
@@ -351,13 +386,17 @@ std::string Picture::labels() const {
     extent.add(region);
     if (extent.empty()) return;
     const Point half(0.5 * 0.55 * 13 * static_cast<double>(words.size()) * u, 8 * u);
-    svg += group(id, text(fmt::format("name {}", id), placer.place_beside(extent.box(), half), words));
+    svg += group(
+        id, text(fmt::format("name {}", id), placer.place_beside(extent.box(), half), html_escaped(words)));
   };
   beside(design_.region, "region", "region");
   beside(copy_, "copy", "copy");
-  int number = 0;
-  for (const Obstacle& obstacle : design_.obstacles)
-    beside(Region{{obstacle.shape}}, "obstacles", fmt::format("obstacle {}", ++number));
+  for (std::size_t i = 0; i < design_.obstacles.size(); ++i) {
+    const std::string words = called(design_.obstacles, i);
+    // One table of the spec may hold several rings.
+    if (i == 0 || called(design_.obstacles, i - 1) != words)
+      beside(Region{{design_.obstacles[i].shape}}, "obstacles", shortened(words));
+  }
   return fmt::format("<g class=\"words\">\n{}</g>\n", svg);
 }
 

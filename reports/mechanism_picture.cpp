@@ -75,6 +75,20 @@ double drawn_pin_radius(const LinkStyle& style, double unit) {
   return std::max(style.pin_diameter / 2, 3.2 * unit);
 }
 
+std::string called(const std::vector<Obstacle>& obstacles, std::size_t index) {
+  const std::string& given = obstacles[index].name;
+  return given.empty() ? fmt::format("obstacle {}", index + 1) : given;
+}
+
+Ring corners(const FittingSheet& sheet) {
+  const Complex turn = std::polar(1.0, sheet.turn);
+  Ring ring;
+  for (const Complex corner : {Complex{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+    ring.push_back(sheet.centre + as_point(turn * Complex(corner.real() * sheet.width / 2,
+                                                          corner.imag() * sheet.height / 2)));
+  return ring;
+}
+
 std::string mechanism_svg(const Design& design, const Pose& pose, double unit) {
   std::array<Link, 4> upward = all_links;
   std::stable_sort(upward.begin(), upward.end(),

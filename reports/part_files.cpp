@@ -28,8 +28,8 @@ std::vector<OutputFile> part_files(const Design& design, const CuttingSpec& cutt
     files.push_back({stem + ".svg", svg_text(drawing, "Link " + part.name)});
     files.push_back({stem + ".stl", stl_bytes(part_solid(part), "link " + part.name)});
   }
+  if (auto step = step_assembly(design, cutting)) files.push_back({"parts/assembly.step", std::move(*step)});
   files.push_back({"bom.csv", bom_csv(design)});
-  if (const auto step = step_assembly(design, cutting)) files.push_back({"assembly.step", *step});
   if (!cutting.sheet) return files;
   if (const auto nested = nest(parts, *cutting.sheet, cutting.gap))
     files.push_back({"nested.dxf", dxf_text(nested_drawing(parts, *nested, *cutting.sheet))});

@@ -10,8 +10,8 @@
 
 namespace kempe {
 
-/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, bom.csv, and nested.dxf if the cutting
-/// has a sheet that takes the parts.
+/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step if this build can
+/// write it (step_assembly.hpp), bom.csv, and nested.dxf if the cutting has a sheet that takes the parts.
 std::vector<OutputFile> part_files(const Design& design, const CuttingSpec& cutting);
 
 /// Why there is no nested.dxf although a sheet is given: which part does not fit. Nothing if all is well.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -34,10 +35,13 @@ double flattening_slack(const CutPart& part, double tolerance) {
   return tolerance * (perimeter(part.outline) + holes) + 1e-6 * area(part);
 }
 
+/// The contents of a file of the folder; nothing if it is not there; an error sentence if it cannot be read.
+using Contents = std::function<tl::expected<std::optional<std::string>, std::string>(const std::string& file)>;
+
 class Recheck {
  public:
-  Recheck(const fs::path& folder, const Design& design, const CuttingSpec& cutting)
-      : folder_(folder), design_(design), parts_(cut_parts(design, cutting)) {}
+  Recheck(Contents contents, const Design& design, const CuttingSpec& cutting)
+      : contents_(std::move(contents)), design_(design), parts_(cut_parts(design, cutting)) {}
 
   std::vector<std::string> run() {
     check_design();
@@ -58,11 +62,9 @@ class Recheck {
   }
 
   std::optional<std::string> contents(const std::string& file) {
-    std::error_code error;
-    if (!fs::exists(folder_ / file, error)) return std::nullopt;
-    auto text = read_text_file(folder_ / file);
+    auto text = contents_(file);
     if (text) return std::move(*text);
-    fault(file, "{}", text.error().message());
+    fault(file, "{}", text.error());
     return std::nullopt;
   }
 
@@ -171,7 +173,7 @@ class Recheck {
       fault(file, "{} mm3 instead of {}", found, wanted);
   }
 
-  const fs::path& folder_;
+  Contents contents_;
   const Design& design_;
   std::array<CutPart, 4> parts_;
   std::vector<std::string> faults_;
@@ -180,7 +182,26 @@ class Recheck {
 }  // namespace
 
 std::vector<std::string> recheck(const fs::path& folder, const Design& design, const CuttingSpec& cutting) {
-  return Recheck(folder, design, cutting).run();
+  const Contents on_disk =
+      [&](const std::string& file) -> tl::expected<std::optional<std::string>, std::string> {
+    std::error_code error;
+    if (!fs::exists(folder / file, error)) return std::nullopt;
+    auto text = read_text_file(folder / file);
+    if (!text) return tl::unexpected(text.error().message());
+    return std::optional(std::move(*text));
+  };
+  return Recheck(on_disk, design, cutting).run();
+}
+
+std::vector<std::string> recheck(const std::vector<OutputFile>& files, const Design& design,
+                                 const CuttingSpec& cutting) {
+  const Contents in_memory =
+      [&](const std::string& name) -> tl::expected<std::optional<std::string>, std::string> {
+    for (const OutputFile& file : files)
+      if (file.name == name) return std::optional(file.contents);
+    return std::nullopt;
+  };
+  return Recheck(in_memory, design, cutting).run();
 }
 
 }  // namespace kempe

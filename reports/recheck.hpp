@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/atomic_file.hpp"
 #include "synthesis/design.hpp"
 
 namespace kempe {
@@ -13,12 +14,14 @@ namespace kempe {
 /// what is wrong, a sentence each; empty if all is well.
 ///  - design.json: its lengths are the design's and close;
 ///  - drawing.dxf, nested.dxf and parts/*.dxf: each link one closed outline of its area (to 1e-9 of it),
-///  holes of their
-///    diameter, as far apart as the lengths say (to 1e-9 mm), nothing else on the link's layer;
+///    holes of their diameter, as far apart as the lengths say (to 1e-9 mm), nothing else on the link's layer;
 ///  - parts/*.svg: outline and holes of their areas, as far as flattened arcs tell;
 ///  - parts/*.stl: closed, of the part's volume.
 /// Files that are not there are passed over.
 std::vector<std::string> recheck(const std::filesystem::path& folder, const Design& design,
+                                 const CuttingSpec& cutting);
+/// The same before anything is written.
+std::vector<std::string> recheck(const std::vector<OutputFile>& files, const Design& design,
                                  const CuttingSpec& cutting);
 
 }  // namespace kempe

@@ -84,11 +84,12 @@ Json bodies(const Design& design) {
 
 Json obstacles(const Design& design, double detail) {
   Json all = Json::array();
-  int number = 0;
-  for (const Obstacle& obstacle : design.obstacles)
-    all.push_back({{"name", "obstacle " + std::to_string(++number)},
+  for (std::size_t i = 0; i < design.obstacles.size(); ++i) {
+    const Obstacle& obstacle = design.obstacles[i];
+    all.push_back({{"name", called(design.obstacles, i)},
                    {"layers", {obstacle.lowest_layer, obstacle.highest_layer}},
                    {"rings", rings(obstacle.shape, detail)}});
+  }
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/bom.hpp"
 #include "reports/html_table.hpp"
 #include "reports/html_text.hpp"
 #include "reports/picture_labels.hpp"
@@ -126,6 +127,19 @@ std::string dimensioned_links(const Design& design) {
          html + "</div>\n";
 }
 
+/// Pins, posts, spacers and washers: what bom.csv lists beside the links.
+std::string hardware(const Design& design) {
+  std::vector<std::vector<std::string>> rows;
+  for (const BomItem& item : bill_of_materials(design)) {
+    if (item.item == "link") continue;
+    rows.push_back({html_escaped(item.name), std::to_string(item.quantity), number_text(item.diameter, 3),
+                    item.length > 0 ? number_text(item.length, 3) : "–", html_escaped(item.remark)});
+  }
+  return "<h3>Pins, posts, spacers</h3>\n" +
+         html_table("hardware",
+                    {{"Item"}, {"Number", true}, {"Diameter, mm", true}, {"Grips, mm", true}, {"Use"}}, rows);
+}
+
 std::string given_pictures(const std::vector<PartPicture>& pictures) {
   std::string html;
   for (const PartPicture& part : pictures)
@@ -140,7 +154,13 @@ std::string given_pictures(const std::vector<PartPicture>& pictures) {
 }  // namespace
 
 std::string parts(const Design& design, const ReportExtras& extras) {
-  return html_section("parts", "Parts", dimensioned_links(design) + given_pictures(extras.parts));
+  // A front's folder holds no drawings.
+  const std::string files =
+      extras.pareto ? ""
+                    : "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
+                      "<code>parts/VA.dxf</code>, <code>.svg</code> and <code>.stl</code> and so on.</p>\n";
+  return html_section("parts", "Parts",
+                      dimensioned_links(design) + given_pictures(extras.parts) + files + hardware(design));
 }
 
 }  // namespace kempe::report_sections

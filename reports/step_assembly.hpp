@@ -1,5 +1,6 @@
 #pragma once
-// The assembled linkage as STEP, for CAD programs: an optional part of the build (-DKEMPE_WITH_OCCT=ON).
+// The assembled linkage as STEP, for CAD programs: an optional part of the build, there if CMake finds
+// OpenCASCADE (-DKEMPE_WITH_OCCT=OFF leaves it out).
 
 #include <string>
 #include <tl/expected.hpp>

@@ -7,7 +7,7 @@ namespace kempe {
 bool can_write_step() { return false; }
 
 tl::expected<std::string, std::string> step_assembly(const Design&, const CuttingSpec&) {
-  return tl::unexpected(std::string("this build writes no STEP: configure with -DKEMPE_WITH_OCCT=ON"));
+  return tl::unexpected(std::string("this build writes no STEP: it was configured without OpenCASCADE"));
 }
 
 }  // namespace kempe

@@ -1,4 +1,5 @@
-// STEP by OpenCASCADE.
+// STEP by OpenCASCADE. The plain STEP writer serves, its products named afterwards: the one that writes names itself
+// draws OpenCASCADE's display libraries into every start of the program.
 
 #include <unistd.h>
 
@@ -8,22 +9,33 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
-#include <STEPCAFControl_Writer.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <TCollection_HAsciiString.hxx>
-#include <TDataStd_Name.hxx>
-#include <TDocStd_Document.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
+#include <TransferBRep.hxx>
+#include <TransferBRep_ShapeMapper.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
-#include <gp_Trsf.hxx>
 
 #include "reports/design_drawing.hpp"
 #include "reports/part_drawings.hpp"
@@ -74,28 +86,41 @@ Placement in_pose(const CutPart& part, const Pose& pose) {
           turn};
 }
 
-/// A document of named shapes.
+/// OpenCASCADE tells its progress on stdout, which belongs to the program's own output.
+class Quiet {
+ public:
+  Quiet() : messenger_(Message::DefaultMessenger()), printers_(messenger_->Printers()) {
+    messenger_->ChangePrinters().Clear();
+  }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+  ~Quiet() { messenger_->ChangePrinters() = printers_; }
+
+ private:
+  Handle(Message_Messenger) messenger_;
+  Message_SequenceOfPrinters printers_;
+};
+
+/// Named solids, written as the products of one assembly.
 class Assembly {
  public:
-  Assembly()
-      : document_(new TDocStd_Document("XmlXCAF")),
-        shapes_(XCAFDoc_DocumentTool::ShapeTool(document_->Main())) {
-    top_ = shapes_->NewShape();
-    TDataStd_Name::Set(top_, "copying linkage");
-  }
+  Assembly() { builder_.MakeCompound(whole_); }
 
   void add(const std::string& name, const TopoDS_Shape& shape) {
-    const TDF_Label label = shapes_->AddShape(shape, Standard_False);
-    TDataStd_Name::Set(label, name.c_str());
-    TDataStd_Name::Set(shapes_->AddComponent(top_, label, TopLoc_Location()), name.c_str());
+    builder_.Add(whole_, shape);
+    named_.push_back({name, shape});
   }
 
   bool write(const std::filesystem::path& path) {
-    shapes_->UpdateAssemblies();
-    STEPCAFControl_Writer writer;
+    const Quiet quiet;
+    STEPControl_Writer writer;  // before the settings: its first one makes the defaults
     Interface_Static::SetCVal("write.step.unit", "MM");
-    if (!writer.Transfer(document_)) return false;
-    APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
+    Interface_Static::SetIVal("write.step.assembly", 1);
+    if (writer.Transfer(whole_, STEPControl_AsIs) != IFSelect_RetDone) return false;
+    set_name(writer, whole_, "copying linkage");
+    for (const auto& [name, shape] : named_) set_name(writer, shape, name);
+    name_uses(writer);
+    APIHeaderSection_MakeHeader header(writer.Model());
     header.SetName(new TCollection_HAsciiString("assembly.step"));
     // The same design gives the same bytes: no time of writing.
     header.SetTimeStamp(new TCollection_HAsciiString("2000-01-01T00:00:00"));
@@ -103,9 +128,38 @@ class Assembly {
   }
 
  private:
-  Handle(TDocStd_Document) document_;
-  Handle(XCAFDoc_ShapeTool) shapes_;
-  TDF_Label top_;
+  static void set_name(STEPControl_Writer& writer, const TopoDS_Shape& shape, const std::string& name) {
+    const Handle(Transfer_FinderProcess) transfer = writer.WS()->TransferWriter()->FinderProcess();
+    Handle(StepShape_ShapeDefinitionRepresentation) shown;
+    if (!transfer->FindTypedTransient(TransferBRep::ShapeMapper(transfer, shape),
+                                      STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation), shown))
+      return;
+    const Handle(StepBasic_Product) product = shown->Definition()
+                                                  .PropertyDefinition()
+                                                  ->Definition()
+                                                  .ProductDefinition()
+                                                  ->Formation()
+                                                  ->OfProduct();
+    product->SetId(new TCollection_HAsciiString(name.c_str()));
+    product->SetName(new TCollection_HAsciiString(name.c_str()));
+  }
+
+  /// OpenCASCADE numbers the uses of parts by a counter of the whole process; here they begin at 1 and bear
+  /// their parts' names.
+  static void name_uses(STEPControl_Writer& writer) {
+    const Handle(StepData_StepModel) model = writer.Model();
+    int number = 0;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+      const auto use = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(model->Value(i));
+      if (use.IsNull()) continue;
+      use->SetId(new TCollection_HAsciiString(std::to_string(++number).c_str()));
+      use->SetName(use->RelatedProductDefinition()->Formation()->OfProduct()->Name());
+    }
+  }
+
+  BRep_Builder builder_;
+  TopoDS_Compound whole_;
+  std::vector<std::pair<std::string, TopoDS_Shape>> named_;
 };
 
 void add_cylinder(Assembly& assembly, const std::string& name, const Point& at, double diameter,
@@ -124,25 +178,26 @@ void add_pins(Assembly& assembly, const Design& design, const Pose& pose) {
         lowest = std::min(lowest, design.layers[link]);
         highest = std::max(highest, design.layers[link]);
       }
-    const char* role = joint == linkage.pole_joint()     ? "pole post "
-                       : joint == linkage.tracer_joint() ? "tracer "
-                       : joint == linkage.pen_joint()    ? "pen "
-                                                         : "pin ";
-    const bool stands_on_table = role != std::string("pin ");
-    add_cylinder(assembly, role + std::string(1, letter(joint)), pose[joint], design.style.pin_diameter,
-                 stands_on_table ? 0 : (lowest - 1) * thickness, highest * thickness);
+    const std::string role = joint == linkage.pole_joint()     ? "pole post "
+                             : joint == linkage.tracer_joint() ? "tracer "
+                             : joint == linkage.pen_joint()    ? "pen "
+                                                               : "pin ";
+    const double bottom = role == "pin " ? (lowest - 1) * thickness : 0;  // posts reach down to the table
+    add_cylinder(assembly, role + letter(joint), pose[joint], design.style.pin_diameter, bottom,
+                 highest * thickness);
   }
 }
 
 tl::expected<std::string, std::string> written(Assembly& assembly) {
   // OpenCASCADE writes to files only.
-  std::string pattern = (std::filesystem::temp_directory_path() / "kempe-XXXXXX.step").string();
+  std::error_code none;
+  std::string pattern = (std::filesystem::temp_directory_path(none) / "kempe-XXXXXX.step").string();
   const int file = ::mkstemps(pattern.data(), 5);
   if (file < 0) return tl::unexpected(std::string("no temporary file for STEP"));
   ::close(file);
   const bool done = assembly.write(pattern);
   auto text = read_text_file(pattern);
-  std::filesystem::remove(pattern);
+  std::filesystem::remove(pattern, none);
   if (!done || !text) return tl::unexpected(std::string("OpenCASCADE wrote no STEP"));
   return std::move(*text);
 }

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/geojson_geometry.hpp"
+#include "reports/map_contours.hpp"
+#include "reports/mechanism_picture.hpp"
 
 namespace kempe {
 namespace {
@@ -47,25 +49,44 @@ Json circle_line(const Point& centre, double radius, double tolerance) {
   return {{"type", "LineString"}, {"coordinates", std::move(line)}};
 }
 
-/// The transmission angle depends on the opening alone, so its contours are circles about the pole.
-void add_contours(Features& features, const CopyingLinkage& linkage, double tolerance) {
-  for (int level = 10; level <= 80; level += 10) {
-    const OpeningInterval openings = linkage.openings_with_transmission(radians(level));
-    if (openings.empty()) return;
-    for (const double opening : {openings.lower, openings.upper}) {
-      const double radius = linkage.radius_at(opening);
-      Json& properties = features.add("transmission", circle_line(linkage.pole(), radius, tolerance));
-      properties["transmission_deg"] = level;
-      properties["radius_mm"] = radius;
-    }
+void add_contours(Features& features, const Design& design, double tolerance) {
+  const auto add = [&](const char* layer, const char* key, double level, double radius) {
+    Json& properties = features.add(layer, circle_line(design.linkage.pole(), radius, tolerance));
+    properties[key] = level;
+    properties["radius_mm"] = radius;
+  };
+  for (const auto& [level, radius] : transmission_circles(design.linkage))
+    add("transmission", "transmission_deg", std::round(degrees(level)), radius);
+  for (const auto& [level, radius] : copy_error_circles(design))
+    add("copy_error", "copy_error_mm", level, radius);
+}
+
+void add_sheets(Features& features, const std::vector<FittingSheet>& sheets) {
+  for (const FittingSheet& sheet : sheets) {
+    Json& properties = features.add("sheets", Region{{Polygon{corners(sheet), {}}}});
+    properties["name"] = sheet.name;
+    properties["width_mm"] = sheet.width;
+    properties["height_mm"] = sheet.height;
+    properties["turn_deg"] = degrees(sheet.turn);
   }
+}
+
+/// Where two parts come nearest while the tracer covers the region.
+void add_tightest(Features& features, const WorkspaceMap& map) {
+  if (!std::isfinite(map.clearance_min) || map.clearance_min_parts.empty()) return;
+  Json& properties =
+      features.add("tightest", {{"type", "Point"}, {"coordinates", position(map.clearance_min_at)}});
+  properties["clearance_mm"] = map.clearance_min;
+  properties["parts"] = map.clearance_min_parts;
 }
 
 void add_obstacles(Features& features, const std::vector<Obstacle>& obstacles) {
   if (obstacles.empty()) features.add("obstacles", Region{});
-  for (const Obstacle& obstacle : obstacles)
-    features.add("obstacles", Region{{obstacle.shape}})["layers"] =
-        Json::array({obstacle.lowest_layer, obstacle.highest_layer});
+  for (const Obstacle& obstacle : obstacles) {
+    Json& properties = features.add("obstacles", Region{{obstacle.shape}});
+    properties["name"] = obstacle.name;
+    properties["layers"] = Json::array({obstacle.lowest_layer, obstacle.highest_layer});
+  }
 }
 
 void add_lost(Features& features, const std::vector<LostArea>& lost) {
@@ -93,7 +114,9 @@ std::string workspace_geojson(const Design& design, double tolerance) {
   add_obstacles(features, design.obstacles);
   features.add("footprint", design.footprint);
   add_lost(features, map.lost);
-  add_contours(features, linkage, tolerance);
+  add_sheets(features, map.largest_sheets);
+  add_tightest(features, map);
+  add_contours(features, design, tolerance);
   const Json collection{{"type", "FeatureCollection"},
                         {"units", "mm"},
                         {"tolerance_mm", tolerance},

@@ -89,7 +89,7 @@
   }
 
   function gapOf(one, other, nearest, halfWidths) {
-    return { names: [one.name, other.name], gap: nearest.distance - halfWidths, from: nearest.from, to: nearest.to };
+    return { names: [one.name, other.name], things: [one, other], gap: nearest.distance - halfWidths, from: nearest.from, to: nearest.to };
   }
 
   kempe.Contacts = Contacts;

@@ -28,6 +28,7 @@
     }
     for (let i = Math.ceil(top / step); i * step <= top + height; ++i) {
       lines += `M${left},${i * step}h${width}`;
+      if (i * step < top + 7 * px || i * step > top + height - 20 * px) continue;  // it would be cut, or stand on the figures below
       nodes.push(element("text", { class: "tick start", x: left + 6 * px, y: i * step, dy: ".35em" }, figure(-i * step + 0, step)));
     }
     return [element("path", { class: "grid-line", d: lines }), ...nodes];

@@ -142,8 +142,9 @@
       this.marks.forEach((mark, i) => (mark.at = tooNear[i] || null));
       const touching = new Set(tooNear.flatMap(({ names }) => names));
       for (const { name, nodes } of this.bodies) for (const node of nodes) node.classList.toggle("touching", touching.has(name));
+      const struck = new Set(tooNear.flatMap(({ things }) => things));
       const obstacles = this.map.querySelectorAll(".m-obstacles .thing");
-      obstacles.forEach((node, i) => node.classList.toggle("touching", touching.has(`obstacle ${i + 1}`)));
+      obstacles.forEach((node, i) => node.classList.toggle("touching", struck.has(this.model.obstacles[i])));
       this.board.update();
     }
 

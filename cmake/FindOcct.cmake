@@ -1,0 +1,21 @@
+# OpenCASCADE's own CMake package asks for every toolkit's development files, the display's among them; a STEP file
+# needs these few. Defines Occt::Step.
+set(Occt_TOOLKITS TKSTEP TKSTEPBase TKSTEPAttr TKXSBase TKPrim TKTopAlgo TKBRep TKG3d TKMath
+  TKernel)
+find_path(OCCT_INCLUDE_DIR STEPControl_Writer.hxx PATH_SUFFIXES opencascade occt)
+set(occt_required OCCT_INCLUDE_DIR)
+foreach(toolkit IN LISTS Occt_TOOLKITS)
+  find_library(OCCT_${toolkit}_LIBRARY ${toolkit})
+  mark_as_advanced(OCCT_${toolkit}_LIBRARY)
+  list(APPEND occt_required OCCT_${toolkit}_LIBRARY)
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Occt REQUIRED_VARS ${occt_required})
+if(Occt_FOUND AND NOT TARGET Occt::Step)
+  add_library(Occt::Step INTERFACE IMPORTED)
+  target_include_directories(Occt::Step INTERFACE "${OCCT_INCLUDE_DIR}")
+  foreach(toolkit IN LISTS Occt_TOOLKITS)
+    target_link_libraries(Occt::Step INTERFACE "${OCCT_${toolkit}_LIBRARY}")
+  endforeach()
+endif()
+mark_as_advanced(OCCT_INCLUDE_DIR)
