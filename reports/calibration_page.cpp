@@ -23,8 +23,11 @@ std::string title(const CalibrationRecord& record) {
                        : "Calibration of a variable ratio pantograph";
 }
 
-std::string what_was_done(const CalibrationRecord& record) {
-  if (record.rounds.empty()) return "No readings yet: a plan of where to measure.";
+std::string what_was_done(const CalibrationRecord& record, bool is_simulated) {
+  if (record.rounds.empty())
+    return is_simulated    ? "What the procedure is worth, played with instruments whose errors are known."
+           : record.plan   ? "No readings yet: a plan of where to measure."
+                           : "No readings yet: --plan says where to measure, --simulate plays the procedure.";
   const std::size_t count = record.readings.size();
   const std::string how =
       record.method == CalibrationMethod::knight ? "Knight’s equations" : "least squares on its measures";
@@ -34,7 +37,7 @@ std::string what_was_done(const CalibrationRecord& record) {
       count, record.rounds.size(), how);
 }
 
-std::string header(const CalibrationRecord& record) {
+std::string header(const CalibrationRecord& record, bool is_simulated) {
   std::string badges;
   const std::string target = length_text(record.measurements.fit.target);
   if (!record.rounds.empty()) {
@@ -53,7 +56,7 @@ std::string header(const CalibrationRecord& record) {
   return fmt::format(
       "<header>\n<p class=\"brand\">Kempe · calibration</p>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<ul "
       "class=\"badges\">\n{}</ul>\n</header>\n",
-      html_escaped(title(record)), what_was_done(record), badges);
+      html_escaped(title(record)), what_was_done(record, is_simulated), badges);
 }
 
 std::string key_figures(const CalibrationRecord& record) {
@@ -137,7 +140,7 @@ std::string footer(const CalibrationPage& page) {
 std::string calibration_html(const CalibrationRecord& record,
                              const std::optional<SimulationRecord>& simulation, const CalibrationPage& page) {
   std::string body =
-      "<main>\n" + header(record) + key_figures(record) + vectors(record) + section::corrections(record);
+      "<main>\n" + header(record, simulation.has_value()) + key_figures(record) + vectors(record) + section::corrections(record);
   body += section::unidentifiable(record) + section::placement(record) + section::settings(record) +
           section::readings(record) + section::rounds(record);
   body += section::plan(record) + simulation_section(simulation) + file_section(page) + "</main>\n" +

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reports/html_text.hpp"
+#include "reports/picture_labels.hpp"
 #include "reports/svg_path.hpp"
 #include "synthesis/calibration_plan.hpp"
 
@@ -58,7 +59,7 @@ class Picture {
     std::string svg = fmt::format(
         "<svg class=\"map\" viewBox=\"{} {} {} {}\" font-size=\"{}\" role=\"img\" aria-label=\"{}\">\n",
         coordinate(lower.x()), coordinate(-lower.y() - size.y()), coordinate(size.x()),
-        coordinate(size.y() + strip()), coordinate(17 * unit_),
+        coordinate(size.y() + strip()), coordinate(19 * unit_),
         which_ == ErrorVectors::before ? "Error vectors as read" : "Error vectors that are left");
     svg += linkage() + arrows() + key(Point(lower.x() + margin_, lower.y() - 0.55 * strip())) + "</svg>\n";
     return {svg, magnification_};
@@ -127,7 +128,13 @@ class Picture {
     };
     std::string svg = bar({Joint::V, Joint::A}) + bar({Joint::V, Joint::B}) +
                       bar({Joint::C, Joint::A, Joint::X}) + bar({Joint::C, Joint::B, Joint::Y});
-    for (const Joint joint : all_joints) svg += joint_svg(joint, (*pose)[joint]);
+    LabelPlacer placer({0.5 * (box_.lower() + box_.lower() + box_.size()), 0.5 * box_.size() + Point::Constant(margin_)},
+                       unit_);
+    for (const auto& [from, to] : {std::pair{Joint::V, Joint::A}, {Joint::V, Joint::B}, {Joint::A, Joint::C},
+                                   {Joint::A, Joint::X}, {Joint::B, Joint::C}, {Joint::B, Joint::Y}})
+      placer.avoid((*pose)[from], (*pose)[to], 3.5 * unit_);
+    for (const Joint joint : all_joints) placer.avoid({(*pose)[joint], Point::Constant(5 * unit_)});
+    for (const Joint joint : all_joints) svg += joint_svg(joint, (*pose)[joint], placer);
     return svg;
   }
 
@@ -151,17 +158,16 @@ class Picture {
     return "F";
   }
 
-  std::string joint_svg(Joint joint, const Point& at) const {
+  std::string joint_svg(Joint joint, const Point& at, LabelPlacer& placer) const {
     const Mounting& mounting = record_.setups.front().mounting;
     const char* role = joint == mounting.pole     ? "mark pole"
                        : joint == mounting.input  ? "mark tracer"
                        : joint == mounting.output ? "mark pen"
                                                   : "pin";
-    const double aside = joint == Joint::A ? -1 : joint == Joint::B ? 1 : 0;
-    const Point words = at + Point(16 * unit_ * aside, 13 * unit_);
+    const Point words = placer.place_around(at, 5 * unit_, Point(6, 8) * unit_, Point(0, 1));
     return fmt::format(
         "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><g class=\"words\"><text class=\"letter\" "
-        "x=\"{}\" y=\"{}\">{}</text></g>\n",
+        "x=\"{}\" y=\"{}\" dy=\".35em\">{}</text></g>\n",
         role, coordinate(at.x()), coordinate(-at.y()), coordinate(5 * unit_), coordinate(words.x()),
         coordinate(-words.y()), letter_of(joint));
   }

@@ -30,6 +30,9 @@ std::string move_words(const Quantity& quantity, double correction) {
   const std::string& name = quantity.name;
   const bool more = correction > 0;
   if (std::abs(correction) < 5e-4) return "as drawn";
+  if (quantity.kind == Quantity::Kind::length && !name.starts_with("offset") && !name.starts_with("arm") &&
+      !name.starts_with("bearing"))
+    return more ? "make it longer" : "make it shorter";
   if (name == "AC") return more ? "B farther from A" : "B nearer to A";
   if (name == "CF") return more ? "D farther from C" : "D nearer to C";
   if (name == "BE") return more ? "B farther from E" : "B nearer to E";
@@ -40,6 +43,12 @@ std::string move_words(const Quantity& quantity, double correction) {
     return "not set by a scale: see the setting table";
   if (name.starts_with("offset")) return fmt::format("move {} across its plate", name.back());
   return more ? "make it longer" : "make it shorter";
+}
+
+/// "arm AC" for the file's key arm_AC.
+std::string spoken(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return html_escaped(key);
 }
 
 /// "CX and CY": what was held as drawn.
@@ -60,7 +69,7 @@ std::vector<std::string> correction_row(const CalibrationRecord& record, const Q
                                        : plus_minus(record.calibration.coverage_factor * one.uncertainty) +
                                              (one.determined ? "" : "\u202f*");
   const bool settable = is_scale || record.design;
-  return {html_escaped(one.name),
+  return {spoken(one.name),
           fixed_mm(one.drawn + (is_scale ? 0 : one.error)),
           signed_mm(one.error),
           interval,
@@ -79,7 +88,7 @@ std::string corrections(const CalibrationRecord& record) {
   Rows rows;
   for (const Quantity& one : record.rounds.back().quantities)
     if (one.kind != Quantity::Kind::placement) rows.push_back(correction_row(record, one));
-  std::string html = html_table("explained",
+  std::string html = html_table("corrections",
                                 {{"", false},
                                  {record.design ? "Made" : "Scale or arm", true},
                                  {"Error", true},
@@ -101,7 +110,7 @@ std::string placement(const CalibrationRecord& record) {
     const bool turn = one.name == "turn";
     const double half = record.calibration.coverage_factor * one.uncertainty;
     rows.push_back(
-        {one.name, turn ? angle_text(one.drawn + one.error, 4) : fixed_mm(one.drawn + one.error),
+        {spoken(one.name), turn ? angle_text(one.drawn + one.error, 4) : fixed_mm(one.drawn + one.error),
          one.determined ? (turn ? "±\u202f" + angle_text(half, 4) : plus_minus(half)) : "cannot be told"});
   }
   return rows.empty()
@@ -175,7 +184,7 @@ std::string rounds(const CalibrationRecord& record) {
   std::vector<HtmlColumn> columns{{"Round", false}, {"Largest departure", true}};
   for (const Quantity& one : record.rounds.front().quantities)
     if (one.kind != Quantity::Kind::placement)
-      columns.push_back({html_escaped("Correction " + one.name), true});
+      columns.push_back({"Correction " + spoken(one.name), true});
   return html_section("rounds", "Rounds", html_table("pareto", columns, rows));
 }
 
@@ -222,16 +231,20 @@ std::string plan(const CalibrationRecord& record) {
   for (const PlannedReading& one : record.plan->readings)
     rows.push_back({std::to_string(rows.size() + 1), one.arm_angle ? degrees_text(*one.arm_angle) : "–",
                     point_text(one.input), point_text(one.wanted),
-                    one.exchanged ? "stylus and pencil exchanged" : "as usual"});
+                    one.exchanged ? "exchanged" : "as usual"});
   Rows uncertainties;
   for (const Quantity& one : record.plan->quantities)
-    uncertainties.push_back({html_escaped(one.name), one.name == "turn"
+    uncertainties.push_back({spoken(one.name), one.name == "turn"
                                                          ? "±\u202f" + angle_text(one.uncertainty, 4)
                                                          : plus_minus(one.uncertainty)});
   const std::string words = fmt::format(
       "<p class=\"lead\">These places tell the measures best (D-optimal): {} times as sharply, on the "
-      "average, as as many spread evenly.</p>\n",
-      number_text(record.plan->gain, 2));
+      "average, as the same number spread evenly.{}</p>\n",
+      number_text(record.plan->gain, 2),
+      std::any_of(record.plan->readings.begin(), record.plan->readings.end(),
+                  [](const PlannedReading& one) { return one.exchanged; })
+          ? " Exchanged: stylus and pencil change places, so that errors appear enlarged."
+          : "");
   return html_section("plan", "Where to measure",
                       words + "<div class=\"columns\"><div>" +
                           html_table("pareto",

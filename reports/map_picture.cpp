@@ -81,6 +81,15 @@ std::string group(std::string_view id, const std::string& inside) {
   return inside.empty() ? std::string() : fmt::format("<g class=\"m-{}\">\n{}</g>\n", id, inside);
 }
 
+/// Inside a sheet, `inset` (mm) under the middle of its uppermost side, where its name stands.
+Point under_upper_side(const FittingSheet& sheet, double inset) {
+  const Ring ring = corners(sheet);
+  Point best = 0.5 * (ring[3] + ring[0]);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const Point middle = 0.5 * (ring[i] + ring[i + 1]); middle.y() > best.y()) best = middle;
+  return best + inset * (sheet.centre - best).normalized();
+}
+
 struct CauseWords {
   Cause cause;
   std::string_view id, label;
@@ -215,10 +224,10 @@ std::string Picture::grid() const {
     lines += svg_line({{x, lower.y()}, {x, upper.y()}});
     figures += text("tick", {x, lower.y() - 10 * u}, number_text(std::round(x / step) * step, 6));
   }
-  for (double y = std::ceil(lower.y() / step) * step; y <= upper.y(); y += step) {
+  // A line at the very top would have no room for its figure.
+  for (double y = std::ceil(lower.y() / step) * step; y <= upper.y() - 7 * u; y += step) {
     lines += svg_line({{lower.x(), y}, {upper.x(), y}});
-    if (upper.y() - y > 7 * u)
-      figures += text("tick end", {lower.x() - 6 * u, y}, number_text(std::round(y / step) * step, 6));
+    figures += text("tick end", {lower.x() - 6 * u, y}, number_text(std::round(y / step) * step, 6));
   }
   return group("grid", path_element("grid-line", lines) + figures);
 }
@@ -285,8 +294,11 @@ std::string Picture::things() {
   for (const Obstacle& obstacle : design_.obstacles)
     obstacles += path_element("thing", svg_path(obstacle.shape, detail()));
   for (const FittingSheet& sheet : design_.map.largest_sheets) {
+    const Point size(sheet.width, sheet.height);
     sheets += path_element("sheet", svg_path(Polygon{corners(sheet), {}}, 0)) +
-              text("small", sheet.centre, html_escaped(sheet.name));
+              text("small", under_upper_side(sheet, 10 * view_.unit),
+                   html_escaped(fmt::format("{}, {} × {}", sheet.name, number_text(size.maxCoeff(), 0),
+                                            number_text(size.minCoeff(), 0))));
   }
   if (std::isfinite(design_.map.clearance_min) && !design_.map.clearance_min_parts.empty()) {
     const Point at = design_.map.clearance_min_at, a(5 * view_.unit, 5 * view_.unit), b(a.x(), -a.y());
@@ -319,9 +331,14 @@ std::string Picture::contours(const std::vector<ContourCircle>& circles,
   const Point pole = design_.linkage.pole();
   const double bearing = std::arg(as_complex(tracer_ - pole)) + 0.75 * pi;
   std::string lines, figures;
+  std::vector<double> named;  // figures need room on the line
   for (const auto& [level, radius] : circles) {
     lines += fmt::format("<circle class=\"contour\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", coordinate(pole.x()),
                          coordinate(-pole.y()), coordinate(radius));
+    if (std::any_of(named.begin(), named.end(),
+                    [&](double other) { return std::abs(other - radius) < 20 * view_.unit; }))
+      continue;
+    named.push_back(radius);
     figures += text("small", pole + as_point(std::polar(radius, bearing)), words(level));
   }
   return lines + figures;

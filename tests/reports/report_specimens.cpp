@@ -114,11 +114,11 @@ ReportSpecimen plagiograph_specimen() {
   design.quality.distortion_worst = error.distortion_worst;
   design.quality.lower_bound = linkage.size() * 0.985;
   design.limits.copy_error = 1.5;
-  design.obstacles.push_back({Polygon{rectangle({20, 62}, {26, 14}), {}}, 1, 4});
+  design.obstacles.push_back({Polygon{rectangle({20, 62}, {26, 14}), {}}, 1, 4, "side clamp"});
   // As if the obstacle took a bay out of the annulus: angles 0.9 to 1.5, and an uncertain sliver beside it.
   const auto radii = linkage.radii_over(design.opening);
   const ArcPolygon bay = sector(linkage.pole(), radii.lower, radii.upper, 0.9, 1.5);
-  design.map.lost.push_back({Cause::obstacle_contact, {"link ACX", "obstacle 1"}, {bay}});
+  design.map.lost.push_back({Cause::obstacle_contact, {"link ACX", "side clamp"}, {bay}});
   design.map.uncertain = {sector(linkage.pole(), radii.lower, radii.upper, 1.5, 1.53)};
   design.map.collision_free = {sector(linkage.pole(), radii.lower, radii.upper, 1.53, 0.9 + 2 * pi)};
   design.map.largest_sheets = {{"A7", 10.5, 7.4, {67.5, 0}, 0}};

@@ -257,13 +257,13 @@ def to_piece(z, piece, within):
 
     def refined(t):
         step = 1 / 64
-        for _ in range(50):
+        for _ in range(32):
             t = min((max(0.0, t - step), t, min(1.0, t + step)), key=lambda s: abs(on_piece(piece, s) - z))
             step *= 0.6
         return abs(on_piece(piece, t) - z)
 
     places = sorted((i / 64 for i in range(65)), key=lambda s: abs(on_piece(piece, s) - z))
-    return min(map(refined, places[:4]))
+    return min(map(refined, places[:2]))
 
 
 def lines_of_copy(path, group):
@@ -309,13 +309,13 @@ class Copies(Case):
             # Both run the same way: each is followed along the other, forward only.
             i = 0
             for piece in stroke:
-                for t in (0, 0.3, 0.7, 1):
+                for t in (0.3, 0.7, 1):
                     z = on_piece(piece, t)
                     while to_segment(z, line[i], line[i + 1]) > within:
                         i += 1
                         self.assertLess(i + 1, len(line), f"stroke {number} at {z}: not in the copy")
             i = 0
-            for z in line[::31] + line[-1:]:
+            for z in line[::101] + line[-1:]:
                 while to_piece(z, stroke[i], within) > within:
                     i += 1
                     self.assertLess(i, len(stroke), f"stroke {number} at {z}: not in the original")

@@ -182,7 +182,22 @@ live("Pointing at a place says whether the tracer can go there, and why not", as
     assert.match(await said([-20, -20]), /Past the change point/);
     assert.match(await said([-86, -60]), /Out of reach/);
     const bay = await page.evaluate(() => { const { opening, ...r } = window.kempe.report.linkage; const radius = 67; return [radius * Math.cos(1.2), radius * Math.sin(1.2)]; });
-    assert.match(await said(bay), /Too close: link ACX and obstacle 1/);
+    assert.match(await said(bay), /Too close: link ACX and side clamp/);
+  });
+});
+
+test("An obstacle is called by its name, and lines, footprint and sheets wait behind their switches", async () => {
+  await on("plagiograph", {}, async (page) => {
+    assert.equal(await page.locator("#map .words .m-obstacles text").innerHTML(), "side clamp");
+    for (const layer of ["angle-lines", "error-lines", "tightest", "image"]) {
+      const group = page.locator(`#map > .m-${layer}`).first(), visibility = () => group.evaluate((node) => getComputedStyle(node).visibility);
+      assert.equal(await visibility(), "hidden", layer);
+      await page.locator(`#layer-${layer}`).check();
+      assert.equal(await visibility(), "visible", layer);
+    }
+    const levels = await page.locator("#map .m-angle-lines text").allTextContents();
+    assert.ok(levels.length >= 3 && levels.every((text) => /^[1-8]0°$/.test(text)), `${levels}`);
+    assert.ok((await page.locator("#map .m-error-lines .contour").count()) >= 2);
   });
 });
 
@@ -222,7 +237,7 @@ live("Parts that come too close light up", async () => {
       const { linkage, contacts, model } = window.kempe.report, [near, far] = linkage.radii();
       for (let i = 0; i < 720; ++i) {
         const radius = (near + far) / 2, at = [radius * Math.cos((i * Math.PI) / 360), radius * Math.sin((i * Math.PI) / 360)];
-        if (contacts.gaps(linkage.poseWithTracerAt(at).pose).some(({ gap, names }) => gap < model.clearance && names[1] === "obstacle 1")) return at;
+        if (contacts.gaps(linkage.poseWithTracerAt(at).pose).some(({ gap, names }) => gap < model.clearance && names[1] === "side clamp")) return at;
       }
       return null;
     });
