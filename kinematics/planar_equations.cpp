@@ -287,6 +287,36 @@ void PlanarEquations::bends(const Eigen::VectorXd& q, std::vector<Bend>& result)
   }
 }
 
+std::vector<PlanarEquations::Joint> PlanarEquations::joints() const {
+  std::vector<Joint> joints;
+  for (const Entry& entry : entries_) {
+    const auto* joint = std::get_if<Revolute>(&entry.constraint);
+    if (joint && joint->a.body != joint->b.body && std::max(entry.row, entry.second_row) < unknowns_)
+      joints.push_back({entry.row, entry.second_row, joint->a.body, joint->b.body});
+  }
+  return joints;
+}
+
+std::vector<std::vector<int>> PlanarEquations::columns_by_row() const {
+  std::vector<std::vector<int>> columns(static_cast<std::size_t>(rows_));
+  for (const Entry& entry : entries_) {
+    std::vector<int> bodies = bodies_of(entry.constraint);
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    const bool joint = entry.second_row >= 0;
+    for (const int body : bodies) {
+      if (!moves(body)) continue;
+      const int x = 3 * body - 3;
+      auto& first = columns[static_cast<std::size_t>(entry.row)];
+      first.insert(first.end(), {x, x + 2});
+      auto& last = joint ? columns[static_cast<std::size_t>(entry.second_row)] : first;
+      if (joint) last.push_back(x + 2);
+      last.push_back(x + 1);
+    }
+  }
+  return columns;
+}
+
 Eigen::VectorXd unknowns_of(const PlanarPosition& position) {
   Eigen::VectorXd q(3 * static_cast<Eigen::Index>(position.size()) - 3);
   for (std::size_t body = 1; body < position.size(); ++body)

@@ -69,6 +69,16 @@ class PlanarEquations {
   const std::vector<bool>& angle_bends() const { return angle_bends_; }
   const std::vector<bool>& place_bends() const { return place_bends_; }
 
+  /// A revolute joint and its rows (x, y): bodies a and b.
+  struct Joint {
+    int row, second_row, a, b;
+  };
+  /// The joints whose two rows both stand among the top square rows and that join two bodies.
+  std::vector<Joint> joints() const;
+
+  /// The columns that each row may hold.
+  std::vector<std::vector<int>> columns_by_row() const;
+
   bool has_distance_driver() const { return has_distance_driver_; }
 
  private:

@@ -22,16 +22,6 @@ double magnitude_of(const Eigen::VectorXd& q, double size) {
   return magnitude;
 }
 
-int sign_of_determinant(const Eigen::PartialPivLU<Eigen::MatrixXd>& lu) {
-  int sign = static_cast<int>(lu.permutationP().determinant());
-  for (Eigen::Index i = 0; i < lu.matrixLU().rows(); ++i) {
-    const double pivot = lu.matrixLU()(i, i);
-    if (pivot == 0 || !std::isfinite(pivot)) return 0;
-    if (pivot < 0) sign = -sign;
-  }
-  return sign;
-}
-
 /// Which rows to solve for: as many independent ones as can be, constraints before drivers, drivers all. The
 /// new place of each row, or nothing if constraints and drivers together are not regular.
 struct RowChoice {
@@ -119,9 +109,9 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
 }
 
 PlanarPath::PlanarPath(PlanarEquations equations, Eigen::VectorXd q)
-    : equations_(std::move(equations)), q_(std::move(q)) {
+    : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_) {
   linearise();
-  orientation_ = sign_of_determinant(lu_);
+  orientation_ = factors_.sign();
 }
 
 Point PlanarPath::at(const BodyPoint& point) const {
@@ -135,9 +125,9 @@ Point PlanarPath::at(const BodyPoint& point) const {
 bool PlanarPath::linearise() {
   if (!linear_) equations_.residual_and_jacobian(q_, f_, jacobian_);
   linear_ = true;
-  if (!factored_) lu_.compute(jacobian_.topRows(q_.size()));
+  if (!factored_) factors_.compute(jacobian_);
   factored_ = true;
-  return sign_of_determinant(lu_) != 0;
+  return factors_.sign() != 0;
 }
 
 /// The norm of the step control: the largest turn of a body whose angle bends something, and the largest
@@ -156,15 +146,14 @@ double PlanarPath::longest(const Eigen::VectorXd& change) const {
 /// omega at q_: the norm of J^-1 D^2F, from the rows of J^-1 and the bends.
 void PlanarPath::bound_bending() {
   const Eigen::Index square = q_.size();
-  inverse_.noalias() = lu_.inverse();
   equations_.bends(q_, bends_);
   bending_ = 0;
   const auto gain = [&](Eigen::Index unknown) {  // of one unknown, summed over all bends
+    factors_.inverse_row(unknown, inverse_row_);
     double sum = 0;
     for (const auto& bend : bends_) {
-      const double first = bend.row < square ? inverse_(unknown, bend.row) : 0;
-      const double second =
-          bend.second_row >= 0 && bend.second_row < square ? inverse_(unknown, bend.second_row) : 0;
+      const double first = bend.row < square ? inverse_row_[bend.row] : 0;
+      const double second = bend.second_row >= 0 && bend.second_row < square ? inverse_row_[bend.second_row] : 0;
       sum += bend.bound * std::sqrt(first * first + second * second);
     }
     return sum;
@@ -203,7 +192,7 @@ double PlanarPath::reach_of(int driver, double way) {
   const double growth = equations_.has_distance_driver() ? std::max(1.0, 1 + way / std::abs(value)) : 1;
   step_.setZero(q_.size());
   step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * way * growth;
-  trial_.noalias() = lu_.solve(step_);
+  factors_.solve(step_, trial_);
   return longest(trial_);
 }
 
@@ -220,7 +209,7 @@ double PlanarPath::straight_share(const std::vector<double>& target) {
       const int driver = static_cast<int>(i);
       step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
     }
-    trial_.noalias() = lu_.solve(step_);
+    factors_.solve(step_, trial_);
     reach = longest(trial_);
   }
   if (!std::isfinite(reach)) return 0;
@@ -240,7 +229,7 @@ double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
       const int driver = static_cast<int>(i);
       step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * slopes_[i];
     }
-    trial_.noalias() = lu_.solve(step_);
+    factors_.solve(step_, trial_);
     a = longest(trial_);
     for (std::size_t i = 0; i < slopes_.size(); ++i)
       if (curve.most_bent[i] > 0) b += 0.5 * reach_of(static_cast<int>(i), curve.most_bent[i]);
@@ -261,8 +250,8 @@ bool PlanarPath::correct(const std::vector<double>& values) {
   const Eigen::Index square = q_.size();
   const double exact = 4 * rounding * magnitude_of(q_, equations_.size());
   equations_.residual(q_, trial_f_);
-  trial_ = q_;
-  trial_.noalias() -= lu_.solve(trial_f_.head(square));
+  factors_.solve(trial_f_, change_);
+  trial_ = q_ - change_;
   double previous = 1e300;
   for (int i = 0; i < most_corrections; ++i) {
     equations_.residual_and_jacobian(trial_, trial_f_, trial_jacobian_);
@@ -274,8 +263,9 @@ bool PlanarPath::correct(const std::vector<double>& values) {
     }
     if (!(now < previous)) break;
     previous = now;
-    lu_.compute(trial_jacobian_.topRows(square));
-    trial_.noalias() -= lu_.solve(trial_f_.head(square));
+    factors_.compute(trial_jacobian_);
+    factors_.solve(trial_f_, change_);
+    trial_ -= change_;
   }
   factored_ = false;
   return false;
@@ -375,7 +365,8 @@ Eigen::VectorXd PlanarPath::velocity(const std::vector<double>& speeds) {
     const int driver = static_cast<int>(i);
     right[equations_.driver_row(driver)] = equations_.driver_slope(driver) * speeds[i];
   }
-  return lu_.solve(right);
+  factors_.solve(right, right);
+  return right;
 }
 
 Eigen::VectorXd PlanarPath::acceleration(const Eigen::VectorXd& rate, const std::vector<double>& speeds,
@@ -389,7 +380,8 @@ Eigen::VectorXd PlanarPath::acceleration(const Eigen::VectorXd& rate, const std:
     right[equations_.driver_row(driver)] +=
         equations_.driver_slope(driver) * accelerations[i] + equations_.driver_bend(driver, speeds[i]);
   }
-  return lu_.solve(right);
+  factors_.solve(right, right);
+  return right;
 }
 
 }  // namespace kempe

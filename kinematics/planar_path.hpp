@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "kinematics/planar_equations.hpp"
+#include "kinematics/planar_factors.hpp"
 #include "kinematics/planar_solver.hpp"
 
 namespace kempe {
@@ -96,7 +97,8 @@ class PlanarPath {
   /// Largest residual of the equations at the last good position, mm.
   double residual() const { return f_.size() == 0 ? 0 : f_.lpNorm<Eigen::Infinity>(); }
 
-  /// Sign of the Jacobian's determinant, +1 or -1: never changes along a path.
+  /// +1 or -1 with the sign of the Jacobian's determinant, up to a sign of the linkage's own: never changes along a
+  /// path.
   int orientation() const { return orientation_; }
 
   /// Certified steps taken so far.
@@ -124,16 +126,16 @@ class PlanarPath {
   PathEnd kind_of_singularity(const std::vector<double>& target) const;
 
   PlanarEquations equations_;
-  Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_;
-  Eigen::MatrixXd jacobian_, trial_jacobian_, inverse_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_, inverse_row_;
+  Eigen::MatrixXd jacobian_, trial_jacobian_;
+  PlanarFactors factors_;
   std::vector<PlanarEquations::Bend> bends_;
   std::vector<double> slopes_;
   Eigen::VectorXd anchor_;  ///< where bending_ was computed
   double bending_ = -1;     ///< omega at the anchor, 1/rad; -1: not computed
   double moved_ = 0;        ///< from the anchor, rad
   bool linear_ = false;     ///< jacobian_ belongs to q_
-  bool factored_ = false;   ///< lu_ belongs to q_
+  bool factored_ = false;   ///< factors_ belong to q_
   int orientation_ = 1;
   std::size_t steps_ = 0;
 };
