@@ -251,12 +251,14 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
   auto ranks = Ranks::join();
   if (!ranks) return fail(failed, ranks.error());
   auto journal = BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()));
-  if (!journal) return fail(cannot_write, journal.error());
+  // Either all processes go on or none: one that left alone would keep the others waiting.
+  if (ranks->anyone(!journal)) return journal ? cannot_write : fail(cannot_write, journal.error());
   BatchRun run(session, arguments, *tasks, *ranks, *journal);
   ranks->wait_for_all();  // nobody writes before everybody has read what earlier runs finished
   const auto failure = run.work();
-  ranks->wait_for_all();
+  const bool someone_failed = ranks->anyone(failure.has_value());
   if (failure) return fail(cannot_write, *failure);
+  if (someone_failed) return cannot_write;
   if (run.interrupted()) return fail(interrupted, "stopped; the same command goes on from here");
   if (ranks->rank() != 0) return done;
   journal->read_all();

@@ -23,7 +23,10 @@ class Ranks {
   long next();
 
   /// Returns once every process has come here.
-  void wait_for_all();
+  void wait_for_all() { anyone(false); }
+
+  /// True if any process says true; returns once every process has come here.
+  bool anyone(bool mine);
 
  private:
   Ranks() = default;

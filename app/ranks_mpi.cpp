@@ -57,9 +57,11 @@ long Ranks::next() {
   return taken;
 }
 
-void Ranks::wait_for_all() {
+bool Ranks::anyone(bool mine) {
   const std::lock_guard lock(state_->mutex);
-  if (state_->joined) MPI_Barrier(MPI_COMM_WORLD);
+  int any = mine ? 1 : 0;
+  if (state_->joined) MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
+  return any != 0;
 }
 
 }  // namespace kempe::app
