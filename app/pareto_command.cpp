@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -41,6 +42,9 @@ const char* unit_of(Objective objective) {
 
 double shown(Objective objective, double value) { return objective == Objective::transmission ? degrees(value) : value; }
 
+/// For the table: a millionth of a micrometre is nothing (design.json has every digit).
+double coordinate(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
+
 /// What the report's chart shows, and the table of the CSV.
 struct FrontFiles {
   std::vector<OutputFile> files;
@@ -70,7 +74,7 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
     all.chart.rows.push_back({number, shown(first, point.a), shown(second, point.b), is_middle});
     const CopyingLinkage& l = design.linkage;
     all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.a), shown(second, point.b),
-                           name(l.vertex()), l.assembly(), l.VA(), l.VB(), l.pole().x() + 0.0, l.pole().y() + 0.0);
+                           name(l.vertex()), l.assembly(), l.VA(), l.VB(), coordinate(l.pole().x()), coordinate(l.pole().y()));
     if (is_middle) middle = std::move(design);
   }
   ReportExtras extras;
