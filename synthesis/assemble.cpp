@@ -11,6 +11,14 @@
 namespace kempe {
 namespace {
 
+/// A point of a front was searched for another objective than the spec's.
+std::optional<Objective> objective_of(Goal goal) {
+  for (const Objective objective :
+       {Objective::size, Objective::transmission, Objective::copy_error, Objective::footprint})
+    if (goal_of(objective) == goal) return objective;
+  return std::nullopt;
+}
+
 /// Over the region, or where the region is not reached 0.
 double smallest_transmission(const CopyingLinkage& linkage, const Region& region) {
   const auto openings = openings_over(linkage, region);
@@ -92,7 +100,7 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
   Design design = assembled(spec, found.linkage, found.layers, options);
   if (found.layers.highest() > 2)
     design.why_not_fewer_layers = layer_choice(spec, found.linkage, found.layers.highest()).why_not_fewer;
-  design.search = SearchRecord{.objective = spec.objective.objective,
+  design.search = SearchRecord{.objective = objective_of(found.goal).value_or(spec.objective.objective),
                                .value = found.value,
                                .solvers = found.solvers,
                                .evaluations = found.evaluations,
