@@ -16,6 +16,7 @@
 #include "app/ranks.hpp"
 #include "reports/atomic_file.hpp"
 #include "specs/spec_reader.hpp"
+#include "specs/text_file.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/search.hpp"
 #include "synthesis/verification.hpp"
@@ -26,16 +27,20 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string whole_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+/// JSON on one line; bytes that are no UTF-8, as a file's name may have, become U+FFFD.
+std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// A file that cannot be read is that spec's failure, not the batch's: it becomes a text the reader refuses.
+std::string spec_text(const fs::path& path) {
+  auto text = read_text_file(path);
+  return text ? std::move(*text) : "# " + text.error().message() + "\n";
 }
 
 std::vector<BatchTask> folder_tasks(const fs::path& folder) {
   std::vector<BatchTask> tasks;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml") tasks.push_back({entry.path().filename().string(), whole_file(entry.path()), folder.string()});
+    if (entry.path().extension() == ".toml") tasks.push_back({entry.path().filename().string(), spec_text(entry.path()), folder.string()});
   std::sort(tasks.begin(), tasks.end(), [](const BatchTask& a, const BatchTask& b) { return a.name < b.name; });
   return tasks;
 }
@@ -215,7 +220,7 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
   if (!spec) {
     line["status"] = "bad input";
     line["message"] = spec.error().message();
-    return line.dump();
+    return line_of(line);
   }
   SearchOptions options;
   options.seed = seed;
@@ -227,7 +232,7 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
     line["status"] = "no design";
     line["message"] = none != nullptr ? none->sentence : "stopped";
     line["proven"] = none != nullptr && none->proven;
-    return line.dump();
+    return line_of(line);
   }
   MapOptions map;
   map.largest_sheets = false;  // not among the figures of a batch
@@ -237,12 +242,12 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
     line["status"] = "no design";
     line["proven"] = false;
     line["message"] = design.map.coverage.why_not;
-    return line.dump();
+    return line_of(line);
   }
   line["status"] = design.verification.certified ? "design" : "verification failed";
   line.update(figures(design));
   if (!design.verification.certified) line["message"] = design.verification.failure;
-  return line.dump();
+  return line_of(line);
 }
 
 int run_batch(const Session& session, const BatchArguments& arguments) {
@@ -273,7 +278,7 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
     return Json::parse(line)["status"] == "design";
   });
   const Json summary{{"specs", lines->size()}, {"designs", designs}, {"folder", arguments.folder}};
-  print(session.json ? summary.dump(1) + "\n"
+  print(session.json ? line_of(summary) + "\n"
                      : fmt::format("{} specs, {} designs: {}/results.jsonl, results.csv\n", lines->size(), designs,
                                    arguments.folder));
   return done;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "reports/design_json.hpp"
@@ -11,15 +9,17 @@
 #include "reports/part_files.hpp"
 #include "reports/recheck.hpp"
 #include "specs/spec_reader.hpp"
+#include "specs/text_file.hpp"
 #include "synthesis/verification.hpp"
 
 namespace kempe::app {
 
 tl::expected<LoadedSpec, InputError> load_spec(const std::string& file) {
-  auto spec = read_spec_file(file);
+  auto text = read_text_file(file);  // once: a pipe has nothing left for a second reading
+  if (!text) return tl::unexpected(text.error());
+  auto spec = read_spec(*text, file, std::filesystem::path(file).parent_path());
   if (!spec) return tl::unexpected(spec.error());
-  std::ifstream stream(file, std::ios::binary);
-  return LoadedSpec{file, {std::istreambuf_iterator<char>(stream), {}}, std::move(*spec)};
+  return LoadedSpec{file, std::move(*text), std::move(*spec)};
 }
 
 namespace {
@@ -143,7 +143,7 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   object["coverage"] = {{"covered", design.map.coverage.covered}, {"why_not", design.map.coverage.why_not}};
   object["folder"] = folder.string();
   object["files"] = files;
-  return object.dump(1) + "\n";
+  return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 int tell_no_design(const Session& session, const NoDesign& none) {

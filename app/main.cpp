@@ -1,13 +1,38 @@
 // kempe: the command line. Parses, runs the chosen command, chooses the exit code.
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 
 #include "app/all_commands.hpp"
 #include "app/command.hpp"
 
+namespace {
+
+/// Opens what the caller has closed of stdin, stdout and stderr, so that no file of ours gets such a number and with it
+/// what is meant for a person. Reading stays empty, and writing stays the error that a closed stream is.
+void keep_standard_streams() {
+  int file = -1;
+  do {
+    file = ::open("/dev/null", O_RDONLY);
+  } while (file >= 0 && file <= STDERR_FILENO);
+  if (file > STDERR_FILENO) ::close(file);
+}
+
+/// The exit code, unless what was printed has not arrived.
+int told(int code) {
+  using namespace kempe::app;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail(cannot_write, "stdout cannot be written");
+  return code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace kempe::app;
+  keep_standard_streams();
   CLI::App program{"Kempe designs copying linkages: pantographs, plagiographs and their kin.", "kempe"};
   program.set_version_flag("--version", KEMPE_VERSION);
   program.require_subcommand(1);
@@ -17,7 +42,7 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? done : bad_input;
+    return told(program.exit(error) == 0 ? done : bad_input);
   }
   int code = failed;
   try {
@@ -25,6 +50,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return fail(failed, std::string("internal error: ") + error.what());
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail(cannot_write, "stdout cannot be written");
-  return code;
+  return told(code);
 }

@@ -30,7 +30,7 @@ tl::expected<PlanarPosition, int> closed_position(const LoadedLinkage& loaded, s
 }
 
 int run(const Session& session, const MobilityArguments& arguments) {
-  if (arguments.linkage.empty()) {
+  if (arguments.links > 0) {
     print(number_synthesis_json(arguments.links, arguments.freedoms,
                                 number_synthesis(arguments.links, arguments.freedoms)));
     return done;

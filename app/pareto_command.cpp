@@ -114,7 +114,8 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (!files) return fail(verification_failed, files.error());
   if (const auto written = write_whole(arguments.folder, files->files); !written) return fail(cannot_write, written.error());
   nlohmann::ordered_json object{{"points", front->size()}, {"folder", arguments.folder}};
-  print(session.json ? object.dump(1) + "\n" : files->csv + fmt::format("written {}\n", arguments.folder));
+  print(session.json ? object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                     : files->csv + fmt::format("written {}\n", arguments.folder));
   return done;
 }
 

@@ -2,23 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
 #include "reports/design_json.hpp"
+#include "specs/text_file.hpp"
 #include "synthesis/verification.hpp"
 
 namespace kempe::app {
 namespace {
 
 int run(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return fail({file, 0, "", "no file that can be read", "a design.json written by kempe"});
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const auto design = read_design(text, file);
+  const auto text = read_text_file(file);
+  if (!text) return fail(text.error());
+  const auto design = read_design(*text, file);
   if (!design) return fail(design.error());
   const Verification found = verify(verification_task(*design));
   nlohmann::ordered_json object{{"file", file},
@@ -30,7 +28,7 @@ int run(const std::string& file) {
                                 {"rotation_deg", degrees(found.rotation)},
                                 {"flips", found.flips}};
   if (!found.certified) object["failure"] = found.failure;
-  print(object.dump(1) + "\n");
+  print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   return found.certified ? done : fail(verification_failed, file + ": " + found.failure);
 }
 

@@ -48,7 +48,7 @@ int tell_why(const Session& session, const Design& design, const Point& tracer) 
   if (verdict.cause) object["cause"] = std::string(name(*verdict.cause));
   object["parts"] = verdict.parts;
   object["sentence"] = verdict.sentence;
-  print(object.dump(1) + "\n");
+  print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   return done;
 }
 

@@ -1,6 +1,7 @@
 #include "reports/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -66,6 +67,25 @@ class Draft {
   fs::path draft_;
 };
 
+/// While it lives, no other run puts files into this folder: two runs into one folder leave the files of one of them.
+/// A file system without locks only loses this.
+class FolderTurn {
+ public:
+  explicit FolderTurn(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (folder_ < 0) return;
+    while (::flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  FolderTurn(const FolderTurn&) = delete;
+  FolderTurn& operator=(const FolderTurn&) = delete;
+  ~FolderTurn() {
+    if (folder_ >= 0) ::close(folder_);
+  }
+
+ private:
+  int folder_;
+};
+
 }  // namespace
 
 tl::expected<void, std::string> write_whole(const fs::path& path, std::string_view contents) {
@@ -83,6 +103,7 @@ tl::expected<void, std::string> write_whole(const fs::path& folder, const std::v
     if (error) return tl::unexpected("cannot make the folder " + target.parent_path().string() + ": " + error.message());
     if (auto filled = drafts.emplace_back(target).fill(file.contents); !filled) return filled;
   }
+  const FolderTurn turn(folder);
   for (Draft& draft : drafts)
     if (auto placed = draft.put_in_place(); !placed) return placed;
   return {};
