@@ -46,6 +46,54 @@ Polygon polygon(Choices& choices) {
   return {ring, {}};
 }
 
+PoleSpec pole_beside(Choices& choices) {
+  const double reach = choices.between(5, 60);
+  return {Region{{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}}};
+}
+
+/// A bar of any direction, somewhere about the pole.
+Obstacle obstacle(Choices& choices) {
+  const double distance = choices.between(20, 300), bearing = choices.between(-pi, pi), turn = choices.between(-pi, pi);
+  const Point centre = distance * Point(std::cos(bearing), std::sin(bearing));
+  const Point along = choices.between(1, 60) * Point(std::cos(turn), std::sin(turn));
+  const Point across = choices.between(0.5, 10) / along.norm() * Point(-along.y(), along.x());
+  const int lowest = 1 + choices.upto(2);
+  return {{{centre - along - across, centre + along - across, centre + along + across, centre - along + across}, {}},
+          lowest,
+          lowest + choices.upto(3),
+          {}};
+}
+
+Objective objective(Choices& choices) {
+  switch (choices.upto(8)) {
+    case 0:
+    case 1: return Objective::transmission;
+    case 2: return Objective::copy_error;
+    case 3: return Objective::footprint;
+    default: return Objective::size;
+  }
+}
+
+LinkSpec links(Choices& choices) {
+  LinkSpec links;
+  links.style.width = choices.between(2, 25);
+  links.style.pin_diameter = links.style.width * choices.between(0.2, 1);
+  links.style.plate = choices.upto(2) == 0 ? PlateStyle::bent : PlateStyle::triangle;
+  links.layers = 2 + choices.upto(2);
+  links.shortest = choices.between(1, 40);
+  links.longest = choices.between(200, 2000);
+  if (choices.upto(8) == 0) links.workshop.grid = choices.between(0.5, 5);
+  return links;
+}
+
+Limits limits(Choices& choices) {
+  Limits limits;
+  limits.transmission = choices.between(0, radians(50));
+  limits.clearance = choices.between(0, 3);
+  if (choices.upto(4) == 0) limits.sheets_gap = choices.between(0, 20);
+  return limits;
+}
+
 Spec spec_from(Choices& choices) {
   Spec spec;
   spec.copy.scale = std::exp(choices.between(std::log(0.1), std::log(10)));
@@ -53,47 +101,49 @@ Spec spec_from(Choices& choices) {
   spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
   if (std::abs(spec.copy.k - 1.0) < 1e-3) spec.copy.k = copy_ratio(spec.copy.scale = 2, spec.copy.rotation);
   spec.region.polygons.push_back(polygon(choices));
-  spec.links.style.width = choices.between(2, 25);
-  spec.links.style.pin_diameter = spec.links.style.width * choices.between(0.2, 1);
-  spec.links.style.plate = choices.upto(2) == 0 ? PlateStyle::bent : PlateStyle::triangle;
-  spec.links.layers = 2 + choices.upto(2);
-  spec.links.shortest = choices.between(1, 40);
-  spec.links.longest = choices.between(200, 2000);
-  spec.limits.transmission = choices.between(0, radians(50));
-  spec.limits.clearance = choices.between(0, 3);
-  if (choices.upto(3) == 0) {
-    const double reach = choices.between(5, 60);
-    spec.pole.place = Region{{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}};
-  }
-  if (choices.upto(3) == 0) spec.objective.objective = Objective::transmission;
+  spec.links = links(choices);
+  spec.limits = limits(choices);
+  if (choices.upto(3) == 0) spec.pole = pole_beside(choices);
+  spec.objective.objective = objective(choices);
+  if (spec.objective.objective == Objective::copy_error || choices.upto(4) == 0)
+    spec.tolerance = Tolerance{choices.between(0.01, 0.2), choices.between(0, 0.1)};
+  if (spec.tolerance && choices.upto(2) == 0) spec.limits.copy_error = choices.between(0.2, 3);
+  const int obstacles = choices.upto(3) == 0 ? 1 + choices.upto(3) : 0;
+  for (int i = 0; i < obstacles; ++i) spec.obstacles.push_back(obstacle(choices));
+  if (choices.upto(6) == 0) spec.objective.groundings = {all_vertices[static_cast<std::size_t>(choices.upto(3))]};
   return spec;
 }
 
-void require(bool condition, const std::string& what) {
+void require(bool condition, const std::string& name, const std::string& what) {
   if (condition) return;
-  std::fprintf(stderr, "a design that was found does not hold: %s\n", what.c_str());
+  std::fprintf(stderr, "%s: a design that was found does not hold: %s\n", name.c_str(), what.c_str());
   std::abort();
 }
 
 }  // namespace
 
-void design_from_choices(std::string_view input) {
+Spec spec_from_choices(std::string_view input) {
   Choices choices(input);
-  const Spec spec = spec_from(choices);
+  return spec_from(choices);
+}
+
+Outcome design_from_choices(std::string_view input, const std::string& name) {
+  const Spec spec = spec_from_choices(input);
   SearchOptions options;
   options.diagnose = false;
   const SearchOutcome outcome = synthesize(spec, options);
   const auto* found = std::get_if<FoundDesign>(&outcome);
-  if (found == nullptr) return;
+  if (found == nullptr) return Outcome::none;
   MapOptions map;
   map.largest_sheets = false;
   Design design = assemble_design(spec, *found, map);
-  require(design.map.coverage.covered, "coverage: " + design.map.coverage.why_not);
+  require(design.map.coverage.covered, name, "coverage: " + design.map.coverage.why_not);
   VerificationTask task = verification_task(design);
   task.shortest = spec.links.shortest;
   task.longest = spec.links.longest;
   const Verification verification = verify(task);
-  require(verification.certified, verification.failure);
+  require(verification.certified, name, verification.failure);
+  return Outcome::design;
 }
 
 }  // namespace kempe::fuzz

@@ -116,8 +116,8 @@ TEST(CopyingLinkage, VelocitiesAndAccelerationsAreTheLimitsOfDifferences) {
     const double h = 1e-4, size = size_of(mechanism);
     const Point start = mechanism.tracer_at(opening, bearing);
     const Point velocity = speed * Point(0.3, -0.2), acceleration = speed * Point(-0.1, 0.4);
-    const auto pose_at = [&](double t) {
-      return mechanism.pose_with_tracer_at(start + t * velocity + 0.5 * t * t * acceleration);
+    const auto pose_at = [&, &made = mechanism](double t) {  // clang 14 captures no structured binding
+      return made.pose_with_tracer_at(start + t * velocity + 0.5 * t * t * acceleration);
     };
     const auto before = pose_at(-h), now = pose_at(0), after = pose_at(h);
     if (!before || !after) continue;
