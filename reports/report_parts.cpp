@@ -65,7 +65,7 @@ std::string text(std::string_view css, const Point& at, const std::string& words
 std::string words(const LyingLink& part, const Design& design, const PictureBox& frame, double unit) {
   LabelPlacer placer(frame, unit);
   std::string svg;
-  const Point centre = 0.5 * (part.lower + part.upper);
+  const Point centre = 0.5 * (part.lower + part.upper), clear_of_body = Point::Constant(0.5 * design.style.width);
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     placer.avoid({part.holes[i], Point::Constant(design.style.pin_diameter / 2)});
     for (std::size_t j = i + 1; j < part.holes.size(); ++j) placer.avoid(part.holes[i], part.holes[j], unit);
@@ -79,17 +79,22 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
   for (std::size_t i = 0; i < part.holes.size(); ++i)
     for (std::size_t j = i + 1; j < part.holes.size(); ++j) {
       const double length = (part.holes[i] - part.holes[j]).norm();
-      const std::string figure = fmt::format("{:.3f}", length);
-      const Point half = Point(4.0 * static_cast<double>(figure.size()), 7) * unit;
+      std::string figure = fmt::format("{:.3f}", length);
+      double characters = static_cast<double>(figure.size());
+      if (part.holes.size() > 2) {  // between which holes does not go without saying
+        figure = fmt::format("{}–{}\u2002{}", letter(part.joints[i]), letter(part.joints[j]), figure);
+        characters += 4;
+      }
+      const Point half = Point(3.8 * characters, 7) * unit;
       svg += text("size",
-                  placer.place_beside({0.5 * (part.holes[i] + part.holes[j]), Point::Constant(unit)}, half),
+                  placer.place_beside({0.5 * (part.holes[i] + part.holes[j]), clear_of_body}, half),
                   figure);
     }
   return svg;
 }
 
 std::string picture(const LyingLink& part, const Design& design, double unit) {
-  const Point room = Point(0.5 * nominal_width, 0.5 * (part.upper.y() - part.lower.y()) / unit + 34) * unit;
+  const Point room = Point(0.5 * nominal_width, 0.5 * (part.upper.y() - part.lower.y()) / unit + 42) * unit;
   const PictureBox frame{0.5 * (part.lower + part.upper), room};
   std::string inside = fmt::format("<path class=\"body\" d=\"{}\"/>\n", svg_path(part.outline, 0));
   for (std::size_t i = 0; i < part.holes.size(); ++i) {

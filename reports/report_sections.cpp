@@ -13,8 +13,8 @@ namespace kempe::report_sections {
 namespace {
 
 std::string ratio_text(const Design& design) {
-  return design.scale >= 1 ? number_text(design.scale, 4) + " : 1"
-                           : "1 : " + number_text(1 / design.scale, 4);
+  return design.scale >= 1 ? number_text(design.scale, 4) + "\u00a0:\u00a01"
+                           : "1\u00a0:\u00a0" + number_text(1 / design.scale, 4);
 }
 
 std::string turn_text(double rotation) {

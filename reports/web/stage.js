@@ -103,9 +103,15 @@
         if (!this.pose) return [0, 0];
         const away = this.freeSide(i, neighbours), px = this.pixel();
         const half = [3 + 4 * words().length, 9];
-        const support = Math.min(half[0] / Math.max(1e-9, Math.abs(away[0])), half[1] / Math.max(1e-9, Math.abs(away[1])));
-        const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support) * px;
-        return this.kept([this.pose[i][0] + away[0] * reach, this.pose[i][1] + away[1] * reach], half);
+        const beside = ([x, y]) => {
+          const support = Math.min(half[0] / Math.max(1e-9, Math.abs(x)), half[1] / Math.max(1e-9, Math.abs(y)));
+          const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support) * px;
+          return [this.pose[i][0] + x * reach, this.pose[i][1] + y * reach];
+        };
+        // Another side, before the window's edge pushes the words over what they name.
+        const [x, y] = away, sides = [[x, y], [-y, x], [y, -x], [-x, -y]].map(beside);
+        const inside = sides.find((at) => this.kept(at, half).every((value, axis) => value === at[axis]));
+        return this.kept(inside || sides[0], half);
       };
       const css = `live-label ${role}`;
       return this.board.create("text", [() => place()[0], () => place()[1], words], {

@@ -218,6 +218,30 @@ live("A switched-off layer is hidden and still answers", async () => {
   });
 });
 
+live("A triangular plate is a plate and no frame", async () => {
+  await on("hostile", {}, async (page) => {
+    const faces = page.locator(".live-link.filled.face");
+    assert.equal(await faces.count(), 2);
+    const seen = await faces.evaluateAll((nodes) => nodes.map((node) => [getComputedStyle(node).fill, Number(getComputedStyle(node).fillOpacity)]));
+    for (const [fill, opacity] of seen) assert.ok(fill !== "none" && opacity > 0.5, `${fill} ${opacity}`);
+  });
+});
+
+live("Joints' letters stay in the picture", async () => {
+  for (const name of specimens)
+    await on(name, {}, async (page) => {
+      for (const share of [0, 0.3, 0.6, 0.9]) {
+        await page.evaluate((part) => { const { report } = window.kempe; for (let i = 0; i < 600 * part; ++i) report.follow(1 / 60); }, share);
+        const [board, ...labels] = await page.evaluate(() => {
+          const box = (node) => { const { left, right, top, bottom } = node.getBoundingClientRect(); return { left, right, top, bottom, text: node.textContent }; };
+          return [document.getElementById("live-board"), ...document.querySelectorAll(".live-label")].map(box);
+        });
+        for (const { left, right, top, bottom, text } of labels)
+          assert.ok(left >= board.left - 4 && right <= board.right + 4 && top >= board.top - 6 && bottom <= board.bottom + 6, `${name}: ${text} leaves the picture`);
+      }
+    });
+});
+
 live("The keyboard alone moves the tracer", async () => {
   await on("plagiograph", {}, async (page) => {
     await page.locator("#live-board").focus();

@@ -1,4 +1,4 @@
-// The pictures of docs/reading-the-report.md. Not a test.
+// The pictures of README.md and docs/reading-the-report.md. Not a test.
 // usage: node screenshots.mjs FOLDER OUT, where FOLDER/EXAMPLE/report.html is the report of specs/examples/EXAMPLE.toml
 import path from "node:path";
 
@@ -23,13 +23,13 @@ const figure = async (page, margin = 0) => {
 };
 
 await picture("matlab-circle", "report", { viewport: { width: 1180, height: 1240 } }, (page) => tour(page, 0.9));
-await picture("sixty", "report-contact", { viewport: { width: 1180, height: 1240 } }, async (page) => {
+await picture("sixty", "report-contact", { viewport: { width: 1180, height: 1400 } }, async (page) => {
   const place = await page.evaluate(() => {
     const { linkage, contacts, model, moveTo } = window.kempe.report, [near, far] = linkage.radii();
     for (let i = 1; i < 400; ++i) {
       const radius = near + ((far - near) * i) / 400, at = [model.pole[0] + radius, model.pole[1] + 20];
       const found = linkage.poseWithTracerAt(at);
-      if (!found.why && contacts.gaps(found.pose).some(({ gap }) => gap < -2)) return at;
+      if (!found.why && linkage.transmissionAt(found.opening) > model.transmission && contacts.gaps(found.pose).some(({ gap }) => gap < -2)) return at;
     }
     return model.tracer;
   });
@@ -46,5 +46,15 @@ await picture("nameplate", "report-phone", { viewport: { width: 390, height: 118
 await picture("plagiograph", "report-parts", { viewport: { width: 1180, height: 2600 } }, async (page) => {
   const [lengths, parts] = [await page.locator("#lengths").boundingBox(), await page.locator("#parts").boundingBox()];
   return { x: lengths.x - 24, y: lengths.y + 20, width: lengths.width + 48, height: parts.y + parts.height - lengths.y };
+});
+await picture("clamped-plate", "report-obstacles", { viewport: { width: 1180, height: 1400 } }, async (page) => {
+  for (const layer of ["sheets", "footprint"]) await page.locator(`#layer-${layer}`).check();
+  const at = await screenOf(page, [-150, 600]);
+  await page.mouse.move(at.x, at.y);
+  return figure(page, 8);
+});
+await picture("nameplate", "nameplate", { viewport: { width: 1180, height: 1240 } }, async (page) => {
+  await tour(page, 0.9);
+  return page.locator("#board").boundingBox();
 });
 await browser.close();
