@@ -1,14 +1,13 @@
 // How long the map takes: by number of obstacles, beside a plain grid of samples of equal accuracy, and its
 // parts.
 //
-// The mechanism is the plagiograph report's with 6 mm links in two layers; obstacles are stars of 20 corners
-// strewn over the pen's reach, smaller the more there are, so that something stays free.
+// What is mapped stands in map_task.hpp.
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <random>
 
+#include "map_task.hpp"
 #include "workspace/angle_grid.hpp"
 #include "workspace/clearance.hpp"
 #include "workspace/contact_scene.hpp"
@@ -19,44 +18,7 @@
 namespace kempe {
 namespace {
 
-class Dice {
- public:
-  double between(double lower, double upper) {
-    return lower + (upper - lower) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-
- private:
-  std::mt19937_64 engine_{5};
-};
-
-Polygon star(Dice& dice, const Point& centre, double size, int corners) {
-  Polygon polygon;
-  for (int i = 0; i < corners; ++i)
-    polygon.outer.push_back(centre + as_point(std::polar(size * dice.between(0.6, 1), 2 * pi * i / corners)));
-  return polygon;
-}
-
-Polygon disc(const Point& centre, double radius, int corners) {
-  Polygon polygon;
-  for (int i = 0; i < corners; ++i)
-    polygon.outer.push_back(centre + as_point(std::polar(radius, 2 * pi * i / corners)));
-  return polygon;
-}
-
-MapTask report_task() {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
-  return {linkage, {6, 3, 4, PlateStyle::bent}, {}, 0.5, radians(20), {}, {}, {}};
-}
-
-MapTask task_with(int obstacles) {
-  MapTask task = report_task();
-  Dice dice;
-  for (int i = 0; i < obstacles; ++i) {
-    const Point centre = as_point(std::polar(dice.between(96, 125), dice.between(-pi, pi)));
-    task.obstacles.push_back({star(dice, centre, 14 / std::sqrt(obstacles + 4.0), 20), 1, 2, {}});
-  }
-  return task;
-}
+using namespace bench;
 
 constexpr MapOptions no_sheets{.largest_sheets = false};
 

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """The synthesis problem written a second time, plainly, for SciPy's differential evolution.
 
-Shares no code and no formula with Kempe: the linkage is built point by point, limits are looked at on a sample of
-tracer positions over the region, contact by distances between sampled parts. Used to compare objective and CPU time.
+Shares no code with Kempe: the linkage is built point by point. What the whole region asks of the linkage is exact: its
+nearest and farthest point from the pole give the openings that are used, and at their ends the transmission is least.
+Contact within the linkage depends on the opening alone and is looked at for a row of openings, ends included.
+Obstacles are left out. Used to compare objective and CPU time.
 
 usage: differential_evolution.py SPEC.toml [--seeds N] [--iterations N]
 Prints one JSON object: the best objective found, CPU seconds, evaluations.
@@ -23,23 +25,46 @@ LINKS = ["VA", "VB", "ACX", "BCY"]
 JOINTS = {"VA": "VA", "VB": "VB", "ACX": "ACX", "BCY": "BCY"}
 
 
-def ring_points(region, spacing=60):
-    """Boundary points of the region, corners included."""
-    if "rectangle_mm" in region:
-        (x, y), (w, h) = region["rectangle_mm"]["at"], region["rectangle_mm"]["size"]
-        rings = [[(x, y), (x + w, y), (x + w, y + h), (x, y + h)]]
-    elif "circle_mm" in region:
-        (x, y), r = region["circle_mm"]["centre"], region["circle_mm"]["radius"]
-        rings = [[(x + r * math.cos(t), y + r * math.sin(t)) for t in np.linspace(0, 2 * math.pi, 180, endpoint=False)]]
-    else:
-        rings = region["polygon_mm"]
-        rings = [rings] if isinstance(rings[0][0], (int, float)) else rings
-    points = []
-    for ring in rings:
-        z = [complex(*p) for p in ring]
-        for a, b in zip(z, z[1:] + z[:1]):
-            points += [a + (b - a) * t for t in np.linspace(0, 1, max(2, spacing // len(ring)), endpoint=False)]
-    return np.array(points), [[complex(*p) for p in ring] for ring in rings]
+OPENINGS = 33
+
+
+class Region:
+    """Polygons or a disc: distances from a point, and from its own copy."""
+
+    def __init__(self, region):
+        self.disc, self.rings = None, []
+        if "circle_mm" in region:
+            self.disc = (complex(*region["circle_mm"]["centre"]), region["circle_mm"]["radius"])
+            return
+        if "rectangle_mm" in region:
+            (x, y), (w, h) = region["rectangle_mm"]["at"], region["rectangle_mm"]["size"]
+            rings = [[(x, y), (x + w, y), (x + w, y + h), (x, y + h)]]
+        else:
+            rings = region["polygon_mm"]
+            rings = [rings] if isinstance(rings[0][0], (int, float)) else rings
+        self.rings = [[complex(*p) for p in ring] for ring in rings]
+        self.a = np.array([p for ring in self.rings for p in ring])
+        self.b = np.array([p for ring in self.rings for p in ring[1:] + ring[:1]])
+
+    def holds(self, z):
+        return abs(z - self.disc[0]) <= self.disc[1] if self.disc else inside(self.rings, z)
+
+    def reach(self, z):
+        """Nearest and farthest distance of the region from a point outside it."""
+        if self.disc:
+            away = abs(z - self.disc[0])
+            return away - self.disc[1], away + self.disc[1]
+        return point_segment(z, self.a, self.b).min(), np.abs(self.a - z).max()
+
+    def gap_to_copy(self, pole, k):
+        """Distance between region and copy; 0 where they overlap."""
+        if self.disc:
+            centre = pole + k * (self.disc[0] - pole)
+            return max(0, abs(centre - self.disc[0]) - self.disc[1] * (1 + abs(k)))
+        a, b = pole + k * (self.a - pole), pole + k * (self.b - pole)
+        if self.holds(a[0]) or inside([list(a)], self.a[0]):
+            return 0
+        return segment_segment(self.a[:, None], self.b[:, None], a[None, :], b[None, :]).min()
 
 
 def inside(rings, z):
@@ -78,13 +103,14 @@ class Problem:
         self.k = cmath.rect(copy.get("scale", 1), math.radians(copy.get("rotation_deg", 0)))
         if abs(self.k.imag) < 1e-12 * abs(self.k):
             self.k = complex(self.k.real, 0)
-        self.points, self.rings = ring_points(spec["region"])
+        self.region = Region(spec["region"])
         links, limits = spec.get("links", {}), spec.get("limits", {})
         self.width, self.pin = links.get("width_mm", 12), links.get("pin_diameter_mm", 6)
         self.plate, self.layers = links.get("plate", "bent"), links.get("layers", 2)
         self.shortest, self.longest = links.get("shortest_mm", 15), links.get("longest_mm", 400)
         self.clearance = limits.get("clearance_mm", 0.5)
         self.transmission = math.radians(limits.get("transmission_deg", 30))
+        self.sheets_gap = limits.get("sheets_gap_mm")
         pole = spec.get("pole", {"at_mm": [0, 0]})
         self.pole_at = complex(*pole["at_mm"]) if "at_mm" in pole else None
         if self.pole_at is None:
@@ -119,14 +145,18 @@ class Problem:
         broken = sum(max(0, self.shortest - l) + max(0, l - self.longest) for l in lengths)
         if self.pole_at is None and not inside(self.pole_rings, pole):
             broken += 1
-        if inside(self.rings, pole):
+        if self.region.holds(pole):
             return 1e6
-        w = (self.points - pole) * {"pole": 1, "tracer": -1, "pen": -k}[vertex]
+        if self.sheets_gap is not None:
+            broken += max(0, self.sheets_gap - self.region.gap_to_copy(pole, k))
+        reach = np.array(self.region.reach(pole)) * {"pole": 1, "tracer": 1, "pen": abs(k)}[vertex]
         a, b = VA, VB / abs(s)
-        cosine = (a * a + b * b - np.abs(w) ** 2) / (2 * a * b)
-        outside = np.maximum(np.abs(cosine) - 1, 0)
+        ends = (a * a + b * b - reach ** 2) / (2 * a * b)  # cosine of the angle V A X
+        outside = np.maximum(np.abs(ends) - 1, 0)
         if outside.max() > 0:
             return 1e5 * (1 + outside.max())
+        cosine = np.cos(np.linspace(*np.arccos(ends), OPENINGS))
+        w = np.sqrt(np.maximum(0, a * a + b * b - 2 * a * b * cosine)) + 0j  # the chain, laid along the x axis
         # Angle at A of the triangle V A X, then A, and everything else by vectors.
         at_V = np.arccos(np.clip((a * a + np.abs(w) ** 2 - b * b) / (2 * a * np.abs(w)), -1, 1))
         p = VA * np.exp(1j * (np.angle(w) + elbow * at_V))
@@ -136,7 +166,7 @@ class Problem:
         sine = (np.conj(p) * q).imag / (VA * VB)
         if np.any(np.sign(sine) != side):
             return 1e4 * (1 + np.mean(np.sign(sine) != side))
-        serial = np.abs(np.sin(np.arccos(np.clip(cosine, -1, 1))))
+        serial = np.sqrt(1 - cosine ** 2)
         mu = np.arcsin(np.minimum(1, np.minimum(np.abs(sine), serial))).min()
         if not self.maximize:
             broken += 100 * max(0, self.transmission - mu)
@@ -162,7 +192,6 @@ class Problem:
                 for a, b in self.segments(one, s):
                     for c, d in self.segments(other, s):
                         broken += max(0, need - segment_segment(z[a], z[b], z[c], z[d]).min())
-        pole = {"pole": "V", "tracer": "X", "pen": "X"}[vertex]
         at = {"V": ("VA", "VB"), "A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY"), "X": ("ACX",), "Y": ("BCY",)}
         posts = {"V", "X", "Y"}
         occupied = {}
