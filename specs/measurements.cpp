@@ -127,7 +127,7 @@ void read_readings(const toml::table& file, Measurements& measurements, Complain
   if (!list)
     return complaints.add(line_of(*node), "reading", describe(*node),
                           "tables [[reading]], with two brackets");
-  constexpr std::size_t most = 2000;
+  constexpr std::size_t most = 100'000;
   if (list->size() > most)
     return complaints.add(line_of(*node), "reading", fmt::format("{} readings", list->size()),
                           fmt::format("at most {}", most));

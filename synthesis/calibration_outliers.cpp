@@ -17,10 +17,8 @@ namespace {
 class Deletion {
  public:
   Deletion(const WeightedTask& weighted, const FitOutcome& fit, bool noise_is_known)
-      : residuals_(fit.residuals), square_sum_(fit.square_sum), noise_is_known_(noise_is_known) {
-    hat_ = fit.slopes.cols() > 0
-               ? Eigen::MatrixXd(fit.slopes * inverse_normal(fit.slopes) * fit.slopes.transpose())
-               : Eigen::MatrixXd::Zero(weighted.rows(), weighted.rows());
+      : slopes_(fit.slopes), residuals_(fit.residuals), square_sum_(fit.square_sum), noise_is_known_(noise_is_known) {
+    if (fit.slopes.cols() > 0) spread_ = fit.slopes * inverse_normal(fit.slopes);
     freedom_ = static_cast<int>(weighted.rows() - fit.slopes.cols());
     // Rounding, as a weighted residual: readings without noise have no outliers.
     const double rounding = 1e-11 / weighted.units[index_of(Measure::turn)];
@@ -40,7 +38,7 @@ class Deletion {
       rows.push_back(static_cast<Eigen::Index>(2 * i + 1));
     }
     const int count = static_cast<int>(rows.size()), freedom = freedom_ - count;
-    const Eigen::MatrixXd own = Eigen::MatrixXd::Identity(count, count) - hat_(rows, rows);
+    const Eigen::MatrixXd own = Eigen::MatrixXd::Identity(count, count) - hat(rows);
     const Eigen::LDLT<Eigen::MatrixXd> solver(own);
     constexpr double decides_alone = 1e-6;
     if (!(solver.vectorD().minCoeff() > decides_alone)) return {};
@@ -52,14 +50,21 @@ class Deletion {
 
   double leverage(std::size_t reading) const {
     const auto row = static_cast<Eigen::Index>(2 * reading);
-    return 0.5 * (hat_(row, row) + hat_(row + 1, row + 1));
+    return 0.5 * hat({row, row + 1}).trace();
   }
 
  private:
   static Verdict judged(double ratio, int pairs, int freedom) {
     return {ratio, fisher_upper_probability(ratio, pairs, freedom)};
   }
-  Eigen::MatrixXd hat_;
+  /// Rows and columns of the hat matrix; all of it would grow with the square of the readings.
+  Eigen::MatrixXd hat(const std::vector<Eigen::Index>& rows) const {
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    if (slopes_.cols() == 0) return Eigen::MatrixXd::Zero(count, count);
+    return spread_(rows, Eigen::all) * slopes_(rows, Eigen::all).transpose();
+  }
+  const Eigen::MatrixXd& slopes_;
+  Eigen::MatrixXd spread_;  ///< hat matrix = spread_ slopes_^T
   Eigen::VectorXd residuals_;
   double square_sum_, floor_ = 1;
   bool noise_is_known_;
