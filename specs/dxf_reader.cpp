@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <mutex>
 #include <sstream>
 
 #include "specs/drawing_cover.hpp"
@@ -208,12 +210,36 @@ std::optional<InputError> group_fault(std::string_view text, const std::string& 
                any ? "the rest of the DXF: the file is cut short" : "a DXF drawing");
 }
 
+/// dxflib reads numbers with the global locale, which a host program may have set to decimal commas: for the time of a reading
+/// it is the classic one. Readings take turns.
+class ClassicLocale {
+ public:
+  ClassicLocale() : turn_(mutex()), before_(std::locale()), changes_(before_ != std::locale::classic()) {
+    if (changes_) std::locale::global(std::locale::classic());
+  }
+  ~ClassicLocale() {
+    if (changes_) std::locale::global(before_);
+  }
+  ClassicLocale(const ClassicLocale&) = delete;
+  ClassicLocale& operator=(const ClassicLocale&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex only;
+    return only;
+  }
+  std::lock_guard<std::mutex> turn_;
+  std::locale before_;
+  bool changes_;
+};
+
 }  // namespace
 
 tl::expected<DxfDrawing, InputError> read_dxf(std::string_view text, const std::string& file_name) {
   if (auto fault = group_fault(text, file_name)) return tl::unexpected(std::move(*fault));
   std::istringstream stream{std::string(text)};
   Collector collector;
+  const ClassicLocale classic;
   DL_Dxf dxf;
   if (!dxf.in(stream, &collector))
     return tl::unexpected(InputError{file_name, 0, "", "text that is no DXF", "a DXF drawing"});
