@@ -14,6 +14,12 @@
 
 namespace kempe::app {
 
+std::string shown_name(const std::string& file) {
+  using Json = nlohmann::json;
+  const Json name(std::filesystem::path(file).filename().string());
+  return Json::parse(name.dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
 tl::expected<LoadedSpec, InputError> load_spec(const std::string& file) {
   auto text = read_text_file(file);  // once: a pipe has nothing left for a second reading
   if (!text) return tl::unexpected(text.error());
@@ -172,7 +178,7 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
     return fail(verification_failed, "the design failed its verification, nothing is written: " + design.verification.failure);
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
-  extras.spec_name = std::filesystem::path(spec.file).filename().string();
+  extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
   const CuttingSpec& cutting = spec.spec.cutting;
   const auto package = design_package(design, cutting, extras);

@@ -19,6 +19,9 @@ struct LoadedSpec {
 };
 tl::expected<LoadedSpec, InputError> load_spec(const std::string& file);
 
+/// The file's name as a report may show it: bytes that are no UTF-8 become U+FFFD.
+std::string shown_name(const std::string& file);
+
 /// Verifies the design, writes its folder and prints the summary. Returns the exit code: `verification_failed` (and
 /// nothing written), `cannot_write`, or done.
 int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,

@@ -79,7 +79,7 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
   }
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
-  extras.spec_name = std::filesystem::path(loaded.file).filename().string();
+  extras.spec_name = shown_name(loaded.file);
   extras.spec_text = loaded.text;
   extras.pareto = all.chart;
   all.files.push_back({"report.html", html_report(*middle, extras)});
