@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 
 #include "kinematics/point.hpp"
@@ -118,8 +119,9 @@ std::string residual_text(double mm) {
   if (std::abs(mm) >= 1e-3) return length_text(mm);
   const std::string text = fmt::format("{:.1e}", mm);  // rounds before the exponent is chosen
   const std::size_t e = text.find('e');
-  return fmt::format("{}·10{}{}mm", number_text(std::stod(text.substr(0, e)), 1),
-                     superscript(std::stoi(text.substr(e + 1))), no_break_space);
+  double mantissa = 0;  // not by stod: it obeys the locale's decimal comma
+  std::from_chars(text.data(), text.data() + e, mantissa);
+  return fmt::format("{}·10{}{}mm", number_text(mantissa, 1), superscript(std::stoi(text.substr(e + 1))), no_break_space);
 }
 
 std::string count_text(unsigned long long count) {
