@@ -38,18 +38,21 @@ double value_of(const Spec& spec, const FoundDesign& design, Objective objective
   return design.attained.of(goal_of(objective));
 }
 
+/// Differences of this share of a figure are rounding: no user pays for them with the other figure.
+constexpr double same = 1e-7;
+
 bool is_no_worse(Objective objective, double one, double other) {
-  return is_maximized(objective) ? one >= other : one <= other;
+  return is_maximized(objective) ? one >= other * (1 - same) : one <= other * (1 + same);
 }
 
-/// Without those that another beats in both, in the order of `a`.
+/// Without those that another beats in one and equals in the other, in the order of `a`.
 std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective a, Objective b) {
   std::vector<ParetoPoint> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     bool beaten = false;
     for (std::size_t j = 0; j < points.size() && !beaten; ++j) {
       const bool as_good = is_no_worse(a, points[j].a, points[i].a) && is_no_worse(b, points[j].b, points[i].b);
-      const bool equal = points[j].a == points[i].a && points[j].b == points[i].b;
+      const bool equal = is_no_worse(a, points[i].a, points[j].a) && is_no_worse(b, points[i].b, points[j].b);
       beaten = j != i && as_good && (!equal || j < i);
     }
     if (!beaten) kept.push_back(points[i]);
