@@ -1,0 +1,95 @@
+#pragma once
+// A law: a claim that RapidCheck tries on random cases and shrinks to a small counterexample where it fails.
+//
+// The seed is fixed, so that every run tries the same cases; KEMPE_LAW_SEED sets another. KEMPE_SAMPLES, a share of 1,
+// lets slow builds (sanitisers) try fewer; ordinary builds try all.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <rapidcheck.h>
+#include <sstream>
+
+#include "kinematics/copying_linkage.hpp"
+#include "workspace/parts.hpp"
+
+namespace kempe::laws {
+
+inline double setting(const char* name, double otherwise) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? otherwise : std::strtod(value, nullptr);
+}
+
+enum class Shrink { yes, no };  ///< no: where a case takes seconds, and a smaller one would take minutes to find
+
+/// Tries the claim, a function of nothing that draws its case with `*generator`, on so many cases.
+template <class Claim>
+void law(int cases, Claim claim, Shrink shrink = Shrink::yes) {
+  rc::detail::TestParams params;
+  params.seed = static_cast<std::uint64_t>(setting("KEMPE_LAW_SEED", 8));
+  params.maxSuccess = std::max(1, static_cast<int>(std::lround(cases * setting("KEMPE_SAMPLES", 1))));
+  params.maxDiscardRatio = 50;
+  params.disableShrinking = shrink == Shrink::no;
+  const auto result = rc::detail::checkTestable(claim, rc::detail::TestMetadata{}, params);
+  if (result.template is<rc::detail::SuccessResult>()) return;
+  std::ostringstream message;
+  rc::detail::printResultMessage(result, message);
+  FAIL() << message.str();
+}
+
+/// A number of [lower, upper], all equally likely (RapidCheck's own ranges begin small); shrinks towards lower.
+inline rc::Gen<double> between(double lower, double upper) {
+  constexpr int steps = 1 << 24;
+  return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, steps + 1)),
+                      [=](int step) { return lower + (upper - lower) * step / steps; });
+}
+
+/// A whole number of [lower, upper), all equally likely.
+inline rc::Gen<int> whole(int lower, int upper) {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange(lower, upper));
+}
+
+inline rc::Gen<double> logarithmic(double lower, double upper) {
+  return rc::gen::map(between(std::log(lower), std::log(upper)), [](double x) { return std::exp(x); });
+}
+
+/// Any angle; every other time one of the special ones.
+inline rc::Gen<double> angle() {
+  return rc::gen::oneOf(between(-pi, pi), rc::gen::element(0.0, pi / 2, pi, -pi / 2, pi / 4, -pi / 3));
+}
+
+inline rc::Gen<Point> point(double reach) {
+  return rc::gen::apply([](double x, double y) { return Point(x, y); }, between(-reach, reach), between(-reach, reach));
+}
+
+inline rc::Gen<PlateStyle> plate_style() { return rc::gen::element(PlateStyle::bent, PlateStyle::triangle); }
+
+/// Any copying linkage: ratio 1:20 to 20:1 (or 1:`steep` to `steep`:1), any rotation, grounding and assembly, bars up to
+/// `uneven` to 1.
+inline CopyingLinkage draw_linkage(double uneven = 200, double steep = 20) {
+  const Complex k = copy_ratio(*logarithmic(1 / steep, steep), *angle());
+  RC_PRE(std::abs(k - 1.0) > 1e-3);
+  const Vertex vertex = *rc::gen::elementOf(std::vector<Vertex>(all_vertices.begin(), all_vertices.end()));
+  const auto count = static_cast<int>(assemblies(shape_of(k, vertex)).size());
+  const double VA = *logarithmic(20, 400), VB = VA * *logarithmic(1 / uneven, uneven);
+  const auto made = CopyingLinkage::make(k, vertex, VA, VB, *whole(0, count), *point(300));
+  RC_ASSERT(made.has_value());
+  return *made;
+}
+
+/// An opening inside the assembly, away from its ends by a share of its width.
+inline double draw_opening(const CopyingLinkage& linkage, double margin = 0.02) {
+  const OpeningInterval d = linkage.assembly_interval();
+  return d.lower + d.width() * *between(margin, 1 - margin);
+}
+
+inline LinkStyle draw_style() {
+  const double width = *between(2, 20);
+  return {width, width * *between(0.2, 1), 4, *plate_style()};
+}
+
+inline LayerAssignment draw_layers() { return *rc::gen::elementOf(layer_assignments(*whole(2, 5))); }
+
+}  // namespace kempe::laws
