@@ -33,7 +33,8 @@ tl::expected<FunctionTask, InputError> task_of(const FunctionSpec& spec, const s
   } else {
     const auto compiled = compile_expression(spec.expression);
     if (!compiled)
-      return tl::unexpected(InputError{file, 0, "function.expression", compiled.error(), "an expression of x such as log10(x)"});
+      return tl::unexpected(InputError{file, 0, "function.expression", compiled.error(),
+                                       "an expression of x such as log10(x)"});
     task.wanted = *compiled;
   }
   task.x_lower = spec.x_lower;
@@ -54,20 +55,35 @@ nlohmann::ordered_json json_of(const FunctionTask& task, const FunctionDesign& d
   const FourBar& bar = design.linkage;
   nlohmann::ordered_json object{
       {"method", std::string(name(task.method))},
-      {"lengths_mm", {{"ground", bar.ground}, {"input", bar.input}, {"coupler", bar.coupler}, {"output", bar.output}}},
+      {"lengths_mm",
+       {{"ground", bar.ground}, {"input", bar.input}, {"coupler", bar.coupler}, {"output", bar.output}}},
       {"branch", bar.branch == FourBarBranch::first ? 1 : 2},
       {"motion", std::string(name(design.motion))},
       {"input", {{"start_deg", degrees(design.input_start)}, {"range_deg", degrees(task.input_range)}}},
-      {"output", {{"start_deg", degrees(design.output_start)}, {"range_deg", degrees(task.output_range)},
-                  {"y_at_start", design.y_lower}, {"y_at_end", design.y_upper}}},
+      {"output",
+       {{"start_deg", degrees(design.output_start)},
+        {"range_deg", degrees(task.output_range)},
+        {"y_at_start", design.y_lower},
+        {"y_at_end", design.y_upper}}},
       {"precision_points", design.precision_points},
       {"structural_error_max_deg", degrees(design.error_largest)},
       {"structural_error_rms_deg", degrees(design.error_rms)},
       {"transmission_min_deg", degrees(design.transmission_min)},
-      {"rejected", {{"branch", design.rejected_branch}, {"order", design.rejected_order}, {"other", design.rejected_other}}}};
+      {"rejected",
+       {{"branch", design.rejected_branch},
+        {"order", design.rejected_order},
+        {"other", design.rejected_other}}}};
+  if (design.optimum)
+    object["minimax"] = {{"equal_ripples", design.optimum->ripples},
+                         {"unknowns", design.optimum->unknowns},
+                         {"limits_at_work", design.optimum->limits},
+                         {"local_minimum_proven", design.optimum->proven}};
   for (const StructuralErrorSample& at : design.curve)
-    object["structural_error"].push_back({{"x", at.x}, {"y", at.y_wanted}, {"y_generated", at.y_generated},
-                                          {"input_deg", degrees(at.input_angle)}, {"output_deg", degrees(at.output_angle)},
+    object["structural_error"].push_back({{"x", at.x},
+                                          {"y", at.y_wanted},
+                                          {"y_generated", at.y_generated},
+                                          {"input_deg", degrees(at.input_angle)},
+                                          {"output_deg", degrees(at.output_angle)},
                                           {"error_deg", degrees(at.error)}});
   return object;
 }
@@ -99,10 +115,12 @@ int run(const FunctionArguments& arguments) {
 }  // namespace
 
 void add_function_command(CLI::App& program, Session& session) {
-  CLI::App* command = add_command(program, session, "function", "Design a function-generating four-bar linkage",
-                                  "kempe function specs/examples/generators/logarithm.toml --plot error.svg");
+  CLI::App* command =
+      add_command(program, session, "function", "Design a function-generating four-bar linkage",
+                  "kempe function specs/examples/generators/logarithm.toml --plot error.svg");
   auto arguments = std::make_shared<FunctionArguments>();
-  command->add_option("SPEC", arguments->spec_file, "What is wanted (TOML; see docs/function-generator.md)")->required();
+  command->add_option("SPEC", arguments->spec_file, "What is wanted (TOML; see docs/function-generator.md)")
+      ->required();
   command->add_option("--plot", arguments->plot_file, "Write the structural error's curve as SVG");
   command->callback([&session, arguments] { session.chosen = [arguments] { return run(*arguments); }; });
 }

@@ -8,11 +8,16 @@ namespace kempe {
 
 std::string_view name(CrankMotion motion) {
   switch (motion) {
-    case CrankMotion::crank_rocker: return "crank-rocker";
-    case CrankMotion::double_crank: return "double crank";
-    case CrankMotion::rocker_crank: return "rocker-crank";
-    case CrankMotion::double_rocker: return "double rocker";
-    case CrankMotion::change_point: return "change point";
+    case CrankMotion::crank_rocker:
+      return "crank-rocker";
+    case CrankMotion::double_crank:
+      return "double crank";
+    case CrankMotion::rocker_crank:
+      return "rocker-crank";
+    case CrankMotion::double_rocker:
+      return "double rocker";
+    case CrankMotion::change_point:
+      return "change point";
   }
   return "";
 }
@@ -30,7 +35,8 @@ double FourBar::closure_margin(double input_angle) const {
 
 std::optional<double> FourBar::output_angle(double input_angle) const {
   if (!(closure_margin(input_angle) >= 0)) return std::nullopt;
-  // The output pivot sees the input crank's pin under `sight`; the triangle (e, b, c) gives the angle beside it.
+  // The output pivot sees the input crank's pin under `sight`; the triangle (e, b, c) gives the angle beside
+  // it.
   const Complex to_pin = std::polar(input, input_angle) - ground;
   const double e = std::abs(to_pin);
   if (e == 0) return std::nullopt;
@@ -45,6 +51,21 @@ std::optional<double> FourBar::transmission_angle(double input_angle) const {
   const double e = std::abs(ground - std::polar(input, input_angle));
   const double cosine = (coupler * coupler + output * output - e * e) / (2 * coupler * output);
   return std::acos(std::min(1.0, std::abs(cosine)));
+}
+
+std::optional<double> FourBar::least_transmission_angle(double first, double last) const {
+  const auto [low, high] = std::minmax(first, last);
+  double least = pi / 2;
+  const auto look = [&](double angle) {
+    const auto here = transmission_angle(angle);
+    least = here ? std::min(least, *here) : -1;
+    return here.has_value();
+  };
+  if (!look(first) || !look(last)) return std::nullopt;
+  for (double turn = std::ceil(low / pi) * pi; turn < high;
+       turn += pi)  // where cos of the input angle is +-1
+    if (!look(turn)) return std::nullopt;
+  return least;
 }
 
 CrankMotion FourBar::motion() const {

@@ -31,22 +31,30 @@ struct FourBar {
 
   FreudensteinCoefficients coefficients() const;
 
-  /// The output crank's angle (rad, in (-pi, pi]) for the input crank's; nothing where the loop does not close.
+  /// The output crank's angle (rad, in (-pi, pi]) for the input crank's; nothing where the loop does not
+  /// close.
   std::optional<double> output_angle(double input_angle) const;
 
-  /// Angle between coupler and output crank, folded into [0, pi/2], rad; nothing where the loop does not close.
+  /// Angle between coupler and output crank, folded into [0, pi/2], rad; nothing where the loop does not
+  /// close.
   std::optional<double> transmission_angle(double input_angle) const;
 
-  /// How far the loop is from coming apart at an input angle: (b+c-e)(e-|b-c|)/(b+c)^2 with e the distance between the
-  /// moving pivot of the input crank and the fixed pivot of the output crank. Negative where it does not close.
+  /// The smallest transmission angle between two input angles (rad), exact: it falls or rises with cos of the
+  /// input angle. Nothing if the loop does not close all the way.
+  std::optional<double> least_transmission_angle(double first, double last) const;
+
+  /// How far the loop is from coming apart at an input angle: (b+c-e)(e-|b-c|)/(b+c)^2 with e the distance
+  /// between the moving pivot of the input crank and the fixed pivot of the output crank. Negative where it
+  /// does not close.
   double closure_margin(double input_angle) const;
 
   CrankMotion motion() const;
 };
 
-/// The four-bar whose coefficients these are, for a ground length (mm, > 0). A negative K1 or K2 means a crank that
-/// points the other way: its length is taken positive and `input_turned` or `output_turned` says that half a turn is to
-/// be added to its angle. Nothing if a coefficient is 0, not finite, or the coupler would be imaginary.
+/// The four-bar whose coefficients these are, for a ground length (mm, > 0). A negative K1 or K2 means a
+/// crank that points the other way: its length is taken positive and `input_turned` or `output_turned` says
+/// that half a turn is to be added to its angle. Nothing if a coefficient is 0, not finite, or the coupler
+/// would be imaginary.
 struct DirectedFourBar {
   FourBar linkage;
   bool input_turned = false, output_turned = false;

@@ -1,5 +1,6 @@
-// Steps: lay out the wanted pairs of angles; fit Freudenstein's coefficients to precision points for every choice of the
-// free starts; turn them into links; look at the whole driven range for defects; keep the smallest structural error.
+// Steps: lay out the wanted pairs of angles; fit Freudenstein's coefficients to precision points for every
+// choice of the free starts; turn them into links; look at the whole driven range for defects; keep the
+// smallest structural error.
 
 #include "synthesis/function_generator.hpp"
 
@@ -17,8 +18,7 @@ namespace kempe {
 namespace {
 
 constexpr int curve_places = 181;
-constexpr int start_grid = 48;       // places tried for a free start
-constexpr double turn_back_slack = 1e-9;
+constexpr int start_grid = 48;  // places tried for a free start
 
 double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
@@ -26,21 +26,30 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 std::string_view name(FunctionMethod method) {
   switch (method) {
-    case FunctionMethod::precision_points: return "precision_points";
-    case FunctionMethod::least_squares: return "least_squares";
-    case FunctionMethod::minimax: return "minimax";
+    case FunctionMethod::precision_points:
+      return "precision_points";
+    case FunctionMethod::least_squares:
+      return "least_squares";
+    case FunctionMethod::minimax:
+      return "minimax";
   }
   return "";
 }
 
 std::string_view name(FunctionDefect defect) {
   switch (defect) {
-    case FunctionDefect::none: return "none";
-    case FunctionDefect::does_not_assemble: return "the loop comes apart within the range";
-    case FunctionDefect::branch: return "the precision points lie on both branches";
-    case FunctionDefect::order: return "the output crank turns back within the range";
-    case FunctionDefect::transmission: return "the transmission angle falls below the limit";
-    case FunctionDefect::lengths: return "a link vanishes or grows too long";
+    case FunctionDefect::none:
+      return "none";
+    case FunctionDefect::does_not_assemble:
+      return "the loop comes apart within the range";
+    case FunctionDefect::branch:
+      return "the precision points lie on both branches";
+    case FunctionDefect::order:
+      return "the output crank turns back within the range";
+    case FunctionDefect::transmission:
+      return "the transmission angle falls below the limit";
+    case FunctionDefect::lengths:
+      return "a link vanishes or grows too long";
   }
   return "";
 }
@@ -91,7 +100,8 @@ std::optional<FreudensteinCoefficients> freudenstein_three_points(const std::vec
 
 namespace {
 
-/// Freudenstein's rows for all precision points; the last column is the right-hand side with its sign changed.
+/// Freudenstein's rows for all precision points; the last column is the right-hand side with its sign
+/// changed.
 Eigen::Matrix<double, Eigen::Dynamic, 4> freudenstein_rows(const WantedAngles& wanted, const Starts& starts) {
   const auto& points = wanted.precision_points();
   Eigen::Matrix<double, Eigen::Dynamic, 4> rows(static_cast<Eigen::Index>(points.size()), 4);
@@ -103,6 +113,8 @@ Eigen::Matrix<double, Eigen::Dynamic, 4> freudenstein_rows(const WantedAngles& w
   return rows;
 }
 
+}  // namespace
+
 std::optional<FreudensteinCoefficients> coefficients_through_first_three(const WantedAngles& wanted,
                                                                          const Starts& starts) {
   std::vector<double> phi, psi;
@@ -113,6 +125,8 @@ std::optional<FreudensteinCoefficients> coefficients_through_first_three(const W
   }
   return freudenstein_three_points(phi, psi);
 }
+
+namespace {
 
 /// det of rows {0, 1, 2, j}: zero if point j lies on the linkage through the first three.
 double fourth_point_residual(const WantedAngles& wanted, const Starts& starts, int j) {
@@ -162,8 +176,10 @@ std::optional<Starts> polished_five_point_starts(const WantedAngles& wanted, Sta
     const Eigen::Vector2d f = residual(starts);
     constexpr double h = 1e-7;
     Eigen::Matrix2d slope;
-    slope.col(0) = (residual({starts.input + h, starts.output}) - residual({starts.input - h, starts.output})) / (2 * h);
-    slope.col(1) = (residual({starts.input, starts.output + h}) - residual({starts.input, starts.output - h})) / (2 * h);
+    slope.col(0) =
+        (residual({starts.input + h, starts.output}) - residual({starts.input - h, starts.output})) / (2 * h);
+    slope.col(1) =
+        (residual({starts.input, starts.output + h}) - residual({starts.input, starts.output - h})) / (2 * h);
     const Eigen::FullPivLU<Eigen::Matrix2d> lu(slope);
     if (!lu.isInvertible()) return std::nullopt;
     const Eigen::Vector2d step = lu.solve(f);
@@ -175,19 +191,23 @@ std::optional<Starts> polished_five_point_starts(const WantedAngles& wanted, Sta
   return std::nullopt;
 }
 
-/// Every choice of starts for which one linkage passes all precision points.
+}  // namespace
+
 std::vector<Starts> precise_starts(const FunctionTask& task, const WantedAngles& wanted) {
   std::vector<Starts> found;
   if (task.points == 3) {
     for (const double input : tried_starts(task.input_start))
       for (const double output : tried_starts(task.output_start)) found.push_back({input, output});
   } else if (task.points == 4 && task.output_start) {
-    for (const double input :
-         roots_on_a_turn([&](double at) { return fourth_point_residual(wanted, {at, *task.output_start}, 3); }))
+    for (const double input : roots_on_a_turn([&](double at) {
+           return fourth_point_residual(wanted, {at, *task.output_start}, 3);
+         }))
       found.push_back({input, *task.output_start});
   } else if (task.points == 4) {
     for (const double input : tried_starts(task.input_start))
-      for (const double output : roots_on_a_turn([&](double at) { return fourth_point_residual(wanted, {input, at}, 3); }))
+      for (const double output : roots_on_a_turn([&](double at) {
+             return fourth_point_residual(wanted, {input, at}, 3);
+           }))
         found.push_back({input, output});
   } else {
     for (const double input : tried_starts(std::nullopt))
@@ -202,17 +222,18 @@ std::vector<Starts> precise_starts(const FunctionTask& task, const WantedAngles&
   return found;
 }
 
+namespace {
+
 /// The branch that passes the precision points; nothing if they need both.
-std::optional<FourBarBranch> branch_through_points(const WantedAngles& wanted, const DirectedFourBar& bars,
-                                                   const Starts& starts) {
+std::optional<FourBarBranch> branch_through_points(const WantedAngles& wanted, const FunctionDesign& design) {
   std::optional<FourBarBranch> branch;
   for (const double x : wanted.precision_points()) {
-    FourBar bar = bars.linkage;
-    const double psi = starts.output + wanted.output_turn(x) + (bars.output_turned ? pi : 0);
+    FourBar bar = design.linkage;
+    const double psi = design.output_start + wanted.output_turn(x);
     std::array<double, 2> miss{};
     for (const FourBarBranch one : {FourBarBranch::first, FourBarBranch::second}) {
       bar.branch = one;
-      const auto angle = bar.output_angle(starts.input + wanted.input_turn(x) + (bars.input_turned ? pi : 0));
+      const auto angle = bar.output_angle(design.input_start + wanted.input_turn(x));
       miss[static_cast<std::size_t>(one)] = angle ? std::abs(wrapped(*angle - psi)) : pi;
     }
     const FourBarBranch nearer = miss[0] <= miss[1] ? FourBarBranch::first : FourBarBranch::second;
@@ -224,12 +245,12 @@ std::optional<FourBarBranch> branch_through_points(const WantedAngles& wanted, c
 
 }  // namespace
 
-FunctionCandidate judged(const FunctionTask& task, const WantedAngles& wanted, const Starts& starts,
-                         const FreudensteinCoefficients& coefficients) {
-  FunctionCandidate candidate;
+std::optional<FunctionDesign> design_from(const FunctionTask& task, const WantedAngles& wanted,
+                                          const Starts& starts,
+                                          const FreudensteinCoefficients& coefficients) {
   const auto bars = four_bar_from(coefficients, task.ground);
-  if (!bars) return candidate;
-  FunctionDesign& design = candidate.design;
+  if (!bars) return std::nullopt;
+  FunctionDesign design;
   design.linkage = bars->linkage;
   design.input_start = wrapped(starts.input + (bars->input_turned ? pi : 0));
   design.output_start = wrapped(starts.output + (bars->output_turned ? pi : 0));
@@ -237,51 +258,108 @@ FunctionCandidate judged(const FunctionTask& task, const WantedAngles& wanted, c
   design.y_upper = wanted.y_upper();
   design.precision_points = wanted.precision_points();
   design.motion = design.linkage.motion();
-  const FourBar& l = design.linkage;
-  const auto [shortest, longest] = std::minmax({l.ground, l.input, l.coupler, l.output});
-  if (longest > task.longest_ratio * shortest) {
-    candidate.defect = FunctionDefect::lengths;
-    return candidate;
-  }
-  const auto branch = branch_through_points(wanted, *bars, starts);
+  return design;
+}
+
+FunctionCandidate judged(const FunctionTask& task, const WantedAngles& wanted, const Starts& starts,
+                         const FreudensteinCoefficients& coefficients) {
+  FunctionCandidate candidate;
+  const auto design = design_from(task, wanted, starts, coefficients);
+  if (!design) return candidate;
+  candidate.design = *design;
+  const auto branch = branch_through_points(wanted, candidate.design);
   if (!branch) {
     candidate.defect = FunctionDefect::branch;
     return candidate;
   }
-  design.linkage.branch = *branch;
-  candidate.defect = trace_curve(task, wanted, design);
+  candidate.design.linkage.branch = *branch;
+  candidate.defect = trace_curve(task, wanted, candidate.design);
   return candidate;
 }
 
+namespace {
+
+StructuralErrorSample sample_at(const FunctionTask& task, const WantedAngles& wanted,
+                                const FunctionDesign& design, double x, double output_angle) {
+  const double phi = design.input_start + wanted.input_turn(x);
+  const double error = wrapped(output_angle - design.output_start - wanted.output_turn(x));
+  return {x, task.wanted(x), wanted.value_at(wanted.output_turn(x) + error), phi, output_angle, error};
+}
+
+/// The largest |error| near a place of the curve where it is largest: golden section between its neighbours.
+double top_of_ripple(const WantedAngles& wanted, const FunctionDesign& design, std::size_t i) {
+  constexpr double golden = 0.6180339887498949;
+  const auto height = [&](double x) {
+    const auto psi = design.linkage.output_angle(design.input_start + wanted.input_turn(x));
+    return psi ? std::abs(wrapped(*psi - design.output_start - wanted.output_turn(x))) : 0.0;
+  };
+  double lower = design.curve[i - 1].x, upper = design.curve[i + 1].x;
+  for (int j = 0; j < 40; ++j) {
+    const double part = golden * (upper - lower), left = upper - part, right = lower + part;
+    (height(left) > height(right) ? upper : lower) = height(left) > height(right) ? right : left;
+  }
+  return height(0.5 * (lower + upper));
+}
+
+/// The largest |error| over the whole range, between the curve's places too.
+double largest_error(const WantedAngles& wanted, const FunctionDesign& design) {
+  double largest = 0;
+  for (const StructuralErrorSample& at : design.curve) largest = std::max(largest, std::abs(at.error));
+  const double seen = largest;
+  for (std::size_t i = 1; i + 1 < design.curve.size(); ++i) {
+    const double here = std::abs(design.curve[i].error);
+    if (here >= 0.98 * seen && here >= std::abs(design.curve[i - 1].error) &&
+        here >= std::abs(design.curve[i + 1].error))
+      largest = std::max(largest, top_of_ripple(wanted, design, i));
+  }
+  return largest;
+}
+
+/// True if the output crank turns back, by more than a hundredth of its range, where the wanted function does
+/// not: the dial would pass its values in another order. Less happens within the error at the level end of a
+/// sine.
+bool turns_back(const FunctionTask& task, const WantedAngles& wanted,
+                const std::vector<StructuralErrorSample>& curve) {
+  const double allowed = 0.01 * std::abs(task.output_range);
+  double direction = 0, farthest = 0, wanted_before = wanted.output_turn(curve.front().x);
+  for (const StructuralErrorSample& at : curve) {
+    const double now = wanted.output_turn(at.x), asked = now - wanted_before, generated = now + at.error;
+    wanted_before = now;
+    if (asked * direction <= 0) {  // the wanted function starts or turns
+      direction = asked;
+      farthest = generated;
+    }
+    farthest = direction > 0 ? std::max(farthest, generated) : std::min(farthest, generated);
+    if (std::abs(farthest - generated) > allowed) return true;
+  }
+  return false;
+}
+
+bool lengths_fit(const FunctionTask& task, const FourBar& l) {
+  const auto [shortest, longest] = std::minmax({l.ground, l.input, l.coupler, l.output});
+  return shortest > 0 && longest <= task.longest_ratio * shortest;
+}
+
+}  // namespace
+
 FunctionDefect trace_curve(const FunctionTask& task, const WantedAngles& wanted, FunctionDesign& design) {
   design.curve.clear();
-  design.transmission_min = pi / 2;
-  double sum = 0, largest = 0;
-  double wanted_before = 0, generated_before = 0;
-  FunctionDefect defect = FunctionDefect::none;
+  if (!lengths_fit(task, design.linkage)) return FunctionDefect::lengths;
+  const auto transmission =
+      design.linkage.least_transmission_angle(design.input_start, design.input_start + task.input_range);
+  if (!transmission) return FunctionDefect::does_not_assemble;
+  design.transmission_min = *transmission;
+  double sum = 0;
   for (int i = 0; i < curve_places; ++i) {
     const double x = task.x_lower + (task.x_upper - task.x_lower) * i / (curve_places - 1);
-    const double phi = design.input_start + wanted.input_turn(x);
-    const double psi = design.output_start + wanted.output_turn(x);
-    const auto generated = design.linkage.output_angle(phi);
-    const auto transmission = design.linkage.transmission_angle(phi);
-    if (!generated || !transmission) return FunctionDefect::does_not_assemble;
-    const double error = wrapped(*generated - psi);
-    const double generated_turn = wanted.output_turn(x) + error;
-    // Turning back where the wanted function does not: the dial would pass its values in another order.
-    const double asked = wanted.output_turn(x) - wanted_before, got = generated_turn - generated_before;
-    if (i > 0 && asked * got < 0 && std::abs(asked) > turn_back_slack && defect == FunctionDefect::none)
-      defect = FunctionDefect::order;
-    wanted_before = wanted.output_turn(x);
-    generated_before = generated_turn;
-    design.curve.push_back({x, task.wanted(x), wanted.value_at(generated_turn), phi, *generated, error});
-    design.transmission_min = std::min(design.transmission_min, *transmission);
-    sum += error * error;
-    largest = std::max(largest, std::abs(error));
+    const auto psi = design.linkage.output_angle(design.input_start + wanted.input_turn(x));
+    if (!psi) return FunctionDefect::does_not_assemble;
+    design.curve.push_back(sample_at(task, wanted, design, x, *psi));
+    sum += design.curve.back().error * design.curve.back().error;
   }
-  design.error_largest = largest;
   design.error_rms = std::sqrt(sum / curve_places);
-  if (defect != FunctionDefect::none) return defect;
+  design.error_largest = largest_error(wanted, design);
+  if (turns_back(task, wanted, design.curve)) return FunctionDefect::order;
   return design.transmission_min < task.transmission ? FunctionDefect::transmission : FunctionDefect::none;
 }
 
@@ -293,17 +371,26 @@ class Field {
   void add(const FunctionCandidate& candidate) {
     ++count_[static_cast<std::size_t>(candidate.defect)];
     if (candidate.defect != FunctionDefect::none) return;
-    const auto place = std::upper_bound(best_.begin(), best_.end(), candidate.design, [](const auto& a, const auto& b) {
-      return a.error_largest < b.error_largest;
+    const auto near = std::find_if(best_.begin(), best_.end(), [&](const FunctionDesign& other) {
+      return are_neighbours(other, candidate.design);
     });
+    if (near != best_.end()) {
+      if (near->error_largest <= candidate.design.error_largest) return;
+      best_.erase(near);
+    }
+    const auto place =
+        std::upper_bound(best_.begin(), best_.end(), candidate.design,
+                         [](const auto& a, const auto& b) { return a.error_largest < b.error_largest; });
     best_.insert(place, candidate.design);
     if (best_.size() > kept) best_.pop_back();
   }
 
-  /// The designs without defect, smallest largest error first; at most `kept`.
+  void add(FunctionDefect defect) { ++count_[static_cast<std::size_t>(defect)]; }
+
+  /// The designs without defect, smallest largest error first, apart from each other; at most `kept`.
   const std::vector<FunctionDesign>& best() const { return best_; }
 
-  static constexpr std::size_t kept = 5;
+  static constexpr std::size_t kept = 12;
 
   /// The design with the rejections counted, or why there is none.
   tl::expected<FunctionDesign, NoFunctionDesign> verdict(const std::optional<FunctionDesign>& chosen) const {
@@ -311,8 +398,8 @@ class Field {
       FunctionDesign design = *chosen;
       design.rejected_branch = count(FunctionDefect::branch);
       design.rejected_order = count(FunctionDefect::order);
-      design.rejected_other =
-          count(FunctionDefect::does_not_assemble) + count(FunctionDefect::transmission) + count(FunctionDefect::lengths);
+      design.rejected_other = count(FunctionDefect::does_not_assemble) + count(FunctionDefect::transmission) +
+                              count(FunctionDefect::lengths);
       return design;
     }
     NoFunctionDesign none;
@@ -322,12 +409,20 @@ class Field {
         most = count_[i];
         none.commonest = static_cast<FunctionDefect>(i);
       }
-    none.sentence = most == 0 ? "no four-bar passes all the precision points"
-                              : "every four-bar found has a defect; the commonest: " + std::string(name(none.commonest));
+    none.sentence =
+        most == 0 ? "no four-bar passes all the precision points"
+                  : "every four-bar found has a defect; the commonest: " + std::string(name(none.commonest));
     return tl::unexpected(none);
   }
 
  private:
+  /// True for starts of neighbouring places of the grid: a refinement of one would find the other.
+  static bool are_neighbours(const FunctionDesign& a, const FunctionDesign& b) {
+    constexpr double near = 1.5 * 2 * pi / start_grid;
+    return a.linkage.branch == b.linkage.branch && std::abs(wrapped(a.input_start - b.input_start)) < near &&
+           std::abs(wrapped(a.output_start - b.output_start)) < near;
+  }
+
   std::size_t count(FunctionDefect defect) const { return count_[static_cast<std::size_t>(defect)]; }
   std::array<std::size_t, 6> count_{};
   std::vector<FunctionDesign> best_;
@@ -335,22 +430,27 @@ class Field {
 
 }  // namespace
 
-tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& task) {
+tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& asked) {
+  FunctionTask task = asked;
+  if (task.method != FunctionMethod::precision_points) task.points = 3;  // of the starts of the search
   const WantedAngles wanted(task);
   if (!wanted.usable())
-    return tl::unexpected(NoFunctionDesign{FunctionDefect::none, "the function is constant or not finite on its range"});
+    return tl::unexpected(
+        NoFunctionDesign{FunctionDefect::none, "the function is constant or not finite on its range"});
   Field field;
   for (const Starts& starts : precise_starts(task, wanted))
     if (const auto coefficients = coefficients_through_first_three(wanted, starts))
       field.add(judged(task, wanted, starts, *coefficients));
-  const bool starts_are_free = !task.input_start || !task.output_start;
-  const bool refinable = task.method != FunctionMethod::precision_points || (task.points == 3 && starts_are_free);
+  if (task.method != FunctionMethod::precision_points) {
+    const FunctionSearch search = search_function(task, wanted);
+    for (const FunctionDefect defect : search.defects) field.add(defect);
+    return field.verdict(search.best);
+  }
+  const bool has_freedom = task.points == 3 && (!task.input_start || !task.output_start);
   std::optional<FunctionDesign> chosen;
   for (const FunctionDesign& precise : field.best()) {
-    const FunctionDesign design = refinable ? refined(task, wanted, precise) : precise;
-    const bool by_rms = task.method == FunctionMethod::least_squares;
-    if (!chosen || (by_rms ? design.error_rms < chosen->error_rms : design.error_largest < chosen->error_largest))
-      chosen = design;
+    const FunctionDesign design = has_freedom ? with_best_starts(task, wanted, precise) : precise;
+    if (!chosen || design.error_largest < chosen->error_largest) chosen = design;
   }
   return field.verdict(chosen);
 }

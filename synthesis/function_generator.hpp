@@ -1,5 +1,6 @@
 #pragma once
-// Four-bar function generators: link lengths for which the output crank's dial shows a function of the input crank's.
+// Four-bar function generators: link lengths for which the output crank's dial shows a function of the input
+// crank's.
 
 #include <functional>
 #include <optional>
@@ -19,19 +20,20 @@ enum class FunctionMethod {
 };
 std::string_view name(FunctionMethod method);
 
-/// What is asked for. Angles rad, measured from the ground link (input pivot to output pivot), counter-clockwise.
+/// What is asked for. Angles rad, measured from the ground link (input pivot to output pivot),
+/// counter-clockwise.
 struct FunctionTask {
   std::function<double(double)> wanted;  ///< y(x), finite on [x_lower, x_upper]
   double x_lower = 0, x_upper = 1;
-  double input_range = 0;                ///< turn of the input crank from x_lower to x_upper, != 0
-  double output_range = 0;               ///< turn of the output crank while y goes from its smallest to its largest, != 0
-  std::optional<double> input_start;     ///< the input crank's angle at x_lower; absent: chosen
-  std::optional<double> output_start;    ///< the output crank's angle at y's smallest value; absent: chosen
-  int points = 3;                        ///< precision points, 3..5; ignored by the other methods
+  double input_range = 0;   ///< turn of the input crank from x_lower to x_upper, != 0
+  double output_range = 0;  ///< turn of the output crank while y goes from its smallest to its largest, != 0
+  std::optional<double> input_start;   ///< the input crank's angle at x_lower; absent: chosen
+  std::optional<double> output_start;  ///< the output crank's angle at y's smallest value; absent: chosen
+  int points = 3;                      ///< precision points, 3..5; ignored by the other methods
   FunctionMethod method = FunctionMethod::precision_points;
-  double ground = 100;                   ///< mm, > 0
-  double transmission = 0;               ///< rad, limit kept over the range
-  double longest_ratio = 20;             ///< longest over shortest link, at most
+  double ground = 100;        ///< mm, > 0
+  double transmission = 0;    ///< rad, limit kept over the range
+  double longest_ratio = 20;  ///< longest over shortest link, at most
 };
 
 /// What stands against a candidate.
@@ -39,9 +41,9 @@ enum class FunctionDefect {
   none,
   does_not_assemble,  ///< the loop comes apart within the range
   branch,             ///< the precision points lie on both branches
-  order,              ///< the output crank passes the points in another order (it turns back within the range)
-  transmission,       ///< the transmission angle falls below the limit
-  lengths             ///< a link vanishes or outgrows longest_ratio
+  order,         ///< the output crank passes the points in another order (it turns back within the range)
+  transmission,  ///< the transmission angle falls below the limit
+  lengths        ///< a link vanishes or outgrows longest_ratio
 };
 std::string_view name(FunctionDefect defect);
 
@@ -50,6 +52,17 @@ struct StructuralErrorSample {
   double x, y_wanted, y_generated;
   double input_angle, output_angle;  ///< rad
   double error;                      ///< rad at the output crank: generated - wanted
+};
+
+/// What is known of a minimax design beyond its error: the conditions that hold it.
+struct MinimaxOptimum {
+  int ripples = 0;   ///< as high as the largest error
+  int unknowns = 0;  ///< lengths and free starts that were varied
+  std::vector<std::string>
+      limits;  ///< that stop the error from falling further: "transmission_deg", "longest_ratio"
+  /// True if first- or second-order conditions prove that every near linkage within the limits has a larger
+  /// error.
+  bool proven = false;
 };
 
 struct FunctionDesign {
@@ -61,6 +74,7 @@ struct FunctionDesign {
   double error_largest = 0, error_rms = 0;   ///< rad
   double transmission_min = 0;               ///< rad
   CrankMotion motion = CrankMotion::double_rocker;
+  std::optional<MinimaxOptimum> optimum;                                    ///< minimax only
   std::size_t rejected_branch = 0, rejected_order = 0, rejected_other = 0;  ///< candidates with defects
 };
 
@@ -70,11 +84,12 @@ struct NoFunctionDesign {
   std::string sentence;
 };
 
-/// The best design without defect: smallest largest structural error. Three points with both starts given: the linear
-/// equations of Freudenstein; free starts are searched on a grid and refined. Deterministic.
+/// The best design without defect: smallest largest structural error. Three points with both starts given:
+/// the linear equations of Freudenstein; free starts are searched on a grid and refined. Deterministic.
 tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& task);
 
-/// Coefficients through three pairs of angles (Freudenstein's linear equations); nothing if they are dependent.
+/// Coefficients through three pairs of angles (Freudenstein's linear equations); nothing if they are
+/// dependent.
 std::optional<FreudensteinCoefficients> freudenstein_three_points(const std::vector<double>& input_angles,
                                                                   const std::vector<double>& output_angles);
 

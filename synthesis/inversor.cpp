@@ -1,5 +1,6 @@
-// Steps: transmission of each kind as a function of its free lengths and the magnification; the smallest free length
-// that keeps the limit over the range; limits of length; sensitivities by differentiating x' = f^2 / x.
+// Steps: transmission of each kind as a function of its free lengths and the magnification; the smallest free
+// length that keeps the limit over the range; limits of length; sensitivities by differentiating x' = f^2 /
+// x.
 
 #include "synthesis/inversor.hpp"
 
@@ -35,21 +36,26 @@ double folded(double sine) { return std::asin(std::min(1.0, std::abs(sine))); }
 
 std::string_view name(InversorKind kind) {
   switch (kind) {
-    case InversorKind::peaucellier: return "peaucellier";
-    case InversorKind::hart: return "hart";
-    case InversorKind::right_angle: return "right_angle";
+    case InversorKind::peaucellier:
+      return "peaucellier";
+    case InversorKind::hart:
+      return "hart";
+    case InversorKind::right_angle:
+      return "right_angle";
   }
   return "";
 }
 
 double peaucellier_transmission(double f, double side, double m) {
-  // Pivot at the origin, the two points at x and x' on the axis, the rhombus' other corners at (mid, +-spread).
+  // Pivot at the origin, the two points at x and x' on the axis, the rhombus' other corners at (mid,
+  // +-spread).
   const double x = f / m, image = f * m;
   const double half = 0.5 * std::abs(image - x);
   const double spread = std::sqrt(std::max(0.0, side * side - half * half));
   const double arm = std::hypot(f, side);
   const double at_corner = folded(std::min(x, image) * spread / (arm * side));  // arm against side
-  const double at_point = folded(2 * spread * half / (side * side));            // side against side: sin of twice the half angle
+  const double at_point =
+      folded(2 * spread * half / (side * side));  // side against side: sin of twice the half angle
   return std::min(at_corner, at_point);
 }
 
@@ -68,7 +74,8 @@ namespace {
 InversorDesign started(InversorKind kind, const InversorTask& task) {
   InversorDesign design;
   design.kind = kind;
-  design.travel_object = task.focal_length / task.magnification_lower - task.focal_length / task.magnification_upper;
+  design.travel_object =
+      task.focal_length / task.magnification_lower - task.focal_length / task.magnification_upper;
   design.travel_image = task.focal_length * (task.magnification_upper - task.magnification_lower);
   return design;
 }
@@ -78,13 +85,14 @@ InversorAnswer finished(InversorDesign design, const InversorTask& task) {
     design.size += length.count * length.value;
     if (length.value < task.shortest || length.value > task.longest)
       return {design.kind, std::nullopt,
-              fmt::format("its {} of {:.1f} mm lies outside {:.6g} .. {:.6g} mm", length.name, length.value, task.shortest,
-                          task.longest)};
+              fmt::format("its {} of {:.1f} mm lies outside {:.6g} .. {:.6g} mm", length.name, length.value,
+                          task.shortest, task.longest)};
   }
   return {design.kind, std::move(design), ""};
 }
 
-/// Smallest value in [lower, upper] for which `holds`, searched on a geometric grid and refined; nothing if nowhere.
+/// Smallest value in [lower, upper] for which `holds`, searched on a geometric grid and refined; nothing if
+/// nowhere.
 template <class Predicate>
 std::optional<double> smallest_where(double lower, double upper, const Predicate& holds) {
   constexpr int places = 400;
@@ -106,23 +114,27 @@ std::optional<double> smallest_where(double lower, double upper, const Predicate
 }
 
 std::string no_transmission(const InversorTask& task, double best) {
-  return fmt::format("no lengths keep the transmission angle at {:.4g} degrees over the whole range; the best is {:.3g}",
-                     degrees(task.transmission), degrees(best));
+  return fmt::format(
+      "no lengths keep the transmission angle at {:.4g} degrees over the whole range; the best is {:.3g}",
+      degrees(task.transmission), degrees(best));
 }
 
 InversorAnswer peaucellier(const InversorTask& task) {
   const double f = task.focal_length;
   if (task.magnification_lower < 1 && task.magnification_upper > 1)
     return {InversorKind::peaucellier, std::nullopt,
-            "at magnification 1 its two points meet and the rhombus lies flat: the range must stay on one side of 1"};
+            "at magnification 1 its two points meet and the rhombus lies flat: the range must stay on one "
+            "side of 1"};
   double best_seen = 0;
   const auto kept = [&](double side) {
-    const double angle = smallest_over_range(task, [&](double m) { return peaucellier_transmission(f, side, m); });
+    const double angle =
+        smallest_over_range(task, [&](double m) { return peaucellier_transmission(f, side, m); });
     best_seen = std::max(best_seen, angle);
     return angle;
   };
-  const double widest = 0.5 * f * std::max(task.magnification_upper - 1 / task.magnification_upper,
-                                           1 / task.magnification_lower - task.magnification_lower);
+  const double widest = 0.5 * f *
+                        std::max(task.magnification_upper - 1 / task.magnification_upper,
+                                 1 / task.magnification_lower - task.magnification_lower);
   const auto side = smallest_where(std::max({widest, task.shortest, 1e-3 * f}), 100 * f + 10 * widest,
                                    [&](double l) { return kept(l) >= task.transmission && kept(l) > 0; });
   if (!side) return {InversorKind::peaucellier, std::nullopt, no_transmission(task, best_seen)};
@@ -141,7 +153,9 @@ InversorAnswer hart(const InversorTask& task) {
     best_seen = std::max(best_seen, angle);
     return angle;
   };
-  const auto total = [&](double bar, double u) { return 2 * bar + 2 * std::sqrt(f * f / (u * (1 - u)) + bar * bar); };
+  const auto total = [&](double bar, double u) {
+    return 2 * bar + 2 * std::sqrt(f * f / (u * (1 - u)) + bar * bar);
+  };
   std::optional<std::array<double, 2>> best;  // short bar, share
   const auto look = [&](double u) {
     const auto bar = smallest_where(std::max(task.shortest, 1e-2 * f), 100 * f, [&](double b) {
@@ -173,10 +187,12 @@ InversorAnswer right_angle(const InversorTask& task) {
   InversorDesign design = started(InversorKind::right_angle, task);
   design.transmission_min = smallest_over_range(task, right_angle_transmission);
   if (design.transmission_min < task.transmission)
-    return {InversorKind::right_angle, std::nullopt,
-            fmt::format("its arms meet the scale line at {:.4g} degrees at the end of the range; nothing but the range "
-                        "changes that",
-                        degrees(design.transmission_min))};
+    return {
+        InversorKind::right_angle, std::nullopt,
+        fmt::format(
+            "its arms meet the scale line at {:.4g} degrees at the end of the range; nothing but the range "
+            "changes that",
+            degrees(design.transmission_min))};
   const double shortest_x = f / task.magnification_upper;
   design.lengths = {{"distance of the pivot f", 1, f, 2 * f / shortest_x},
                     {"object arm", 1, std::hypot(f, f / task.magnification_lower), 0},
@@ -188,9 +204,12 @@ InversorAnswer right_angle(const InversorTask& task) {
 
 InversorAnswer design_inversor(InversorKind kind, const InversorTask& task) {
   switch (kind) {
-    case InversorKind::peaucellier: return peaucellier(task);
-    case InversorKind::hart: return hart(task);
-    case InversorKind::right_angle: break;
+    case InversorKind::peaucellier:
+      return peaucellier(task);
+    case InversorKind::hart:
+      return hart(task);
+    case InversorKind::right_angle:
+      break;
   }
   return right_angle(task);
 }
