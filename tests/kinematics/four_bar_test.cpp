@@ -29,7 +29,8 @@ TEST(FourBar, ClosesItsLoopOrSaysThatItDoesNot) {
     ASSERT_EQ(psi.has_value(), closes);
     if (!psi) continue;
     ++closed;
-    EXPECT_NEAR(std::abs(bar.ground + std::polar(bar.output, *psi) - std::polar(bar.input, phi)), bar.coupler, 1e-9);
+    EXPECT_NEAR(std::abs(bar.ground + std::polar(bar.output, *psi) - std::polar(bar.input, phi)), bar.coupler,
+                1e-9);
   }
   EXPECT_GT(closed, 1000);
 }
@@ -42,7 +43,8 @@ TEST(FourBar, ObeysFreudensteinsEquation) {
     const auto psi = bar.output_angle(phi);
     if (!psi) continue;
     const auto [K1, K2, K3] = bar.coefficients();
-    EXPECT_NEAR(K1 * std::cos(*psi) - K2 * std::cos(phi) + K3, std::cos(phi - *psi), 1e-9 * (1 + std::abs(K3)));
+    EXPECT_NEAR(K1 * std::cos(*psi) - K2 * std::cos(phi) + K3, std::cos(phi - *psi),
+                1e-9 * (1 + std::abs(K3)));
   }
 }
 
@@ -82,6 +84,29 @@ TEST(FourBar, TransmissionAngleIsBetweenCouplerAndOutputCrank) {
     const double angle = std::abs(std::arg(coupler / output));
     EXPECT_NEAR(*bar.transmission_angle(phi), std::min(angle, pi - angle), 1e-6);
   }
+}
+
+TEST(FourBar, LeastTransmissionAngleIsThatOfTheWholeRange) {
+  std::mt19937_64 random(5);
+  int closed = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const FourBar bar = random_bar(random);
+    const double first = uniform(random, -pi, pi), last = first + uniform(random, -7, 7);
+    const auto least = bar.least_transmission_angle(first, last);
+    double sampled = pi;
+    bool open = false;
+    for (int j = 0; j <= 2000; ++j) {
+      const auto here = bar.transmission_angle(first + (last - first) * j / 2000);
+      open = open || !here;
+      sampled = std::min(sampled, here.value_or(pi));
+    }
+    EXPECT_FALSE(open && least);
+    if (!least) continue;
+    ++closed;
+    EXPECT_LE(*least, sampled + 1e-12);
+    EXPECT_GE(*least, sampled - 1e-2);
+  }
+  EXPECT_GT(closed, 200);
 }
 
 }  // namespace

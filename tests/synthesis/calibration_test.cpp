@@ -157,7 +157,7 @@ TEST(Calibration, IntervalsCoverAllLengthsOfEveryGrounding) {
   free.insert(free.end(), {Measure::pole_x, Measure::pole_y});
   for (const CopyingLinkage& linkage : linkages()) {
     Coverage coverage, told;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 300; ++i) {
       const Measures hidden = hidden_deviations(free, 0.5, chance);
       CalibrationTask task = task_over_the_reach(linkage, free, hidden, 16, 0.02, chance);
       told.count(*calibrate(task), hidden, free);
@@ -166,9 +166,9 @@ TEST(Calibration, IntervalsCoverAllLengthsOfEveryGrounding) {
                       {7, made[7] + 0.02 * chance.normal(), 0.02}};
       coverage.count(*calibrate(task), hidden, free);
     }
-    EXPECT_EQ(coverage.all, 1500);
-    EXPECT_GT(coverage.share(), 0.92);
-    EXPECT_LT(coverage.share(), 0.98);
+    EXPECT_EQ(coverage.all, 3000);
+    EXPECT_GT(coverage.share(), 0.93);
+    EXPECT_LT(coverage.share(), 0.97);
   }
 }
 

@@ -1,4 +1,5 @@
-// The inversors rebuilt from their lengths by intersecting circles and lines: no formula of the library is used.
+// The inversors rebuilt from their lengths by intersecting circles and lines: no formula of the library is
+// used.
 #include "synthesis/inversor.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,8 @@ TEST(Inversor, HartKeepsTheLensEquationThroughMagnificationOne) {
   const InversorTask task = lens(0.5, 2);
   const auto answer = design_inversor(InversorKind::hart, task);
   ASSERT_TRUE(answer.design) << answer.why_not;
-  const double a = answer.design->lengths[0].value, b = answer.design->lengths[1].value, u = answer.design->point_share;
+  const double a = answer.design->lengths[0].value, b = answer.design->lengths[1].value,
+               u = answer.design->point_share;
   for (double m = 0.5; m <= 2; m += 0.05) {
     const double x = 150 / m;
     const double BD = x / u;
@@ -60,7 +62,8 @@ TEST(Inversor, HartKeepsTheLensEquationThroughMagnificationOne) {
     const Point B(along, height), D(along - BD, height);
     EXPECT_NEAR((D - A).norm(), b, 1e-9);
     // C closes with CB = b, CD = a, on A's side.
-    const Point C = meeting(B, b, D, a).y() < meeting(D, a, B, b).y() ? meeting(B, b, D, a) : meeting(D, a, B, b);
+    const Point C =
+        meeting(B, b, D, a).y() < meeting(D, a, B, b).y() ? meeting(B, b, D, a) : meeting(D, a, B, b);
     const Point O = A + u * (B - A), P = A + u * (D - A), Q = C + u * (B - C);
     EXPECT_NEAR(cross(P - O, Q - O), 0, 1e-6);
     EXPECT_LT((P - O).dot(Q - O), 0);
@@ -93,6 +96,45 @@ TEST(Inversor, KeepsItsTransmissionLimitAndIsTheSmallestThatDoes) {
   }
 }
 
+TEST(Inversor, NoSmallerLengthsOnAFineGridKeepTheLimit) {
+  const InversorTask task = lens(1.3, 2.5, 8);
+  const auto keeps = [&](const auto& transmission) {
+    for (int i = 0; i <= 50; ++i)
+      if (transmission(1.3 * std::pow(2.5 / 1.3, i / 50.0)) < task.transmission) return false;
+    return true;
+  };
+  const double peaucellier_size = design_inversor(InversorKind::peaucellier, task).design->size;
+  for (double side = 40; side < 2000; side *= 1.003) {
+    const double size = 4 * side + 2 * std::hypot(150, side);
+    if (size >= peaucellier_size * (1 - 1e-6)) continue;
+    EXPECT_FALSE(keeps([&](double m) { return peaucellier_transmission(150, side, m); })) << side;
+  }
+  const double hart_size = design_inversor(InversorKind::hart, task).design->size;
+  for (double share = 0.02; share < 0.99; share += 0.01)
+    for (double bar = 20; bar < 1000; bar *= 1.01) {
+      const double size = 2 * bar + 2 * std::sqrt(150 * 150 / (share * (1 - share)) + bar * bar);
+      if (size >= hart_size * (1 - 1e-4)) continue;
+      EXPECT_FALSE(keeps([&](double m) { return hart_transmission(150, bar, share, m); }))
+          << share << " " << bar;
+    }
+}
+
+TEST(Inversor, TheBestIsTheSmallestOfThoseThatExist) {
+  const auto answers = design_inversors(lens(1.3, 2.5, 8));
+  double least = 1e300;
+  for (const InversorAnswer& answer : answers) {
+    ASSERT_TRUE(answer.design) << answer.why_not;
+    EXPECT_NEAR(answer.design->travel_object, 150 / 1.3 - 150 / 2.5, 1e-9);
+    EXPECT_NEAR(answer.design->travel_image, 150 * (2.5 - 1.3), 1e-9);
+    double sum = 0;
+    for (const InversorLength& length : answer.design->lengths) sum += length.count * length.value;
+    EXPECT_NEAR(answer.design->size, sum, 1e-9);
+    least = std::min(least, sum);
+  }
+  EXPECT_EQ(smallest(answers)->size, least);
+  EXPECT_FALSE(smallest(design_inversors(lens(0.1, 10, 40))));
+}
+
 TEST(Inversor, SizeGrowsWithTheLimit) {
   double before = 0;
   for (const double limit : {2.0, 6.0, 10.0, 14.0}) {
@@ -104,9 +146,12 @@ TEST(Inversor, SizeGrowsWithTheLimit) {
 }
 
 TEST(Inversor, SaysWhyThereIsNone) {
-  EXPECT_NE(design_inversor(InversorKind::peaucellier, lens(0.5, 2)).why_not.find("on one side of 1"), std::string::npos);
-  EXPECT_NE(design_inversor(InversorKind::right_angle, lens(0.1, 10, 30)).why_not.find("degrees"), std::string::npos);
-  EXPECT_NE(design_inversor(InversorKind::hart, lens(0.01, 100, 60)).why_not.find("transmission"), std::string::npos);
+  EXPECT_NE(design_inversor(InversorKind::peaucellier, lens(0.5, 2)).why_not.find("on one side of 1"),
+            std::string::npos);
+  EXPECT_NE(design_inversor(InversorKind::right_angle, lens(0.1, 10, 30)).why_not.find("degrees"),
+            std::string::npos);
+  EXPECT_NE(design_inversor(InversorKind::hart, lens(0.01, 100, 60)).why_not.find("transmission"),
+            std::string::npos);
 }
 
 TEST(Inversor, SensitivityIsTheLimitOfDifferences) {

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+"""function, inversor and calibrate from outside, and every shipped example by the README's one command.
+
+usage: generator_commands_test.py KEMPE SOURCE_DIR [unittest arguments]
+"""
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+KEMPE = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+GENERATORS = SOURCE / "specs" / "examples" / "generators"
+CALIBRATION = SOURCE / "specs" / "examples" / "calibration"
+
+
+def kempe(*arguments):
+    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.scratch = pathlib.Path(scratch.name)
+
+    def file(self, text, name="spec.toml"):
+        path = self.scratch / name
+        path.write_text(text)
+        return path
+
+    def answer(self, *arguments):
+        run = kempe(*arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return json.loads(run.stdout)
+
+    def assertRefused(self, run, code, *words):
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertNotIn("nan", run.stdout.lower())
+
+
+class Function(Case):
+    def test_logarithm_is_minimax_and_says_what_holds_it(self):
+        plot = self.scratch / "error.svg"
+        answer = self.answer("function", GENERATORS / "logarithm.toml", "--plot", plot)
+        self.assertLess(answer["structural_error_max_deg"], 0.04694)
+        self.assertGreaterEqual(answer["transmission_min_deg"], 25)
+        self.assertEqual(answer["minimax"], {"equal_ripples": 5, "unknowns": 5, "limits_at_work": [],
+                                             "local_minimum_proven": True})
+        self.assertEqual((answer["output"]["y_at_start"], answer["output"]["y_at_end"]), (0, math.log10(2)))
+        self.assertTrue(any("points" in element.attrib or "d" in element.attrib
+                            for element in xml.etree.ElementTree.parse(plot).iter()))
+        # The loop closes by the printed lengths and angles alone.
+        lengths = answer["lengths_mm"]
+        for at in answer["structural_error"][::20]:
+            phi, psi = math.radians(at["input_deg"]), math.radians(at["output_deg"])
+            x = lengths["ground"] + lengths["output"] * math.cos(psi) - lengths["input"] * math.cos(phi)
+            y = lengths["output"] * math.sin(psi) - lengths["input"] * math.sin(phi)
+            self.assertAlmostEqual(math.hypot(x, y), lengths["coupler"], places=9)
+
+    def test_limit_at_work_is_named(self):
+        spec = self.file((GENERATORS / "logarithm.toml").read_text().replace("_deg = 25", "_deg = 45"))
+        answer = self.answer("function", spec)
+        self.assertEqual(answer["minimax"]["limits_at_work"], ["transmission_deg"])
+        self.assertEqual(answer["minimax"]["equal_ripples"], 5)
+        self.assertAlmostEqual(answer["structural_error_max_deg"], 0.0607124, places=6)
+
+    def test_three_four_and_five_points(self):
+        base = (GENERATORS / "logarithm.toml").read_text().replace('"minimax" ', '"precision_points" ')
+        self.assertIn('"precision_points" ', base)
+        for points in [3, 4, 5]:
+            spec = self.file(base.replace("[input]", f"points = {points}\n[input]").replace("_deg = 25", "_deg = 0"))
+            answer = self.answer("function", spec)
+            self.assertEqual(len(answer["precision_points"]), points)
+            self.assertLess(answer["structural_error_max_deg"], 1)
+
+    def test_bad_input(self):
+        good = (GENERATORS / "logarithm.toml").read_text()
+        for old, new, code, words in [
+            ('"log10(x)"', '"log10(x"', 2, ["function.expression"]),
+            ('"log10(x)"', '"1/(x-1.5)"', 3, ["not finite"]),
+            ('"log10(x)"', '"3"', 3, ["constant"]),
+            ("x = [1, 2]", "x = [2, 1]", 2, ["function.x", "lower below upper"]),
+            ("range_deg = 60", "range_deg = 0", 2, ["input.range_deg"]),
+            ("ground_mm = 100", "ground_mm = nan", 2, ["links.ground_mm"]),
+        ]:
+            self.assertIn(old, good)
+            self.assertRefused(kempe("function", self.file(good.replace(old, new))), code, *words)
+
+
+class Inversor(Case):
+    def test_all_three_and_the_best(self):
+        answer = self.answer("inversor", GENERATORS / "copy-camera.toml")
+        sizes = {one["kind"]: one["size_mm"] for one in answer["inversors"]}
+        self.assertEqual(set(sizes), {"peaucellier", "hart", "right_angle"})
+        self.assertEqual(answer["best"], min(sizes, key=sizes.get))
+        for one in answer["inversors"]:
+            self.assertAlmostEqual(one["travel_image_mm"], 150 * (2.5 - 1.3))
+            self.assertGreaterEqual(one["transmission_min_deg"], 8 - 1e-9)
+            self.assertTrue(any(length["sensitivity_mm_per_mm"] > 0 for length in one["lengths"]))
+
+    def test_what_does_not_exist_says_why(self):
+        answer = self.answer("inversor", GENERATORS / "enlarger.toml")
+        self.assertIn("magnification 1", answer["inversors"][0]["why_not"])
+        spec = self.file("[lens]\nfocal_length_mm = 150\nmagnification = [0.05, 20]\n[limits]\ntransmission_deg = 40\n")
+        self.assertRefused(kempe("inversor", spec), 3, "peaucellier", "hart", "right_angle")
+        self.assertRefused(kempe("inversor", self.file("[lens]\nfocal_length_mm = -1\nmagnification = [1, 2]\n")), 2,
+                           "lens.focal_length_mm")
+
+
+INSTRUMENT = "[instrument]\narm_mm = 500\nratio = 0.5\n"
+
+
+def reading(angle, x, y):
+    return f"[[reading]]\narm_angle_deg = {angle}\nerror_mm = [{x}, {y}]\n"
+
+
+class Calibrate(Case):
+    def test_reader_of_knights_paper_types_two_readings(self):
+        answer = self.answer("calibrate", self.file(INSTRUMENT + reading(30, 0.10, -0.30) + reading(60, 0.30, -0.50)))
+        (x30, y30), (x60, y60), s = (0.10, -0.30), (0.30, -0.50), math.sqrt(3) / 2
+        expected = {"AC": s * (y60 + x30) - 0.5 * (y30 + x60), "CF": s * (x30 - y60) + 0.5 * (y30 - x60),
+                    "BE": s / 2 * (x30 - y60) - 0.25 * (y30 - x60), "DE": s / 2 * (x30 + y60) + 0.25 * (y30 + x60)}
+        for scale, error in expected.items():
+            self.assertAlmostEqual(answer["errors_mm"][scale], error, places=9)
+            self.assertAlmostEqual(answer["corrections_mm"][scale], -error, delta=1e-6)
+        self.assertLess(answer["residual_mm"], 0.001)
+
+    def test_rounds_go_on_until_the_target(self):
+        first = reading(30, 0.62, -1.15) + reading(60, 0.85, -2.04)
+        second = (reading(30, 0.01, 0.02) + reading(60, -0.02, 0.01)).replace("[[reading]]", "[[reading]]\nround = 2")
+        before = self.answer("calibrate", self.file(INSTRUMENT + first))
+        after = self.answer("calibrate", self.file(INSTRUMENT + first + second))
+        self.assertFalse(before["target_reached"])
+        self.assertTrue(after["target_reached"])
+        self.assertEqual(len(after["rounds"]), 2)
+        strict = self.answer("calibrate", self.file(INSTRUMENT + first + second), "--target-mm", 0.001)
+        self.assertFalse(strict["target_reached"])
+
+    def plotter(self, readings, ruler):
+        head, *rest = (CALIBRATION / "plotter.toml").read_text().split("[[reading]]")
+        if not ruler:
+            head = head[:head.index("[lengths_mm]")]
+        self.file((CALIBRATION / "drawing-pantograph.json").read_text(), "drawing-pantograph.json")
+        return self.file(head + "".join("[[reading]]" + one for one in rest[:readings]))
+
+    def test_plotter_owner_types_ten_points_and_gets_lengths(self):
+        answer = self.answer("calibrate", self.plotter(10, True))
+        self.assertEqual(answer["unidentifiable"], [])
+        for name in ["VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY"]:
+            self.assertLess(answer["uncertainty_mm"][name], 0.2)
+            self.assertLess(abs(answer["errors_mm"][name]), 1.5)
+        self.assertLess(answer["residual_mm"], 0.05 * answer["largest_departure_mm"])
+
+    def test_without_a_ruler_two_sizes_are_named_with_what_would_tell(self):
+        answer = self.answer("calibrate", self.plotter(10, False))
+        self.assertEqual(len(answer["unidentifiable"]), 2)
+        for one in answer["unidentifiable"]:
+            self.assertIn("together with", one["in_words"])
+            self.assertIn("measure", one["what_would_tell"][0]["measure"])
+
+    def test_setting_table_erect_and_reversed(self):
+        answer = self.answer("calibrate", CALIBRATION / "knight.toml", "--ratios", "1:3,5:2")
+        rows = [(row["ratio"], row["image"]) for row in answer["settings"]]
+        for ratio in ["1:3", "5:2"]:
+            self.assertIn((ratio, "erect"), rows)
+            self.assertIn((ratio, "reversed"), rows)
+        for row in answer["settings"]:
+            self.assertLess(row["predicted_error_mm"], 0.2)
+            for scale in ["AC", "CF", "BE", "DE"]:
+                self.assertAlmostEqual(row["set_mm"][scale] - row["corrections_mm"][scale], 500 * row["setting"],
+                                       places=6)
+
+    def test_plan_proposes_exchanged_readings(self):
+        answer = self.answer("calibrate", CALIBRATION / "knight.toml", "--plan", "--plan-readings", 4)
+        self.assertEqual(len(answer["plan"]["readings"]), 4)
+        self.assertTrue(all(one["exchanged"] for one in answer["plan"]["readings"]))
+        self.assertGreater(answer["plan"]["gain_over_evenly_spread"], 1.5)
+
+    def test_simulation_keeps_the_figures(self):
+        answer = self.answer("calibrate", CALIBRATION / "simulate.toml", "--simulate", "--quiet", "--seed", 3,
+                             "-o", self.scratch / "simulated")
+        simulation = answer["simulation"]
+        self.assertEqual(simulation["instruments"], 1000)
+        self.assertLess(simulation["rounds"][-1]["residual_largest_mm"], 0.1)
+        again = self.answer("calibrate", self.scratch / "simulated" / "simulated.toml")
+        hidden = simulation["hidden_errors_of_first_mm"]
+        for scale, error in hidden.items():
+            self.assertAlmostEqual(again["rounds"][0]["errors_mm"][scale], error, delta=0.1)
+
+    def test_bad_input(self):
+        for text, words in [
+            (INSTRUMENT, ["no readings", "--plan"]),
+            (INSTRUMENT + reading(30, 0.1, 0.2), ["fewer than two", "30 and 60"]),
+            (INSTRUMENT + reading(30, 0.1, 0.2) + reading(30, 0.1, 0.2), ["one arm angle", "30 and 60"]),
+            (INSTRUMENT + reading(0, 0.1, 0.2) + reading(60, 0.1, 0.2), [":5:", "measure at 30 and 60"]),
+            (INSTRUMENT + reading(30, 0.1, 0.2) + reading(90, 0.1, 0.2), [":8:", "measure at 30 and 60"]),
+            (INSTRUMENT + reading(30, 120, -400) + reading(60, 0.1, 0.2), ["micrometres"]),
+            (INSTRUMENT + reading(0.52, 0.1, 0.2) + reading(1.05, 0.1, 0.2), ["radians"]),
+            (INSTRUMENT + "[[reading]]\ntracer_mm = [1200, 0]\npen_mm = [600, 0]\n" * 3, ["beyond the reach"]),
+        ]:
+            self.assertRefused(kempe("calibrate", self.file(text)), 2, *words)
+
+
+class Examples(Case):
+    def test_the_readmes_one_command_runs_them_all(self):
+        self.assertIn("scripts/examples", (SOURCE / "README.md").read_text())
+        run = subprocess.run([SOURCE / "scripts" / "examples", self.scratch, KEMPE], capture_output=True, text=True,
+                             timeout=600)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for linkage in (SOURCE / "specs" / "examples" / "linkages").glob("*.toml"):
+            rows = list(csv.reader((self.scratch / f"{linkage.stem}.csv").read_text().splitlines()))
+            self.assertGreater(len(rows), 5)
+            self.assertFalse(any(cell.lower() in ("nan", "inf", "") for row in rows for cell in row), linkage.stem)
+            for picture in ["", "-centres"]:
+                xml.etree.ElementTree.parse(self.scratch / f"{linkage.stem}{picture}.svg")
+            centres = json.loads((self.scratch / f"{linkage.stem}-centres.json").read_text())
+            self.assertTrue(all(one["velocity_error"] < 1e-8 for one in centres["centres"]), linkage.stem)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
