@@ -173,7 +173,8 @@ class Calibrate(Case):
             self.assertIn((ratio, "erect"), rows)
             self.assertIn((ratio, "reversed"), rows)
         for row in answer["settings"]:
-            self.assertLess(row["predicted_error_mm"], 0.2)
+            # Two readings to 0.01 mm, held over all arm angles; at 5:2 what is left is enlarged.
+            self.assertLess(row["predicted_error_mm"], 0.25)
             for scale in ["AC", "CF", "BE", "DE"]:
                 self.assertAlmostEqual(row["set_mm"][scale] - row["corrections_mm"][scale], 500 * row["setting"],
                                        places=6)

@@ -83,6 +83,9 @@ class Ranks(unittest.TestCase):
         self.assertEqual(len(list((self.scratch / "ranks-4-1").glob("journal-*.jsonl"))), 4)
 
     def test_a_lost_ranks_specs_are_done_again(self):
+        # Enough of them that the others are not through before one rank is lost.
+        self.source.write_text(8 * self.source.read_text())
+        self.count *= 8
         alone = self.results(0, self.scratch / "alone", "-j", "1")
         out = self.scratch / "out"
         run = subprocess.Popen(self.command(4, out, "-j", "1"), env=ENVIRONMENT, stdout=subprocess.DEVNULL,
