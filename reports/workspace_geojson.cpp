@@ -97,6 +97,23 @@ void add_lost(Features& features, const std::vector<LostArea>& lost) {
   }
 }
 
+/// The same map seen from the pen: every place of the tracer's map as the place where the pen then stands.
+void add_pen_side(Features& features, const Design& design) {
+  const WorkspaceMap& map = design.map;
+  const auto image = [&](const ArcRegion& area) {
+    return similar_image(area, design.linkage.k(), design.linkage.pole());
+  };
+  features.add("copy_workspace", image(map.collision_free), Flatten::shrinks);
+  features.add("copy_reachable", image(map.reachable), Flatten::shrinks);
+  features.add("copy_usable", image(map.usable), Flatten::shrinks);
+  features.add("copy_uncertain", image(map.uncertain), Flatten::grows);
+  for (const LostArea& one : map.lost) {
+    Json& properties = features.add("copy_lost", image(one.area), Flatten::grows);
+    properties["cause"] = name(one.cause);
+    properties["parts"] = one.parts;
+  }
+}
+
 }  // namespace
 
 std::string workspace_geojson(const Design& design, double tolerance) {
@@ -109,8 +126,7 @@ std::string workspace_geojson(const Design& design, double tolerance) {
   features.add("uncertain", map.uncertain, Flatten::grows);
   features.add("region", design.region);
   features.add("copy", similar_image(design.region, linkage.k(), linkage.pole()));
-  features.add("copy_workspace", similar_image(map.collision_free, linkage.k(), linkage.pole()),
-               Flatten::shrinks);
+  add_pen_side(features, design);
   add_obstacles(features, design.obstacles);
   features.add("footprint", design.footprint);
   add_lost(features, map.lost);

@@ -80,11 +80,24 @@ class Examples(Case):
         checked = kempe("verify", out / "design.json")
         self.assertEqual(checked.returncode, 0, checked.stderr)
         self.assertTrue(json.loads(checked.stdout)["certified"])
-        layers = {f["properties"]["layer"] for f in json.loads((out / "workspace.geojson").read_text())["features"]}
+        features = json.loads((out / "workspace.geojson").read_text())["features"]
+        self.check_pen_side(features, design["copy"]["scale"])
+        layers = {f["properties"]["layer"] for f in features}
         for layer in ("reachable", "usable", "collision_free", "uncertain", "region", "copy", "copy_workspace",
                       "obstacles", "footprint"):
             self.assertIn(layer, layers)
         return design
+
+    def check_pen_side(self, features, scale):
+        """The pen's map is the image of the tracer's: every area, and every cause with its parts."""
+        def areas(layer):
+            return [(f["properties"].get("cause"), f["properties"].get("parts"), f["properties"]["area_mm2"])
+                    for f in features if f["properties"]["layer"] == layer]
+        for tracer, pen in (("reachable", "copy_reachable"), ("usable", "copy_usable"), ("collision_free", "copy_workspace"),
+                            ("uncertain", "copy_uncertain"), ("lost", "copy_lost")):
+            self.assertEqual([one[:2] for one in areas(tracer)], [one[:2] for one in areas(pen)])
+            for (_, _, here), (_, _, there) in zip(areas(tracer), areas(pen)):
+                self.assertAlmostEqual(there, scale ** 2 * here, delta=1e-3 * scale ** 2 * here + 20)  # flattened to 0.01 mm each
 
     def test_every_example_becomes_a_verified_design(self):
         for path in specs_of("synthesize"):
