@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "synthesis/golden_section.hpp"
+
 namespace kempe {
 namespace {
 
@@ -18,20 +20,8 @@ double place(const FunctionTask& task, int i) {
 /// The top of a ripple between two places: golden section.
 ErrorRipple top_between(const GeneratorError& error, const GeneratorVector& u, double lower, double upper,
                         int sign) {
-  constexpr double golden = 0.6180339887498949;
   const auto height = [&](double x) { return sign * error.at(u, x).value; };
-  double left = upper - golden * (upper - lower), right = lower + golden * (upper - lower);
-  double at_left = height(left), at_right = height(right);
-  for (int j = 0; j < 40; ++j) {
-    if (at_left > at_right) {
-      upper = right, right = left, at_right = at_left;
-      left = upper - golden * (upper - lower), at_left = height(left);
-    } else {
-      lower = left, left = right, at_left = at_right;
-      right = lower + golden * (upper - lower), at_right = height(right);
-    }
-  }
-  const double x = 0.5 * (lower + upper);
+  const double x = top_by_golden_section(height, lower, upper, 40);
   return {x, height(x), sign};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/point.hpp"
+#include "synthesis/golden_section.hpp"
 #include "synthesis/precision_points.hpp"
 
 namespace kempe {
@@ -72,23 +73,10 @@ double largest_of(const std::vector<double>& errors) {
 /// The extreme of the residual near a place of the grid: golden section between its neighbours.
 Ripple refined(const StructuralErrorTask& task, const Eigen::VectorXd& p, const Places& places, std::size_t i,
                double error) {
-  constexpr double golden = 0.6180339887498949;
   if (i == 0 || i + 1 == places.x.size()) return {places.x[i], error};
   const double sign = error < 0 ? -1 : 1;
   const auto height = [&](double x) { return sign * error_at(task, p, x).value_or(0); };
-  double lower = places.x[i - 1], upper = places.x[i + 1];
-  double left = upper - golden * (upper - lower), right = lower + golden * (upper - lower);
-  double at_left = height(left), at_right = height(right);
-  for (int j = 0; j < 45; ++j) {
-    if (at_left > at_right) {
-      upper = right, right = left, at_right = at_left;
-      left = upper - golden * (upper - lower), at_left = height(left);
-    } else {
-      lower = left, left = right, at_left = at_right;
-      right = lower + golden * (upper - lower), at_right = height(right);
-    }
-  }
-  const double x = 0.5 * (lower + upper), best = height(x);
+  const double x = top_by_golden_section(height, places.x[i - 1], places.x[i + 1], 45), best = height(x);
   return best > sign * error ? Ripple{x, sign * best} : Ripple{places.x[i], error};
 }
 
