@@ -40,8 +40,10 @@ std::vector<BatchTask> folder_tasks(const fs::path& folder) {
   std::vector<BatchTask> tasks;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml") tasks.push_back({entry.path().filename().string(), spec_text(entry.path()), folder.string()});
-  std::sort(tasks.begin(), tasks.end(), [](const BatchTask& a, const BatchTask& b) { return a.name < b.name; });
+    if (entry.path().extension() == ".toml")
+      tasks.push_back({entry.path().filename().string(), spec_text(entry.path()), folder.string()});
+  std::sort(tasks.begin(), tasks.end(),
+            [](const BatchTask& a, const BatchTask& b) { return a.name < b.name; });
   return tasks;
 }
 
@@ -92,18 +94,26 @@ tl::expected<void, std::string> append_toml(std::string& text, const Json& value
 
 Json figures(const Design& design) {
   const CopyingLinkage& l = design.linkage;
-  Json line{{"vertex", std::string(name(l.vertex()))}, {"assembly", l.assembly()}, {"VA_mm", l.VA()}, {"VB_mm", l.VB()},
-            {"pole_mm", {l.pole().x(), l.pole().y()}}, {"layers", design.layers.of}, {"size_mm", design.quality.size},
-            {"transmission_deg", degrees(design.quality.transmission_min)}, {"clearance_mm", design.quality.clearance_min},
-            {"region_covered", design.map.coverage.covered}, {"copy_error_max_mm", design.verification.copy_error_max}};
-  if (design.search) line["objective"] = std::string(name(design.search->objective)), line["value"] = design.search->value;
+  Json line{{"vertex", std::string(name(l.vertex()))},
+            {"assembly", l.assembly()},
+            {"VA_mm", l.VA()},
+            {"VB_mm", l.VB()},
+            {"pole_mm", {l.pole().x(), l.pole().y()}},
+            {"layers", design.layers.of},
+            {"size_mm", design.quality.size},
+            {"transmission_deg", degrees(design.quality.transmission_min)},
+            {"clearance_mm", design.quality.clearance_min},
+            {"region_covered", design.map.coverage.covered},
+            {"copy_error_max_mm", design.verification.copy_error_max}};
+  if (design.search)
+    line["objective"] = std::string(name(design.search->objective)), line["value"] = design.search->value;
   if (design.quality.lower_bound) line["lower_bound"] = *design.quality.lower_bound;
   return line;
 }
 
 std::string csv_of(const std::vector<std::string>& lines) {
-  static const char* const columns[] = {"name", "status", "vertex", "assembly", "VA_mm", "VB_mm", "size_mm",
-                                        "transmission_deg", "clearance_mm", "message"};
+  static const char* const columns[] = {"name",  "status",  "vertex",           "assembly",     "VA_mm",
+                                        "VB_mm", "size_mm", "transmission_deg", "clearance_mm", "message"};
   std::string csv;
   for (const char* column : columns) csv += (csv.empty() ? "" : ",") + std::string(column);
   csv += "\n";
@@ -112,7 +122,8 @@ std::string csv_of(const std::vector<std::string>& lines) {
     std::string row;
     for (const char* column : columns) {
       std::string cell;
-      if (object.contains(column)) cell = object[column].is_string() ? object[column].get<std::string>() : object[column].dump();
+      if (object.contains(column))
+        cell = object[column].is_string() ? object[column].get<std::string>() : object[column].dump();
       if (cell.find_first_of(",\"\n\r") != std::string::npos) {
         std::string quoted = "\"";
         for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -128,8 +139,8 @@ std::string csv_of(const std::vector<std::string>& lines) {
 /// One run over the tasks, on all threads of this process.
 class BatchRun {
  public:
-  BatchRun(const Session& session, const BatchArguments& arguments, const std::vector<BatchTask>& tasks, Ranks& ranks,
-           BatchJournal& journal)
+  BatchRun(const Session& session, const BatchArguments& arguments, const std::vector<BatchTask>& tasks,
+           Ranks& ranks, BatchJournal& journal)
       : session_(session), arguments_(arguments), tasks_(tasks), ranks_(ranks), journal_(journal) {
     for (const BatchTask& task : tasks)
       keys_.push_back(text_key(fmt::format("{}\n{}\n{}", task.name, arguments.seed, task.text)));
@@ -211,7 +222,8 @@ tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& 
   std::error_code error;
   if (fs::is_directory(source, error)) return folder_tasks(source);
   if (fs::is_regular_file(source, error)) return line_tasks(source);
-  return tl::unexpected(InputError{source, 0, "--batch", "neither a folder nor a file", "a folder of *.toml, or a .jsonl file"});
+  return tl::unexpected(InputError{source, 0, "--batch", "neither a folder nor a file",
+                                   "a folder of *.toml, or a .jsonl file"});
 }
 
 std::string batch_result(const BatchTask& task, std::uint64_t seed) {
@@ -271,16 +283,16 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
   if (!lines) return fail(failed, "another process stopped early; the same command goes on from here");
   std::string text;
   for (const std::string& line : *lines) text += line + "\n";
-  const auto written = write_whole(fs::path(arguments.folder),
-                                   {OutputFile{"results.jsonl", text}, OutputFile{"results.csv", csv_of(*lines)}});
+  const auto written = write_whole(fs::path(arguments.folder), {OutputFile{"results.jsonl", text},
+                                                                OutputFile{"results.csv", csv_of(*lines)}});
   if (!written) return fail(cannot_write, written.error());
   const auto designs = std::count_if(lines->begin(), lines->end(), [](const std::string& line) {
     return Json::parse(line)["status"] == "design";
   });
   const Json summary{{"specs", lines->size()}, {"designs", designs}, {"folder", arguments.folder}};
   print(session.json ? line_of(summary) + "\n"
-                     : fmt::format("{} specs, {} designs: {}/results.jsonl, results.csv\n", lines->size(), designs,
-                                   arguments.folder));
+                     : fmt::format("{} specs, {} designs: {}/results.jsonl, results.csv\n", lines->size(),
+                                   designs, arguments.folder));
   return done;
 }
 

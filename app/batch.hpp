@@ -11,14 +11,14 @@
 namespace kempe::app {
 
 struct BatchArguments {
-  std::string source;   ///< a folder of *.toml, or a .jsonl file: a spec a line, as a JSON object of the same keys
-  std::string folder;   ///< results.jsonl, results.csv and the journals go here
-  int jobs = 1;         ///< threads
+  std::string source;  ///< a folder of *.toml, or a .jsonl file: a spec a line, as a JSON object
+  std::string folder;  ///< results.jsonl, results.csv and the journals go here
+  int jobs = 1;        ///< threads
   std::uint64_t seed = 1;
 };
 
 struct BatchTask {
-  std::string name;  ///< the file's name, or line-N
+  std::string name;    ///< the file's name, or line-N
   std::string text;    ///< TOML
   std::string folder;  ///< where the files that it names are looked for
 };

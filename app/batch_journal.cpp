@@ -1,6 +1,7 @@
 #include "app/batch_journal.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -8,8 +9,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace kempe::app {
 namespace {
@@ -55,7 +54,8 @@ tl::expected<BatchJournal, std::string> BatchJournal::open(const fs::path& folde
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file < 0) return tl::unexpected("cannot write " + path.string() + ": " + std::strerror(errno));
   BatchJournal journal(folder, file);
-  if (!whole && !write_all(file, "\n")) return tl::unexpected("cannot write " + path.string() + ": " + std::strerror(errno));
+  if (!whole && !write_all(file, "\n"))
+    return tl::unexpected("cannot write " + path.string() + ": " + std::strerror(errno));
   journal.read_all();
   return journal;
 }

@@ -16,7 +16,8 @@ namespace kempe::app {
 class BatchJournal {
  public:
   /// Opens `folder/journal-NAME.jsonl` for appending and reads every journal of the folder.
-  static tl::expected<BatchJournal, std::string> open(const std::filesystem::path& folder, const std::string& name);
+  static tl::expected<BatchJournal, std::string> open(const std::filesystem::path& folder,
+                                                      const std::string& name);
 
   BatchJournal(BatchJournal&& other) noexcept;
   BatchJournal& operator=(BatchJournal&&) = delete;

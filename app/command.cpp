@@ -4,8 +4,8 @@
 
 namespace kempe::app {
 
-CLI::App* add_command(CLI::App& program, Session& session, const std::string& name, const std::string& description,
-                      const std::string& example) {
+CLI::App* add_command(CLI::App& program, Session& session, const std::string& name,
+                      const std::string& description, const std::string& example) {
   CLI::App* command = program.add_subcommand(name, description);
   command->add_flag("--json", session.json, "Print one JSON object instead of text");
   command->add_flag("--quiet", session.quiet, "No progress on stderr");

@@ -11,7 +11,13 @@
 namespace kempe::app {
 
 enum ExitCode : int {
-  done = 0, failed = 1, bad_input = 2, no_design = 3, verification_failed = 4, cannot_write = 5, interrupted = 130
+  done = 0,
+  failed = 1,
+  bad_input = 2,
+  no_design = 3,
+  verification_failed = 4,
+  cannot_write = 5,
+  interrupted = 130
 };
 
 /// What every command shares: the options --json and --quiet, and the run that the arguments chose.
@@ -22,8 +28,8 @@ struct Session {
 };
 
 /// Adds a sub-command with the shared options; `example` closes its --help.
-CLI::App* add_command(CLI::App& program, Session& session, const std::string& name, const std::string& description,
-                      const std::string& example);
+CLI::App* add_command(CLI::App& program, Session& session, const std::string& name,
+                      const std::string& description, const std::string& example);
 
 /// Prints "kempe: MESSAGE" to stderr and returns the code.
 int fail(ExitCode code, const std::string& message);

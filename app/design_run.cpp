@@ -32,7 +32,8 @@ namespace {
 
 std::string grounding_sentence(const CopyingLinkage& linkage) {
   return fmt::format("{} at the vertex V; pole {}, tracer {}, pen {}", name(linkage.vertex()),
-                     letter(linkage.pole_joint()), letter(linkage.tracer_joint()), letter(linkage.pen_joint()));
+                     letter(linkage.pole_joint()), letter(linkage.tracer_joint()),
+                     letter(linkage.pen_joint()));
 }
 
 std::string lengths_table(const Design& design) {
@@ -49,8 +50,9 @@ std::string objective_line(const SearchRecord& search) {
   const char* unit = search.objective == Objective::transmission ? "degrees"
                      : search.objective == Objective::footprint  ? "mm2"
                                                                  : "mm";
-  return fmt::format("{}objective    {} = {:.4f} {}\n", search.complete ? "" : "STOPPED EARLY: the best so far\n",
-                     name(search.objective), shown, unit);
+  return fmt::format("{}objective    {} = {:.4f} {}\n",
+                     search.complete ? "" : "STOPPED EARLY: the best so far\n", name(search.objective), shown,
+                     unit);
 }
 
 std::string layers_line(const Design& design) {
@@ -69,23 +71,26 @@ std::string bound_line(const Design& design) {
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
   std::string text = fmt::format("bound        no design can be {} {:.4f} {}", angle ? "above" : "below",
                                  angle ? degrees(bound) : bound, angle ? "degrees" : "mm");
-  if (gap > 0.005)
-    text += fmt::format(": {:.1f} % away", 100 * gap);
+  if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
   return text + "\n";
 }
 
 std::string relaxation_line(const Relaxation& relaxation) {
   const CopyingLinkage& linkage = relaxation.design.linkage;
-  return fmt::format("  {}: VA = {:.3f} mm, VB = {:.3f} mm, {} at the vertex, pole ({:.3f}, {:.3f})\n", relaxation.sentence,
-                     linkage.VA(), linkage.VB(), name(linkage.vertex()), linkage.pole().x(), linkage.pole().y());
+  return fmt::format("  {}: VA = {:.3f} mm, VB = {:.3f} mm, {} at the vertex, pole ({:.3f}, {:.3f})\n",
+                     relaxation.sentence, linkage.VA(), linkage.VB(), name(linkage.vertex()),
+                     linkage.pole().x(), linkage.pole().y());
 }
 
 std::string ratio_line(const Design& design) {
-  std::string text = fmt::format("copy         scale {:.6g}, rotation {:.6g} degrees\n", design.scale, degrees(design.rotation));
+  std::string text = fmt::format("copy         scale {:.6g}, rotation {:.6g} degrees\n", design.scale,
+                                 degrees(design.rotation));
   if (design.wanted)
-    text += fmt::format("             wanted: scale {:.6g}, rotation {:.6g} degrees; the workshop's lengths are off by {:.2g} mm per "
-                        "100 mm from the pole\n",
-                        design.wanted->scale, degrees(design.wanted->rotation), 100 * design.wanted->error);
+    text += fmt::format(
+        "             wanted: scale {:.6g}, rotation {:.6g} degrees; the workshop's lengths are off by "
+        "{:.2g} mm per "
+        "100 mm from the pole\n",
+        design.wanted->scale, degrees(design.wanted->rotation), 100 * design.wanted->error);
   return text;
 }
 
@@ -94,15 +99,19 @@ std::string tool_line(const std::optional<ToolAdvice>& tool) {
   if (!tool) return "";
   std::string text = "tool         ";
   if (tool->exact_follower_radius)
-    text += fmt::format("for a cutter of radius {:.4g} mm a follower of radius {:.4g} mm cuts the exact copy\n",
-                        *tool->cutter_radius, *tool->exact_follower_radius);
+    text +=
+        fmt::format("for a cutter of radius {:.4g} mm a follower of radius {:.4g} mm cuts the exact copy\n",
+                    *tool->cutter_radius, *tool->exact_follower_radius);
   else
-    text += fmt::format("with a follower of radius {:.4g} mm a cutter of radius {:.4g} mm cuts the exact copy\n",
-                        *tool->follower_radius, *tool->exact_cutter_radius);
+    text +=
+        fmt::format("with a follower of radius {:.4g} mm a cutter of radius {:.4g} mm cuts the exact copy\n",
+                    *tool->follower_radius, *tool->exact_cutter_radius);
   if (tool->template_offset && std::abs(*tool->template_offset) > 1e-9)
-    text += fmt::format("             with the follower of {:.4g} mm the cut lies {:.4g} mm {}: draw the template {:.4g} mm {} all around\n",
-                        *tool->follower_radius, std::abs(*tool->cut_outside), *tool->cut_outside > 0 ? "outside" : "inside",
-                        std::abs(*tool->template_offset), *tool->template_offset > 0 ? "larger" : "smaller");
+    text += fmt::format(
+        "             with the follower of {:.4g} mm the cut lies {:.4g} mm {}: draw the template {:.4g} mm "
+        "{} all around\n",
+        *tool->follower_radius, std::abs(*tool->cut_outside), *tool->cut_outside > 0 ? "outside" : "inside",
+        std::abs(*tool->template_offset), *tool->template_offset > 0 ? "larger" : "smaller");
   return text;
 }
 
@@ -119,19 +128,23 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   if (design.search) text += objective_line(*design.search);
   text += bound_line(design);
   text += fmt::format("size         {:.3f} mm\n", q.size);
-  text += fmt::format("transmission {:.3f} degrees at least; opening {:.3f} .. {:.3f} degrees certified\n",
-                      degrees(q.transmission_min), degrees(design.opening.lower), degrees(design.opening.upper));
-  text += fmt::format("clearance    {:.3f} mm at least, {}\n", q.clearance_min, design.map.clearance_min_parts);
+  text +=
+      fmt::format("transmission {:.3f} degrees at least; opening {:.3f} .. {:.3f} degrees certified\n",
+                  degrees(q.transmission_min), degrees(design.opening.lower), degrees(design.opening.upper));
+  text +=
+      fmt::format("clearance    {:.3f} mm at least, {}\n", q.clearance_min, design.map.clearance_min_parts);
   if (q.copy_error_worst)
-    text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n", *q.copy_error_worst,
-                        q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
-  text += design.map.coverage.covered ? "region       covered by one component of the collision-free workspace\n"
-                                      : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
+    text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n",
+                        *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+  text += design.map.coverage.covered
+              ? "region       covered by one component of the collision-free workspace\n"
+              : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
   text += tool_line(design.tool);
-  text += fmt::format("verified     {} positions by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
-                      "{} changes of assembly\n",
-                      design.verification.samples, design.verification.copy_error_max,
-                      design.verification.loop_residual_max, design.verification.flips);
+  text += fmt::format(
+      "verified     {} positions by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
+      "{} changes of assembly\n",
+      design.verification.samples, design.verification.copy_error_max, design.verification.loop_residual_max,
+      design.verification.flips);
   text += fmt::format("written      {}:", folder.string());
   bool has_parts = false;
   for (const std::string& file : files) {
@@ -158,14 +171,18 @@ int tell_no_design(const Session& session, const NoDesign& none) {
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
   message.pop_back();
   if (session.json) {
-    nlohmann::ordered_json object{{"error", "no design exists"}, {"requirement", none.requirement}, {"sentence", none.sentence}, {"proven", none.proven}};
+    nlohmann::ordered_json object{{"error", "no design exists"},
+                                  {"requirement", none.requirement},
+                                  {"sentence", none.sentence},
+                                  {"proven", none.proven}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
-      object["relaxations"].push_back({{"limit", relaxation.limit ? std::string(name(*relaxation.limit)) : "obstacles"},
-                                       {"sentence", relaxation.sentence},
-                                       {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
-                                       {"VA_mm", relaxation.design.linkage.VA()},
-                                       {"VB_mm", relaxation.design.linkage.VB()}});
+      object["relaxations"].push_back(
+          {{"limit", relaxation.limit ? std::string(name(*relaxation.limit)) : "obstacles"},
+           {"sentence", relaxation.sentence},
+           {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
+           {"VA_mm", relaxation.design.linkage.VA()},
+           {"VB_mm", relaxation.design.linkage.VB()}});
     print(object.dump(1) + "\n");
   }
   return fail(no_design, message);
@@ -175,7 +192,8 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
                           const std::filesystem::path& folder) {
   design.verification = verify(verification_task(design));
   if (!design.verification.certified)
-    return fail(verification_failed, "the design failed its verification, nothing is written: " + design.verification.failure);
+    return fail(verification_failed,
+                "the design failed its verification, nothing is written: " + design.verification.failure);
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
@@ -183,7 +201,8 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   const CuttingSpec& cutting = spec.spec.cutting;
   const auto package = design_package(design, cutting, extras);
   if (const auto faults = recheck(package, design, cutting); !faults.empty())
-    return fail(verification_failed, "the drawings, read again, are not the design; nothing is written: " + faults.front());
+    return fail(verification_failed,
+                "the drawings, read again, are not the design; nothing is written: " + faults.front());
   if (const auto written = write_whole(folder, package); !written) return fail(cannot_write, written.error());
   std::vector<std::string> files;
   for (const OutputFile& file : package) files.push_back(file.name.string());

@@ -24,7 +24,8 @@ void keep_standard_streams() {
 /// The exit code, unless what was printed has not arrived.
 int told(int code) {
   using namespace kempe::app;
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return fail(cannot_write, "stdout cannot be written");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail(cannot_write, "stdout cannot be written");
   return code;
 }
 

@@ -28,7 +28,8 @@ struct ParetoArguments {
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
-constexpr std::array objectives{Objective::size, Objective::transmission, Objective::copy_error, Objective::footprint};
+constexpr std::array objectives{Objective::size, Objective::transmission, Objective::copy_error,
+                                Objective::footprint};
 
 std::optional<Objective> objective_named(const std::string& word) {
   for (const Objective one : objectives)
@@ -40,7 +41,9 @@ const char* unit_of(Objective objective) {
   return objective == Objective::transmission ? "deg" : objective == Objective::footprint ? "mm2" : "mm";
 }
 
-double shown(Objective objective, double value) { return objective == Objective::transmission ? degrees(value) : value; }
+double shown(Objective objective, double value) {
+  return objective == Objective::transmission ? degrees(value) : value;
+}
 
 /// For the table: a millionth of a micrometre is nothing (design.json has every digit).
 double coordinate(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
@@ -53,12 +56,12 @@ struct FrontFiles {
 };
 
 /// Assembles and verifies every point; the error names the point that failed.
-tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& front, const LoadedSpec& loaded, Objective first,
-                                               Objective second) {
+tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& front,
+                                               const LoadedSpec& loaded, Objective first, Objective second) {
   FrontFiles all;
   all.chart = {std::string(name(first)), unit_of(first), std::string(name(second)), unit_of(second), {}};
-  all.csv = fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first), unit_of(first),
-                        name(second), unit_of(second));
+  all.csv = fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first),
+                        unit_of(first), name(second), unit_of(second));
   std::optional<Design> middle;
   for (std::size_t i = 0; i < front.size(); ++i) {
     const ParetoPoint& point = front[i];
@@ -68,13 +71,15 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
     design.quality.lower_bound.reset();  // a bound of the spec's objective, not of this point's
     design.verification = verify(verification_task(design));
     const std::string number = fmt::format("{:02}", i + 1);
-    if (!design.verification.certified) return tl::unexpected("point " + number + ": " + design.verification.failure);
+    if (!design.verification.certified)
+      return tl::unexpected("point " + number + ": " + design.verification.failure);
     all.files.push_back({number + "/design.json", design_json(design)});
     const bool is_middle = i == front.size() / 2;
     all.chart.rows.push_back({number, shown(first, point.a), shown(second, point.b), is_middle});
     const CopyingLinkage& l = design.linkage;
-    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.a), shown(second, point.b),
-                           name(l.vertex()), l.assembly(), l.VA(), l.VB(), coordinate(l.pole().x()), coordinate(l.pole().y()));
+    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.a),
+                           shown(second, point.b), name(l.vertex()), l.assembly(), l.VA(), l.VB(),
+                           coordinate(l.pole().x()), coordinate(l.pole().y()));
     if (is_middle) middle = std::move(design);
   }
   ReportExtras extras;
@@ -90,12 +95,14 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
 int run(const Session& session, const ParetoArguments& arguments) {
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(loaded.error());
-  const auto first = objective_named(arguments.between.front()), second = objective_named(arguments.between.back());
+  const auto first = objective_named(arguments.between.front()),
+             second = objective_named(arguments.between.back());
   if (arguments.between.size() != 2 || !first || !second || *first == *second)
     return fail({"", 0, "--between", fmt::format("{}", fmt::join(arguments.between, ",")),
                  "two of size, transmission, copy_error, footprint, as size,copy_error"});
   if ((*first == Objective::copy_error || *second == Objective::copy_error) && !loaded->spec.tolerance)
-    return fail({loaded->file, 0, "tolerance", "no such table", "[tolerance] with length_mm and play_mm, for copy_error"});
+    return fail({loaded->file, 0, "tolerance", "no such table",
+                 "[tolerance] with length_mm and play_mm, for copy_error"});
   const Interrupt interrupt;
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {
@@ -112,7 +119,8 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (front->empty()) return fail(no_design, "no design was found");
   const auto files = files_of(*front, *loaded, *first, *second);
   if (!files) return fail(verification_failed, files.error());
-  if (const auto written = write_whole(arguments.folder, files->files); !written) return fail(cannot_write, written.error());
+  if (const auto written = write_whole(arguments.folder, files->files); !written)
+    return fail(cannot_write, written.error());
   nlohmann::ordered_json object{{"points", front->size()}, {"folder", arguments.folder}};
   print(session.json ? object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
                      : files->csv + fmt::format("written {}\n", arguments.folder));
@@ -122,18 +130,23 @@ int run(const Session& session, const ParetoArguments& arguments) {
 }  // namespace
 
 void add_pareto_command(CLI::App& program, Session& session) {
-  CLI::App* command = add_command(program, session, "pareto", "The front between two objectives, each point a design",
-                                  "kempe pareto specs/examples/nameplate.toml --between size,transmission -o out/front");
+  CLI::App* command =
+      add_command(program, session, "pareto", "The front between two objectives, each point a design",
+                  "kempe pareto specs/examples/nameplate.toml --between size,transmission -o out/front");
   auto arguments = std::make_shared<ParetoArguments>();
   command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)")->required();
   command->add_option("--between", arguments->between, "Two of size, transmission, copy_error, footprint")
       ->required()
       ->delimiter(',');
-  command->add_option("--points", arguments->points, "Points asked for")->check(CLI::Range(2, 200))->capture_default_str();
+  command->add_option("--points", arguments->points, "Points asked for")
+      ->check(CLI::Range(2, 200))
+      ->capture_default_str();
   command->add_option("-o,--output", arguments->folder, "Folder for the front's files")->required();
   command->add_option("--seed", arguments->seed, "Same seed, same front")->capture_default_str();
-  command->add_option("-j,--threads", arguments->threads, "The front does not depend on it")->check(CLI::Range(1, 256));
-  command->callback([&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
+  command->add_option("-j,--threads", arguments->threads, "The front does not depend on it")
+      ->check(CLI::Range(1, 256));
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }
 
 }  // namespace kempe::app

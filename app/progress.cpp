@@ -10,7 +10,8 @@ namespace kempe::app {
 using namespace std::chrono_literals;
 
 Progress::Progress(bool quiet)
-    : wanted_(!quiet && ::isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()), last_(start_) {}
+    : wanted_(!quiet && ::isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);

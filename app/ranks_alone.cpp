@@ -16,7 +16,9 @@ tl::expected<Ranks, std::string> Ranks::join() {
   for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* size = std::getenv(variable);
     if (size != nullptr && std::string_view(size) != "1")
-      return tl::unexpected(std::string("started by mpirun, but this kempe was built without MPI (install Open MPI, configure with -DKEMPE_WITH_MPI=ON)"));
+      return tl::unexpected(
+          std::string("started by mpirun, but this kempe was built without MPI (install Open MPI, configure "
+                      "with -DKEMPE_WITH_MPI=ON)"));
   }
   Ranks alone;
   alone.state_ = new State;

@@ -13,7 +13,7 @@ namespace kempe::app {
 struct Ranks::State {
   MPI_Win window{};
   long* counter = nullptr;
-  long local = 0;       // used by a process that mpirun did not start
+  long local = 0;  // used by a process that mpirun did not start
   bool joined = false;
   std::mutex mutex;
 };
@@ -27,7 +27,8 @@ tl::expected<Ranks, std::string> Ranks::join() {
   MPI_Comm_rank(MPI_COMM_WORLD, &ranks.rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks.size_);
   const MPI_Aint bytes = ranks.rank_ == 0 ? sizeof(long) : 0;
-  MPI_Win_allocate(bytes, sizeof(long), MPI_INFO_NULL, MPI_COMM_WORLD, &ranks.state_->counter, &ranks.state_->window);
+  MPI_Win_allocate(bytes, sizeof(long), MPI_INFO_NULL, MPI_COMM_WORLD, &ranks.state_->counter,
+                   &ranks.state_->window);
   if (ranks.rank_ == 0) *ranks.state_->counter = 0;
   ranks.state_->joined = true;
   MPI_Barrier(MPI_COMM_WORLD);

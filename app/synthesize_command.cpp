@@ -62,12 +62,14 @@ void add_synthesize_command(CLI::App& program, Session& session) {
                                   "kempe synthesize specs/examples/plagiograph.toml -o out/plagiograph");
   auto arguments = std::make_shared<SynthesizeArguments>();
   auto* spec = command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)");
-  auto* batch = command->add_option("--batch", arguments->batch_source,
-                                    "Many specs: a folder of *.toml, or a .jsonl file; resumable (docs/batch.md)");
+  auto* batch =
+      command->add_option("--batch", arguments->batch_source,
+                          "Many specs: a folder of *.toml, or a .jsonl file; resumable (docs/batch.md)");
   spec->excludes(batch);
   command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
   command->add_option("--seed", arguments->seed, "Same seed, same design")->capture_default_str();
-  command->add_option("-j,--threads", arguments->threads, "The design does not depend on it")->check(CLI::Range(1, 256));
+  command->add_option("-j,--threads", arguments->threads, "The design does not depend on it")
+      ->check(CLI::Range(1, 256));
   command->add_option("--time-limit", arguments->time_limit, "Seconds; then the best so far, marked as such")
       ->check(CLI::PositiveNumber);
   command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")

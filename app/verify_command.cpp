@@ -35,8 +35,9 @@ int run(const std::string& file) {
 }  // namespace
 
 void add_verify_command(CLI::App& program, Session& session) {
-  CLI::App* command = add_command(program, session, "verify", "Check a design from its file alone, by closing the loops",
-                                  "kempe verify out/plagiograph/design.json");
+  CLI::App* command =
+      add_command(program, session, "verify", "Check a design from its file alone, by closing the loops",
+                  "kempe verify out/plagiograph/design.json");
   auto file = std::make_shared<std::string>();
   command->add_option("DESIGN", *file, "A design.json")->required();
   command->callback([&session, file] { session.chosen = [file] { return run(*file); }; });

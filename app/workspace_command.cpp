@@ -28,7 +28,8 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const LoadedSpec& loaded) {
   const Spec& spec = loaded.spec;
   if (!spec.mechanism) return tl::unexpected(no_mechanism(loaded.file));
   if (!spec.pole.is_fixed())
-    return tl::unexpected(InputError{loaded.file, 0, "pole.within_mm", "an area", "at_mm: a given mechanism stands at one place"});
+    return tl::unexpected(InputError{loaded.file, 0, "pole.within_mm", "an area",
+                                     "at_mm: a given mechanism stands at one place"});
   const MechanismSpec& given = *spec.mechanism;
   const auto linkage = CopyingLinkage::make(spec.copy.k, given.vertex, given.VA, given.VB, given.assembly,
                                             std::get<Point>(spec.pole.place));
@@ -44,7 +45,8 @@ int tell_why(const Session& session, const Design& design, const Point& tracer) 
     print(fmt::format("({:.6g}, {:.6g}): {}\n", tracer.x(), tracer.y(), verdict.sentence));
     return done;
   }
-  nlohmann::ordered_json object{{"tracer_mm", {tracer.x(), tracer.y()}}, {"free", verdict.free}, {"uncertain", verdict.uncertain}};
+  nlohmann::ordered_json object{
+      {"tracer_mm", {tracer.x(), tracer.y()}}, {"free", verdict.free}, {"uncertain", verdict.uncertain}};
   if (verdict.cause) object["cause"] = std::string(name(*verdict.cause));
   object["parts"] = verdict.parts;
   object["sentence"] = verdict.sentence;
@@ -67,14 +69,16 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
 }  // namespace
 
 void add_workspace_command(CLI::App& program, Session& session) {
-  CLI::App* command = add_command(program, session, "workspace", "Map a mechanism whose lengths the spec gives ([mechanism])",
-                                  "kempe workspace specs/examples/report-mechanism.toml -o out/report-mechanism");
+  CLI::App* command =
+      add_command(program, session, "workspace", "Map a mechanism whose lengths the spec gives ([mechanism])",
+                  "kempe workspace specs/examples/report-mechanism.toml -o out/report-mechanism");
   auto arguments = std::make_shared<WorkspaceArguments>();
   command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)")->required();
   auto* folder = command->add_option("-o,--output", arguments->folder, "Folder for the map's files");
-  auto* why = command->add_option("--why", arguments->why, "Say why the tracer can or cannot stand at X,Y (mm)")
-                  ->delimiter(',')
-                  ->expected(2);
+  auto* why =
+      command->add_option("--why", arguments->why, "Say why the tracer can or cannot stand at X,Y (mm)")
+          ->delimiter(',')
+          ->expected(2);
   command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
       ->check(CLI::Range(1e-5, 0.5))
       ->capture_default_str();

@@ -1,10 +1,10 @@
 // SolveSpace's constraint solver on points and distances in the plane.
 
+#include <slvs.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
-
-#include <slvs.h>
 
 #include "forward_task.hpp"
 
@@ -59,8 +59,9 @@ class Sketch {
 
   void add_bar(std::size_t i) {
     const auto& bar = task_.bars[i];
-    constraints_.push_back(Slvs_MakeConstraint(static_cast<Slvs_hConstraint>(1 + i), sought, SLVS_C_PT_PT_DISTANCE, plane,
-                                               bar.length, entity(bar.a), entity(bar.b), 0, 0));
+    constraints_.push_back(Slvs_MakeConstraint(static_cast<Slvs_hConstraint>(1 + i), sought,
+                                               SLVS_C_PT_PT_DISTANCE, plane, bar.length, entity(bar.a),
+                                               entity(bar.b), 0, 0));
   }
 
   static Slvs_hEntity entity(std::size_t point) { return static_cast<Slvs_hEntity>(1000 + point); }

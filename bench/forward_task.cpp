@@ -41,7 +41,9 @@ std::vector<std::vector<double>> drive(const LinkageModel& model, int poses) {
   return values;
 }
 
-std::size_t number_of(const LinkageModel& model, const std::string& name) { return model.point_numbers.at(name); }
+std::size_t number_of(const LinkageModel& model, const std::string& name) {
+  return model.point_numbers.at(name);
+}
 
 /// The point that the drive moves: the path's, or the far end of the crank.
 std::size_t driven_point(const LinkageFile& file, const LinkageModel& model) {
@@ -55,7 +57,8 @@ std::size_t driven_point(const LinkageFile& file, const LinkageModel& model) {
   throw std::runtime_error("no driven point");
 }
 
-std::vector<PointTask::Bar> bars_of(const LinkageFile& file, const LinkageModel& model, const PointTask& points) {
+std::vector<PointTask::Bar> bars_of(const LinkageFile& file, const LinkageModel& model,
+                                    const PointTask& points) {
   std::vector<PointTask::Bar> bars;
   const auto add = [&](const NamedPoint& a, const NamedPoint& b) {
     const std::size_t i = number_of(model, a.first), j = number_of(model, b.first);

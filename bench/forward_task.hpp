@@ -18,11 +18,11 @@ struct PointTask {
     double length;     ///< mm
   };
   std::vector<std::string> names;
-  std::vector<Point> start;  ///< of the first pose, mm
-  std::vector<bool> fixed;   ///< on the ground, or driven
-  std::vector<Bar> bars;     ///< those between two fixed points left out
-  std::size_t driven = 0;    ///< number of the driven point
-  std::vector<Point> places; ///< of the driven point, one a pose
+  std::vector<Point> start;   ///< of the first pose, mm
+  std::vector<bool> fixed;    ///< on the ground, or driven
+  std::vector<Bar> bars;      ///< those between two fixed points left out
+  std::size_t driven = 0;     ///< number of the driven point
+  std::vector<Point> places;  ///< of the driven point, one a pose
 };
 
 struct ForwardTask {
@@ -39,7 +39,7 @@ ForwardTask forward_task(const std::string& file, int poses);
 
 /// The answer of a solver.
 struct ForwardResult {
-  double us_per_pose = 0;  ///< least of several rounds, CPU time
+  double us_per_pose = 0;     ///< least of several rounds, CPU time
   std::vector<Point> places;  ///< of all points, pose by pose
   int failures = 0;           ///< poses that the solver gave up
 };

@@ -37,8 +37,9 @@ struct Circle {
 
 void per_item(benchmark::State& state, std::int64_t items) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * items);
-  state.counters["s_per_item"] = benchmark::Counter(static_cast<double>(state.iterations() * items),
-                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["s_per_item"] =
+      benchmark::Counter(static_cast<double>(state.iterations() * items),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void pose(benchmark::State& state) {

@@ -83,13 +83,16 @@ int run(int obstacles) {
   constexpr int tried = 200'000;
   Dice dice;
   int free = 0;
-  const double sample_time = least_time(3, [&] {
-    free = 0;
-    for (int i = 0; i < tried; ++i) {
-      const double opening = dice.between(openings.lower, openings.upper);
-      free += tightest_obstacle(scene, opening, dice.between(-pi, pi)).gap >= task.clearance;
-    }
-  }) / tried;
+  const double sample_time =
+      least_time(3,
+                 [&] {
+                   free = 0;
+                   for (int i = 0; i < tried; ++i) {
+                     const double opening = dice.between(openings.lower, openings.upper);
+                     free += tightest_obstacle(scene, opening, dice.between(-pi, pi)).gap >= task.clearance;
+                   }
+                 }) /
+      tried;
   const nlohmann::ordered_json json{{"obstacles", obstacles},
                                     {"map_s", map_time},
                                     {"free_mm2", area(map.collision_free)},

@@ -26,7 +26,8 @@ constexpr double cosine_slack = 1e-12;
 Complex copy_ratio(double scale, double rotation) {
   const double quarters = rotation / (pi / 2);
   const double whole = std::round(quarters);
-  if (std::abs(quarters - whole) > 1e-15 * std::max(1.0, std::abs(quarters))) return std::polar(scale, rotation);
+  if (std::abs(quarters - whole) > 1e-15 * std::max(1.0, std::abs(quarters)))
+    return std::polar(scale, rotation);
   constexpr std::array<Complex, 4> unit{Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   return scale * unit[static_cast<std::size_t>(static_cast<long long>(whole) & 3)];
 }
@@ -93,12 +94,14 @@ std::vector<OpeningInterval> assemblies(Complex shape) {
   return {{-pi, dead - pi}, {dead - pi, 0}, {0, dead}, {dead, pi}};
 }
 
-tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Vertex vertex, double VA, double VB,
-                                                                int assembly, Point pole) {
-  if (!std::isfinite(k.real()) || !std::isfinite(k.imag())) return tl::unexpected(LinkageFault::ratio_not_finite);
+tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Vertex vertex, double VA,
+                                                                double VB, int assembly, Point pole) {
+  if (!std::isfinite(k.real()) || !std::isfinite(k.imag()))
+    return tl::unexpected(LinkageFault::ratio_not_finite);
   if (std::abs(k) == 0) return tl::unexpected(LinkageFault::ratio_zero);
   const Complex s = shape_of(k, vertex);
-  if (std::abs(1.0 - k) < straight_tolerance || std::abs(s) == 0) return tl::unexpected(LinkageFault::ratio_one);
+  if (std::abs(1.0 - k) < straight_tolerance || std::abs(s) == 0)
+    return tl::unexpected(LinkageFault::ratio_one);
   const auto positive = [](double length) { return std::isfinite(length) && length > 0; };
   if (!positive(VA) || !positive(VB)) return tl::unexpected(LinkageFault::length_not_positive);
   if (assembly < 0 || static_cast<std::size_t>(assembly) >= assemblies(s).size())
@@ -126,8 +129,14 @@ Joint CopyingLinkage::pen_joint() const { return vertex_ == Vertex::pen ? Joint:
 LinkLengths CopyingLinkage::lengths() const {
   const double scale = std::abs(s_);
   const double turn = std::abs(1.0 - s_);
-  return {.VA = VA_, .VB = VB_, .AC = VB_, .BC = VA_, .AX = VB_ / scale, .CX = VB_ * turn / scale,
-          .BY = VA_ * scale, .CY = VA_ * turn};
+  return {.VA = VA_,
+          .VB = VB_,
+          .AC = VB_,
+          .BC = VA_,
+          .AX = VB_ / scale,
+          .CX = VB_ * turn / scale,
+          .BY = VA_ * scale,
+          .CY = VA_ * turn};
 }
 
 double CopyingLinkage::size() const {
@@ -228,7 +237,8 @@ tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, C
 
 }  // namespace
 
-tl::expected<Pose, Unreachable> CopyingLinkage::velocities(const Pose& pose, const Point& tracer_velocity) const {
+tl::expected<Pose, Unreachable> CopyingLinkage::velocities(const Pose& pose,
+                                                           const Point& tracer_velocity) const {
   // chain w = p + q/s turns as w' = i alpha' p + i beta' q/s, alpha and beta the directions of p and q.
   constexpr Complex i{0, 1};
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
@@ -253,7 +263,8 @@ tl::expected<Pose, Unreachable> CopyingLinkage::accelerations(const Pose& pose, 
   return resolve(i * p, i * q / s_, chain - centripetal).map([&](const std::array<double, 2>& second) {
     CopyingLinkage at_rest = *this;
     at_rest.pole_ = Point::Zero();
-    return at_rest.pose_from_vectors((i * second[0] - alpha1 * alpha1) * p, (i * second[1] - beta1 * beta1) * q);
+    return at_rest.pose_from_vectors((i * second[0] - alpha1 * alpha1) * p,
+                                     (i * second[1] - beta1 * beta1) * q);
   });
 }
 

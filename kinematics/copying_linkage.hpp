@@ -51,19 +51,19 @@ struct LinkLengths {
 
 /// Why a pose does not exist: an outcome of the domain, not an error.
 enum class Unreachable {
-  too_far,              ///< beyond the outer reach (serial dead point V, A, X stretched)
-  too_near,             ///< inside the inner reach (serial dead point folded), the pole itself included
-  beyond_change_point   ///< the chain reaches it, but only with the parallelogram past its flat position
+  too_far,             ///< beyond the outer reach (serial dead point V, A, X stretched)
+  too_near,            ///< inside the inner reach (serial dead point folded), the pole itself included
+  beyond_change_point  ///< the chain reaches it, but only with the parallelogram past its flat position
 };
 std::string_view name(Unreachable why);
 
 /// Why a ratio or a pair of lengths is no copying linkage.
 enum class LinkageFault {
-  ratio_not_finite,      ///< k is NaN or infinite
-  ratio_zero,            ///< k = 0 copies everything onto the pole
-  ratio_one,             ///< k = 1 without rotation: the linkage degenerates (the pole lies at infinity)
-  length_not_positive,   ///< VA or VB is not a positive finite number
-  no_such_assembly       ///< the index is not below assembly_count(s)
+  ratio_not_finite,     ///< k is NaN or infinite
+  ratio_zero,           ///< k = 0 copies everything onto the pole
+  ratio_one,            ///< k = 1 without rotation: the linkage degenerates (the pole lies at infinity)
+  length_not_positive,  ///< VA or VB is not a positive finite number
+  no_such_assembly      ///< the index is not below assembly_count(s)
 };
 std::string_view name(LinkageFault fault);
 
@@ -113,7 +113,9 @@ class CopyingLinkage {
   const OpeningInterval& assembly_interval() const { return interval_; }
 
   /// The openings at which the transmission angle is at least `transmission` (rad, >= 0); perhaps empty.
-  OpeningInterval openings_with_transmission(double transmission) const { return shrink(interval_, transmission); }
+  OpeningInterval openings_with_transmission(double transmission) const {
+    return shrink(interval_, transmission);
+  }
 
   /// mu = min(asin|sin(d - arg s)|, asin|sin d|): how far the linkage stands from its nearest dead or change point.
   double transmission_angle(double opening) const;

@@ -8,16 +8,11 @@ namespace kempe {
 
 std::string_view name(CrankMotion motion) {
   switch (motion) {
-    case CrankMotion::crank_rocker:
-      return "crank-rocker";
-    case CrankMotion::double_crank:
-      return "double crank";
-    case CrankMotion::rocker_crank:
-      return "rocker-crank";
-    case CrankMotion::double_rocker:
-      return "double rocker";
-    case CrankMotion::change_point:
-      return "change point";
+    case CrankMotion::crank_rocker: return "crank-rocker";
+    case CrankMotion::double_crank: return "double crank";
+    case CrankMotion::rocker_crank: return "rocker-crank";
+    case CrankMotion::double_rocker: return "double rocker";
+    case CrankMotion::change_point: return "change point";
   }
   return "";
 }

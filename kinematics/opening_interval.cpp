@@ -16,9 +16,8 @@ OpeningInterval shrink(const OpeningInterval& interval, double margin) {
 }
 
 std::optional<OpeningInterval> widest(const std::vector<OpeningInterval>& intervals) {
-  const auto best = std::max_element(intervals.begin(), intervals.end(), [](const auto& a, const auto& b) {
-    return a.width() < b.width();
-  });
+  const auto best = std::max_element(intervals.begin(), intervals.end(),
+                                     [](const auto& a, const auto& b) { return a.width() < b.width(); });
   if (best == intervals.end() || best->empty()) return std::nullopt;
   return *best;
 }

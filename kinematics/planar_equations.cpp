@@ -37,13 +37,10 @@ constexpr double drift = 1.0;
 }  // namespace
 
 PlanarEquations::PlanarEquations(const PlanarLinkage& linkage)
-    : values_(linkage.driver_values()),
-      angle_bends_(static_cast<std::size_t>(linkage.body_count()), false),
+    : values_(linkage.driver_values()), angle_bends_(static_cast<std::size_t>(linkage.body_count()), false),
       place_bends_(static_cast<std::size_t>(linkage.body_count()), false),
       directions_(static_cast<std::size_t>(linkage.body_count()), Point(1, 0)),
-      unknowns_(linkage.unknown_count()),
-      rows_(0),
-      size_(linkage.size()) {
+      unknowns_(linkage.unknown_count()), rows_(0), size_(linkage.size()) {
   for (const auto& [name, constraint] : linkage.constraints()) {
     const bool two = equation_count(constraint) == 2;
     const auto* distance = std::get_if<Distance>(&constraint);

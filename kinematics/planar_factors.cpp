@@ -26,7 +26,9 @@ Tree tree_of(const PlanarEquations& equations) {
       grew = false;
       for (PlanarEquations::Joint joint : joints) {
         if (tree.reached[static_cast<std::size_t>(joint.b)]) std::swap(joint.a, joint.b);
-        if (!tree.reached[static_cast<std::size_t>(joint.a)] || tree.reached[static_cast<std::size_t>(joint.b)]) continue;
+        if (!tree.reached[static_cast<std::size_t>(joint.a)] ||
+            tree.reached[static_cast<std::size_t>(joint.b)])
+          continue;
         tree.reached[static_cast<std::size_t>(joint.b)] = grew = true;
         tree.edges.push_back(joint);
       }
@@ -90,7 +92,8 @@ void PlanarFactors::choose_order(const PlanarEquations& equations) {
 
 void PlanarFactors::compute(const Eigen::MatrixXd& jacobian) {
   const auto take_row = [&](const Row& row, std::vector<double>& values, auto&& target) {
-    for (Index j = 0; j < target.size(); ++j) target[j] = jacobian(row.row, kept_[static_cast<std::size_t>(j)]);
+    for (Index j = 0; j < target.size(); ++j)
+      target[j] = jacobian(row.row, kept_[static_cast<std::size_t>(j)]);
     for (std::size_t i = 0; i < row.earlier.size(); ++i) {
       values[i] = jacobian(row.row, pivots_[static_cast<std::size_t>(row.earlier[i])].column);
       target -= values[i] * eliminated_.row(row.earlier[i]);

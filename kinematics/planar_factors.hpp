@@ -51,15 +51,15 @@ class PlanarFactors {
   void solve_reduced(Eigen::VectorXd& x) const;
   void solve_reduced_transposed(Eigen::VectorXd& x) const;
 
-  std::vector<Row> pivots_;            ///< in the order of elimination
-  std::vector<Row> others_;            ///< the rows of S
-  std::vector<int> kept_;              ///< columns of S
-  std::vector<int> number_;            ///< of each column: -1 - its place among those kept, or its pivot's number
-  Eigen::VectorXd pivot_;              ///< +1 or -1
+  std::vector<Row> pivots_;  ///< in the order of elimination
+  std::vector<Row> others_;  ///< the rows of S
+  std::vector<int> kept_;    ///< columns of S
+  std::vector<int> number_;  ///< of each column: -1 - its place among those kept, or its pivot's number
+  Eigen::VectorXd pivot_;    ///< +1 or -1
   std::vector<std::vector<double>> below_pivot_, below_;  ///< values at `earlier`
-  RowMajor eliminated_;                ///< T
-  RowMajor reduced_;                   ///< L and U of S', the diagonal of U inverted
-  std::vector<Eigen::Index> exchanged_;  ///< row exchanged with the k-th at its step
+  RowMajor eliminated_;                                   ///< T
+  RowMajor reduced_;                                      ///< L and U of S', the diagonal of U inverted
+  std::vector<Eigen::Index> exchanged_;                   ///< row exchanged with the k-th at its step
   Eigen::VectorXd place_, left_;
   int sign_ = 1;
 };

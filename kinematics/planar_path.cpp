@@ -61,24 +61,18 @@ RowChoice choose_rows(const Eigen::MatrixXd& jacobian, const std::vector<int>& d
 
 std::string_view name(PathEnd end) {
   switch (end) {
-    case PathEnd::dead_point:
-      return "dead point";
-    case PathEnd::change_point:
-      return "change point";
-    case PathEnd::over_constrained:
-      return "over-constrained";
+    case PathEnd::dead_point: return "dead point";
+    case PathEnd::change_point: return "change point";
+    case PathEnd::over_constrained: return "over-constrained";
   }
   return {};
 }
 
 std::string_view name(NoPath why) {
   switch (why) {
-    case NoPath::does_not_assemble:
-      return "does not assemble";
-    case NoPath::freedom_left:
-      return "freedom left";
-    case NoPath::drivers_dependent:
-      return "drivers not independent";
+    case NoPath::does_not_assemble: return "does not assemble";
+    case NoPath::freedom_left: return "freedom left";
+    case NoPath::drivers_dependent: return "drivers not independent";
   }
   return {};
 }
@@ -153,7 +147,8 @@ void PlanarPath::bound_bending() {
     double sum = 0;
     for (const auto& bend : bends_) {
       const double first = bend.row < square ? inverse_row_[bend.row] : 0;
-      const double second = bend.second_row >= 0 && bend.second_row < square ? inverse_row_[bend.second_row] : 0;
+      const double second =
+          bend.second_row >= 0 && bend.second_row < square ? inverse_row_[bend.second_row] : 0;
       sum += bend.bound * std::sqrt(first * first + second * second);
     }
     return sum;

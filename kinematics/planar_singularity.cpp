@@ -34,9 +34,7 @@ Eigen::VectorXd free_motion(const PlanarLinkage& linkage, const PlanarPosition& 
 class Singularity {
  public:
   Singularity(const PlanarLinkage& linkage, const PlanarPosition& position, double tolerance)
-      : linkage_(linkage),
-        position_(position),
-        tolerance_(tolerance),
+      : linkage_(linkage), position_(position), tolerance_(tolerance),
         motion_(free_motion(linkage, position)) {
     for (const auto& [name, constraint] : linkage.constraints())
       for (const BodyPoint& point : held_points(constraint))

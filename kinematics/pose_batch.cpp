@@ -11,9 +11,9 @@ struct Shared {
   double pole_x, pole_y;
   double chain_x, chain_y;  ///< X - V per tracer - pole
   double s_x, s_y;
-  double outer, inner;  ///< a + b, |a - b|
-  double difference;    ///< D = (a - b)(a + b)
-  double side;          ///< sign of h
+  double outer, inner;        ///< a + b, |a - b|
+  double difference;          ///< D = (a - b)(a + b)
+  double side;                ///< sign of h
   double change_x, change_y;  ///< sin(opening) = change_x sin(elbow) + change_y cos(elbow)
   double change_side;         ///< sign of sin(opening) over the assembly
   bool ground_at_X;
@@ -63,7 +63,7 @@ void place_rows(const Shared& l, const Block& block, std::size_t count, Margins&
          *__restrict Ay = block.y[1], *__restrict Bx = block.x[2], *__restrict By = block.y[2],
          *__restrict Cx = block.x[3], *__restrict Cy = block.y[3], *__restrict Xx = block.x[4],
          *__restrict Xy = block.y[4], *__restrict Yx = block.x[5], *__restrict Yy = block.y[5];
-  const double *__restrict tx = block.tracer_x, *__restrict ty = block.tracer_y;
+  const double* __restrict tx = block.tracer_x, * __restrict ty = block.tracer_y;
   for (std::size_t i = 0; i < count; ++i) {
     const double dx = tx[i] - l.pole_x, dy = ty[i] - l.pole_y;
     const double wx = dx * l.chain_x - dy * l.chain_y, wy = dx * l.chain_y + dy * l.chain_x;
@@ -77,8 +77,8 @@ void place_rows(const Shared& l, const Block& block, std::size_t count, Margins&
     margins.change[i] = l.change_side * (l.change_x * (2 * h) + l.change_y * (inner - outer)) * square;
     const double scale = 0.5 / (ww > tiny ? ww : tiny);
     const double pu = (ww + l.difference) * scale, qu = (ww - l.difference) * scale, v = h * scale;
-    const double px = wx * pu + wy * v, py = wy * pu - wx * v;    // p = w (pu - i v)
-    const double ux = wx * qu - wy * v, uy = wy * qu + wx * v;    // q/s = w (qu + i v)
+    const double px = wx * pu + wy * v, py = wy * pu - wx * v;  // p = w (pu - i v)
+    const double ux = wx * qu - wy * v, uy = wy * qu + wx * v;  // q/s = w (qu + i v)
     const double qx = ux * l.s_x - uy * l.s_y, qy = ux * l.s_y + uy * l.s_x;
     const double x = l.pole_x - ground * wx, y = l.pole_y - ground * wy;  // V
     Vx[i] = x;

@@ -71,7 +71,8 @@ class Draft {
 /// A file system without locks only loses this.
 class FolderTurn {
  public:
-  explicit FolderTurn(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  explicit FolderTurn(const fs::path& folder)
+      : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (folder_ < 0) return;
     while (::flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
     }
@@ -100,7 +101,9 @@ tl::expected<void, std::string> write_whole(const fs::path& folder, const std::v
   for (const OutputFile& file : files) {
     const fs::path target = folder / file.name;
     fs::create_directories(target.parent_path(), error);
-    if (error) return tl::unexpected("cannot make the folder " + target.parent_path().string() + ": " + error.message());
+    if (error)
+      return tl::unexpected("cannot make the folder " + target.parent_path().string() + ": " +
+                            error.message());
     if (auto filled = drafts.emplace_back(target).fill(file.contents); !filled) return filled;
   }
   const FolderTurn turn(folder);

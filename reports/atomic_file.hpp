@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 #include <tl/expected.hpp>
+#include <vector>
 
 namespace kempe {
 
@@ -21,6 +21,7 @@ tl::expected<void, std::string> write_whole(const std::filesystem::path& path, s
 
 /// Writes all files into `folder` (made if absent): first every file beside its place, then the renames, so that a
 /// failure before the first rename leaves the folder as it was.
-tl::expected<void, std::string> write_whole(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
+tl::expected<void, std::string> write_whole(const std::filesystem::path& folder,
+                                            const std::vector<OutputFile>& files);
 
 }  // namespace kempe

@@ -34,14 +34,10 @@ std::string links_at(Joint joint) {
 
 double length_between(const LinkLengths& lengths, Link link) {
   switch (link) {
-    case Link::VA:
-      return lengths.VA;
-    case Link::VB:
-      return lengths.VB;
-    case Link::ACX:
-      return std::max({lengths.AC, lengths.AX, lengths.CX});
-    case Link::BCY:
-      break;
+    case Link::VA: return lengths.VA;
+    case Link::VB: return lengths.VB;
+    case Link::ACX: return std::max({lengths.AC, lengths.AX, lengths.CX});
+    case Link::BCY: break;
   }
   return std::max({lengths.BC, lengths.BY, lengths.CY});
 }

@@ -25,9 +25,9 @@ std::string title(const CalibrationRecord& record) {
 
 std::string what_was_done(const CalibrationRecord& record, bool is_simulated) {
   if (record.rounds.empty())
-    return is_simulated    ? "What the procedure is worth, played with instruments whose errors are known."
-           : record.plan   ? "No readings yet: a plan of where to measure."
-                           : "No readings yet: --plan says where to measure, --simulate plays the procedure.";
+    return is_simulated  ? "What the procedure is worth, played with instruments whose errors are known."
+           : record.plan ? "No readings yet: a plan of where to measure."
+                         : "No readings yet: --plan says where to measure, --simulate plays the procedure.";
   const std::size_t count = record.readings.size();
   const std::string how =
       record.method == CalibrationMethod::knight ? "Knight’s equations" : "least squares on its measures";
@@ -139,8 +139,8 @@ std::string footer(const CalibrationPage& page) {
 
 std::string calibration_html(const CalibrationRecord& record,
                              const std::optional<SimulationRecord>& simulation, const CalibrationPage& page) {
-  std::string body =
-      "<main>\n" + header(record, simulation.has_value()) + key_figures(record) + vectors(record) + section::corrections(record);
+  std::string body = "<main>\n" + header(record, simulation.has_value()) + key_figures(record) +
+                     vectors(record) + section::corrections(record);
   body += section::unidentifiable(record) + section::placement(record) + section::settings(record) +
           section::readings(record) + section::rounds(record);
   body += section::plan(record) + simulation_section(simulation) + file_section(page) + "</main>\n" +

@@ -128,10 +128,15 @@ class Picture {
     };
     std::string svg = bar({Joint::V, Joint::A}) + bar({Joint::V, Joint::B}) +
                       bar({Joint::C, Joint::A, Joint::X}) + bar({Joint::C, Joint::B, Joint::Y});
-    LabelPlacer placer({0.5 * (box_.lower() + box_.lower() + box_.size()), 0.5 * box_.size() + Point::Constant(margin_)},
-                       unit_);
-    for (const auto& [from, to] : {std::pair{Joint::V, Joint::A}, {Joint::V, Joint::B}, {Joint::A, Joint::C},
-                                   {Joint::A, Joint::X}, {Joint::B, Joint::C}, {Joint::B, Joint::Y}})
+    LabelPlacer placer(
+        {0.5 * (box_.lower() + box_.lower() + box_.size()), 0.5 * box_.size() + Point::Constant(margin_)},
+        unit_);
+    for (const auto& [from, to] : {std::pair{Joint::V, Joint::A},
+                                   {Joint::V, Joint::B},
+                                   {Joint::A, Joint::C},
+                                   {Joint::A, Joint::X},
+                                   {Joint::B, Joint::C},
+                                   {Joint::B, Joint::Y}})
       placer.avoid((*pose)[from], (*pose)[to], 3.5 * unit_);
     for (const Joint joint : all_joints) placer.avoid({(*pose)[joint], Point::Constant(5 * unit_)});
     for (const Joint joint : all_joints) svg += joint_svg(joint, (*pose)[joint], placer);
@@ -142,18 +147,12 @@ class Picture {
   std::string letter_of(Joint joint) const {
     if (record_.design) return std::string(1, letter(joint));
     switch (joint) {
-      case Joint::V:
-        return "E";
-      case Joint::A:
-        return "B";
-      case Joint::B:
-        return "D";
-      case Joint::C:
-        return "C";
-      case Joint::X:
-        return "A";
-      case Joint::Y:
-        break;
+      case Joint::V: return "E";
+      case Joint::A: return "B";
+      case Joint::B: return "D";
+      case Joint::C: return "C";
+      case Joint::X: return "A";
+      case Joint::Y: break;
     }
     return "F";
   }

@@ -183,8 +183,7 @@ std::string rounds(const CalibrationRecord& record) {
   }
   std::vector<HtmlColumn> columns{{"Round", false}, {"Largest departure", true}};
   for (const Quantity& one : record.rounds.front().quantities)
-    if (one.kind != Quantity::Kind::placement)
-      columns.push_back({"Correction " + spoken(one.name), true});
+    if (one.kind != Quantity::Kind::placement) columns.push_back({"Correction " + spoken(one.name), true});
   return html_section("rounds", "Rounds", html_table("pareto", columns, rows));
 }
 
@@ -230,13 +229,11 @@ std::string plan(const CalibrationRecord& record) {
   Rows rows;
   for (const PlannedReading& one : record.plan->readings)
     rows.push_back({std::to_string(rows.size() + 1), one.arm_angle ? degrees_text(*one.arm_angle) : "–",
-                    point_text(one.input), point_text(one.wanted),
-                    one.exchanged ? "exchanged" : "as usual"});
+                    point_text(one.input), point_text(one.wanted), one.exchanged ? "exchanged" : "as usual"});
   Rows uncertainties;
   for (const Quantity& one : record.plan->quantities)
-    uncertainties.push_back({spoken(one.name), one.name == "turn"
-                                                         ? "±\u202f" + angle_text(one.uncertainty, 4)
-                                                         : plus_minus(one.uncertainty)});
+    uncertainties.push_back({spoken(one.name), one.name == "turn" ? "±\u202f" + angle_text(one.uncertainty, 4)
+                                                                  : plus_minus(one.uncertainty)});
   const std::string words = fmt::format(
       "<p class=\"lead\">These places tell the measures best (D-optimal): {} times as sharply, on the "
       "average, as the same number spread evenly.{}</p>\n",

@@ -103,12 +103,9 @@ struct Carriers {
 };
 Carriers carriers(Vertex vertex) {
   switch (vertex) {
-    case Vertex::pole:
-      return {Joint::V, Joint::X, Joint::Y};
-    case Vertex::tracer:
-      return {Joint::X, Joint::V, Joint::Y};
-    case Vertex::pen:
-      break;
+    case Vertex::pole: return {Joint::V, Joint::X, Joint::Y};
+    case Vertex::tracer: return {Joint::X, Joint::V, Joint::Y};
+    case Vertex::pen: break;
   }
   return {Joint::X, Joint::Y, Joint::V};
 }

@@ -12,7 +12,8 @@
 
 namespace kempe {
 
-std::vector<OutputFile> design_package(const Design& design, const CuttingSpec& cutting, const ReportExtras& extras) {
+std::vector<OutputFile> design_package(const Design& design, const CuttingSpec& cutting,
+                                       const ReportExtras& extras) {
   const Drawing drawing = design_drawing(design, cutting);
   std::vector<OutputFile> files{{"design.json", design_json(design)},
                                 {"links.csv", links_csv(design)},

@@ -12,6 +12,7 @@ namespace kempe {
 
 /// The files of a design's folder: design.json first, map, drawings and report, then those of the parts
 /// (part_files.hpp). Depends on its arguments alone.
-std::vector<OutputFile> design_package(const Design& design, const CuttingSpec& cutting, const ReportExtras& extras);
+std::vector<OutputFile> design_package(const Design& design, const CuttingSpec& cutting,
+                                       const ReportExtras& extras);
 
 }  // namespace kempe

@@ -28,15 +28,18 @@ struct Axis {
 std::string ticks(const Axis& x, const Axis& y) {
   std::string svg;
   const double step_x = round_step(x.upper - x.lower), step_y = round_step(y.upper - y.lower);
-  for (double value = std::ceil(x.lower / step_x - 1e-9) * step_x; value <= x.upper * (1 + 1e-12) + 1e-12; value += step_x)
-    svg += fmt::format("<line x1='{0:.2f}' y1='{1}' x2='{0:.2f}' y2='{2}' class='grid'/><text x='{0:.2f}' y='{3}' "
-                       "text-anchor='middle'>{4:.6g}</text>\n",
-                       x.at(value), top, height - bottom, height - bottom + 18, std::abs(value) < 1e-12 ? 0.0 : value);
+  for (double value = std::ceil(x.lower / step_x - 1e-9) * step_x; value <= x.upper * (1 + 1e-12) + 1e-12;
+       value += step_x)
+    svg += fmt::format(
+        "<line x1='{0:.2f}' y1='{1}' x2='{0:.2f}' y2='{2}' class='grid'/><text x='{0:.2f}' y='{3}' "
+        "text-anchor='middle'>{4:.6g}</text>\n",
+        x.at(value), top, height - bottom, height - bottom + 18, std::abs(value) < 1e-12 ? 0.0 : value);
   for (double value = std::ceil(y.lower / step_y) * step_y; value <= y.upper; value += step_y)
-    svg += fmt::format("<line x1='{0}' y1='{1:.2f}' x2='{2}' y2='{1:.2f}' class='{5}'/><text x='{3}' y='{1:.2f}' dy='4' "
-                       "text-anchor='end'>{4:.4g}</text>\n",
-                       left, y.at(value), width - right, left - 8, std::abs(value) < 1e-9 * step_y ? 0.0 : value,
-                       std::abs(value) < 1e-9 * step_y ? "zero" : "grid");
+    svg += fmt::format(
+        "<line x1='{0}' y1='{1:.2f}' x2='{2}' y2='{1:.2f}' class='{5}'/><text x='{3}' y='{1:.2f}' dy='4' "
+        "text-anchor='end'>{4:.4g}</text>\n",
+        left, y.at(value), width - right, left - 8, std::abs(value) < 1e-9 * step_y ? 0.0 : value,
+        std::abs(value) < 1e-9 * step_y ? "zero" : "grid");
   return svg;
 }
 
@@ -49,7 +52,8 @@ std::string error_plot_svg(const ErrorPlot& plot) {
   const Axis x{plot.curve.front().first, plot.curve.back().first, left, width - right};
   const Axis y{-reach, reach, height - bottom, top};
   std::string svg = fmt::format(
-      "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' font-family='sans-serif' "
+      "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' "
+      "font-family='sans-serif' "
       "font-size='12'>\n<style>.grid{{stroke:#ddd}}.zero{{stroke:#555}}text{{fill:#222}}</style>\n"
       "<rect width='100%' height='100%' fill='#fff'/>\n<text x='{2}' y='26' font-size='15' "
       "font-weight='bold'>{3}</text>\n",
@@ -59,12 +63,14 @@ std::string error_plot_svg(const ErrorPlot& plot) {
   for (const auto& [at, error] : plot.curve) points += fmt::format("{:.2f},{:.2f} ", x.at(at), y.at(error));
   svg += fmt::format("<polyline points='{}' fill='none' stroke='#1f5fa8' stroke-width='2'/>\n", points);
   for (const double at : plot.marked)
-    svg += fmt::format("<circle cx='{:.2f}' cy='{:.2f}' r='4' fill='#fff' stroke='#c0392b' stroke-width='2'/>\n", x.at(at),
-                       y.at(0));
-  svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{}</text>\n", (left + width - right) / 2, height - 16,
-                     html_escaped(plot.x_label));
-  svg += fmt::format("<text transform='translate(18 {:.1f}) rotate(-90)' text-anchor='middle'>{}</text>\n</svg>\n",
-                     (top + height - bottom) / 2, html_escaped(plot.y_label));
+    svg +=
+        fmt::format("<circle cx='{:.2f}' cy='{:.2f}' r='4' fill='#fff' stroke='#c0392b' stroke-width='2'/>\n",
+                    x.at(at), y.at(0));
+  svg += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{}</text>\n", (left + width - right) / 2,
+                     height - 16, html_escaped(plot.x_label));
+  svg += fmt::format(
+      "<text transform='translate(18 {:.1f}) rotate(-90)' text-anchor='middle'>{}</text>\n</svg>\n",
+      (top + height - bottom) / 2, html_escaped(plot.y_label));
   return svg;
 }
 

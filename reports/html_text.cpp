@@ -16,18 +16,12 @@ constexpr std::string_view replacement = "\ufffd";
 
 std::string_view reference_of(char c) {
   switch (c) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    case '\'':
-      return "&#39;";
-    default:
-      return {};
+    case '&': return "&amp;";
+    case '<': return "&lt;";
+    case '>': return "&gt;";
+    case '"': return "&quot;";
+    case '\'': return "&#39;";
+    default: return {};
   }
 }
 
@@ -121,7 +115,8 @@ std::string residual_text(double mm) {
   const std::size_t e = text.find('e');
   double mantissa = 0;  // not by stod: it obeys the locale's decimal comma
   std::from_chars(text.data(), text.data() + e, mantissa);
-  return fmt::format("{}·10{}{}mm", number_text(mantissa, 1), superscript(std::stoi(text.substr(e + 1))), no_break_space);
+  return fmt::format("{}·10{}{}mm", number_text(mantissa, 1), superscript(std::stoi(text.substr(e + 1))),
+                     no_break_space);
 }
 
 std::string count_text(unsigned long long count) {

@@ -50,14 +50,10 @@ std::string kind_of(InstantCentre::Kind kind) {
 
 std::string kind_of(InstantCentre::Source source) {
   switch (source) {
-    case InstantCentre::Source::primary:
-      return "primary";
-    case InstantCentre::Source::lines:
-      return "aronhold-kennedy";
-    case InstantCentre::Source::rates:
-      return "velocities";
-    case InstantCentre::Source::none:
-      return "none";
+    case InstantCentre::Source::primary: return "primary";
+    case InstantCentre::Source::lines: return "aronhold-kennedy";
+    case InstantCentre::Source::rates: return "velocities";
+    case InstantCentre::Source::none: return "none";
   }
   return {};
 }

@@ -76,8 +76,7 @@ std::vector<ContourCircle> copy_error_circles(const Design& design) {
   for (const double level : round_levels(rows, design.opening))
     for (std::size_t i = 1; i < rows.size(); ++i)
       if ((rows[i - 1].error < level) != (rows[i].error < level))
-        circles.push_back(
-            {level, design.linkage.radius_at(crossing(profile, rows[i - 1], rows[i], level))});
+        circles.push_back({level, design.linkage.radius_at(crossing(profile, rows[i - 1], rows[i], level))});
   return circles;
 }
 

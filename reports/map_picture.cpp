@@ -66,9 +66,11 @@ class Extent {
 /// A name that a person gave, no longer than a picture bears; cut between characters of UTF-8.
 std::string shortened(const std::string& name) {
   std::size_t end = 0, characters = 0;
-  const auto continues = [&](std::size_t at) { return (static_cast<unsigned char>(name[at]) & 0xC0) == 0x80; };
-  for (; end < name.size() && characters < 24; ++characters)
-    do ++end;
+  const auto continues = [&](std::size_t at) {
+    return (static_cast<unsigned char>(name[at]) & 0xC0) == 0x80;
+  };
+  for (; end < name.size() && characters < 24; ++characters) do
+      ++end;
     while (end < name.size() && continues(end));
   return end == name.size() ? name : name.substr(0, end) + "…";
 }
@@ -108,17 +110,13 @@ std::string why_lost(const LostArea& lost) {
   std::string parts;
   for (const std::string& part : lost.parts) parts += (parts.empty() ? "" : " and ") + part;
   switch (lost.cause) {
-    case Cause::out_of_reach:
-      return "Out of reach.";
+    case Cause::out_of_reach: return "Out of reach.";
     case Cause::beyond_change_point:
       return "Past the change point: the parallelogram would have to fold over.";
-    case Cause::transmission_below_limit:
-      return "The transmission angle is below the limit.";
-    case Cause::sheet_overlap:
-      return "Original and copy would overlap.";
+    case Cause::transmission_below_limit: return "The transmission angle is below the limit.";
+    case Cause::sheet_overlap: return "Original and copy would overlap.";
     case Cause::self_contact:
-    case Cause::obstacle_contact:
-      break;
+    case Cause::obstacle_contact: break;
   }
   return parts.empty() ? "Parts come too close to each other." : "Too close: " + parts + ".";
 }
@@ -128,9 +126,7 @@ class Picture {
  public:
   /// `coarseness` nominal pixels are left out between two corners of an outline.
   Picture(const Design& design, double coarseness)
-      : design_(design),
-        coarseness_(coarseness),
-        tracer_(place_to_show(design)),
+      : design_(design), coarseness_(coarseness), tracer_(place_to_show(design)),
         copy_(similar_image(design.region, design.linkage.k(), design.linkage.pole())) {
     if (auto pose = design.linkage.pose_with_tracer_at(tracer_)) pose_ = *pose;
     frame_view();
@@ -316,11 +312,13 @@ std::string Picture::things() {
   svg += add("copy", "Its copy", path_element("outline", svg_path(copy_, detail())), area_text(area(copy_)));
   svg += add("footprint", "Footprint", path_element("outline", svg_path(design_.footprint, detail())),
              area_text(design_.quality.footprint), false);
-  svg += add("angle-lines", "Transmission angle",
-             contours(transmission_circles(design_.linkage), [](double level) { return angle_text(level, 0); }),
-             "10° steps", false);
+  svg +=
+      add("angle-lines", "Transmission angle",
+          contours(transmission_circles(design_.linkage), [](double level) { return angle_text(level, 0); }),
+          "10° steps", false);
   svg += add("error-lines", "Copy error, worst",
-             contours(copy_error_circles(design_), [](double level) { return length_text(level); }), "lines", false);
+             contours(copy_error_circles(design_), [](double level) { return length_text(level); }), "lines",
+             false);
   svg += add("tightest", "Tightest place", tightest, length_text(design_.map.clearance_min, 2), false);
   return svg;
 }

@@ -57,14 +57,10 @@ std::string_view role(const CopyingLinkage& linkage, Joint joint) {
 
 std::vector<Joint> body_line(Link link) {
   switch (link) {
-    case Link::VA:
-      return {Joint::V, Joint::A};
-    case Link::VB:
-      return {Joint::V, Joint::B};
-    case Link::ACX:
-      return {Joint::C, Joint::A, Joint::X};
-    case Link::BCY:
-      break;
+    case Link::VA: return {Joint::V, Joint::A};
+    case Link::VB: return {Joint::V, Joint::B};
+    case Link::ACX: return {Joint::C, Joint::A, Joint::X};
+    case Link::BCY: break;
   }
   return {Joint::C, Joint::B, Joint::Y};
 }

@@ -15,9 +15,7 @@ namespace {
 class Cells {
  public:
   Cells(int columns, int rows)
-      : columns_(columns),
-        rows_(rows),
-        words_((static_cast<std::size_t>(columns) + 63) / 64),
+      : columns_(columns), rows_(rows), words_((static_cast<std::size_t>(columns) + 63) / 64),
         bits_(words_ * static_cast<std::size_t>(rows), 0) {}
 
   int columns() const { return columns_; }

@@ -36,7 +36,8 @@ double flattening_slack(const CutPart& part, double tolerance) {
 }
 
 /// The contents of a file of the folder; nothing if it is not there; an error sentence if it cannot be read.
-using Contents = std::function<tl::expected<std::optional<std::string>, std::string>(const std::string& file)>;
+using Contents =
+    std::function<tl::expected<std::optional<std::string>, std::string>(const std::string& file)>;
 
 class Recheck {
  public:

@@ -29,14 +29,10 @@ std::string corner_text(Link link, const Design& design) {
 /// Indices into LinkLengths of a link's lengths.
 std::vector<std::size_t> lengths_of(Link link) {
   switch (link) {
-    case Link::VA:
-      return {0};
-    case Link::VB:
-      return {1};
-    case Link::ACX:
-      return {2, 4, 5};
-    case Link::BCY:
-      break;
+    case Link::VA: return {0};
+    case Link::VB: return {1};
+    case Link::ACX: return {2, 4, 5};
+    case Link::BCY: break;
   }
   return {3, 6, 7};
 }

@@ -65,7 +65,8 @@ std::string text(std::string_view css, const Point& at, const std::string& words
 std::string words(const LyingLink& part, const Design& design, const PictureBox& frame, double unit) {
   LabelPlacer placer(frame, unit);
   std::string svg;
-  const Point centre = 0.5 * (part.lower + part.upper), clear_of_body = Point::Constant(0.5 * design.style.width);
+  const Point centre = 0.5 * (part.lower + part.upper),
+              clear_of_body = Point::Constant(0.5 * design.style.width);
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     placer.avoid({part.holes[i], Point::Constant(design.style.pin_diameter / 2)});
     for (std::size_t j = i + 1; j < part.holes.size(); ++j) placer.avoid(part.holes[i], part.holes[j], unit);
@@ -86,8 +87,7 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
         characters += 4;
       }
       const Point half = Point(3.8 * characters, 7) * unit;
-      svg += text("size",
-                  placer.place_beside({0.5 * (part.holes[i] + part.holes[j]), clear_of_body}, half),
+      svg += text("size", placer.place_beside({0.5 * (part.holes[i] + part.holes[j]), clear_of_body}, half),
                   figure);
     }
   return svg;

@@ -16,26 +16,19 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string objective_text(Objective objective) {
   switch (objective) {
-    case Objective::size:
-      return "smallest size";
-    case Objective::transmission:
-      return "largest transmission angle";
-    case Objective::copy_error:
-      return "smallest copy error";
-    case Objective::footprint:
-      return "smallest footprint";
+    case Objective::size: return "smallest size";
+    case Objective::transmission: return "largest transmission angle";
+    case Objective::copy_error: return "smallest copy error";
+    case Objective::footprint: return "smallest footprint";
   }
   return {};
 }
 
 std::string objective_value(Objective objective, double value) {
   switch (objective) {
-    case Objective::transmission:
-      return angle_text(value, 4);
-    case Objective::footprint:
-      return area_text(value);
-    default:
-      return length_text(value, 4);
+    case Objective::transmission: return angle_text(value, 4);
+    case Objective::footprint: return area_text(value);
+    default: return length_text(value, 4);
   }
 }
 

@@ -134,12 +134,8 @@ class Assembly {
     if (!transfer->FindTypedTransient(TransferBRep::ShapeMapper(transfer, shape),
                                       STANDARD_TYPE(StepShape_ShapeDefinitionRepresentation), shown))
       return;
-    const Handle(StepBasic_Product) product = shown->Definition()
-                                                  .PropertyDefinition()
-                                                  ->Definition()
-                                                  .ProductDefinition()
-                                                  ->Formation()
-                                                  ->OfProduct();
+    const Handle(StepBasic_Product) product =
+        shown->Definition().PropertyDefinition()->Definition().ProductDefinition()->Formation()->OfProduct();
     product->SetId(new TCollection_HAsciiString(name.c_str()));
     product->SetName(new TCollection_HAsciiString(name.c_str()));
   }

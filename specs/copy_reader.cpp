@@ -53,8 +53,7 @@ struct FaultText {
 };
 FaultText text_of(PairFault fault) {
   switch (fault) {
-    case PairFault::too_few:
-      return {"fewer than two different tracer points", "at least two"};
+    case PairFault::too_few: return {"fewer than two different tracer points", "at least two"};
     case PairFault::one_pen_point:
       return {"all pen points in one place", "at least two different pen points"};
     case PairFault::mirrored:

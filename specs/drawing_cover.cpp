@@ -159,12 +159,9 @@ tl::expected<Region, InputError> covered_region(const std::vector<DrawnStroke>& 
   const Refusal refuse(file_name, remark);
   if (strokes.empty()) return refuse("a drawing without lines", "paths, lines or shapes");
   switch (options.cover) {
-    case Cover::hull:
-      return hull_region(strokes, options.margin, file_name, refuse);
-    case Cover::outline:
-      return outline_region(strokes, options.margin, file_name, refuse);
-    case Cover::strokes:
-      break;
+    case Cover::hull: return hull_region(strokes, options.margin, file_name, refuse);
+    case Cover::outline: return outline_region(strokes, options.margin, file_name, refuse);
+    case Cover::strokes: break;
   }
   return stroke_region(strokes, options.margin, refuse);
 }

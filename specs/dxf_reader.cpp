@@ -18,36 +18,21 @@ namespace {
 /// $INSUNITS to mm; 0 where the number names no length (or none at all).
 double unit_of(int insunits) {
   switch (insunits) {
-    case 1:
-      return 25.4;
-    case 2:
-      return 304.8;
-    case 3:
-      return 1609344;
-    case 4:
-      return 1;
-    case 5:
-      return 10;
-    case 6:
-      return 1000;
-    case 7:
-      return 1e6;
-    case 8:
-      return 25.4e-6;
-    case 9:
-      return 25.4e-3;
-    case 10:
-      return 914.4;
-    case 13:
-      return 1e-3;
-    case 14:
-      return 100;
-    case 15:
-      return 1e4;
-    case 16:
-      return 1e5;
-    default:
-      return 0;
+    case 1: return 25.4;
+    case 2: return 304.8;
+    case 3: return 1609344;
+    case 4: return 1;
+    case 5: return 10;
+    case 6: return 1000;
+    case 7: return 1e6;
+    case 8: return 25.4e-6;
+    case 9: return 25.4e-3;
+    case 10: return 914.4;
+    case 13: return 1e-3;
+    case 14: return 100;
+    case 15: return 1e4;
+    case 16: return 1e5;
+    default: return 0;
   }
 }
 

@@ -77,31 +77,19 @@ class ValueCheck {
 
   void check(const toml::node& value) {
     switch (rule_.kind) {
-      case KeyKind::number:
-        return check_number(value);
-      case KeyKind::whole_number:
-        return check_whole_number(value);
-      case KeyKind::choice:
-        return check_choice(value);
-      case KeyKind::choices:
-        return check_choices(value);
-      case KeyKind::text:
-        return require(!value.value_or(std::string()).empty(), value);
-      case KeyKind::numbers:
-        return check_numbers(value);
-      case KeyKind::point:
-        return check_point(value);
-      case KeyKind::layer_range:
-        return check_layers(value, 2);
-      case KeyKind::link_layers:
-        return check_layers(value, 4);
+      case KeyKind::number: return check_number(value);
+      case KeyKind::whole_number: return check_whole_number(value);
+      case KeyKind::choice: return check_choice(value);
+      case KeyKind::choices: return check_choices(value);
+      case KeyKind::text: return require(!value.value_or(std::string()).empty(), value);
+      case KeyKind::numbers: return check_numbers(value);
+      case KeyKind::point: return check_point(value);
+      case KeyKind::layer_range: return check_layers(value, 2);
+      case KeyKind::link_layers: return check_layers(value, 4);
       case KeyKind::rings:
-      case KeyKind::pairs:
-        return require(value.is_array(), value);
-      case KeyKind::rectangle:
-        return check_inner_table(value, "rectangle_mm");
-      case KeyKind::circle:
-        return check_inner_table(value, "circle_mm");
+      case KeyKind::pairs: return require(value.is_array(), value);
+      case KeyKind::rectangle: return check_inner_table(value, "rectangle_mm");
+      case KeyKind::circle: return check_inner_table(value, "circle_mm");
     }
   }
 

@@ -20,19 +20,13 @@ bool is_command(char c) { return std::string_view("MmLlHhVvCcSsQqTtAaZz").find(c
 int numbers_of(char command) {
   switch (std::tolower(command)) {
     case 'h':
-    case 'v':
-      return 1;
-    case 'c':
-      return 6;
+    case 'v': return 1;
+    case 'c': return 6;
     case 's':
-    case 'q':
-      return 4;
-    case 'a':
-      return 7;
-    case 'z':
-      return 0;
-    default:
-      return 2;
+    case 'q': return 4;
+    case 'a': return 7;
+    case 'z': return 0;
+    default: return 2;
   }
 }
 
@@ -109,15 +103,9 @@ class PathReader {
         here_ = first_ = point(command, n[0], n[1]);
         started_ = true;
         break;
-      case 'l':
-        line_to(point(command, n[0], n[1]));
-        break;
-      case 'h':
-        line_to(Point(point(command, n[0], 0).x(), before.y()));
-        break;
-      case 'v':
-        line_to(Point(before.x(), point(command, 0, n[0]).y()));
-        break;
+      case 'l': line_to(point(command, n[0], n[1])); break;
+      case 'h': line_to(Point(point(command, n[0], 0).x(), before.y())); break;
+      case 'v': line_to(Point(before.x(), point(command, 0, n[0]).y())); break;
       case 'c':
         control_ = point(command, n[2], n[3]);
         cubic_to(point(command, n[0], n[1]), control_, point(command, n[4], n[5]));
@@ -135,12 +123,8 @@ class PathReader {
         control_ = after_quadratic ? Point(2 * before - last_control) : before;
         quadratic_to(control_, point(command, n[0], n[1]));
         break;
-      case 'a':
-        arc_to(n, point(command, n[5], n[6]));
-        break;
-      default:
-        line_to(first_);
-        break;
+      case 'a': arc_to(n, point(command, n[5], n[6])); break;
+      default: line_to(first_); break;
     }
     last_ = kind;
     return {};

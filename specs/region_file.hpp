@@ -23,7 +23,8 @@ enum class Cover {
 struct RegionFileOptions {
   Cover cover = Cover::hull;
   double margin = 0;  ///< mm, >= 0: the region grows by this
-  std::optional<double> unit = {};  ///< mm to a unit of the drawing, in place of what the file says or leaves open
+  /// mm to a unit of the drawing, in place of what the file says or leaves open
+  std::optional<double> unit = {};
 };
 
 /// Makes a region of a file's contents; `file_name` is for error messages. The result keeps the invariant of

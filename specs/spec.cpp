@@ -6,14 +6,10 @@ namespace kempe {
 
 std::string_view name(Objective objective) {
   switch (objective) {
-    case Objective::size:
-      return "size";
-    case Objective::transmission:
-      return "transmission";
-    case Objective::copy_error:
-      return "copy_error";
-    case Objective::footprint:
-      return "footprint";
+    case Objective::size: return "size";
+    case Objective::transmission: return "transmission";
+    case Objective::copy_error: return "copy_error";
+    case Objective::footprint: return "footprint";
   }
   return "";
 }

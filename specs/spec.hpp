@@ -16,8 +16,8 @@ namespace kempe {
 /// How well pairs of points fit a similarity (complex least squares).
 struct PairFit {
   std::size_t pairs = 0;
-  double residual_rms = 0;      ///< mm, at the pen
-  double residual_largest = 0;  ///< mm, at the pen
+  double residual_rms = 0;            ///< mm, at the pen
+  double residual_largest = 0;        ///< mm, at the pen
   Point translation = Point::Zero();  ///< the similarity's value at the tracer's origin, mm
 };
 
@@ -41,34 +41,34 @@ enum class PlateStyle {
 
 /// What the links are made of: all that decides their outlines.
 struct LinkStyle {
-  double width = 12;         ///< mm, > 0; a bar is its segment grown by half of this
-  double pin_diameter = 6;   ///< mm, > 0, <= width
-  double thickness = 4;      ///< mm, > 0
+  double width = 12;        ///< mm, > 0; a bar is its segment grown by half of this
+  double pin_diameter = 6;  ///< mm, > 0, <= width
+  double thickness = 4;     ///< mm, > 0
   PlateStyle plate = PlateStyle::bent;
   bool operator==(const LinkStyle&) const = default;
 };
 
 /// Lengths that the workshop dictates.
 struct WorkshopSpec {
-  std::optional<double> grid;                             ///< mm: lengths are multiples of this
-  std::vector<double> stock;                              ///< mm: lengths are from this list; empty: any
-  std::array<std::optional<double>, 8> locked;            ///< mm, in the order of LinkLengths::names
+  std::optional<double> grid;                   ///< mm: lengths are multiples of this
+  std::vector<double> stock;                    ///< mm: lengths are from this list; empty: any
+  std::array<std::optional<double>, 8> locked;  ///< mm, in the order of LinkLengths::names
   bool any() const;
 };
 
 struct LinkSpec {
   LinkStyle style;
-  int layers = 2;            ///< at most, >= 2
-  double shortest = 15;      ///< mm, between joints of one link
-  double longest = 400;      ///< mm
+  int layers = 2;        ///< at most, >= 2
+  double shortest = 15;  ///< mm, between joints of one link
+  double longest = 400;  ///< mm
   WorkshopSpec workshop;
 };
 
 struct Limits {
-  double clearance = 0.5;              ///< mm, >= 0
+  double clearance = 0.5;                    ///< mm, >= 0
   double transmission = 0.5235987755982988;  ///< rad, 0 <= . < pi/2; 30 degrees unless given
-  std::optional<double> sheets_gap;    ///< mm; absent: original and copy may overlap
-  std::optional<double> copy_error;    ///< mm, worst case under Tolerance; absent: not required
+  std::optional<double> sheets_gap;          ///< mm; absent: original and copy may overlap
+  std::optional<double> copy_error;          ///< mm, worst case under Tolerance; absent: not required
 };
 
 struct Tolerance {
@@ -84,7 +84,7 @@ struct ToolSpec {
 
 struct Obstacle {
   Polygon shape;
-  int lowest_layer = 1;   ///< 1 is next to the table
+  int lowest_layer = 1;  ///< 1 is next to the table
   int highest_layer = 1;
   std::string name = {};  ///< for people: "obstacle 2" unless the spec names it; empty if not from a spec
 };
@@ -109,10 +109,10 @@ struct MechanismSpec {
 
 /// How the parts are cut: what their drawings allow for.
 struct CuttingSpec {
-  double hole_fit = 0;         ///< mm, a hole's diameter less the pin's; negative for a press fit
-  double kerf = 0;             ///< mm, >= 0, the width that the cut takes away; drawings compensate half on each side
-  std::optional<Point> sheet{};  ///< mm, width and height of the sheet to nest on; absent: parts are not nested
-  double gap = 5;              ///< mm, >= 0, between parts on a sheet and to its edge
+  double hole_fit = 0;  ///< mm, a hole's diameter less the pin's; negative for a press fit
+  double kerf = 0;  ///< mm, >= 0, the width that the cut takes away; drawings compensate half on each side
+  std::optional<Point> sheet{};  ///< mm, width and height of a sheet; absent: parts are not nested
+  double gap = 5;                ///< mm, >= 0, between parts on a sheet and to its edge
 };
 
 struct Spec {

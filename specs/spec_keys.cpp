@@ -186,31 +186,20 @@ std::string describe_allowed(const SpecKey& key) {
   const std::string words = fmt::format("\"{}\"", fmt::join(words_of(key), "\", \""));
   const std::string_view unit = unit_of(key);
   switch (key.kind) {
-    case number:
-      return fmt::format("a number {}{}{}", range, unit, remark_on(key));
-    case whole_number:
-      return fmt::format("a whole number {}", range);
-    case choice:
-      return "one of " + words;
-    case choices:
-      return fmt::format("a list of one or more of {}, each once", words);
-    case text:
-      return "text between quotation marks";
-    case numbers:
-      return fmt::format("a list of numbers {}{}", range, unit);
-    case point:
-      return fmt::format("[x, y], numbers {}{}", range, unit);
-    case layer_range:
-      return fmt::format("[lowest, highest], whole numbers {}", range);
-    case link_layers:
-      return fmt::format("the layers of [VA, VB, ACX, BCY], whole numbers {}", range);
+    case number: return fmt::format("a number {}{}{}", range, unit, remark_on(key));
+    case whole_number: return fmt::format("a whole number {}", range);
+    case choice: return "one of " + words;
+    case choices: return fmt::format("a list of one or more of {}, each once", words);
+    case text: return "text between quotation marks";
+    case numbers: return fmt::format("a list of numbers {}{}", range, unit);
+    case point: return fmt::format("[x, y], numbers {}{}", range, unit);
+    case layer_range: return fmt::format("[lowest, highest], whole numbers {}", range);
+    case link_layers: return fmt::format("the layers of [VA, VB, ACX, BCY], whole numbers {}", range);
     case rings:
       return fmt::format("a ring [[x, y], [x, y], [x, y], ...] or a list of rings, numbers {}{}", range,
                          unit);
-    case rectangle:
-      return "{at = [x, y], size = [width, height]}, mm";
-    case circle:
-      return "{centre = [x, y], radius = r}, mm";
+    case rectangle: return "{at = [x, y], size = [width, height]}, mm";
+    case circle: return "{centre = [x, y], radius = r}, mm";
     case pairs:
       return "[[[x, y], [x, y]], ...]: tracer and pen, at least two pairs, numbers " + range + " mm";
   }

@@ -141,26 +141,16 @@ class PathDrawer {
 
   bool once(char command) {
     switch (command) {
-      case 'M':
-        return with_points<1>([&](const auto& p) { curves_.move_to(p[0]); });
-      case 'L':
-        return with_points<1>([&](const auto& p) { curves_.line_to(p[0]); });
-      case 'H':
-        return along(0);
-      case 'V':
-        return along(1);
-      case 'C':
-        return with_points<3>([&](const auto& p) { cubic(p[0], p[1], p[2]); });
-      case 'S':
-        return with_points<2>([&](const auto& p) { cubic(reflected("CS"), p[0], p[1]); });
-      case 'Q':
-        return with_points<2>([&](const auto& p) { quadratic(p[0], p[1]); });
-      case 'T':
-        return with_points<1>([&](const auto& p) { quadratic(reflected("QT"), p[0]); });
-      case 'A':
-        return arc();
-      default:
-        return false;
+      case 'M': return with_points<1>([&](const auto& p) { curves_.move_to(p[0]); });
+      case 'L': return with_points<1>([&](const auto& p) { curves_.line_to(p[0]); });
+      case 'H': return along(0);
+      case 'V': return along(1);
+      case 'C': return with_points<3>([&](const auto& p) { cubic(p[0], p[1], p[2]); });
+      case 'S': return with_points<2>([&](const auto& p) { cubic(reflected("CS"), p[0], p[1]); });
+      case 'Q': return with_points<2>([&](const auto& p) { quadratic(p[0], p[1]); });
+      case 'T': return with_points<1>([&](const auto& p) { quadratic(reflected("QT"), p[0]); });
+      case 'A': return arc();
+      default: return false;
     }
   }
 

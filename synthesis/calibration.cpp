@@ -14,14 +14,10 @@ namespace detail = calibration_detail;
 
 std::string_view name(NoiseSource source) {
   switch (source) {
-    case NoiseSource::stated:
-      return "stated";
-    case NoiseSource::residuals:
-      return "residuals";
-    case NoiseSource::larger_residuals:
-      return "residuals larger than stated";
-    case NoiseSource::assumed:
-      break;
+    case NoiseSource::stated: return "stated";
+    case NoiseSource::residuals: return "residuals";
+    case NoiseSource::larger_residuals: return "residuals larger than stated";
+    case NoiseSource::assumed: break;
   }
   return "assumed";
 }

@@ -43,8 +43,8 @@ struct CalibrationTask {
     double uncertainty;
   };
   std::vector<Known> known_within;
-  std::optional<double>
-      reading_uncertainty;  ///< standard, of each coordinate read; absent: from the residuals
+  /// Standard uncertainty of each coordinate read; absent: from the residuals.
+  std::optional<double> reading_uncertainty;
   /// An estimate from the residuals is never taken as smaller: the rounding of what was written down, mm.
   double rounding = 0;
   double setting_uncertainty = 0;  ///< standard, of each coordinate set (the tracer on its mark)

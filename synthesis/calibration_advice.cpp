@@ -27,8 +27,7 @@ bool has_part(const Indistinct& combination, std::initializer_list<Measure> meas
 class Advice {
  public:
   Advice(TaskMaking& making, const Calibration& calibration)
-      : making_(making),
-        variable_ratio_(making.measurements().instrument.has_value()),
+      : making_(making), variable_ratio_(making.measurements().instrument.has_value()),
         noise_(calibration.noise) {
     if (variable_ratio_)
       for (const double ratio : {0.25, 0.75})

@@ -173,9 +173,10 @@ tl::expected<CalibrationRecord, InputError> run_calibration(const Measurements& 
                                                             const std::optional<DrawnDesign>& design,
                                                             const std::string& file) {
   if (measurements.readings.empty() && !measurements.plan && !measurements.simulation)
-    return tl::unexpected(InputError{file, 0, "reading", "no readings",
-                                     "at least two [[reading]] tables, or --plan to be told where to measure, or "
-                                     "--simulate"});
+    return tl::unexpected(
+        InputError{file, 0, "reading", "no readings",
+                   "at least two [[reading]] tables, or --plan to be told where to measure, or "
+                   "--simulate"});
   return Job(measurements, design, file).run();
 }
 

@@ -17,7 +17,8 @@ namespace {
 class Deletion {
  public:
   Deletion(const WeightedTask& weighted, const FitOutcome& fit, bool noise_is_known)
-      : slopes_(fit.slopes), residuals_(fit.residuals), square_sum_(fit.square_sum), noise_is_known_(noise_is_known) {
+      : slopes_(fit.slopes), residuals_(fit.residuals), square_sum_(fit.square_sum),
+        noise_is_known_(noise_is_known) {
     if (fit.slopes.cols() > 0) spread_ = fit.slopes * inverse_normal(fit.slopes);
     freedom_ = static_cast<int>(weighted.rows() - fit.slopes.cols());
     // Rounding, as a weighted residual: readings without noise have no outliers.

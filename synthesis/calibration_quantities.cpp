@@ -9,24 +9,15 @@ namespace kempe {
 std::string spoken_name(Measure measure, bool variable_ratio) {
   if (!variable_ratio) return std::string(name(measure));
   switch (measure) {
-    case Measure::AX:
-      return "AC";
-    case Measure::BC:
-      return "CF";
-    case Measure::VA:
-      return "BE";
-    case Measure::VB:
-      return "DE";
-    case Measure::CX:
-      return "arm_AC";
-    case Measure::CY:
-      return "arm_CF";
-    case Measure::offset_A:
-      return "bearing_B";
-    case Measure::offset_B:
-      return "bearing_D";
-    default:
-      return std::string(name(measure));
+    case Measure::AX: return "AC";
+    case Measure::BC: return "CF";
+    case Measure::VA: return "BE";
+    case Measure::VB: return "DE";
+    case Measure::CX: return "arm_AC";
+    case Measure::CY: return "arm_CF";
+    case Measure::offset_A: return "bearing_B";
+    case Measure::offset_B: return "bearing_D";
+    default: return std::string(name(measure));
   }
 }
 

@@ -16,13 +16,11 @@ void add(std::vector<Measure>& all, std::initializer_list<Measure> more) { all.i
 
 std::string_view fault_words(KnightFault fault) {
   switch (fault) {
-    case KnightFault::too_few:
-      return "two readings, at arm angles of 30 and 60 degrees";
+    case KnightFault::too_few: return "two readings, at arm angles of 30 and 60 degrees";
     case KnightFault::at_an_end:
       return "arm angles from 5 to 85 degrees: next to 0 and 90 the equations lose rank; measure at 30 and "
              "60";
-    case KnightFault::one_angle:
-      break;
+    case KnightFault::one_angle: break;
   }
   return "readings at two arm angles well apart, such as 30 and 60 degrees";
 }

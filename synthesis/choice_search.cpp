@@ -95,8 +95,9 @@ ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point) {
 DesignPoint rounded(const DesignProblem& problem, const DesignPoint& point) {
   const double scale = std::pow(10.0, 11 - std::floor(std::log10(problem.layout().unit)));
   const auto to_place = [&](double value) { return std::round(value * scale) / scale; };
-  DesignPoint result{{std::log(to_place(std::exp(point.lengths.u))), std::log(to_place(std::exp(point.lengths.v)))},
-                     point.pole};
+  DesignPoint result{
+      {std::log(to_place(std::exp(point.lengths.u))), std::log(to_place(std::exp(point.lengths.v)))},
+      point.pole};
   if (problem.layout().pole_is_free) result.pole = {to_place(point.pole.x()), to_place(point.pole.y())};
   return result;
 }

@@ -57,8 +57,9 @@ std::vector<ContactChoice> choices_of(const Spec& spec) {
       std::vector<ContactChoice> here;
       std::vector<Demands> demands;
       for (const LayerAssignment& layers : layer_assignments(spec.links.layers)) {
-        here.push_back({{vertex, assembly, layers},
-                        {gap_terms(*linkage, layers, spec.links.style), obstacle_terms(*linkage, layers, spec)}});
+        here.push_back(
+            {{vertex, assembly, layers},
+             {gap_terms(*linkage, layers, spec.links.style), obstacle_terms(*linkage, layers, spec)}});
         demands.push_back(demands_of(here.back().terms));
       }
       for (const std::size_t i : least_demanding(demands)) choices.push_back(std::move(here[i]));

@@ -25,7 +25,8 @@ void separate(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, 
   const double outward = free_side(edges);
   for (std::size_t i = 0; i < edge_count(edges); ++i) {
     const Complex edge = next(edges, i) - edges[i];
-    const double length = std::sqrt(std::norm(edge));  // lengths of links are far from overflow: no need of hypot
+    const double length =
+        std::sqrt(std::norm(edge));  // lengths of links are far from overflow: no need of hypot
     if (!(length > 0)) continue;
     const Complex along = edge / length;
     for (const double side : {1.0, -1.0}) {

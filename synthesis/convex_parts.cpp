@@ -41,7 +41,8 @@ Ring joined_ring(const Polygon& polygon) {
   Ring ring = polygon.outer;
   std::vector<Ring> holes = polygon.holes;
   const auto rightmost = [](auto& hole) {
-    return std::max_element(hole.begin(), hole.end(), [](const Point& a, const Point& b) { return a.x() < b.x(); });
+    return std::max_element(hole.begin(), hole.end(),
+                            [](const Point& a, const Point& b) { return a.x() < b.x(); });
   };
   std::sort(holes.begin(), holes.end(),
             [&](const Ring& a, const Ring& b) { return rightmost(a)->x() > rightmost(b)->x(); });

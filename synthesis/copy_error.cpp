@@ -209,12 +209,8 @@ Sensitivities Sensitivities::turned(Complex turn) const {
 }
 
 CopyErrorProfile::CopyErrorProfile(Complex k, Vertex vertex, const CopyTolerance& tolerance)
-    : vertex_(vertex),
-      tolerance_(tolerance),
-      s_(shape_of(k, vertex)),
-      output_(vertex == Vertex::pen ? -k : 1.0),
-      flat_(is_flat(s_)),
-      xi_(hole_displacements(1.0 / s_, flat_)),
+    : vertex_(vertex), tolerance_(tolerance), s_(shape_of(k, vertex)),
+      output_(vertex == Vertex::pen ? -k : 1.0), flat_(is_flat(s_)), xi_(hole_displacements(1.0 / s_, flat_)),
       eta_(hole_displacements(s_, flat_)) {}
 
 Sensitivities CopyErrorProfile::sensitivities(double opening) const {

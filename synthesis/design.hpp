@@ -13,32 +13,34 @@ namespace kempe {
 
 /// Figures of merit. NaN never appears: an absent value is an empty optional.
 struct Quality {
-  double size = 0;                  ///< mm
-  double transmission_min = 0;      ///< rad, smallest over the region
-  double clearance_min = 0;         ///< mm, smallest over the region
-  std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;  ///< mm; absent without [tolerance]
-  double footprint = 0;             ///< mm^2, outer bound of the area swept while the tracer covers the region
-  std::optional<double> lower_bound;  ///< of the objective, in its own unit (mm, rad, mm^2): no design can beat it
+  double size = 0;              ///< mm
+  double transmission_min = 0;  ///< rad, smallest over the region
+  double clearance_min = 0;     ///< mm, smallest over the region
+  /// mm; absent without [tolerance]
+  std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;
+  double footprint = 0;  ///< mm^2, outer bound of the area swept while the tracer covers the region
+  /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
+  std::optional<double> lower_bound;
 };
 
 /// What the independent verification found (verification.hpp).
 struct Verification {
   std::size_t samples = 0;
-  double copy_error_max = 0;     ///< mm
-  double loop_residual_max = 0;  ///< mm
+  double copy_error_max = 0;       ///< mm
+  double loop_residual_max = 0;    ///< mm
   double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
-  int flips = 0;                 ///< changes of assembly seen
+  int flips = 0;                   ///< changes of assembly seen
   bool certified = false;
-  std::string failure{};           ///< a sentence; empty if certified
+  std::string failure{};  ///< a sentence; empty if certified
 };
 
 struct SearchRecord {
   Objective objective = Objective::size;
-  double value = 0;                  ///< mm, rad or mm^2
+  double value = 0;                    ///< mm, rad or mm^2
   std::vector<std::string> solvers{};  ///< names with versions, in the order of use
   std::uint64_t evaluations = 0;
   std::uint64_t seed = 0;
-  bool complete = true;              ///< false if stopped early (time limit, Ctrl-C)
+  bool complete = true;  ///< false if stopped early (time limit, Ctrl-C)
 };
 
 /// The ratio that the spec wants where the workshop's lengths do not allow it.
@@ -49,7 +51,8 @@ struct WantedCopy {
 
 struct Design {
   CopyingLinkage linkage;
-  double scale = 1, rotation = 0;   ///< that the lengths give: as the spec gave them unless `wanted`; rotation rad
+  /// That the lengths give: as the spec gave them unless `wanted`; rotation rad.
+  double scale = 1, rotation = 0;
   std::optional<WantedCopy> wanted{};
   Region region{};
   LinkStyle style{};
@@ -59,10 +62,10 @@ struct Design {
   std::optional<Tolerance> tolerance{};
   std::vector<Obstacle> obstacles{};
   std::optional<ToolAdvice> tool{};
-  OpeningInterval opening{};          ///< certified
+  OpeningInterval opening{};  ///< certified
   Quality quality{};
   WorkspaceMap map{};
-  Region footprint{};               ///< outer bound of what all links sweep; empty if it was not asked for
+  Region footprint{};  ///< outer bound of what all links sweep; empty if it was not asked for
   Verification verification{};
   std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
 };

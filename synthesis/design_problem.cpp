@@ -41,8 +41,9 @@ bool goal_is_variable(Goal goal) { return goal != Goal::size && goal != Goal::fo
 
 DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits,
                              Goal goal, const OpeningInterval& allowed, ContactTerms terms)
-    : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed), terms_(std::move(terms)),
-      grounding_(grounding_of(choice.vertex)), reach_(space.k(), choice.vertex, choice.assembly),
+    : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed),
+      terms_(std::move(terms)), grounding_(grounding_of(choice.vertex)),
+      reach_(space.k(), choice.vertex, choice.assembly),
       box_(length_box(reach_, limits, space.spec().links.workshop)), layout_(space.layout()) {
   layout_.pole_is_free = space.pole_is_free(limits) || goal == Goal::pole_margin;
   layout_.has_goal = goal_is_variable(goal);
@@ -112,36 +113,30 @@ double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double eno
 double DesignProblem::footprint_at(const DesignPoint& point) const {
   const auto linkage = CopyingLinkage::make(space_.k(), choice_.vertex, std::exp(point.lengths.u),
                                             std::exp(point.lengths.v), choice_.assembly, point.pole);
-  return linkage ? footprint_estimate(*linkage, space_.spec().links.style, space_.spec().region, search_footprint) : 0;
+  return linkage
+             ? footprint_estimate(*linkage, space_.spec().links.style, space_.spec().region, search_footprint)
+             : 0;
 }
 
 bool DesignProblem::tighten(Goal limit, double shortfall) {
   const double more = 1.5 * shortfall;
   switch (limit) {
-    case Goal::clearance:
-      limits_.clearance += more + 1e-12 * layout_.unit;
-      return true;
-    case Goal::transmission:
-      allowed_ = shrink(allowed_, more + 1e-12);
-      return !allowed_.empty();
+    case Goal::clearance: limits_.clearance += more + 1e-12 * layout_.unit; return true;
+    case Goal::transmission: allowed_ = shrink(allowed_, more + 1e-12); return !allowed_.empty();
     case Goal::sheets_gap:
       limits_.sheets_gap = *limits_.sheets_gap + more + 1e-12 * layout_.unit;
       return true;
-    default:
-      return false;
+    default: return false;
   }
 }
 
 double DesignProblem::goal_scale() const {
   switch (goal_) {
-    case Goal::transmission:
-      return 1;
-    case Goal::footprint:
-      return layout_.unit * layout_.unit;
+    case Goal::transmission: return 1;
+    case Goal::footprint: return layout_.unit * layout_.unit;
     case Goal::copy_error:
       return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play, 1e-9);
-    default:
-      return layout_.unit;
+    default: return layout_.unit;
   }
 }
 
@@ -180,7 +175,8 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   if (limits_.sheets_gap || goal_ == Goal::sheets_gap)
     has.sheets_gap = space_.smallest_sheet_gap(point.pole).distance;
   if (copy_error_)
-    has.copy_error = std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
+    has.copy_error =
+        std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
   const double too_near =
       missing(reach_.radius_value(lengths, result.near_opening) - reach_slack * unit, annulus.nearest);
@@ -210,15 +206,11 @@ DesignPoint DesignProblem::point_of(const DesignVector& x) const {
 
 double DesignProblem::goal_in_vector(double value) const {
   switch (goal_) {
-    case Goal::transmission:
-      return value;
-    case Goal::copy_error:
-      return value / goal_scale();
+    case Goal::transmission: return value;
+    case Goal::copy_error: return value / goal_scale();
     case Goal::shortest:
-    case Goal::longest:
-      return std::log(value);
-    default:
-      return value / layout_.unit;
+    case Goal::longest: return std::log(value);
+    default: return value / layout_.unit;
   }
 }
 

@@ -53,8 +53,19 @@ struct ContactTerms {
 /// One row of the semi-infinite program.
 struct Row {
   enum class Kind {
-    near_edge, far_corner, near_end, far_end, contact, obstacle, sheets, half_plane, pole_margin, longest, shortest,
-    copy_error, size
+    near_edge,
+    far_corner,
+    near_end,
+    far_end,
+    contact,
+    obstacle,
+    sheets,
+    half_plane,
+    pole_margin,
+    longest,
+    shortest,
+    copy_error,
+    size
   } kind;
   std::size_t index = 0;  ///< edge, corner, gap or obstacle term, sheet corner, half plane; 0: VA, 1: VB
   double share = 0;       ///< h of a contact or of a copy error

@@ -137,32 +137,19 @@ RowJet DesignProblem::half_plane_row(std::size_t plane, const DesignVector& x) c
 
 RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wanted) const {
   switch (row.kind) {
-    case Row::Kind::near_edge:
-      return near_row(row.index, x);
-    case Row::Kind::far_corner:
-      return far_row(row.index, x);
-    case Row::Kind::near_end:
-      return end_row(true, x);
-    case Row::Kind::far_end:
-      return end_row(false, x);
-    case Row::Kind::contact:
-      return contact_row(row.index, row.share, x);
-    case Row::Kind::obstacle:
-      return obstacle_row(row, x, wanted);
-    case Row::Kind::sheets:
-      return sheets_row(row.index, x);
-    case Row::Kind::half_plane:
-      return half_plane_row(row.index, x);
-    case Row::Kind::pole_margin:
-      return pole_margin_row(x);
-    case Row::Kind::copy_error:
-      return copy_error_row(row.share, x);
-    case Row::Kind::size:
-      return size_row(x);
-    case Row::Kind::longest:
-      return length_row(true, row.index, x);
-    case Row::Kind::shortest:
-      break;
+    case Row::Kind::near_edge: return near_row(row.index, x);
+    case Row::Kind::far_corner: return far_row(row.index, x);
+    case Row::Kind::near_end: return end_row(true, x);
+    case Row::Kind::far_end: return end_row(false, x);
+    case Row::Kind::contact: return contact_row(row.index, row.share, x);
+    case Row::Kind::obstacle: return obstacle_row(row, x, wanted);
+    case Row::Kind::sheets: return sheets_row(row.index, x);
+    case Row::Kind::half_plane: return half_plane_row(row.index, x);
+    case Row::Kind::pole_margin: return pole_margin_row(x);
+    case Row::Kind::copy_error: return copy_error_row(row.share, x);
+    case Row::Kind::size: return size_row(x);
+    case Row::Kind::longest: return length_row(true, row.index, x);
+    case Row::Kind::shortest: break;
   }
   return length_row(false, row.index, x);
 }

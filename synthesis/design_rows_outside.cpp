@@ -86,11 +86,12 @@ RowJet DesignProblem::copy_error_row(double share, const DesignVector& x) const 
   const CopyErrorAt here = copy_error_->at(opening);
   constexpr double step = 1e-6;
   const double curvature =
-      (copy_error_->at(opening + step).worst_slope - copy_error_->at(opening - step).worst_slope) / (2 * step);
+      (copy_error_->at(opening + step).worst_slope - copy_error_->at(opening - step).worst_slope) /
+      (2 * step);
   jet.value = x[layout_.goal()] - here.worst / scale;
   jet.gradient[layout_.goal()] = 1;
-  const std::array<std::pair<int, double>, 2> weights{{{DesignLayout::near_opening, 1 - share},
-                                                       {DesignLayout::far_opening, share}}};
+  const std::array<std::pair<int, double>, 2> weights{
+      {{DesignLayout::near_opening, 1 - share}, {DesignLayout::far_opening, share}}};
   for (const auto& [i, of_i] : weights) {
     jet.gradient[i] = -of_i * here.worst_slope / scale;
     for (const auto& [j, of_j] : weights) jet.hessian(i, j) = -of_i * of_j * curvature / scale;

@@ -16,8 +16,8 @@ namespace {
 struct Movable {
   Goal goal;
   const char* key;
-  double unit;      ///< the key's unit in mm or rad
-  double loosest;   ///< in mm or rad
+  double unit;     ///< the key's unit in mm or rad
+  double loosest;  ///< in mm or rad
 };
 
 constexpr std::array movables{
@@ -39,7 +39,8 @@ std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goa
     case Goal::shortest: return limits.shortest;
     case Goal::sheets_gap: return limits.sheets_gap;
     case Goal::copy_error: return limits.copy_error;
-    case Goal::pole_margin: return spec.pole.is_fixed() ? std::nullopt : std::optional<double>(limits.pole_margin);
+    case Goal::pole_margin:
+      return spec.pole.is_fixed() ? std::nullopt : std::optional<double>(limits.pole_margin);
     default: return std::nullopt;
   }
 }
@@ -69,11 +70,12 @@ double possible_value(const Movable& limit, double attained) {
 std::string sentence_of(const Movable& limit, double demanded, double possible) {
   if (limit.goal == Goal::pole_margin)
     return fmt::format("{} is in the way; the pole {:.4g} mm outside it would do", limit.key, possible);
-  return fmt::format("{} = {:.4g} is in the way; {:.4g} would do", limit.key, demanded / limit.unit, possible / limit.unit);
+  return fmt::format("{} = {:.4g} is in the way; {:.4g} would do", limit.key, demanded / limit.unit,
+                     possible / limit.unit);
 }
 
-std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements& limits, const Movable& limit,
-                                        std::uint64_t& evaluations) {
+std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements& limits,
+                                        const Movable& limit, std::uint64_t& evaluations) {
   const auto demanded = value_of(limits, run.spec(), limit.goal);
   if (!demanded) return std::nullopt;
   const SearchResult widest = run.best(moved(limits, limit.goal, limit.loosest), limit.goal);
@@ -100,21 +102,28 @@ std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirem
   const SearchResult found = SearchRun(spec, options).best(limits, goal_of(spec.objective.objective));
   evaluations += found.evaluations;
   if (!found.design) return std::nullopt;
-  return Relaxation{{}, 0, 0, fmt::format("{} in the way; without {} there is a design", gone + (gone == "the obstacles" ? " are" : " is"),
-                                          gone == "the obstacles" ? "them" : "it"),
-                    *found.design};
+  return Relaxation{
+      {},
+      0,
+      0,
+      fmt::format("{} in the way; without {} there is a design",
+                  gone + (gone == "the obstacles" ? " are" : " is"), gone == "the obstacles" ? "them" : "it"),
+      *found.design};
 }
 
-std::vector<Relaxation> obstacle_relaxations(const SearchRun& run, const Requirements& limits, std::uint64_t& evaluations) {
+std::vector<Relaxation> obstacle_relaxations(const SearchRun& run, const Requirements& limits,
+                                             std::uint64_t& evaluations) {
   const std::vector<Obstacle>& all = run.spec().obstacles;
   if (all.empty()) return {};
-  const auto none_left = without_obstacles(run, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
+  const auto none_left =
+      without_obstacles(run, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
   if (!none_left) return {};
   std::vector<Relaxation> single;
   for (std::size_t i = 0; i < all.size() && all.size() > 1 && all.size() <= most_single_obstacles; ++i) {
     std::vector<Obstacle> left = all;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-    if (const auto one = without_obstacles(run, limits, left, all[i].name, evaluations)) single.push_back(*one);
+    if (const auto one = without_obstacles(run, limits, left, all[i].name, evaluations))
+      single.push_back(*one);
   }
   return single.empty() ? std::vector{*none_left} : single;
 }
@@ -140,12 +149,14 @@ std::optional<NoDesign> plainly_impossible(const Spec& spec) {
   if (!spec.pole.is_fixed()) return std::nullopt;
   const Point& pole = std::get<Point>(spec.pole.place);
   if (contains(spec.region, pole))
-    return impossible("pole.at_mm", "the pole stands inside the region, and no linkage brings its tracer to the pole");
+    return impossible("pole.at_mm",
+                      "the pole stands inside the region, and no linkage brings its tracer to the pole");
   const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
   for (const Obstacle& obstacle : spec.obstacles)
     if (obstacle.lowest_layer == 1 && distance(Region{{obstacle.shape}}, pole) < needed)
-      return impossible("obstacles", fmt::format("{} stands over the pole at ({:.6g}, {:.6g}) mm, or within its clearance",
-                                                 obstacle.name, pole.x(), pole.y()));
+      return impossible("obstacles",
+                        fmt::format("{} stands over the pole at ({:.6g}, {:.6g}) mm, or within its clearance",
+                                    obstacle.name, pole.x(), pole.y()));
   return std::nullopt;
 }
 

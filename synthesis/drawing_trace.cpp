@@ -11,18 +11,12 @@ namespace kempe {
 
 std::string_view name(NotReached why) {
   switch (why) {
-    case NotReached::too_far:
-      return "beyond the outer reach";
-    case NotReached::too_near:
-      return "inside the inner reach";
-    case NotReached::beyond_change_point:
-      return "beyond the change point";
-    case NotReached::outside_the_opening:
-      return "outside the usable opening";
-    case NotReached::obstacle:
-      return "contact with an obstacle";
-    case NotReached::not_closing:
-      break;
+    case NotReached::too_far: return "beyond the outer reach";
+    case NotReached::too_near: return "inside the inner reach";
+    case NotReached::beyond_change_point: return "beyond the change point";
+    case NotReached::outside_the_opening: return "outside the usable opening";
+    case NotReached::obstacle: return "contact with an obstacle";
+    case NotReached::not_closing: break;
   }
   return "the loops do not close";
 }
@@ -113,9 +107,7 @@ using Reached = tl::expected<Pose, NotReached>;
 class Tracing {
  public:
   Tracing(const TraceTask& task, const TraceOptions& options)
-      : task_(task),
-        options_(options),
-        instrument_(instrument_of(task.mechanism.linkage)),
+      : task_(task), options_(options), instrument_(instrument_of(task.mechanism.linkage)),
         measures_(instrument_, options.made) {}
 
   Trace run(const std::vector<DrawnStroke>& strokes) {
@@ -126,12 +118,9 @@ class Tracing {
  private:
   static NotReached cause_of(Unreachable why) {
     switch (why) {
-      case Unreachable::too_far:
-        return NotReached::too_far;
-      case Unreachable::too_near:
-        return NotReached::too_near;
-      case Unreachable::beyond_change_point:
-        break;
+      case Unreachable::too_far: return NotReached::too_far;
+      case Unreachable::too_near: return NotReached::too_near;
+      case Unreachable::beyond_change_point: break;
     }
     return NotReached::beyond_change_point;
   }

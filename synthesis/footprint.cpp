@@ -45,9 +45,7 @@ void add_turned(const Bearings& angles, const Bearings& turned, std::vector<Bear
 class PolarBins {
  public:
   PolarBins(const FootprintGrid& grid, double radius)
-      : rings_(grid.rings),
-        bins_(grid.bins),
-        step_(radius / grid.rings),
+      : rings_(grid.rings), bins_(grid.bins), step_(radius / grid.rings),
         change_(static_cast<std::size_t>(rings_ * (bins_ + 1)), 0) {}
 
   int rings() const { return rings_; }

@@ -26,30 +26,21 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
 std::string_view name(FunctionMethod method) {
   switch (method) {
-    case FunctionMethod::precision_points:
-      return "precision_points";
-    case FunctionMethod::least_squares:
-      return "least_squares";
-    case FunctionMethod::minimax:
-      return "minimax";
+    case FunctionMethod::precision_points: return "precision_points";
+    case FunctionMethod::least_squares: return "least_squares";
+    case FunctionMethod::minimax: return "minimax";
   }
   return "";
 }
 
 std::string_view name(FunctionDefect defect) {
   switch (defect) {
-    case FunctionDefect::none:
-      return "none";
-    case FunctionDefect::does_not_assemble:
-      return "the loop comes apart within the range";
-    case FunctionDefect::branch:
-      return "the precision points lie on both branches";
-    case FunctionDefect::order:
-      return "the output crank turns back within the range";
-    case FunctionDefect::transmission:
-      return "the transmission angle falls below the limit";
-    case FunctionDefect::lengths:
-      return "a link vanishes or grows too long";
+    case FunctionDefect::none: return "none";
+    case FunctionDefect::does_not_assemble: return "the loop comes apart within the range";
+    case FunctionDefect::branch: return "the precision points lie on both branches";
+    case FunctionDefect::order: return "the output crank turns back within the range";
+    case FunctionDefect::transmission: return "the transmission angle falls below the limit";
+    case FunctionDefect::lengths: return "a link vanishes or grows too long";
   }
   return "";
 }

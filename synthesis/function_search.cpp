@@ -30,8 +30,7 @@ struct CoarseError {
 class CoarseLook {
  public:
   CoarseLook(const FunctionTask& task, const WantedAngles& wanted)
-      : task_(task),
-        cosine_limit_(std::cos(kept_transmission(task))),
+      : task_(task), cosine_limit_(std::cos(kept_transmission(task))),
         ratio_limit_(std::log(task.longest_ratio)) {
     for (int i = 0; i < coarse_places; ++i) {
       const double share = 0.5 - 0.5 * std::cos(pi * i / (coarse_places - 1));

@@ -128,18 +128,12 @@ struct MovedPose {
   Moved V, A, B, C, X, Y;
   Moved& operator[](Joint joint) {
     switch (joint) {
-      case Joint::V:
-        return V;
-      case Joint::A:
-        return A;
-      case Joint::B:
-        return B;
-      case Joint::C:
-        return C;
-      case Joint::X:
-        return X;
-      case Joint::Y:
-        break;
+      case Joint::V: return V;
+      case Joint::A: return A;
+      case Joint::B: return B;
+      case Joint::C: return C;
+      case Joint::X: return X;
+      case Joint::Y: break;
     }
     return Y;
   }
@@ -255,12 +249,9 @@ std::string_view name(Measure measure) {
 
 std::string_view name(ClosureFault fault) {
   switch (fault) {
-    case ClosureFault::too_far:
-      return "beyond the reach of the links";
-    case ClosureFault::too_near:
-      return "nearer than the links can fold";
-    case ClosureFault::flat:
-      break;
+    case ClosureFault::too_far: return "beyond the reach of the links";
+    case ClosureFault::too_near: return "nearer than the links can fold";
+    case ClosureFault::flat: break;
   }
   return "at a dead point or the change point";
 }

@@ -36,12 +36,9 @@ double folded(double sine) { return std::asin(std::min(1.0, std::abs(sine))); }
 
 std::string_view name(InversorKind kind) {
   switch (kind) {
-    case InversorKind::peaucellier:
-      return "peaucellier";
-    case InversorKind::hart:
-      return "hart";
-    case InversorKind::right_angle:
-      return "right_angle";
+    case InversorKind::peaucellier: return "peaucellier";
+    case InversorKind::hart: return "hart";
+    case InversorKind::right_angle: return "right_angle";
   }
   return "";
 }
@@ -204,12 +201,9 @@ InversorAnswer right_angle(const InversorTask& task) {
 
 InversorAnswer design_inversor(InversorKind kind, const InversorTask& task) {
   switch (kind) {
-    case InversorKind::peaucellier:
-      return peaucellier(task);
-    case InversorKind::hart:
-      return hart(task);
-    case InversorKind::right_angle:
-      break;
+    case InversorKind::peaucellier: return peaucellier(task);
+    case InversorKind::hart: return hart(task);
+    case InversorKind::right_angle: break;
   }
   return right_angle(task);
 }

@@ -46,12 +46,9 @@ ScaleErrors scale_errors_of(const Measures& deviations) {
 
 std::string_view name(KnightFault fault) {
   switch (fault) {
-    case KnightFault::too_few:
-      return "fewer than two readings";
-    case KnightFault::at_an_end:
-      return "an arm angle next to 0 or 90 degrees";
-    case KnightFault::one_angle:
-      break;
+    case KnightFault::too_few: return "fewer than two readings";
+    case KnightFault::at_an_end: return "an arm angle next to 0 or 90 degrees";
+    case KnightFault::one_angle: break;
   }
   return "all readings at one arm angle";
 }

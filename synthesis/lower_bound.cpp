@@ -49,7 +49,7 @@ struct Node {
   bool sheets_apart = false;  // wherever the pole stands in the box
   PoleDistances distances;
   LengthBox lengths;
-  std::uint64_t alive = 0;  // layer assignments not yet ruled out, one bit each
+  std::uint64_t alive = 0;           // layer assignments not yet ruled out, one bit each
   std::optional<bounding::Hit> hit;  // where an obstacle came nearest to being in the way
   std::array<std::uint32_t, kept_cuts>
       cut{};  // of the first layer assignments: number in Tree::cuts_, 0 for none
@@ -67,10 +67,7 @@ struct LessPromising {
 class Tree {
  public:
   Tree(const Spec& spec, Objective objective, const BoundOptions& options)
-      : spec_(spec),
-        options_(options),
-        by_size_(objective == Objective::size),
-        region_(spec.region),
+      : spec_(spec), options_(options), by_size_(objective == Objective::size), region_(spec.region),
         sheets_(spec, region_) {
     if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
     constexpr std::size_t most_corners = 256;
@@ -121,8 +118,9 @@ class Tree {
     for (const Vertex vertex : all_vertices) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), vertex) == permitted.end()) continue;
-      const auto layers = sees_obstacles() ? bounding::all_layer_choices(spec_.copy.k, vertex, spec_.links.layers)
-                                           : bounding::least_layer_choices(spec_.copy.k, vertex, spec_.links.layers);
+      const auto layers = sees_obstacles()
+                              ? bounding::all_layer_choices(spec_.copy.k, vertex, spec_.links.layers)
+                              : bounding::least_layer_choices(spec_.copy.k, vertex, spec_.links.layers);
       const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
       for (std::size_t number = 0; number < count; ++number) {
         branches_.push_back(bounding::make_branch(spec_, vertex, static_cast<int>(number), layers));
@@ -206,8 +204,8 @@ class Tree {
   bool rule_out_by_obstacles(Node& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
     if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost();
-    node.alive = obstacle_tests_[node.branch]->not_hit({node.lengths, node.pole(), node.radius() * (1 + 1e-12)}, node.alive,
-                                                       node.hit, only_where_last);
+    node.alive = obstacle_tests_[node.branch]->not_hit(
+        {node.lengths, node.pole(), node.radius() * (1 + 1e-12)}, node.alive, node.hit, only_where_last);
     return node.alive != 0;
   }
 
@@ -334,9 +332,9 @@ class Tree {
       return !options_.self_contact ||
              (smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
                   spec_.limits.clearance &&
-              (!sees_obstacles() ||
-               obstacle_tests_[node.branch]->is_clear(linkage->VA(), linkage->VB(), node.pole(),
-                                                      static_cast<std::size_t>(&choice - branch.layers.data()))));
+              (!sees_obstacles() || obstacle_tests_[node.branch]->is_clear(
+                                        linkage->VA(), linkage->VB(), node.pole(),
+                                        static_cast<std::size_t>(&choice - branch.layers.data()))));
     };
     const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
     if (layers == branch.layers.end()) return;
@@ -389,7 +387,8 @@ class Tree {
     const double w = std::sqrt(node.lengths.w.lower * node.lengths.w.upper);
     const auto linkage = linkage_of(branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), node.pole());
     if (!linkage) return std::nullopt;
-    return RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(), linkage->VB(), node.pole(), {}};
+    return RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(),
+                         linkage->VB(),     node.pole(),         {}};
   }
 
   ProvenBound verdict() {
@@ -422,7 +421,8 @@ class Tree {
   std::vector<Point> corners_;  // of the region's hull, so many as are worth looking at
   SheetsGap sheets_;
   std::vector<Branch> branches_;
-  std::vector<std::unique_ptr<bounding::ObstacleTest>> obstacle_tests_;  // one a branch, if there are obstacles
+  std::vector<std::unique_ptr<bounding::ObstacleTest>>
+      obstacle_tests_;            // one a branch, if there are obstacles
   std::vector<Cut> cuts_{Cut{}};  // number 0 stands for none
   std::priority_queue<Node, std::vector<Node>, LessPromising> open_;
   double best_ = infinity;  // of the relaxation's designs met, or the incumbent; as in Node::bound

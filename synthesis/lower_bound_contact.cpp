@@ -22,18 +22,12 @@ std::vector<PairKey> keys_of(const std::vector<ContactPair>& pairs) {
 
 MaterialPoint material(Joint joint, Complex s) {
   switch (joint) {
-    case Joint::V:
-      return {0, 0};
-    case Joint::A:
-      return {1, 0};
-    case Joint::B:
-      return {0, s};
-    case Joint::C:
-      return {1, s};
-    case Joint::X:
-      return {1, 1};
-    case Joint::Y:
-      break;
+    case Joint::V: return {0, 0};
+    case Joint::A: return {1, 0};
+    case Joint::B: return {0, s};
+    case Joint::C: return {1, s};
+    case Joint::X: return {1, 1};
+    case Joint::Y: break;
   }
   return {s, s};
 }

@@ -21,7 +21,8 @@ bool same(const ObstacleTerm& one, const ObstacleTerm& other) {
       one.piece.hull.count != other.piece.hull.count)
     return false;
   for (int i = 0; i < one.piece.hull.count; ++i)
-    if (one.piece.hull.joints[static_cast<std::size_t>(i)] != other.piece.hull.joints[static_cast<std::size_t>(i)])
+    if (one.piece.hull.joints[static_cast<std::size_t>(i)] !=
+        other.piece.hull.joints[static_cast<std::size_t>(i)])
       return false;
   return true;
 }
@@ -34,18 +35,17 @@ struct ObstacleTest::Middle {
   LogLengths lengths;
 };
 
-ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly, const std::vector<LayerAssignment>& layers)
-    : assembly_(assembly),
-      reach_(spec.copy.k, assembly.vertex, assembly.number),
-      grounding_(grounding_of(assembly.vertex)),
-      clearance_(spec.limits.clearance),
-      shapes_(obstacle_shapes(spec.obstacles)),
-      places_(tracer_places(spec.region, first_places)),
+ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly,
+                           const std::vector<LayerAssignment>& layers)
+    : assembly_(assembly), reach_(spec.copy.k, assembly.vertex, assembly.number),
+      grounding_(grounding_of(assembly.vertex)), clearance_(spec.limits.clearance),
+      shapes_(obstacle_shapes(spec.obstacles)), places_(tracer_places(spec.region, first_places)),
       many_places_(tracer_places(spec.region, many_places)) {
   const auto any = CopyingLinkage::make(spec.copy.k, assembly.vertex, 100, 100, assembly.number);
   for (std::size_t i = 0; any && i < layers.size() && i < 64; ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec)) {
-      auto known = std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return same(term.what, what); });
+      auto known =
+          std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return same(term.what, what); });
       if (known == terms_.end()) known = terms_.insert(terms_.end(), Term{what, 0});
       known->layers |= LayerBits{1} << i;
     }
@@ -53,7 +53,8 @@ ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly, const std
 
 /// How far any joint of any design of the box may stand from the middle design's, with the tracer at the place, mm; nothing
 /// if the middle does not reach the place, or the box is too large for a statement.
-std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Point& place, const Middle& middle) const {
+std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Point& place,
+                                                const Middle& middle) const {
   const double chain = assembly_.chain, distance = (place - box.pole).norm();
   const LengthBox& l = box.lengths;
   const auto cosine = [&](double r, double w, double h) { return chain * chain * r * r / w - h; };
@@ -69,7 +70,8 @@ std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Poin
                                    psi - angle(cosine(r_most, l.w.lower, h_least) + room)) +
                           slack;
   // rho is known to within this share of the middle's |rho|.
-  const double share = std::max(l.t.upper / middle.t - 1, 1 - l.t.lower / middle.t) + l.t.upper / middle.t * psi_away + slack;
+  const double share =
+      std::max(l.t.upper / middle.t - 1, 1 - l.t.lower / middle.t) + l.t.upper / middle.t * psi_away + slack;
 
   const JointFrame frame(reach_.shape(), middle.lengths, reach_.opening_at(middle.lengths, distance));
   const auto of_p = [&](Joint joint) { return frame.of_p(joint) - frame.of_p(grounding_.pole); };
@@ -87,7 +89,8 @@ std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Poin
   return most * (1 + slack) + slack * (distance + middle.w / arm);
 }
 
-LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::optional<Hit>& hint, bool only_hint) const {
+LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::optional<Hit>& hint,
+                                bool only_hint) const {
   const double t = std::sqrt(box.lengths.t.lower * box.lengths.t.upper);
   const double w = std::sqrt(box.lengths.w.lower * box.lengths.w.upper);
   const double VB = std::sqrt(w * t / 2) * std::abs(assembly_.s);
@@ -101,8 +104,7 @@ LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::opti
     for (std::size_t i = first; i < last; ++i) {
       if ((terms_[i].layers & alive) == 0) continue;
       const ObstacleTerm& term = terms_[i].what;
-      const double gap =
-          obstacle_gap(term, shapes_[term.obstacle], joints, clearance_);  // exact below it
+      const double gap = obstacle_gap(term, shapes_[term.obstacle], joints, clearance_);  // exact below it
       if (gap + *moved < clearance_ * (1 - slack) - slack * box.pole.norm()) {
         alive &= ~terms_[i].layers;
         next = Hit{place, i};
@@ -114,7 +116,8 @@ LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::opti
     }
   };
   if (hint) look_at(hint->place, hint->term, hint->term + 1);
-  for (std::size_t place = 0; !only_hint && place < places_.size() && alive != 0; ++place) look_at(place, 0, terms_.size());
+  for (std::size_t place = 0; !only_hint && place < places_.size() && alive != 0; ++place)
+    look_at(place, 0, terms_.size());
   if (next) hint = next;
   return alive;
 }

@@ -15,9 +15,7 @@ constexpr int most_pivots = 500;
 class DualSimplex {
  public:
   explicit DualSimplex(const MinimaxProgram& program)
-      : program_(program),
-        n_(program.figure_slopes.cols()),
-        figures_(program.figures.size()),
+      : program_(program), n_(program.figure_slopes.cols()), figures_(program.figures.size()),
         limits_(program.limits.size()) {
     rows_.resize(figures_ + limits_ + 2 * n_, n_ + 1);
     values_.resize(rows_.rows());

@@ -15,7 +15,8 @@ constexpr Complex i_unit{0, 1};
 struct PieceCorners {
   std::array<Complex, 3> at;
   std::size_t count;
-  PieceCorners(const JointHull& hull, const PlacedJoints& joints) : at{}, count(static_cast<std::size_t>(hull.count)) {
+  PieceCorners(const JointHull& hull, const PlacedJoints& joints)
+      : at{}, count(static_cast<std::size_t>(hull.count)) {
     for (std::size_t i = 0; i < count; ++i) at[i] = joints[hull.joints[i]];
   }
   ConvexCorners span() const { return {at.data(), count}; }
@@ -94,12 +95,9 @@ std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const La
 
 Grounding grounding_of(Vertex vertex) {
   switch (vertex) {
-    case Vertex::pole:
-      return {Joint::V, Joint::X};
-    case Vertex::tracer:
-      return {Joint::X, Joint::V};
-    case Vertex::pen:
-      break;
+    case Vertex::pole: return {Joint::V, Joint::X};
+    case Vertex::tracer: return {Joint::X, Joint::V};
+    case Vertex::pen: break;
   }
   return {Joint::X, Joint::Y};
 }
@@ -154,7 +152,8 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
   return gap - term.piece.half_width;
 }
 
-PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints) {
+PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
+                           const PlacedJoints& joints) {
   const PieceCorners piece(term.piece.hull, joints);
   NearestFeatures nearest{.distance = std::numeric_limits<double>::infinity()};
   const ConvexPart* of_part = nullptr;

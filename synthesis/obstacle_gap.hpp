@@ -35,7 +35,8 @@ struct ObstacleTerm {
   AxisPiece piece{};
   std::size_t obstacle = 0;
 };
-std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers, const Spec& spec);
+std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
+                                         const Spec& spec);
 
 /// Value and derivatives by u, v and the pole's place, mm.
 struct PlacedJet {
@@ -73,8 +74,10 @@ class PlacedJoints {
 };
 
 /// A lower bound of the gap where it is larger than `enough`, else the gap, mm; negative: depth.
-double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints, double enough);
-PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints);
+double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
+                    double enough);
+PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
+                           const PlacedJoints& joints);
 
 /// Places of the tracer at which obstacles are looked at: along the region's outline and inside, about `about` of them.
 std::vector<Point> tracer_places(const Region& region, int about);

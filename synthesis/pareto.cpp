@@ -13,24 +13,18 @@ namespace {
 /// The limits with a limit on an objective.
 Requirements limited(Requirements limits, Objective objective, double value) {
   switch (objective) {
-    case Objective::size:
-      limits.size = value;
-      break;
-    case Objective::transmission:
-      limits.transmission = value;
-      break;
-    case Objective::copy_error:
-      limits.copy_error = value;
-      break;
-    case Objective::footprint:
-      limits.footprint = value;
-      break;
+    case Objective::size: limits.size = value; break;
+    case Objective::transmission: limits.transmission = value; break;
+    case Objective::copy_error: limits.copy_error = value; break;
+    case Objective::footprint: limits.footprint = value; break;
   }
   return limits;
 }
 
 /// A copy of `value` that a design with exactly this value still keeps.
-double slackened(Objective objective, double value) { return value * (is_maximized(objective) ? 1 - 1e-7 : 1 + 1e-7); }
+double slackened(Objective objective, double value) {
+  return value * (is_maximized(objective) ? 1 - 1e-7 : 1 + 1e-7);
+}
 
 double value_of(const Spec& spec, const FoundDesign& design, Objective objective) {
   if (objective == Objective::footprint && design.attained.footprint == 0)
@@ -51,27 +45,30 @@ std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective 
   for (std::size_t i = 0; i < points.size(); ++i) {
     bool beaten = false;
     for (std::size_t j = 0; j < points.size() && !beaten; ++j) {
-      const bool as_good = is_no_worse(a, points[j].a, points[i].a) && is_no_worse(b, points[j].b, points[i].b);
+      const bool as_good =
+          is_no_worse(a, points[j].a, points[i].a) && is_no_worse(b, points[j].b, points[i].b);
       const bool equal = is_no_worse(a, points[i].a, points[j].a) && is_no_worse(b, points[i].b, points[j].b);
       beaten = j != i && as_good && (!equal || j < i);
     }
     if (!beaten) kept.push_back(points[i]);
   }
-  std::stable_sort(kept.begin(), kept.end(), [](const ParetoPoint& x, const ParetoPoint& y) { return x.a < y.a; });
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const ParetoPoint& x, const ParetoPoint& y) { return x.a < y.a; });
   return kept;
 }
 
 }  // namespace
 
-tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b, int points,
-                                                              const SearchOptions& options) {
+tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b,
+                                                              int points, const SearchOptions& options) {
   const SearchRun run(spec, options);
   const Requirements limits = requirements_of(spec);
   // The footprint is the one that is hard to limit: then the other is limited.
   const Objective limited_one = a == Objective::footprint ? b : a, other = a == Objective::footprint ? a : b;
   std::vector<ParetoPoint> found;
   const auto add = [&](const SearchResult& result) {
-    if (result.design) found.push_back({value_of(spec, *result.design, a), value_of(spec, *result.design, b), *result.design});
+    if (result.design)
+      found.push_back({value_of(spec, *result.design, a), value_of(spec, *result.design, b), *result.design});
     return result.design.has_value();
   };
   const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };

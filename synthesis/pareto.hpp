@@ -16,7 +16,7 @@ struct ParetoPoint {
 /// method: one objective is limited in even steps, the other made best. No point beats another in both. The spec's own
 /// objective does not matter; all its limits hold at every point. A spec without designs: why. Stopped early: what there
 /// was.
-tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b, int points,
-                                                              const SearchOptions& options);
+tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b,
+                                                              int points, const SearchOptions& options);
 
 }  // namespace kempe

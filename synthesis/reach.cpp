@@ -13,11 +13,8 @@ double chain_per_tracer(Complex k, Vertex vertex) { return vertex == Vertex::pen
 }  // namespace
 
 Reach::Reach(Complex k, Vertex vertex, int assembly)
-    : s_(shape_of(k, vertex)),
-      chain_(chain_per_tracer(k, vertex)),
-      log_s_(std::log(std::abs(s_))),
-      arg_s_(std::arg(s_)),
-      interval_(assemblies(s_)[static_cast<std::size_t>(assembly)]) {
+    : s_(shape_of(k, vertex)), chain_(chain_per_tracer(k, vertex)), log_s_(std::log(std::abs(s_))),
+      arg_s_(std::arg(s_)), interval_(assemblies(s_)[static_cast<std::size_t>(assembly)]) {
   bend_ = std::sin(interval_.middle() - arg_s_) > 0 ? 1 : -1;
   near_is_lower_ = bend_ < 0;
   const double scale = std::abs(s_), turn = std::abs(1.0 - s_);

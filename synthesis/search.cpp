@@ -11,7 +11,9 @@ namespace {
 constexpr double unproven_share = 0.004;
 constexpr int hops = 24;
 
-bool has_workshop_lengths(const Spec& spec) { return spec.links.workshop.grid || !spec.links.workshop.stock.empty(); }
+bool has_workshop_lengths(const Spec& spec) {
+  return spec.links.workshop.grid || !spec.links.workshop.stock.empty();
+}
 
 /// The proven bound, and the design improved where the bound's tree met a better one.
 SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {

@@ -33,7 +33,7 @@ struct FoundDesign {
   std::vector<std::string> solvers{};  ///< names with versions, in the order of use
   std::uint64_t evaluations = 0;
   std::uint64_t seed = 0;
-  bool complete = true;  ///< false: stopped early, a better one may exist
+  bool complete = true;                 ///< false: stopped early, a better one may exist
   std::optional<double> lower_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
 };
 
@@ -47,10 +47,11 @@ struct Relaxation {
 
 /// Why there is no design.
 struct NoDesign {
-  std::string requirement{};  ///< the limit's key, "limits.transmission_deg"
-  std::string sentence{};     ///< for a person
+  std::string requirement{};              ///< the limit's key, "limits.transmission_deg"
+  std::string sentence{};                 ///< for a person
   std::vector<Relaxation> relaxations{};  ///< the least share first
-  bool proven = false;      ///< plain, or proven by interval arithmetic (lower_bound.hpp); else a search found nothing
+  /// Plain, or proven by interval arithmetic (lower_bound.hpp); else a search found nothing.
+  bool proven = false;
   std::uint64_t evaluations = 0;
 };
 

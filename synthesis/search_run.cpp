@@ -29,7 +29,8 @@ constexpr int most_repairs = 12;
 constexpr std::size_t boxes_of_proof = 20000;
 
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
-std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice, const Requirements& limits) {
+std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
+                                              const Requirements& limits) {
   const Reach reach(spec.copy.k, choice.vertex, choice.assembly);
   const OpeningInterval usable = openings_with_transmission(reach, limits.transmission);
   if (!limits.copy_error || !spec.tolerance || usable.empty()) return {usable};
@@ -84,7 +85,8 @@ SearchRun::SearchRun(const Spec& spec, const SearchOptions& options)
     : space_(spec), options_(options), start_(std::chrono::steady_clock::now()), choices_(choices_of(spec)) {
   stop_ = [this] {
     return (options_.stop && options_.stop->load(std::memory_order_relaxed)) ||
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > options_.time_limit;
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
+               options_.time_limit;
   };
 }
 
@@ -92,7 +94,8 @@ std::vector<SearchTask> SearchRun::tasks_for(const Requirements& limits, Goal go
   std::vector<SearchTask> tasks;
   for (const ContactChoice& choice : choices_)
     for (const OpeningInterval& allowed : allowed_openings(spec(), choice.choice, limits)) {
-      auto problem = std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);
+      auto problem =
+          std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);
       if (problem->possible()) tasks.push_back({std::move(problem), &choice, allowed});
     }
   return tasks;
@@ -142,10 +145,11 @@ void SearchRun::relax(std::vector<SearchTask>& tasks, const Requirements& limits
 
 bool SearchRun::demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const {
   if (!check.broken || check.needed.empty()) return false;
-  const double shortfall = *check.broken == Goal::clearance      ? limits.clearance - check.attained.clearance
-                           : *check.broken == Goal::transmission ? limits.transmission - check.attained.transmission
-                           : *check.broken == Goal::sheets_gap   ? *limits.sheets_gap - check.attained.sheets_gap
-                                                                 : 0;
+  const double shortfall =
+      *check.broken == Goal::clearance      ? limits.clearance - check.attained.clearance
+      : *check.broken == Goal::transmission ? limits.transmission - check.attained.transmission
+      : *check.broken == Goal::sheets_gap   ? *limits.sheets_gap - check.attained.sheets_gap
+                                            : 0;
   if (!task.problem->tighten(*check.broken, std::max(0.0, shortfall))) return false;
   const std::uint64_t before = task.result.evaluations;
   task.result = refine(*task.problem, task.result.point, stop_);
@@ -178,7 +182,8 @@ bool SearchRun::certify(SearchTask& task, const Requirements& limits) const {
   return task.result.feasible;
 }
 
-std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Requirements& limits, Goal goal) const {
+std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Requirements& limits,
+                                                Goal goal) const {
   const auto linkage = linkage_of(spec(), task);
   if (!linkage) return std::nullopt;
   const LayerAssignment& layers = task.choice->choice.layers;
@@ -189,8 +194,9 @@ std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Re
   if (goal == Goal::footprint || limits.footprint)
     design.attained.footprint = footprint(*linkage, spec().links.style, spec().region).area;
   if (!space_.obstacles().empty())
-    design.attained.clearance = std::min(
-        design.attained.clearance, check_obstacles(spec(), limits, *linkage, layers, check.opening).clearance);
+    design.attained.clearance =
+        std::min(design.attained.clearance,
+                 check_obstacles(spec(), limits, *linkage, layers, check.opening).clearance);
   design.value = design.attained.of(goal);
   design.opening = check.opening;
   design.seed = options_.seed;
@@ -243,20 +249,22 @@ SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goa
     if (!certify(*chosen, limits)) chosen->result = first;
     result.design = design_of(*chosen, limits, goal);
   }
-  for (const SearchTask& task : tasks) result.evaluations += task.relaxed.evaluations + task.result.evaluations;
+  for (const SearchTask& task : tasks)
+    result.evaluations += task.relaxed.evaluations + task.result.evaluations;
   result.stopped = stop_();
   return result;
 }
 
-SearchResult SearchRun::best_footprint(const Requirements& limits, const std::vector<RelaxedDesign>& known) const {
+SearchResult SearchRun::best_footprint(const Requirements& limits,
+                                       const std::vector<RelaxedDesign>& known) const {
   SearchResult result;
   std::vector<SearchTask> small = tasks_for(limits, Goal::size);
   remember(small, known);
   relax(small, limits, Goal::size);
-  run_parallel(small.size(), options_.threads, [&](std::size_t i) {
-    search_group(small, i, 1, no_result());
-  });
-  std::vector<SearchTask> tasks = tasks_for(limits, Goal::footprint);  // of the same choices in the same order
+  run_parallel(small.size(), options_.threads,
+               [&](std::size_t i) { search_group(small, i, 1, no_result()); });
+  std::vector<SearchTask> tasks =
+      tasks_for(limits, Goal::footprint);  // of the same choices in the same order
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     tasks[i].relaxed = small[i].result;
     tasks[i].relaxed.cost = tasks[i].problem->assess(small[i].result.point, 1).cost;
@@ -266,8 +274,14 @@ SearchResult SearchRun::best_footprint(const Requirements& limits, const std::ve
                    [](const SearchTask& a, const SearchTask& b) { return better(a.relaxed, b.relaxed); });
   if (tasks.size() > group_size) tasks.resize(group_size);
   run_parallel(tasks.size(), options_.threads, [&](std::size_t i) {
-    const ChoiceOptions options{.poles = 4, .lattice = 4, .evaluations = 80, .starts = 2, .starts_if_none = 2,
-                                .seed = options_.seed, .hints = {tasks[i].relaxed.point}, .stop = stop_};
+    const ChoiceOptions options{.poles = 4,
+                                .lattice = 4,
+                                .evaluations = 80,
+                                .starts = 2,
+                                .starts_if_none = 2,
+                                .seed = options_.seed,
+                                .hints = {tasks[i].relaxed.point},
+                                .stop = stop_};
     if (tasks[i].relaxed.feasible) tasks[i].result = search_choice(*tasks[i].problem, options);
   });
   const SearchTask* chosen = nullptr;
@@ -287,8 +301,11 @@ bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
 }
 
 /// A place around a point, the nearer the smaller `reach` (in shares of the lengths and of the task's size).
-DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is_free, std::mt19937_64& random) {
-  const auto within = [&](double size) { return size * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1); };
+DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is_free,
+                std::mt19937_64& random) {
+  const auto within = [&](double size) {
+    return size * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1);
+  };
   DesignPoint to = from;
   to.lengths.u += within(reach);
   to.lengths.v += within(reach);
@@ -303,7 +320,8 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
                                   SearchResult found) const {
   const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
   for (SearchTask& task : tasks_for(limits, goal)) {
-    if (task.choice->choice.vertex != start.vertex || task.choice->choice.assembly != start.assembly) continue;
+    if (task.choice->choice.vertex != start.vertex || task.choice->choice.assembly != start.assembly)
+      continue;
     task.result = refine(*task.problem, point, stop_);
     found.evaluations += task.result.evaluations;
     if (!certify(task, limits)) continue;
@@ -313,7 +331,8 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
   return found;
 }
 
-SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, SearchResult found, int hops) const {
+SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, SearchResult found,
+                                    int hops) const {
   std::vector<SearchTask> tasks;
   for (SearchTask& task : tasks_for(limits, goal))
     if (task.choice->choice.vertex == found.design->linkage.vertex() &&
@@ -328,7 +347,8 @@ SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, Searc
     for (int i = 0; i < at_once; ++i) {
       const std::size_t task = static_cast<std::size_t>(i) % tasks.size();
       const double reach = 0.6 * std::pow(0.6, i / 2 + first / at_once);
-      starts.emplace_back(task, hop(centre, reach, space_.layout().unit, space_.layout().pole_is_free, random));
+      starts.emplace_back(task,
+                          hop(centre, reach, space_.layout().unit, space_.layout().pole_is_free, random));
     }
     std::vector<ChoiceResult> results(starts.size());
     run_parallel(starts.size(), options_.threads, [&](std::size_t i) {
@@ -339,7 +359,8 @@ SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, Searc
       const double now = is_maximized(goal) ? -found.design->value : found.design->value;
       SearchTask& task = tasks[starts[i].first];
       task.result = results[i];
-      if (!task.result.feasible || task.result.cost > now - 1e-6 * std::abs(now) || !certify(task, limits)) continue;
+      if (!task.result.feasible || task.result.cost > now - 1e-6 * std::abs(now) || !certify(task, limits))
+        continue;
       const auto design = design_of(task, limits, goal);
       if (design && is_better(goal, *design, *found.design)) found.design = design;
     }

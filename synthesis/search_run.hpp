@@ -26,7 +26,7 @@ namespace kempe {
 
 struct SearchResult {
   std::optional<FoundDesign> design{};
-  bool stopped = false;  ///< by time or by request
+  bool stopped = false;      ///< by time or by request
   bool proven_none = false;  ///< interval arithmetic proves that no design keeps the limits
   std::uint64_t evaluations = 0;
 };
@@ -35,9 +35,10 @@ struct SearchResult {
 struct SearchTask {
   std::unique_ptr<DesignProblem> problem;
   const ContactChoice* choice = nullptr;
-  OpeningInterval allowed{};         ///< openings at which transmission and copy error keep their limits
-  std::vector<Point> poles{};        ///< promising without contact
-  std::vector<DesignPoint> known{};  ///< designs of the bound's tree, and places where it could not rule one out
+  OpeningInterval allowed{};   ///< openings at which transmission and copy error keep their limits
+  std::vector<Point> poles{};  ///< promising without contact
+  std::vector<DesignPoint>
+      known{};  ///< designs of the bound's tree, and places where it could not rule one out
   ChoiceResult relaxed = no_result();
   ChoiceResult result = no_result();
 };
@@ -58,7 +59,8 @@ class SearchRun {
   SearchResult best(const Requirements& limits, Goal goal) const;
 
   /// The better of a design and what a local search from `start` makes of it.
-  SearchResult best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal, SearchResult found) const;
+  SearchResult best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal,
+                         SearchResult found) const;
 
   /// The better of a design and what local searches from `hops` random places around it find, ever nearer ones.
   SearchResult best_around(const Requirements& limits, Goal goal, SearchResult found, int hops) const;
@@ -73,8 +75,10 @@ class SearchRun {
  private:
   bool demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const;
   SearchResult best_footprint(const Requirements& limits, const std::vector<RelaxedDesign>& known) const;
-  SearchResult best_of_any_lengths(const Requirements& limits, Goal goal, const std::vector<RelaxedDesign>& known) const;
-  void search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count, const ChoiceResult& best) const;
+  SearchResult best_of_any_lengths(const Requirements& limits, Goal goal,
+                                   const std::vector<RelaxedDesign>& known) const;
+  void search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count,
+                    const ChoiceResult& best) const;
   ChoiceOptions options_for(bool relaxed) const;
   void report(double share, std::string_view what) const;
 

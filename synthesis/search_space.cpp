@@ -47,7 +47,8 @@ void SearchSpace::list_sheet_corners() {
   else  // the hull's gap is never larger than the region's: the safe side
     for (std::size_t i = 0; i < region_.hull().size(); i += 1 + region_.hull().size() / most_sheet_corners)
       corners.push_back(region_.hull()[i]);
-  for (const Point& corner : corners) sheet_corners_.insert(sheet_corners_.end(), {{corner, true}, {corner, false}});
+  for (const Point& corner : corners)
+    sheet_corners_.insert(sheet_corners_.end(), {{corner, true}, {corner, false}});
 }
 
 SearchSpace::SheetGap SearchSpace::sheet_gap(const SheetCorner& corner, const Point& pole) const {
@@ -61,7 +62,8 @@ SearchSpace::SheetGap SearchSpace::sheet_gap(const SheetCorner& corner, const Po
   const double away = std::abs(nearest.distance);
   const Point normal = away > 0 ? Point((place - nearest.place) / nearest.distance) : Point(1, 0);
   const bool at_corner = nearest.place == edge.from || nearest.place == edge.to;
-  return {scale * nearest.distance, scale * normal, 1.0 - factor, at_corner && away > 0 ? scale / nearest.distance : 0};
+  return {scale * nearest.distance, scale * normal, 1.0 - factor,
+          at_corner && away > 0 ? scale / nearest.distance : 0};
 }
 
 SearchSpace::SmallestSheetGap SearchSpace::smallest_sheet_gap(const Point& pole) const {

@@ -57,7 +57,7 @@ class SearchSpace {
   /// the region that decides it, with the map's derivative by the pole (a complex factor).
   struct SheetGap {
     double distance;
-    Point normal;      ///< d distance / d pole = conj(factor) * normal
+    Point normal;  ///< d distance / d pole = conj(factor) * normal
     Complex factor;
     double curvature;  ///< 1/mm of the distance across the normal: 0 beside an edge
   };

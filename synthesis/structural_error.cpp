@@ -160,26 +160,19 @@ std::optional<Eigen::VectorXd> levelling_step(const StructuralErrorTask& task,
 
 std::string_view name(FitVerdict verdict) {
   switch (verdict) {
-    case FitVerdict::exact_at_points:
-      return "exact at the precision points";
-    case FitVerdict::least_squares:
-      return "least squares";
-    case FitVerdict::equal_ripples:
-      return "equal ripples";
-    case FitVerdict::fewer_ripples:
-      break;
+    case FitVerdict::exact_at_points: return "exact at the precision points";
+    case FitVerdict::least_squares: return "least squares";
+    case FitVerdict::equal_ripples: return "equal ripples";
+    case FitVerdict::fewer_ripples: break;
   }
   return "fewer ripples than the theorem asks for";
 }
 
 std::string_view name(NoFit why) {
   switch (why) {
-    case NoFit::not_defined:
-      return "not defined over the whole range";
-    case NoFit::dependent:
-      return "the parameters depend on each other";
-    case NoFit::not_converged:
-      break;
+    case NoFit::not_defined: return "not defined over the whole range";
+    case NoFit::dependent: return "the parameters depend on each other";
+    case NoFit::not_converged: break;
   }
   return "the iteration does not come to rest";
 }

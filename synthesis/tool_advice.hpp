@@ -13,9 +13,10 @@ namespace kempe {
 
 struct ToolAdvice {
   std::optional<double> follower_radius{}, cutter_radius{};  ///< mm, as given
-  std::optional<double> exact_follower_radius{};  ///< mm, c/|k|; absent without a cutter
-  std::optional<double> exact_cutter_radius{};    ///< mm, |k| f; absent without a follower
-  std::optional<double> cut_outside{};  ///< mm, how far outside the copy's edge the cut lies (inside, if negative)
+  std::optional<double> exact_follower_radius{};             ///< mm, c/|k|; absent without a cutter
+  std::optional<double> exact_cutter_radius{};               ///< mm, |k| f; absent without a follower
+  /// mm, how far outside the copy's edge the cut lies (inside, if negative)
+  std::optional<double> cut_outside{};
   std::optional<double> template_offset{};  ///< mm by which the template must be moved out to make up for it
 };
 

@@ -39,9 +39,9 @@ class SimilarityFit {
   std::vector<std::pair<Complex, Complex>> pairs_;
 };
 
-constexpr double opening_slack = 1e-7;        // rad
-constexpr double transmission_slack = 1e-7;   // rad
-constexpr double length_slack = 1e-9;         // share of the length
+constexpr double opening_slack = 1e-7;       // rad
+constexpr double transmission_slack = 1e-7;  // rad
+constexpr double length_slack = 1e-9;        // share of the length
 constexpr double loop_residual_share = 1e-12;
 
 /// The checks of one task while it is driven; remembers the first failure.
@@ -52,7 +52,8 @@ class Checks {
     const Vertex vertex = task.mechanism.pole == Joint::V     ? Vertex::pole
                           : task.mechanism.tracer == Joint::V ? Vertex::tracer
                                                               : Vertex::pen;
-    const auto roles = CopyingLinkage::make(task.k, vertex, task.mechanism.lengths.VA, task.mechanism.lengths.VB, 0);
+    const auto roles =
+        CopyingLinkage::make(task.k, vertex, task.mechanism.lengths.VA, task.mechanism.lengths.VB, 0);
     if (roles) {
       pairs_ = contact_pairs(*roles, task.layers);
       shape_ = roles->shape();
@@ -109,7 +110,8 @@ class Checks {
 
   void check_assembly(const Pose& pose, const Point& tracer) {
     const auto side = [](const Point& a, const Point& b) { return (cross(a, b) > 0) - (cross(a, b) < 0); };
-    const std::array<int, 2> sides{side(pose.A - pose.V, pose.B - pose.V), side(pose.A - pose.V, pose.X - pose.A)};
+    const std::array<int, 2> sides{side(pose.A - pose.V, pose.B - pose.V),
+                                   side(pose.A - pose.V, pose.X - pose.A)};
     if (result_.samples > 1 && sides != sides_) {
       ++result_.flips;
       fail("the linkage changed its assembly", tracer);
@@ -119,14 +121,17 @@ class Checks {
     double opening = std::arg(as_complex(pose.B - pose.V) / as_complex(pose.A - pose.V));
     opening -= 2 * pi * std::round((opening - allowed.middle()) / (2 * pi));
     if (opening < allowed.lower - opening_slack || opening > allowed.upper + opening_slack)
-      fail(fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening), degrees(allowed.lower),
-                       degrees(allowed.upper)),
+      fail(fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening),
+                       degrees(allowed.lower), degrees(allowed.upper)),
            tracer);
   }
 
   void check_transmission(const Pose& pose, const Point& tracer) {
-    const auto angle = [](const Point& a, const Point& b) { return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b))); };
-    const double seen = std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
+    const auto angle = [](const Point& a, const Point& b) {
+      return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b)));
+    };
+    const double seen =
+        std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
     if (seen < task_.transmission - transmission_slack)
       fail(fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
                        degrees(task_.transmission)),
@@ -163,8 +168,8 @@ double sum_of_lengths(const LinkLengths& lengths) {
 VerificationTask verification_task(const Design& design) {
   const CopyingLinkage& l = design.linkage;
   VerificationTask task;
-  task.mechanism = {l.lengths(), l.orientation(), l.pole_joint(), l.tracer_joint(), l.pen_joint(), l.pole(),
-                    design.opening};
+  task.mechanism = {l.lengths(),   l.orientation(), l.pole_joint(), l.tracer_joint(),
+                    l.pen_joint(), l.pole(),        design.opening};
   task.k = l.k();
   task.region = design.region;
   task.region_covered = design.map.coverage.covered;

@@ -13,24 +13,24 @@ namespace kempe {
 
 /// A mechanism as its drawing gives it: eight lengths, how the triangles are turned, which joint does what.
 struct DrawnMechanism {
-  LinkLengths lengths;                        ///< mm
-  CopyingLinkage::Orientation orientation;    ///< signs that pick the assembly
+  LinkLengths lengths;                      ///< mm
+  CopyingLinkage::Orientation orientation;  ///< signs that pick the assembly
   Joint pole = Joint::V, tracer = Joint::X, pen = Joint::Y;
-  Point pole_position = Point::Zero();        ///< mm
-  OpeningInterval opening;                    ///< certified usable opening, rad: poses must stay inside
+  Point pole_position = Point::Zero();  ///< mm
+  OpeningInterval opening;              ///< certified usable opening, rad: poses must stay inside
 };
 
 /// What must be shown.
 struct VerificationTask {
   DrawnMechanism mechanism;
-  Complex k;              ///< the copy ratio wanted
-  Region region;          ///< what the tracer must cover
+  Complex k;                   ///< the copy ratio wanted
+  Region region;               ///< what the tracer must cover
   bool region_covered = true;  ///< false: only the part of the region within reach is driven over
   LinkStyle style;
   LayerAssignment layers;
-  double transmission = 0;              ///< rad, limit kept over the region; 0: not checked
-  std::optional<double> clearance;      ///< mm, limit kept between the linkage's own parts; absent: not checked
-  double shortest = 0, longest = 1e300; ///< mm, limits of every length
+  double transmission = 0;          ///< rad, limit kept over the region; 0: not checked
+  std::optional<double> clearance;  ///< mm, limit kept between the linkage's own parts; absent: not checked
+  double shortest = 0, longest = 1e300;  ///< mm, limits of every length
 };
 
 struct VerificationOptions {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-
 #include <array>
 #include <cmath>
 
@@ -49,7 +48,9 @@ Point corner_C(const Point& A, const Point& B, double AC, double BC, int turn) {
   return A + across / apart * along + normal / apart * (height * turn);
 }
 
-double direction(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
+double direction(const Point& from, const Point& to) {
+  return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
 
 /// The position turned about `centre` and then shifted.
 PlanarPosition moved(PlanarPosition position, const Point& centre, double turn, const Point& shift) {
@@ -71,7 +72,8 @@ tl::expected<Drive, std::string> Drive::make(const DrawnMechanism& m, const Poin
   const int VA = linkage.add_body("VA"), VB = linkage.add_body("VB");
   const int ACX = linkage.add_body("ACX"), BCY = linkage.add_body("BCY");
   const Point origin = Point::Zero();
-  const Points on{{VA, origin}, {VA, {l.VA, 0}}, {VB, {l.VB, 0}}, {ACX, {l.AC, 0}}, {ACX, plates->X}, {BCY, plates->Y}};
+  const Points on{{VA, origin},     {VA, {l.VA, 0}},  {VB, {l.VB, 0}},
+                  {ACX, {l.AC, 0}}, {ACX, plates->X}, {BCY, plates->Y}};
   linkage.add(Revolute{on.V, {VB, origin}}, "joint V");
   linkage.add(Revolute{on.A, {ACX, origin}}, "joint A");
   linkage.add(Revolute{on.B, {BCY, origin}}, "joint B");
@@ -93,7 +95,9 @@ tl::expected<Drive, std::string> Drive::make(const DrawnMechanism& m, const Poin
   linkage.drive_point(joint(m.tracer), "tracer");
   const Point start = place(guess, joint(m.tracer));
   auto path = PlanarPath::from(linkage, guess, {start.x(), start.y()});
-  if (!path) return tl::unexpected("the linkage does not assemble from its lengths: " + std::string(name(path.error().why)));
+  if (!path)
+    return tl::unexpected("the linkage does not assemble from its lengths: " +
+                          std::string(name(path.error().why)));
   return Drive(std::move(*path), on, m.pole_position);
 }
 

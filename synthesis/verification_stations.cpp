@@ -24,7 +24,8 @@ void follow_ring(const Ring& ring, std::size_t count, std::vector<Point>& statio
     stations.push_back(from);
     if (stride > 1) continue;
     const int pieces = static_cast<int>(std::min(1000.0, std::ceil((to - from).norm() / spacing)));
-    for (int j = 1; j < pieces; ++j) stations.push_back(from + (to - from) * (static_cast<double>(j) / pieces));
+    for (int j = 1; j < pieces; ++j)
+      stations.push_back(from + (to - from) * (static_cast<double>(j) / pieces));
   }
   stations.push_back(ring.front());
 }
@@ -36,7 +37,8 @@ void add_extremes(const Region& region, const Point& pole, std::vector<Point>& s
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point& a = ring[i];
       const Point along = ring[(i + 1) % ring.size()] - a;
-      const double share = along.squaredNorm() > 0 ? std::clamp((pole - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
+      const double share =
+          along.squaredNorm() > 0 ? std::clamp((pole - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
       const Point foot = a + share * along;
       if ((foot - pole).norm() < (nearest - pole).norm()) nearest = foot;
       if ((a - pole).norm() > (farthest - pole).norm()) farthest = a;
@@ -91,7 +93,8 @@ void hatch(const Region& region, int lines, bool upright, std::vector<Point>& st
 
 }  // namespace
 
-std::vector<Point> stations_over(const Region& region, const Point& pole, const VerificationOptions& options) {
+std::vector<Point> stations_over(const Region& region, const Point& pole,
+                                 const VerificationOptions& options) {
   std::vector<Point> stations;
   if (region.empty()) return stations;
   double total = 0;
@@ -100,7 +103,8 @@ std::vector<Point> stations_over(const Region& region, const Point& pole, const 
     for (const Ring& hole : polygon.holes) total += perimeter(hole);
   }
   const auto share = [&](const Ring& ring) {
-    return 1 + static_cast<std::size_t>(static_cast<double>(options.outline_samples) * perimeter(ring) / total);
+    return 1 +
+           static_cast<std::size_t>(static_cast<double>(options.outline_samples) * perimeter(ring) / total);
   };
   for (const Polygon& polygon : region.polygons) {
     follow_ring(polygon.outer, share(polygon.outer), stations);

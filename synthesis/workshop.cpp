@@ -19,9 +19,11 @@ constexpr int most_ratios = 24;
 std::vector<double> all_lengths(const WorkshopSpec& workshop, double longest) {
   std::vector<double> lengths = workshop.stock;
   if (workshop.grid)
-    for (int i = 1; i * *workshop.grid <= longest * (1 + same_length); ++i) lengths.push_back(i * *workshop.grid);
+    for (int i = 1; i * *workshop.grid <= longest * (1 + same_length); ++i)
+      lengths.push_back(i * *workshop.grid);
   std::sort(lengths.begin(), lengths.end());
-  lengths.erase(std::remove_if(lengths.begin(), lengths.end(), [&](double x) { return x > longest * (1 + same_length); }),
+  lengths.erase(std::remove_if(lengths.begin(), lengths.end(),
+                               [&](double x) { return x > longest * (1 + same_length); }),
                 lengths.end());
   return lengths;
 }
@@ -56,7 +58,8 @@ std::vector<WorkshopLengths> nearest_workshop_lengths(const WorkshopSpec& worksh
     if (above != lengths.begin()) ratios.push_back(*std::prev(above) / VA);
   }
   const auto off = [&](double ratio) { return std::abs(ratio - scale_of_shape); };
-  std::sort(ratios.begin(), ratios.end(), [&](double a, double b) { return off(a) < off(b) || (off(a) == off(b) && a < b); });
+  std::sort(ratios.begin(), ratios.end(),
+            [&](double a, double b) { return off(a) < off(b) || (off(a) == off(b) && a < b); });
   std::vector<WorkshopLengths> found;
   for (const double ratio : ratios) {
     if (static_cast<int>(found.size()) == count) break;
@@ -87,19 +90,16 @@ Spec locked(const Spec& spec, double VA, double VB) {
 /// The ratio k whose shape under this grounding is s.
 Complex ratio_of(Complex shape, Vertex vertex) {
   switch (vertex) {
-    case Vertex::pole:
-      return shape;
-    case Vertex::tracer:
-      return 1.0 - shape;
-    case Vertex::pen:
-      break;
+    case Vertex::pole: return shape;
+    case Vertex::tracer: return 1.0 - shape;
+    case Vertex::pen: break;
   }
   return 1.0 / (1.0 - shape);
 }
 
 /// Size: by the size itself, from the task's relaxed size upward. Others: by the distance from the task's best lengths.
-std::vector<Candidate> candidates(const std::vector<SearchTask>& tasks, const std::vector<WorkshopLengths>& lengths,
-                                  Goal goal) {
+std::vector<Candidate> candidates(const std::vector<SearchTask>& tasks,
+                                  const std::vector<WorkshopLengths>& lengths, Goal goal) {
   std::vector<Candidate> all;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const Reach& reach = tasks[i].problem->reach();
@@ -108,12 +108,14 @@ std::vector<Candidate> candidates(const std::vector<SearchTask>& tasks, const st
     for (const double VA : lengths[i].VA)
       for (const double VB : lengths[i].VB) {
         const double size = reach.factors().size_per_VA * VA + reach.factors().size_per_VB * VB;
-        const double away = std::hypot(std::log(VA) - near.point.lengths.u, std::log(VB) - near.point.lengths.v);
+        const double away =
+            std::hypot(std::log(VA) - near.point.lengths.u, std::log(VB) - near.point.lengths.v);
         if (goal == Goal::size && size < tasks[i].relaxed.cost * (1 - 1e-9)) continue;
         all.push_back({i, VA, VB, goal == Goal::size ? size : away});
       }
   }
-  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
   if (all.size() > most_candidates) all.resize(most_candidates);
   return all;
 }
@@ -128,8 +130,14 @@ SearchResult design_with(const SearchRun& run, const SearchTask& task, const Can
   const SearchSpace space(spec);
   SearchTask here;
   here.choice = task.choice;
-  here.problem = std::make_unique<DesignProblem>(space, task.choice->choice, limits, goal, task.allowed, task.choice->terms);
-  ChoiceOptions quick{.poles = 16, .lattice = 1, .evaluations = 60, .starts = 3, .starts_if_none = 4, .seed = options.seed,
+  here.problem = std::make_unique<DesignProblem>(space, task.choice->choice, limits, goal, task.allowed,
+                                                 task.choice->terms);
+  ChoiceOptions quick{.poles = 16,
+                      .lattice = 1,
+                      .evaluations = 60,
+                      .starts = 3,
+                      .starts_if_none = 4,
+                      .seed = options.seed,
                       .stop = run.stop()};
   here.result = search_choice(*here.problem, quick);
   SearchResult result{.evaluations = here.result.evaluations};
@@ -164,10 +172,12 @@ SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>&
   return best;
 }
 
-std::vector<WorkshopLengths> exact_lengths(const SearchRun& run, const std::vector<SearchTask>& tasks, double longest) {
+std::vector<WorkshopLengths> exact_lengths(const SearchRun& run, const std::vector<SearchTask>& tasks,
+                                           double longest) {
   std::vector<WorkshopLengths> lengths;
   for (const SearchTask& task : tasks)
-    lengths.push_back(workshop_lengths(run.spec().links.workshop, std::abs(task.problem->reach().shape()), longest));
+    lengths.push_back(
+        workshop_lengths(run.spec().links.workshop, std::abs(task.problem->reach().shape()), longest));
   return lengths;
 }
 
@@ -188,7 +198,8 @@ SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& l
       ratios.push_back({k, vertex, std::abs(k - spec.copy.k)});
     }
   }
-  std::stable_sort(ratios.begin(), ratios.end(), [](const Ratio& a, const Ratio& b) { return a.off < b.off; });
+  std::stable_sort(ratios.begin(), ratios.end(),
+                   [](const Ratio& a, const Ratio& b) { return a.off < b.off; });
   SearchResult result;
   for (const Ratio& ratio : ratios) {
     if (result.design || run.stop()()) break;
@@ -212,8 +223,9 @@ SearchResult best_with_workshop_lengths(const SearchRun& run, const Requirements
   run.relax(tasks, limits, goal);
   const std::vector<WorkshopLengths> lengths = exact_lengths(run, tasks, limits.longest);
   SearchResult result = best_candidate(run, tasks, candidates(tasks, lengths, goal), limits, goal);
-  const bool exact = std::any_of(lengths.begin(), lengths.end(),
-                                 [](const WorkshopLengths& one) { return !one.VA.empty() && !one.VB.empty(); });
+  const bool exact = std::any_of(lengths.begin(), lengths.end(), [](const WorkshopLengths& one) {
+    return !one.VA.empty() && !one.VB.empty();
+  });
   if (!result.design && !exact) result = best_with_another_ratio(run, limits, goal);
   result.evaluations += any_lengths.evaluations;
   return result;

@@ -15,12 +15,8 @@ std::array<std::array<Complex, 2>, 6> multiples(Complex s) {
 }  // namespace
 
 LinkageMotion::LinkageMotion(const CopyingLinkage& linkage)
-    : VA_(linkage.VA()),
-      VB_(linkage.VB()),
-      chain_end_(linkage.VB() / std::abs(linkage.shape())),
-      shape_(linkage.shape()),
-      chain_per_tracer_(1),
-      dead_(std::arg(linkage.shape())) {
+    : VA_(linkage.VA()), VB_(linkage.VB()), chain_end_(linkage.VB() / std::abs(linkage.shape())),
+      shape_(linkage.shape()), chain_per_tracer_(1), dead_(std::arg(linkage.shape())) {
   const auto of = multiples(shape_);
   const auto pole = static_cast<std::size_t>(linkage.pole_joint());
   const auto tracer = static_cast<std::size_t>(linkage.tracer_joint());

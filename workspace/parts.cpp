@@ -6,28 +6,20 @@ namespace kempe {
 
 std::string_view name(Link link) {
   switch (link) {
-    case Link::VA:
-      return "VA";
-    case Link::VB:
-      return "VB";
-    case Link::ACX:
-      return "ACX";
-    case Link::BCY:
-      break;
+    case Link::VA: return "VA";
+    case Link::VB: return "VB";
+    case Link::ACX: return "ACX";
+    case Link::BCY: break;
   }
   return "BCY";
 }
 
 LinkJoints joints_of(Link link) {
   switch (link) {
-    case Link::VA:
-      return {{Joint::V, Joint::A, Joint::A}, 2};
-    case Link::VB:
-      return {{Joint::V, Joint::B, Joint::B}, 2};
-    case Link::ACX:
-      return {{Joint::A, Joint::C, Joint::X}, 3};
-    case Link::BCY:
-      break;
+    case Link::VA: return {{Joint::V, Joint::A, Joint::A}, 2};
+    case Link::VB: return {{Joint::V, Joint::B, Joint::B}, 2};
+    case Link::ACX: return {{Joint::A, Joint::C, Joint::X}, 3};
+    case Link::BCY: break;
   }
   return {{Joint::B, Joint::C, Joint::Y}, 3};
 }
@@ -66,16 +58,11 @@ std::vector<LayerAssignment> layer_assignments(int layers) {
 std::string name(const Part& part) {
   const std::string at(1, letter(part.joint));
   switch (part.kind) {
-    case Part::Kind::link:
-      return "link " + std::string(name(part.link));
-    case Part::Kind::pin:
-      return "pin " + at;
-    case Part::Kind::pole_post:
-      return "pole post " + at;
-    case Part::Kind::tracer_post:
-      return "tracer " + at;
-    case Part::Kind::pen_post:
-      break;
+    case Part::Kind::link: return "link " + std::string(name(part.link));
+    case Part::Kind::pin: return "pin " + at;
+    case Part::Kind::pole_post: return "pole post " + at;
+    case Part::Kind::tracer_post: return "tracer " + at;
+    case Part::Kind::pen_post: break;
   }
   return "pen " + at;
 }
@@ -125,15 +112,12 @@ std::vector<JointHull> plate_axis(Joint corner, Joint tip, PlateStyle plate) {
 std::vector<JointHull> axis_of(const Part& part, Complex shape, PlateStyle plate) {
   if (part.kind != Part::Kind::link) return {{{part.joint, part.joint, part.joint}, 1}};
   switch (part.link) {
-    case Link::VA:
-      return {{{Joint::V, Joint::A, Joint::A}, 2}};
-    case Link::VB:
-      return {{{Joint::V, Joint::B, Joint::B}, 2}};
+    case Link::VA: return {{{Joint::V, Joint::A, Joint::A}, 2}};
+    case Link::VB: return {{{Joint::V, Joint::B, Joint::B}, 2}};
     case Link::ACX:
       if (is_straight(shape)) return {straight_plate(Joint::A, Joint::X, (1.0 / shape).real())};
       return plate_axis(Joint::A, Joint::X, plate);
-    case Link::BCY:
-      break;
+    case Link::BCY: break;
   }
   if (is_straight(shape)) return {straight_plate(Joint::B, Joint::Y, shape.real())};
   return plate_axis(Joint::B, Joint::Y, plate);

@@ -84,18 +84,12 @@ struct Weights {
 
 Weights weights_of(Joint joint, Complex s) {
   switch (joint) {
-    case Joint::V:
-      return {0, 0};
-    case Joint::A:
-      return {1, 0};
-    case Joint::B:
-      return {0, 1};
-    case Joint::C:
-      return {1, 1};
-    case Joint::X:
-      return {1, 1.0 / s};
-    case Joint::Y:
-      break;
+    case Joint::V: return {0, 0};
+    case Joint::A: return {1, 0};
+    case Joint::B: return {0, 1};
+    case Joint::C: return {1, 1};
+    case Joint::X: return {1, 1.0 / s};
+    case Joint::Y: break;
   }
   return {s, 1};
 }

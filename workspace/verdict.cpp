@@ -12,17 +12,12 @@ namespace kempe {
 
 std::string_view name(Cause cause) {
   switch (cause) {
-    case Cause::out_of_reach:
-      return "out of reach";
-    case Cause::beyond_change_point:
-      return "beyond the change point";
-    case Cause::transmission_below_limit:
-      return "transmission below the limit";
+    case Cause::out_of_reach: return "out of reach";
+    case Cause::beyond_change_point: return "beyond the change point";
+    case Cause::transmission_below_limit: return "transmission below the limit";
     case Cause::self_contact:
-    case Cause::obstacle_contact:
-      return "contact";
-    case Cause::sheet_overlap:
-      break;
+    case Cause::obstacle_contact: return "contact";
+    case Cause::sheet_overlap: break;
   }
   return "sheet overlap";
 }

@@ -123,7 +123,8 @@ int mkdir(const char* path, mode_t mode) {
 
 int rename(const char* from, const char* to) {
   static const auto next = real<int(const char*, const char*)>("rename");
-  if (const long wait = number("KEMPE_FAULT_SLOW_RENAME_MS"); wait > 0) usleep(static_cast<useconds_t>(1000 * wait));
+  if (const long wait = number("KEMPE_FAULT_SLOW_RENAME_MS"); wait > 0)
+    usleep(static_cast<useconds_t>(1000 * wait));
   return struck() ? failure(fault()) : next(from, to);
 }
 
@@ -150,7 +151,8 @@ int clock_gettime(clockid_t clock, timespec* now) {
   if (what.empty() || result != 0) return result;
   const unsigned time = ++asked;
   if (clock == CLOCK_MONOTONIC && what == "leaps") now->tv_sec += 3600L * time;
-  if (clock == CLOCK_REALTIME && what == "jumps") now->tv_sec += (time % 2 == 0 ? -1 : 1) * 30'000'000L * (time % 7);
+  if (clock == CLOCK_REALTIME && what == "jumps")
+    now->tv_sec += (time % 2 == 0 ? -1 : 1) * 30'000'000L * (time % 7);
   return result;
 }
 

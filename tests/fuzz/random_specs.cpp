@@ -43,7 +43,9 @@ int main(int argc, char** argv) {
   for (unsigned long i = 0; i < threads; ++i) workers.emplace_back(work);
   for (std::thread& worker : workers) worker.join();
   const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - began;
-  std::printf("%lu specs from number %lu: %lu designs, each mapped and verified, 0 failures; %lu without a design; %.0f s\n",
-              count, first, designs.load(), count - designs.load(), lasted.count());
+  std::printf(
+      "%lu specs from number %lu: %lu designs, each mapped and verified, 0 failures; %lu without a design; "
+      "%.0f s\n",
+      count, first, designs.load(), count - designs.load(), lasted.count());
   return 0;
 }

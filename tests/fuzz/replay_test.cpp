@@ -25,7 +25,8 @@ TEST(Corpus, EveryStoredInputIsReadOrRefused) {
       for (std::size_t i = 1; i < 8; ++i) {
         target.run(std::string_view(input).substr(0, input.size() * i / 8));
         std::string changed = input;
-        if (!changed.empty()) changed[changed.size() * i / 8 % changed.size()] ^= static_cast<char>(1U << i % 7);
+        if (!changed.empty())
+          changed[changed.size() * i / 8 % changed.size()] ^= static_cast<char>(1U << i % 7);
         target.run(changed);
       }
       ++replayed;

@@ -53,15 +53,18 @@ PoleSpec pole_beside(Choices& choices) {
 
 /// A bar of any direction, somewhere about the pole.
 Obstacle obstacle(Choices& choices) {
-  const double distance = choices.between(20, 300), bearing = choices.between(-pi, pi), turn = choices.between(-pi, pi);
+  const double distance = choices.between(20, 300), bearing = choices.between(-pi, pi),
+               turn = choices.between(-pi, pi);
   const Point centre = distance * Point(std::cos(bearing), std::sin(bearing));
   const Point along = choices.between(1, 60) * Point(std::cos(turn), std::sin(turn));
   const Point across = choices.between(0.5, 10) / along.norm() * Point(-along.y(), along.x());
   const int lowest = 1 + choices.upto(2);
-  return {{{centre - along - across, centre + along - across, centre + along + across, centre - along + across}, {}},
-          lowest,
-          lowest + choices.upto(3),
-          {}};
+  return {
+      {{centre - along - across, centre + along - across, centre + along + across, centre - along + across},
+       {}},
+      lowest,
+      lowest + choices.upto(3),
+      {}};
 }
 
 Objective objective(Choices& choices) {
@@ -110,7 +113,8 @@ Spec spec_from(Choices& choices) {
   if (spec.tolerance && choices.upto(2) == 0) spec.limits.copy_error = choices.between(0.2, 3);
   const int obstacles = choices.upto(3) == 0 ? 1 + choices.upto(3) : 0;
   for (int i = 0; i < obstacles; ++i) spec.obstacles.push_back(obstacle(choices));
-  if (choices.upto(6) == 0) spec.objective.groundings = {all_vertices[static_cast<std::size_t>(choices.upto(3))]};
+  if (choices.upto(6) == 0)
+    spec.objective.groundings = {all_vertices[static_cast<std::size_t>(choices.upto(3))]};
   return spec;
 }
 

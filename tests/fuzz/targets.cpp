@@ -37,9 +37,10 @@ void generators(std::string_view input) {
 
 void choices(std::string_view input) { (void)design_from_choices(input); }
 
-constexpr std::array all{Target{"specs", spec},     Target{"geojson", geojson},           Target{"svg", svg},
-                         Target{"dxf", dxf},        Target{"linkages", linkage},          Target{"measurements", measurements},
-                         Target{"designs", design}, Target{"generators", generators},     Target{"choices", choices}};
+constexpr std::array all{
+    Target{"specs", spec},     Target{"geojson", geojson},       Target{"svg", svg},
+    Target{"dxf", dxf},        Target{"linkages", linkage},      Target{"measurements", measurements},
+    Target{"designs", design}, Target{"generators", generators}, Target{"choices", choices}};
 
 }  // namespace
 

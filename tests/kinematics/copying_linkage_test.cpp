@@ -10,7 +10,8 @@
 namespace kempe {
 namespace {
 
-CopyingLinkage linkage(Complex k, Vertex vertex, double VA, double VB, int assembly, Point pole = Point::Zero()) {
+CopyingLinkage linkage(Complex k, Vertex vertex, double VA, double VB, int assembly,
+                       Point pole = Point::Zero()) {
   return CopyingLinkage::make(k, vertex, VA, VB, assembly, pole).value();
 }
 
@@ -40,8 +41,9 @@ class RandomCases {
       const Complex k = std::polar(std::exp(uniform(-2.3, 2.3)), uniform(-pi, pi));
       const auto vertex = all_vertices[static_cast<std::size_t>(random_() % 3)];
       const auto count = assemblies(shape_of(k, vertex)).size();
-      auto made = CopyingLinkage::make(k, vertex, std::exp(uniform(1, 6)), std::exp(uniform(1, 6)),
-                                       static_cast<int>(random_() % count), Point(uniform(-9, 9), uniform(-9, 9)));
+      auto made =
+          CopyingLinkage::make(k, vertex, std::exp(uniform(1, 6)), std::exp(uniform(1, 6)),
+                               static_cast<int>(random_() % count), Point(uniform(-9, 9), uniform(-9, 9)));
       if (!made) continue;
       const OpeningInterval d = made->assembly_interval();
       return {*made, d.lower + d.width() * uniform(0.02, 0.98), uniform(-pi, pi)};
@@ -72,8 +74,9 @@ TEST(CopyingLinkage, KeepsEveryLengthInEveryPose) {
     const auto [mechanism, opening, bearing] = cases.next();
     const Pose z = mechanism.pose_at(opening, bearing);
     const LinkLengths l = mechanism.lengths();
-    const std::array<double, 8> seen{(z.A - z.V).norm(), (z.B - z.V).norm(), (z.C - z.A).norm(), (z.C - z.B).norm(),
-                                     (z.X - z.A).norm(), (z.X - z.C).norm(), (z.Y - z.B).norm(), (z.Y - z.C).norm()};
+    const std::array<double, 8> seen{(z.A - z.V).norm(), (z.B - z.V).norm(), (z.C - z.A).norm(),
+                                     (z.C - z.B).norm(), (z.X - z.A).norm(), (z.X - z.C).norm(),
+                                     (z.Y - z.B).norm(), (z.Y - z.C).norm()};
     for (std::size_t j = 0; j < 8; ++j) EXPECT_NEAR(seen[j], l.values()[j], 1e-12 * size_of(mechanism));
   }
 }
@@ -182,9 +185,17 @@ TEST(PublishedFigures, MatlabPantograph) {
   };
   const Row rows[] = {
       {0, {2.05128275, 5.6384607}, {3.07692412, 8.45769105}, {7.02564137, 7.81923035}, {6, 5}, {9, 7.5}},
-      {0.1, {2.0323711, 5.64530493}, {3.04855665, 8.46795739}, {7.01118971, 7.92248588}, {5.99500417, 5.09983342},
+      {0.1,
+       {2.0323711, 5.64530493},
+       {3.04855665, 8.46795739},
+       {7.01118971, 7.92248588},
+       {5.99500417, 5.09983342},
        {8.99250625, 7.64975012}},
-      {0.3, {1.97257465, 5.66647591}, {2.95886198, 8.49971387}, {6.94162381, 8.12875816}, {5.95533649, 5.29552021},
+      {0.3,
+       {1.97257465, 5.66647591},
+       {2.95886198, 8.49971387},
+       {6.94162381, 8.12875816},
+       {5.95533649, 5.29552021},
        {8.93300473, 7.94328031}}};
   int matching = 0;
   for (int assembly = 0; assembly < 2; ++assembly) {
@@ -218,7 +229,8 @@ TEST(PublishedFigures, PlagiographReport) {
   EXPECT_NEAR(mechanism.lengths().BY, 7, 1e-12);
   int matching = 0;
   for (int assembly = 0; assembly < 4; ++assembly) {
-    const auto pose = linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 5, 3.5, assembly).pose_with_tracer_at({7, 1});
+    const auto pose =
+        linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 5, 3.5, assembly).pose_with_tracer_at({7, 1});
     if (!pose || (pose->A - Point(4.64714054, 1.8450162)).norm() > 1e-3) continue;
     ++matching;
     EXPECT_LT((pose->A - Point(4.64714054, 1.8450162)).norm(), 1e-7);
@@ -249,7 +261,7 @@ TEST(PublishedFigures, WidestAssemblyOfEachGroundingOfTheReportsRatio) {
     return degrees(widest(assemblies(shape_of(copy_ratio(1.4, pi / 2), vertex)))->width());
   };
   EXPECT_NEAR(width(Vertex::pole), 90, 1e-9);
-  EXPECT_NEAR(width(Vertex::tracer), 180 - degrees(std::atan(1.4)), 1e-9);  // 125.5
+  EXPECT_NEAR(width(Vertex::tracer), 180 - degrees(std::atan(1.4)), 1e-9);   // 125.5
   EXPECT_NEAR(width(Vertex::pen), 180 - degrees(std::atan(1 / 1.4)), 1e-9);  // 144.5
 }
 
@@ -258,7 +270,8 @@ TEST(SmallestAngleRule, SomeGroundingAlwaysOpensAtLeast120Degrees) {
   for (int i = 0; i < 2000; ++i) {
     const Complex k = std::polar(std::exp(cases.uniform(-4, 4)), cases.uniform(-pi, pi));
     double best = 0;
-    for (const Vertex vertex : all_vertices) best = std::max(best, widest(assemblies(shape_of(k, vertex)))->width());
+    for (const Vertex vertex : all_vertices)
+      best = std::max(best, widest(assemblies(shape_of(k, vertex)))->width());
     // Smallest angle of the triangle pole, tracer, pen by the law of cosines.
     const double a = 1, b = std::abs(k), c = std::abs(k - 1.0);
     const auto angle = [](double opposite, double m, double n) {

@@ -15,8 +15,8 @@ using test::Random;
 /// block. Two bodies are held by no joint.
 PlanarLinkage slotted_arm() {
   PlanarLinkage linkage;
-  const int crank = linkage.add_body("crank"), arm = linkage.add_body("arm"), block = linkage.add_body("block"),
-            bob = linkage.add_particle("bob");
+  const int crank = linkage.add_body("crank"), arm = linkage.add_body("arm"),
+            block = linkage.add_body("block"), bob = linkage.add_particle("bob");
   linkage.add(Revolute{{0, Point(0, 0)}, {crank, Point(0, 0)}});
   linkage.add(Revolute{{arm, Point(0, 0)}, {0, Point(7, 1)}});
   linkage.add(Coordinate{{block, Point(0, 0)}, {arm, Point(0, 0)}, Point(0.6, 0.8), 0.5});
@@ -80,8 +80,9 @@ void expect_factors_of(const PlanarLinkage& linkage, Random& random, int reduced
 TEST(PlanarFactors, SolveFourBars) {
   Random random(21);
   for (int i = 0; i < 20; ++i)
-    expect_factors_of(four_bar(random.uniform(1, 9), random.uniform(1, 9), random.uniform(1, 9), random.uniform(1, 9)),
-                      random, 3);
+    expect_factors_of(
+        four_bar(random.uniform(1, 9), random.uniform(1, 9), random.uniform(1, 9), random.uniform(1, 9)),
+        random, 3);
 }
 
 TEST(PlanarFactors, SolveChains) {

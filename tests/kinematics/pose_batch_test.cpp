@@ -15,11 +15,13 @@ using test::Random;
 
 CopyingLinkage random_copying_linkage(Random& random, int i) {
   for (;;) {
-    const Complex k = copy_ratio(random.logarithmic(0.1, 10), i % 4 == 0 ? pi * random.below(2) : random.uniform(-pi, pi));
+    const Complex k =
+        copy_ratio(random.logarithmic(0.1, 10), i % 4 == 0 ? pi * random.below(2) : random.uniform(-pi, pi));
     const Vertex vertex = all_vertices[static_cast<std::size_t>(i % 3)];
     const auto count = static_cast<int>(assemblies(shape_of(k, vertex)).size());
-    const auto linkage = CopyingLinkage::make(k, vertex, random.logarithmic(1, 200), random.logarithmic(1, 200),
-                                              random.below(count), random.point(300));
+    const auto linkage =
+        CopyingLinkage::make(k, vertex, random.logarithmic(1, 200), random.logarithmic(1, 200),
+                             random.below(count), random.point(300));
     if (linkage) return *linkage;
   }
 }
@@ -31,8 +33,8 @@ struct Tracers {
     const auto radii = linkage.radii_over(linkage.assembly_interval());
     const double beyond = 0.1 * (radii.upper - radii.lower);
     for (int i = 0; i < count; ++i) {
-      const Complex reach =
-          std::polar(random.uniform(std::max(0.0, radii.lower - beyond), radii.upper + beyond), random.uniform(-pi, pi));
+      const Complex reach = std::polar(
+          random.uniform(std::max(0.0, radii.lower - beyond), radii.upper + beyond), random.uniform(-pi, pi));
       x.push_back(linkage.pole().x() + reach.real());
       y.push_back(linkage.pole().y() + reach.imag());
     }
@@ -77,7 +79,8 @@ TEST(PoseBatch, EqualsThePosesOneByOne) {
       const double opening = *linkage.opening_at((tracers[row] - linkage.pole()).norm());
       const double sine = std::max(1e-6, std::sin(linkage.transmission_angle(opening)));
       for (const Joint joint : all_joints)
-        EXPECT_LE(((*one)[joint] - (*other)[joint]).norm(), 4e-14 / (sine * sine) * magnitude(*one)) << i << ' ' << letter(joint);
+        EXPECT_LE(((*one)[joint] - (*other)[joint]).norm(), 4e-14 / (sine * sine) * magnitude(*one))
+            << i << ' ' << letter(joint);
     }
   }
   EXPECT_GT(poses, 10000u);
@@ -91,7 +94,8 @@ TEST(PoseBatch, KeepsEveryLengthUpToTheDeadPoints) {
     const CopyingLinkage linkage = random_copying_linkage(random, i);
     const auto radii = linkage.radii_over(linkage.assembly_interval());
     std::vector<double> x, y;
-    for (const double radius : {radii.lower, radii.lower * (1 + 1e-12), radii.upper * (1 - 1e-12), radii.upper}) {
+    for (const double radius :
+         {radii.lower, radii.lower * (1 + 1e-12), radii.upper * (1 - 1e-12), radii.upper}) {
       x.push_back(linkage.pole().x() + radius);
       y.push_back(linkage.pole().y());
     }

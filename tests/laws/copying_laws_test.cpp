@@ -14,7 +14,8 @@ std::array<double, 8> distances(const Pose& z) {
 }
 
 CopyingLinkage::Orientation orientation_of(const Pose& z) {
-  return {sign(cross(z.A - z.V, z.B - z.V)), sign(cross(z.C - z.A, z.X - z.A)), sign(cross(z.C - z.B, z.Y - z.B))};
+  return {sign(cross(z.A - z.V, z.B - z.V)), sign(cross(z.C - z.A, z.X - z.A)),
+          sign(cross(z.C - z.B, z.Y - z.B))};
 }
 
 /// Positions carry the rounding of the pole's place too.
@@ -35,7 +36,8 @@ TEST(CopyingLaws, EveryLinkKeepsItsLengthsInEveryPose) {
     const CopyingLinkage linkage = draw_linkage();
     const auto seen = distances(linkage.pose_at(draw_opening(linkage, 0), *angle()));
     const auto wanted = linkage.lengths().values();
-    for (std::size_t i = 0; i < seen.size(); ++i) RC_ASSERT(std::abs(seen[i] - wanted[i]) <= 20 * rounding(linkage));
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      RC_ASSERT(std::abs(seen[i] - wanted[i]) <= 20 * rounding(linkage));
   });
 }
 
@@ -74,7 +76,8 @@ TEST(CopyingLaws, APlaceReachedByTwoAssembliesIsReachedInTwoDifferentPoses) {
     const auto all = assemblies(one.shape());
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (static_cast<int>(i) == one.assembly()) continue;
-      const auto other = CopyingLinkage::make(one.k(), one.vertex(), one.VA(), one.VB(), static_cast<int>(i), one.pole());
+      const auto other =
+          CopyingLinkage::make(one.k(), one.vertex(), one.VA(), one.VB(), static_cast<int>(i), one.pole());
       RC_ASSERT(other.has_value());
       const auto pose = other->pose_with_tracer_at(tracer);
       if (!pose) continue;

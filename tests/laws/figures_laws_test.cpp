@@ -41,7 +41,8 @@ Spec draw_task() {
     const Point at = linkage.pole() + *point(linkage.size());
     spec.obstacles.push_back({{rectangle(at, size, size / 3), {}}, 1, 2, "post"});
   }
-  spec.mechanism = MechanismSpec{linkage.vertex(), linkage.VA(), linkage.VB(), linkage.assembly(), draw_layers().of};
+  spec.mechanism =
+      MechanismSpec{linkage.vertex(), linkage.VA(), linkage.VB(), linkage.assembly(), draw_layers().of};
   return spec;
 }
 
@@ -61,7 +62,8 @@ bool ends_with(const std::string& text, const std::string& end) { return text.en
 class Comparison {
  public:
   Comparison(const Movement& movement, const Design& before, const Design& after)
-      : movement_(movement), before_(Json::parse(design_json(before))), after_(Json::parse(design_json(after))) {
+      : movement_(movement), before_(Json::parse(design_json(before))),
+        after_(Json::parse(design_json(after))) {
     size_ = before.quality.size;
   }
 
@@ -105,7 +107,8 @@ class Comparison {
   void lengths_and_areas(const std::string& path, const Json& before, const Json& after) {
     if (before.is_object()) {
       RC_ASSERT(after.is_object() && before.size() == after.size());
-      for (const auto& [key, value] : before.items()) lengths_and_areas(path + "." + key, value, after.at(key));
+      for (const auto& [key, value] : before.items())
+        lengths_and_areas(path + "." + key, value, after.at(key));
       return;
     }
     RC_ASSERT(before.is_null() == after.is_null());
@@ -114,7 +117,8 @@ class Comparison {
     if (path.find("lengths_mm.") != std::string::npos || ends_with(path, "_mm"))
       near(path, movement_.scale * value, after, accuracy(path, movement_.scale * value));
     else if (ends_with(path, "_mm2"))
-      near(path, movement_.scale * movement_.scale * value, after, accuracy(path, movement_.scale * movement_.scale * value));
+      near(path, movement_.scale * movement_.scale * value, after,
+           accuracy(path, movement_.scale * movement_.scale * value));
     else if (ends_with(path, "_min_deg") || path == "limits.transmission_deg")
       near(path, value, after, 1e-6);
   }
@@ -127,12 +131,14 @@ class Comparison {
   void mechanism() const {
     const Json &before = before_["mechanism"], &after = after_["mechanism"];
     for (const char* key : {"vertex", "pole", "tracer", "pen"}) RC_ASSERT(before[key] == after[key]);
-    const Point stood(before["pole_position_mm"][0].get<double>(), before["pole_position_mm"][1].get<double>());
+    const Point stood(before["pole_position_mm"][0].get<double>(),
+                      before["pole_position_mm"][1].get<double>());
     const Point pole = movement_(stood);
     near("pole x", pole.x(), after["pole_position_mm"][0], 1e-9 * (size_ + pole.norm()));
     near("pole y", pole.y(), after["pole_position_mm"][1], 1e-9 * (size_ + pole.norm()));
     const double hand = movement_.mirror ? -1 : 1;
-    near("shape, real", before["shape"][0], after["shape"][0], 1e-12 * (1 + std::abs(before["shape"][0].get<double>())));
+    near("shape, real", before["shape"][0], after["shape"][0],
+         1e-12 * (1 + std::abs(before["shape"][0].get<double>())));
     near("shape, imaginary", hand * before["shape"][1].get<double>(), after["shape"][1],
          1e-12 * (1 + std::abs(before["shape"][1].get<double>())));
     for (const auto& [key, sign] : before["orientation"].items())
@@ -144,7 +150,8 @@ class Comparison {
     near("opening, lower", movement_.mirror ? -upper : lower, after["opening_deg"][0], 1e-5);
     near("opening, upper", movement_.mirror ? -lower : upper, after["opening_deg"][1], 1e-5);
     RC_ASSERT(before["links"].size() == after["links"].size());
-    for (std::size_t i = 0; i < before["links"].size(); ++i) RC_ASSERT(before["links"][i] == after["links"][i]);
+    for (std::size_t i = 0; i < before["links"].size(); ++i)
+      RC_ASSERT(before["links"][i] == after["links"][i]);
   }
 
   void workspace() const {
@@ -154,7 +161,8 @@ class Comparison {
       const double wanted = square * before[key].get<double>();
       near(key, wanted, after[key], 1e-7 * wanted + 1e-9);
     }
-    const double uncertain = square * before["uncertain_mm2"].get<double>() + after["uncertain_mm2"].get<double>();
+    const double uncertain =
+        square * before["uncertain_mm2"].get<double>() + after["uncertain_mm2"].get<double>();
     const double wanted = square * before["collision_free_mm2"].get<double>();
     near("collision_free_mm2", wanted, after["collision_free_mm2"], uncertain + 1e-7 * wanted + 1e-9);
   }
@@ -173,19 +181,23 @@ void follows(const Movement& movement) {
 }
 
 TEST(FigureLaws, AShiftLeavesEveryFigure) {
-  law(40, [] { follows({.shift = *point(1000)}); }, Shrink::no);
+  law(
+      40, [] { follows({.shift = *point(1000)}); }, Shrink::no);
 }
 
 TEST(FigureLaws, ATurnLeavesEveryFigure) {
-  law(40, [] { follows({.turn = *angle(), .shift = *point(100)}); }, Shrink::no);
+  law(
+      40, [] { follows({.turn = *angle(), .shift = *point(100)}); }, Shrink::no);
 }
 
 TEST(FigureLaws, AnEnlargementScalesEveryFigureByItsUnit) {
-  law(40, [] { follows({.scale = *logarithmic(0.2, 5)}); }, Shrink::no);
+  law(
+      40, [] { follows({.scale = *logarithmic(0.2, 5)}); }, Shrink::no);
 }
 
 TEST(FigureLaws, AMirrorLeavesEveryFigureAndTurnsEverySign) {
-  law(40, [] { follows({.mirror = true}); }, Shrink::no);
+  law(
+      40, [] { follows({.mirror = true}); }, Shrink::no);
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 // lets slow builds (sanitisers) try fewer; ordinary builds try all.
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <rapidcheck.h>
 #include <sstream>
 
 #include "kinematics/copying_linkage.hpp"
@@ -22,7 +22,10 @@ inline double setting(const char* name, double otherwise) {
   return value == nullptr ? otherwise : std::strtod(value, nullptr);
 }
 
-enum class Shrink { yes, no };  ///< no: where a case takes seconds, and a smaller one would take minutes to find
+enum class Shrink {
+  yes,
+  no
+};  ///< no: where a case takes seconds, and a smaller one would take minutes to find
 
 /// Tries the claim, a function of nothing that draws its case with `*generator`, on so many cases.
 template <class Claim>
@@ -61,7 +64,8 @@ inline rc::Gen<double> angle() {
 }
 
 inline rc::Gen<Point> point(double reach) {
-  return rc::gen::apply([](double x, double y) { return Point(x, y); }, between(-reach, reach), between(-reach, reach));
+  return rc::gen::apply([](double x, double y) { return Point(x, y); }, between(-reach, reach),
+                        between(-reach, reach));
 }
 
 inline rc::Gen<PlateStyle> plate_style() { return rc::gen::element(PlateStyle::bent, PlateStyle::triangle); }

@@ -113,12 +113,15 @@ TEST(MapLaws, ReachUsableAndFreeAreNested) {
 TEST(MapLaws, VerdictsMoveWithTheTask) {
   law(500, [] {
     const MapTask task = draw_map_task();
-    const Movement movement{.scale = *logarithmic(0.2, 5), .turn = *angle(), .shift = *point(500),
+    const Movement movement{.scale = *logarithmic(0.2, 5),
+                            .turn = *angle(),
+                            .shift = *point(500),
                             .mirror = *rc::gen::arbitrary<bool>()};
     const CopyingLinkage& l = task.linkage;
     const Complex k = movement.mirror ? std::conj(l.k()) : l.k();
-    const auto linkage = CopyingLinkage::make(k, l.vertex(), movement.scale * l.VA(), movement.scale * l.VB(),
-                                              movement.assembly(l.assembly(), l.k(), l.vertex()), movement(l.pole()));
+    const auto linkage =
+        CopyingLinkage::make(k, l.vertex(), movement.scale * l.VA(), movement.scale * l.VB(),
+                             movement.assembly(l.assembly(), l.k(), l.vertex()), movement(l.pole()));
     RC_ASSERT(linkage.has_value());
     MapTask moved = task;
     moved.linkage = *linkage;

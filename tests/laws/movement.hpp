@@ -21,7 +21,8 @@ struct Movement {
   Ring operator()(const Ring& ring) const {
     Ring moved;
     for (const Point& point : ring) moved.push_back((*this)(point));
-    if (mirror) std::reverse(moved.begin() + 1, moved.end());  // it still runs the way it did, from the same corner
+    if (mirror)
+      std::reverse(moved.begin() + 1, moved.end());  // it still runs the way it did, from the same corner
     return moved;
   }
 
@@ -56,7 +57,8 @@ struct Movement {
     for (Obstacle& obstacle : moved.obstacles) obstacle.shape = (*this)(obstacle.shape);
     enlarge(moved.links);
     enlarge(moved.limits);
-    if (moved.tolerance) moved.tolerance = Tolerance{scale * moved.tolerance->length, scale * moved.tolerance->play};
+    if (moved.tolerance)
+      moved.tolerance = Tolerance{scale * moved.tolerance->length, scale * moved.tolerance->play};
     if (moved.mechanism) {
       moved.mechanism->VA *= scale;
       moved.mechanism->VB *= scale;

@@ -11,7 +11,8 @@ namespace {
 TEST(StepAssembly, IsLeftOutWhereTheBuildCannotWriteIt) {
   EXPECT_FALSE(can_write_step());
   EXPECT_FALSE(step_assembly(testing::plagiograph(), {}));
-  for (const OutputFile& file : part_files(testing::plagiograph(), {})) EXPECT_NE(file.name.extension(), ".step");
+  for (const OutputFile& file : part_files(testing::plagiograph(), {}))
+    EXPECT_NE(file.name.extension(), ".step");
 }
 
 }  // namespace

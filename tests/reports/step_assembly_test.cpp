@@ -51,10 +51,12 @@ std::vector<Point> cylinder_axes(const TopoDS_Shape& shape, double radius) {
   std::vector<Point> axes;
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     const BRepAdaptor_Surface surface(TopoDS::Face(face.Current()));
-    if (surface.GetType() != GeomAbs_Cylinder || std::abs(surface.Cylinder().Radius() - radius) > 1e-7) continue;
+    if (surface.GetType() != GeomAbs_Cylinder || std::abs(surface.Cylinder().Radius() - radius) > 1e-7)
+      continue;
     const gp_Pnt at = surface.Cylinder().Axis().Location();
     const Point axis(at.X(), at.Y());
-    if (std::none_of(axes.begin(), axes.end(), [&](const Point& known) { return (known - axis).norm() < 1e-6; }))
+    if (std::none_of(axes.begin(), axes.end(),
+                     [&](const Point& known) { return (known - axis).norm() < 1e-6; }))
       axes.push_back(axis);
   }
   return axes;
@@ -73,7 +75,8 @@ std::vector<FoundSolid> solids_of(const TopoDS_Shape& shape, double hole_radius)
 std::vector<Design> designs() {
   std::vector<Design> list{plagiograph()};
   list.push_back(sample_design(2.5, Vertex::tracer, 90, 70, 1, PlateStyle::bent, {20, -10}));
-  list.push_back(sample_design(std::polar(1.0, radians(60)), Vertex::pen, 90, 70, 1, PlateStyle::triangle, {0, 5}));
+  list.push_back(
+      sample_design(std::polar(1.0, radians(60)), Vertex::pen, 90, 70, 1, PlateStyle::triangle, {0, 5}));
   return list;
 }
 
@@ -92,8 +95,9 @@ TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
       const auto same = std::find_if(solids.begin(), solids.end(), [&](const FoundSolid& solid) {
         return solid.axes.size() == part.holes.size() &&
                std::all_of(part.holes.begin(), part.holes.end(), [&](const CutPart::Hole& hole) {
-                 return std::any_of(solid.axes.begin(), solid.axes.end(),
-                                    [&](const Point& axis) { return (axis - pose[hole.joint]).norm() < 1e-6; });
+                 return std::any_of(solid.axes.begin(), solid.axes.end(), [&](const Point& axis) {
+                   return (axis - pose[hole.joint]).norm() < 1e-6;
+                 });
                });
       });
       ASSERT_NE(same, solids.end()) << part.name << " has no solid with its holes on its joints";
@@ -105,8 +109,8 @@ TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
 TEST(StepAssembly, NamesEveryPart) {
   const auto text = step_assembly(plagiograph(), {});
   ASSERT_TRUE(text) << text.error();
-  for (const char* name : {"copying linkage", "VA", "VB", "ACX", "BCY", "pole post V", "pin A", "pin B", "pin C",
-                           "tracer X", "pen Y"})
+  for (const char* name : {"copying linkage", "VA", "VB", "ACX", "BCY", "pole post V", "pin A", "pin B",
+                           "pin C", "tracer X", "pen Y"})
     EXPECT_THAT(*text, ::testing::HasSubstr("PRODUCT('" + std::string(name) + "'")) << name;
 }
 

@@ -90,34 +90,23 @@ ordered_json value_schema(const SpecKey& key) {
   const ordered_json number = number_schema(key, "number"), whole = number_schema(key, "integer");
   const ordered_json point = list_schema(number, 2, 2), ring = list_schema(point, 3);
   switch (key.kind) {
-    case KeyKind::number:
-      return number;
-    case KeyKind::whole_number:
-      return whole;
-    case KeyKind::choice:
-      return word;
+    case KeyKind::number: return number;
+    case KeyKind::whole_number: return whole;
+    case KeyKind::choice: return word;
     case KeyKind::choices: {
       ordered_json schema = list_schema(word, 1);
       schema["uniqueItems"] = true;
       return schema;
     }
-    case KeyKind::text:
-      return {{"type", "string"}, {"minLength", 1}};
-    case KeyKind::numbers:
-      return list_schema(number, 1);
-    case KeyKind::point:
-      return point;
-    case KeyKind::layer_range:
-      return list_schema(whole, 2, 2);
-    case KeyKind::link_layers:
-      return list_schema(whole, 4, 4);
-    case KeyKind::rings:
-      return {{"anyOf", {ring, list_schema(ring, 1)}}};
+    case KeyKind::text: return {{"type", "string"}, {"minLength", 1}};
+    case KeyKind::numbers: return list_schema(number, 1);
+    case KeyKind::point: return point;
+    case KeyKind::layer_range: return list_schema(whole, 2, 2);
+    case KeyKind::link_layers: return list_schema(whole, 4, 4);
+    case KeyKind::rings: return {{"anyOf", {ring, list_schema(ring, 1)}}};
     case KeyKind::rectangle:
-    case KeyKind::circle:
-      return table_schema(key.name);
-    case KeyKind::pairs:
-      return list_schema(list_schema(point, 2, 2), 2);
+    case KeyKind::circle: return table_schema(key.name);
+    case KeyKind::pairs: return list_schema(list_schema(point, 2, 2), 2);
   }
   return {};
 }

@@ -75,21 +75,11 @@ void damage(std::mt19937_64& random, std::string& text, const std::vector<std::s
   const std::size_t at = place_in(random, text);
   const std::size_t length = std::min<std::size_t>(random() % 12, text.size() - at);
   switch (random() % 7) {
-    case 0:
-      text.insert(at, tokens[random() % tokens.size()]);
-      break;
-    case 1:
-      text.replace(at, length, tokens[random() % tokens.size()]);
-      break;
-    case 2:
-      text.erase(at, length);
-      break;
-    case 3:
-      text.insert(at, text.substr(at, length));
-      break;
-    case 4:
-      text.resize(at);
-      break;
+    case 0: text.insert(at, tokens[random() % tokens.size()]); break;
+    case 1: text.replace(at, length, tokens[random() % tokens.size()]); break;
+    case 2: text.erase(at, length); break;
+    case 3: text.insert(at, text.substr(at, length)); break;
+    case 4: text.resize(at); break;
     case 5:
       if (at < text.size()) text[at] = static_cast<char>(random());
       break;

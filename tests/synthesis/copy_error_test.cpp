@@ -147,16 +147,11 @@ Flaws flaw_of(std::size_t source, double size, bool along_y = false) {
 double pin_frame(const CopyingLinkage& linkage, const Pose& z, std::size_t pin) {
   const bool pole_at_V = linkage.vertex() == Vertex::pole;
   switch (pin) {
-    case 0:
-      return 0;
-    case 1:
-      return pole_at_V ? 0 : heading(z.V, z.A);
-    case 2:
-      return heading(z.V, z.A);
-    case 3:
-      return heading(z.V, z.B);
-    default:
-      return heading(z.A, z.C);
+    case 0: return 0;
+    case 1: return pole_at_V ? 0 : heading(z.V, z.A);
+    case 2: return heading(z.V, z.A);
+    case 3: return heading(z.V, z.B);
+    default: return heading(z.A, z.C);
   }
 }
 

@@ -29,13 +29,15 @@ struct Tally {
 
 /// False where the linkage is too short or too long for the row's place of the tracer: there the opening is clamped, and the
 /// row is only a value.
-bool is_reached(const DesignProblem& problem, const SearchSpace& space, const Row& row, const DesignVector& x) {
+bool is_reached(const DesignProblem& problem, const SearchSpace& space, const Row& row,
+                const DesignVector& x) {
   if (row.kind != Row::Kind::obstacle) return true;
   const DesignPoint point = problem.point_of(x);
   const double distance = (space.tracer_places()[row.place] - point.pole).norm();
   const double opening = problem.reach().opening_at(point.lengths, distance);
   const LinkageJet radius = problem.reach().radius(point.lengths, opening);
-  return std::abs(radius.value - distance) < 1e-9 * distance && std::abs(radius.gradient[2]) > 1e-3 * distance;
+  return std::abs(radius.value - distance) < 1e-9 * distance &&
+         std::abs(radius.gradient[2]) > 1e-3 * distance;
 }
 
 RowJet row_at(const DesignProblem& problem, const Row* row, const DesignVector& x) {
@@ -82,12 +84,13 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
     ASSERT_FALSE(choices.empty());
     const ContactChoice& choice = choices[static_cast<std::size_t>(i) % choices.size()];
     const Reach reach(spec.copy.k, choice.choice.vertex, choice.choice.assembly);
-    DesignProblem problem(space, choice.choice, limits, goal, openings_with_transmission(reach, limits.transmission),
-                          choice.terms);
+    DesignProblem problem(space, choice.choice, limits, goal,
+                          openings_with_transmission(reach, limits.transmission), choice.terms);
     if (!problem.possible()) continue;
     const std::array<double, 4> z{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.9),
                                   dice.uniform(0.1, 0.9)};
-    const DesignPoint point = problem.unit_point(std::span(z).first(static_cast<std::size_t>(problem.cube_dimensions())));
+    const DesignPoint point =
+        problem.unit_point(std::span(z).first(static_cast<std::size_t>(problem.cube_dimensions())));
     problem.set_room(point.pole);
     DesignVector x = problem.vector_of(point);
     // Away from the corners that unit_point() likes; the openings stay inside the assembly's interval.

@@ -97,10 +97,12 @@ TEST(Diagnosis, OfRandomSpecs) {
 
 TEST(Diagnosis, AnObstacleInTheWayIsNamed) {
   Spec spec = example("plagiograph");
-  spec.obstacles.push_back({{{{-200, -200}, {-190, -200}, {-190, -190}, {-200, -190}}, {}}, 1, 8, "harmless block"});
+  spec.obstacles.push_back(
+      {{{{-200, -200}, {-190, -200}, {-190, -190}, {-200, -190}}, {}}, 1, 8, "harmless block"});
   const Point corner = spec.region.polygons[0].outer[0];
   const double x = corner.x(), y = corner.y();
-  spec.obstacles.push_back({{{{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}}, {}}, 1, 8, "clamp"});
+  spec.obstacles.push_back(
+      {{{{x - 3, y - 3}, {x + 3, y - 3}, {x + 3, y + 3}, {x - 3, y + 3}}, {}}, 1, 8, "clamp"});
   const NoDesign none = nothing_for(spec);
   EXPECT_EQ(none.requirement, "obstacles");
   ASSERT_FALSE(none.relaxations.empty());

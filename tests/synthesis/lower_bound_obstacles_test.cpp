@@ -20,9 +20,16 @@ Spec spec_with_obstacles(test::SpecDice& dice) {
 }
 
 /// The smallest gap over the region by the map's own clearance search, obstacles included; nothing if it is not reached.
-std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers) {
-  const MapTask task{.linkage = linkage, .style = spec.links.style, .layers = layers, .clearance = spec.limits.clearance,
-                     .transmission = 0, .obstacles = spec.obstacles, .region = spec.region, .sheets_gap = std::nullopt};
+std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& linkage,
+                                      const LayerAssignment& layers) {
+  const MapTask task{.linkage = linkage,
+                     .style = spec.links.style,
+                     .layers = layers,
+                     .clearance = spec.limits.clearance,
+                     .transmission = 0,
+                     .obstacles = spec.obstacles,
+                     .region = spec.region,
+                     .sheets_gap = std::nullopt};
   const auto figure = smallest_clearance(task);
   return figure ? std::optional(figure->gap) : std::nullopt;
 }
@@ -39,9 +46,11 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
         bounding::make_branch(spec, vertex, number, bounding::all_layer_choices(spec.copy.k, vertex, 2));
     const bounding::ObstacleTest test(spec, branch.assembly, layers);
     for (int j = 0; j < 30; ++j) {
-      const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5), grow = std::exp(dice.uniform(0.0005, 0.04));
+      const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),
+                   grow = std::exp(dice.uniform(0.0005, 0.04));
       const bounding::DesignBox box{{{t / grow, t * grow}, {w / grow, w * grow}},
-                                    Point(dice.uniform(-20, 20), dice.uniform(-20, 20)), dice.uniform(0, 2)};
+                                    Point(dice.uniform(-20, 20), dice.uniform(-20, 20)),
+                                    dice.uniform(0, 2)};
       std::optional<bounding::Hit> hint;
       const bounding::LayerBits left = test.not_hit(box, 3, hint, false);
       if (left == 3) continue;
@@ -49,9 +58,11 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
       for (int n = 0; n < 12; ++n) {
         const double one_t = dice.log_uniform(box.lengths.t.lower, box.lengths.t.upper);
         const double one_w = dice.log_uniform(box.lengths.w.lower, box.lengths.w.upper);
-        const Point pole = box.pole + box.radius * as_point(std::polar(dice.uniform(0, 1), dice.uniform(-pi, pi)));
-        const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, std::sqrt(one_w / one_t / 2),
-                                                  std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly.s), number, pole);
+        const Point pole =
+            box.pole + box.radius * as_point(std::polar(dice.uniform(0, 1), dice.uniform(-pi, pi)));
+        const auto linkage =
+            CopyingLinkage::make(spec.copy.k, vertex, std::sqrt(one_w / one_t / 2),
+                                 std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly.s), number, pole);
         if (!linkage) continue;
         for (std::size_t one = 0; one < layers.size(); ++one) {
           if ((left >> one & 1) != 0) continue;

@@ -90,18 +90,12 @@ struct Joints {
   Complex V, A, B, C, X, Y;
   Complex of(char letter) const {
     switch (letter) {
-      case 'V':
-        return V;
-      case 'A':
-        return A;
-      case 'B':
-        return B;
-      case 'C':
-        return C;
-      case 'X':
-        return X;
-      default:
-        return Y;
+      case 'V': return V;
+      case 'A': return A;
+      case 'B': return B;
+      case 'C': return C;
+      case 'X': return X;
+      default: return Y;
     }
   }
 };

@@ -16,7 +16,9 @@ Spec example(const std::string& name) {
   return spec;
 }
 
-bool is_no_worse(Objective objective, double a, double b) { return is_maximized(objective) ? a >= b : a <= b; }
+bool is_no_worse(Objective objective, double a, double b) {
+  return is_maximized(objective) ? a >= b : a <= b;
+}
 
 void check_front(const Spec& spec, Objective a, Objective b, int points) {
   const auto front = pareto_front(spec, a, b, points, {});

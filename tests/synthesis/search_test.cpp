@@ -51,7 +51,8 @@ bool keeps_limits(const Spec& spec, const CopyingLinkage& linkage, const LayerAs
   const auto needed = openings_over(linkage, spec.region);
   if (!needed) return false;
   for (int i = 0; i <= 40; ++i)
-    if (linkage.transmission_angle(needed->lower + i / 40.0 * (needed->upper - needed->lower)) < spec.limits.transmission)
+    if (linkage.transmission_angle(needed->lower + i / 40.0 * (needed->upper - needed->lower)) <
+        spec.limits.transmission)
       return false;
   return smallest_gap_over(linkage, spec.links.style, layers, *needed).gap >= spec.limits.clearance;
 }
@@ -90,7 +91,8 @@ TEST(Search, NoRandomPairOfLengthsIsBetter) {
     const auto found = found_for(spec);
     double best = 1e300;
     for (const Vertex vertex : all_vertices)
-      for (int assembly = 0; assembly < static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size()); ++assembly)
+      for (int assembly = 0; assembly < static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
+           ++assembly)
         for (int j = 0; j < 3000; ++j) {
           const double VA = dice.log_uniform(5, 3000), VB = dice.log_uniform(5, 3000);
           const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, VA, VB, assembly, Point::Zero());
@@ -156,7 +158,8 @@ double boundary_distance(const Region& one, const Region& other) {
   const auto walk = [](const Ring& ring) {
     std::vector<Point> places;
     for (std::size_t i = 0; i < ring.size(); ++i)
-      for (int j = 0; j < 60; ++j) places.push_back(ring[i] + (ring[(i + 1) % ring.size()] - ring[i]) * j / 60);
+      for (int j = 0; j < 60; ++j)
+        places.push_back(ring[i] + (ring[(i + 1) % ring.size()] - ring[i]) * j / 60);
     return places;
   };
   for (const Point& a : walk(one.polygons[0].outer))
@@ -203,7 +206,8 @@ TEST(Search, MakesTheCopyErrorSmall) {
     spec.limits.copy_error = 0.5 * (of_small + of_accurate);
     const auto limited = found_for(spec);
     ASSERT_TRUE(limited);
-    EXPECT_LE(copy_error_over(limited->linkage, tolerance, spec.region)->worst, *spec.limits.copy_error * (1 + 1e-9));
+    EXPECT_LE(copy_error_over(limited->linkage, tolerance, spec.region)->worst,
+              *spec.limits.copy_error * (1 + 1e-9));
     EXPECT_GE(limited->value, small->value * (1 - 1e-9));
   }
   EXPECT_GT(compared, 5);
@@ -221,7 +225,9 @@ TEST(Search, MakesTheFootprintSmall) {
     const auto found = found_for(spec);
     ASSERT_TRUE(found);
     ++compared;
-    const auto area = [&](const CopyingLinkage& linkage) { return footprint(linkage, spec.links.style, spec.region).area; };
+    const auto area = [&](const CopyingLinkage& linkage) {
+      return footprint(linkage, spec.links.style, spec.region).area;
+    };
     EXPECT_LE(found->value, area(small->linkage) * 1.005);
     EXPECT_NEAR(found->value, area(found->linkage), 1e-9 * found->value);
     EXPECT_TRUE(keeps_limits(spec, found->linkage, found->layers));

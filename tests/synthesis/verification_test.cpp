@@ -19,14 +19,24 @@ Region rectangle(const Point& lower, const Point& upper) {
 /// A task that a linkage fulfils: a sector of its annulus as the region.
 VerificationTask task_for(const CopyingLinkage& linkage, double bearing) {
   VerificationTask task;
-  const OpeningInterval opening = linkage.openings_with_transmission(0.15 * linkage.assembly_interval().width());
+  const OpeningInterval opening =
+      linkage.openings_with_transmission(0.15 * linkage.assembly_interval().width());
   const auto radii = linkage.radii_over(opening);
   Ring ring;
-  for (int i = 0; i <= 12; ++i) ring.push_back(linkage.pole() + radii.upper * 0.999 * Point(std::cos(bearing + i * 0.05), std::sin(bearing + i * 0.05)));
-  for (int i = 12; i >= 0; --i) ring.push_back(linkage.pole() + radii.lower * 1.02 * Point(std::cos(bearing + i * 0.05), std::sin(bearing + i * 0.05)));
+  for (int i = 0; i <= 12; ++i)
+    ring.push_back(linkage.pole() +
+                   radii.upper * 0.999 * Point(std::cos(bearing + i * 0.05), std::sin(bearing + i * 0.05)));
+  for (int i = 12; i >= 0; --i)
+    ring.push_back(linkage.pole() +
+                   radii.lower * 1.02 * Point(std::cos(bearing + i * 0.05), std::sin(bearing + i * 0.05)));
   task.region.polygons.push_back({ring, {}});
-  task.mechanism = {linkage.lengths(), linkage.orientation(), linkage.pole_joint(), linkage.tracer_joint(),
-                    linkage.pen_joint(), linkage.pole(), opening};
+  task.mechanism = {linkage.lengths(),
+                    linkage.orientation(),
+                    linkage.pole_joint(),
+                    linkage.tracer_joint(),
+                    linkage.pen_joint(),
+                    linkage.pole(),
+                    opening};
   task.k = linkage.k();
   return task;
 }
@@ -36,10 +46,12 @@ CopyingLinkage random_linkage(std::mt19937_64& random) {
     const Complex k = std::polar(std::exp(uniform(random, -1.5, 1.5)), uniform(random, -pi, pi));
     const auto vertex = all_vertices[static_cast<std::size_t>(random() % 3)];
     const auto count = assemblies(shape_of(k, vertex)).size();
-    const auto made = CopyingLinkage::make(k, vertex, std::exp(uniform(random, 3, 6)), std::exp(uniform(random, 3, 6)),
-                                           static_cast<int>(random() % count), Point(uniform(random, -90, 90), 20));
+    const auto made =
+        CopyingLinkage::make(k, vertex, std::exp(uniform(random, 3, 6)), std::exp(uniform(random, 3, 6)),
+                             static_cast<int>(random() % count), Point(uniform(random, -90, 90), 20));
     if (!made || made->assembly_interval().width() < radians(40)) continue;
-    const auto radii = made->radii_over(made->openings_with_transmission(0.15 * made->assembly_interval().width()));
+    const auto radii =
+        made->radii_over(made->openings_with_transmission(0.15 * made->assembly_interval().width()));
     if (radii.lower * 1.03 < radii.upper && radii.lower > 0.1 * made->VA()) return *made;
   }
 }
@@ -59,7 +71,9 @@ TEST(Verification, CertifiesEveryExactLinkage) {
   }
 }
 
-CopyingLinkage report() { return CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3).value(); }
+CopyingLinkage report() {
+  return CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3).value();
+}
 
 TEST(Verification, SeesALengthThatNoLongerCopies) {
   for (int which = 0; which < 8; ++which) {

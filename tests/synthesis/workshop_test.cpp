@@ -26,7 +26,9 @@ std::optional<FoundDesign> found_for(const Spec& spec) {
   return design ? std::optional(*design) : std::nullopt;
 }
 
-bool is_multiple(double length, double grid) { return std::abs(length / grid - std::round(length / grid)) < 1e-9; }
+bool is_multiple(double length, double grid) {
+  return std::abs(length / grid - std::round(length / grid)) < 1e-9;
+}
 
 TEST(Workshop, ARationalRatioKeepsItsExactCopyOnTheGrid) {
   const WorkshopLengths lengths = workshop_lengths({.grid = 5.0, .stock = {}, .locked = {}}, 7.0 / 5, 200);
@@ -42,12 +44,14 @@ TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
   const auto found = found_for(spec);
   ASSERT_TRUE(found);
   EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k), 1e-12);
-  for (const double length : {found->linkage.VA(), found->linkage.VB(), found->linkage.lengths().AX, found->linkage.lengths().BY})
+  for (const double length :
+       {found->linkage.VA(), found->linkage.VB(), found->linkage.lengths().AX, found->linkage.lengths().BY})
     EXPECT_TRUE(is_multiple(length, 5)) << length;
   // Every pair on the grid, every grounding and assembly, by the check of finished designs.
   double best = 1e300;
   for (const Vertex vertex : all_vertices)
-    for (int assembly = 0; assembly < static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size()); ++assembly)
+    for (int assembly = 0; assembly < static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
+         ++assembly)
       for (double VA = 15; VA <= 600; VA += 5)
         for (double VB = 15; VB <= 600; VB += 5) {
           const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, VA, VB, assembly, Point::Zero());
@@ -70,7 +74,8 @@ TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
   const auto found = found_for(spec);
   ASSERT_TRUE(found);
   const LinkLengths lengths = found->linkage.lengths();
-  for (const double length : {lengths.VA, lengths.VB, lengths.AX, lengths.BY}) EXPECT_TRUE(is_multiple(length, 5)) << length;
+  for (const double length : {lengths.VA, lengths.VB, lengths.AX, lengths.BY})
+    EXPECT_TRUE(is_multiple(length, 5)) << length;
   MapOptions map;
   map.largest_sheets = false;
   const Design design = assemble_design(spec, *found, map);
@@ -93,7 +98,9 @@ TEST(Workshop, StockLengthsAreTheOnlyOnesUsed) {
   const LinkLengths lengths = found->linkage.lengths();
   for (const double length : {lengths.VA, lengths.VB, lengths.AX, lengths.BY}) {
     const auto& stock = spec.links.workshop.stock;
-    EXPECT_TRUE(std::any_of(stock.begin(), stock.end(), [&](double one) { return std::abs(one - length) < 1e-9; })) << length;
+    EXPECT_TRUE(std::any_of(stock.begin(), stock.end(), [&](double one) {
+      return std::abs(one - length) < 1e-9;
+    })) << length;
   }
 }
 

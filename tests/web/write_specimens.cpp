@@ -19,12 +19,9 @@ Json point(const kempe::Point& at) { return {at.x(), at.y()}; }
 
 std::string why(kempe::Unreachable reason) {
   switch (reason) {
-    case kempe::Unreachable::too_far:
-      return "too far";
-    case kempe::Unreachable::too_near:
-      return "too near";
-    case kempe::Unreachable::beyond_change_point:
-      break;
+    case kempe::Unreachable::too_far: return "too far";
+    case kempe::Unreachable::too_near: return "too near";
+    case kempe::Unreachable::beyond_change_point: break;
   }
   return "beyond the change point";
 }
