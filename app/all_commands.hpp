@@ -19,11 +19,20 @@ void add_inversor_command(CLI::App& program, Session& session);
 
 using AddCommand = void (*)(CLI::App&, Session&);
 
-// clang-format off: a command a line, so that adding one adds one line
+// A command a line, so that adding one adds one line.
+// clang-format off
 inline constexpr AddCommand all_commands[] = {
-    add_synthesize_command, add_workspace_command, add_verify_command,   add_trace_command,
-    add_solve_command,      add_mobility_command,  add_centres_command,  add_calibrate_command,
-    add_pareto_command,     add_function_command,  add_inversor_command,
+    add_synthesize_command,
+    add_workspace_command,
+    add_verify_command,
+    add_trace_command,
+    add_solve_command,
+    add_mobility_command,
+    add_centres_command,
+    add_calibrate_command,
+    add_pareto_command,
+    add_function_command,
+    add_inversor_command,
 };
 // clang-format on
 

@@ -1,9 +1,12 @@
 // SolveSpace's constraint solver on points and distances in the plane.
 
+// slvs.h uses memset and does not declare it, so the order matters.
+// clang-format off
+#include <string.h>
 #include <slvs.h>
+// clang-format on
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 #include "forward_task.hpp"

@@ -265,11 +265,13 @@ void PlanarEquations::bends(const Eigen::VectorXd& q, std::vector<Bend>& result)
     return between.norm() + drift * size_ + 2 * bodies * size_ + local;
   };
   for (const Entry& entry : entries_) {
-    const auto add = [&](double bound) {
-      if (bound > 0) result.push_back({entry.row, entry.second_row, bound});
+    const auto add = [&](double bound, int body = 0) {
+      if (bound > 0) result.push_back({entry.row, entry.second_row, body, bound});
     };
-    std::visit(Overloaded{[&](const Revolute& c) { add(reach(c.a) + reach(c.b)); },
-                          [&](const Coordinate& c) { add(bound_along_line(c.point, c.origin)); },
+    std::visit(Overloaded{[&](const Revolute& c) { add(reach(c.a), c.a.body), add(reach(c.b), c.b.body); },
+                          [&](const Coordinate& c) {
+                            add(bound_along_line(c.point, c.origin), moves(c.origin.body) ? 0 : c.point.body);
+                          },
                           [&](const Distance& c) {
                             const auto speed = [&](const BodyPoint& p) {
                               return moves(p.body) ? size_ + reach(p) : 0.0;

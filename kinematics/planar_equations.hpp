@@ -55,13 +55,15 @@ class PlanarEquations {
   double driver_bend(int driver, double speed) const;
 
   /// How strongly F bends: with |v| the largest over bodies of |angle| and |place|/size, within |v| <= 1/2 of
-  /// q,
-  ///   |D^2F(v, w)| over the row or the two rows  <=  bound |v| |w|.
+  /// q, the sum over the entries of a row (or of two rows together) bounds |D^2F(v, w)|; an entry adds
+  ///   bound |v_b| |w_b|   with the angle of its body b alone,
+  ///   bound |v| |w|       without a body.
   struct Bend {
     int row, second_row;  ///< second_row is -1 where there is one only
+    int body;             ///< whose turning alone bends it; 0: angles and places of several bodies together
     double bound;         ///< mm
   };
-  /// One entry a constraint that is not linear.
+  /// The entries of all constraints that are not linear.
   void bends(const Eigen::VectorXd& q, std::vector<Bend>& result);
 
   /// Bodies whose angle, or whose place, enters some equation in a bent way: |v| above may leave out all

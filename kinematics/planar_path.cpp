@@ -11,8 +11,10 @@ constexpr double longest_step = 0.2;       ///< eta, rad: keeps the ball of 2 et
 constexpr double ball = 0.5;               ///< rad, within which the bends hold
 constexpr double singular_turn = 1e-8;     ///< rad: a certified step this short means a singular position
 constexpr double crossing_share =
-    1e-5;  ///< drivers' part of the left null vector below which assemblies cross
-constexpr int most_corrections = 12;
+    1e-5;                              ///< drivers' part of the left null vector below which assemblies cross
+constexpr double nearby = 1e-3;        ///< omega times the distance of factors that still count as those of q
+constexpr double least_weight = 0.02;  ///< of a body that does not turn at all
+constexpr int most_corrections = 24;
 constexpr double rounding = 2.220446049250313e-16;
 
 double magnitude_of(const Eigen::VectorXd& q, double size) {
@@ -104,6 +106,8 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
 
 PlanarPath::PlanarPath(PlanarEquations equations, Eigen::VectorXd q)
     : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_) {
+  weights_.setOnes(static_cast<Eigen::Index>(equations_.angle_bends().size()));
+  load_.setOnes(weights_.size());
   linearise();
   orientation_ = factors_.sign();
 }
@@ -117,55 +121,108 @@ Point PlanarPath::at(const BodyPoint& point) const {
 
 /// J and its factors at q_; false if J is singular to rounding.
 bool PlanarPath::linearise() {
-  if (!linear_) equations_.residual_and_jacobian(q_, f_, jacobian_);
-  linear_ = true;
-  if (!factored_) factors_.compute(jacobian_);
-  factored_ = true;
+  if (!exact_) {
+    equations_.residual_and_jacobian(q_, f_, jacobian_);
+    factors_.compute(jacobian_);
+    base_ = q_;
+    exact_ = true;
+    anchored_ = false;
+  }
   return factors_.sign() != 0;
 }
 
-/// The norm of the step control: the largest turn of a body whose angle bends something, and the largest
-/// shift (in sizes) of a body whose place does.
+/// Factors at q_ or so near that the step control's margin below 1/2 covers the difference.
+bool PlanarPath::linearise_nearby() {
+  if (!exact_ && base_.size() > 0 && anchor_.size() > 0) {
+    weigh_alike();
+    step_ = q_ - base_;
+    const double omega = bending_here();
+    if (omega >= 0 && omega * longest(step_) <= nearby && factors_.sign() != 0) return true;
+  }
+  return linearise();
+}
+
+/// The norm of the step control: the largest turn of a body whose angle bends something, over its weight, and
+/// the largest shift (in sizes) of a body whose place does.
 double PlanarPath::longest(const Eigen::VectorXd& change) const {
   double result = 0;
   for (std::size_t body = 1; body < equations_.angle_bends().size(); ++body) {
     const Eigen::Index x = 3 * static_cast<Eigen::Index>(body) - 3;
-    if (equations_.angle_bends()[body]) result = std::max(result, std::abs(change[x + 2]));
+    if (equations_.angle_bends()[body])
+      result = std::max(result, std::abs(change[x + 2]) / weights_[static_cast<Eigen::Index>(body)]);
     if (equations_.place_bends()[body])
       result = std::max(result, change.segment<2>(x).norm() / equations_.size());
   }
   return result;
 }
 
-/// omega at q_: the norm of J^-1 D^2F, from the rows of J^-1 and the bends.
-void PlanarPath::bound_bending() {
+/// The gains at the place of the factors, from the rows of J^-1 and the bends.
+void PlanarPath::measure_gains() {
   const Eigen::Index square = q_.size();
-  equations_.bends(q_, bends_);
-  bending_ = 0;
-  const auto gain = [&](Eigen::Index unknown) {  // of one unknown, summed over all bends
+  const auto bodies = static_cast<Eigen::Index>(equations_.angle_bends().size());
+  equations_.bends(base_, bends_);
+  gains_.setZero(2 * bodies, bodies);
+  const auto add_gains = [&](Eigen::Index unknown, auto&& row) {
     factors_.inverse_row(unknown, inverse_row_);
-    double sum = 0;
     for (const auto& bend : bends_) {
       const double first = bend.row < square ? inverse_row_[bend.row] : 0;
       const double second =
           bend.second_row >= 0 && bend.second_row < square ? inverse_row_[bend.second_row] : 0;
-      sum += bend.bound * std::sqrt(first * first + second * second);
+      row[bend.body] += bend.bound * std::sqrt(first * first + second * second);
     }
-    return sum;
   };
-  for (std::size_t body = 1; body < equations_.angle_bends().size(); ++body) {
-    const Eigen::Index x = 3 * static_cast<Eigen::Index>(body) - 3;
-    if (equations_.angle_bends()[body]) bending_ = std::max(bending_, gain(x + 2));
-    if (equations_.place_bends()[body])
-      bending_ = std::max(bending_, std::hypot(gain(x), gain(x + 1)) / equations_.size());
+  for (Eigen::Index body = 1; body < bodies; ++body) {
+    const Eigen::Index x = 3 * body - 3;
+    if (equations_.angle_bends()[static_cast<std::size_t>(body)]) add_gains(x + 2, gains_.row(2 * body));
+    if (!equations_.place_bends()[static_cast<std::size_t>(body)]) continue;
+    load_.setZero();
+    add_gains(x, gains_.row(2 * body + 1));
+    add_gains(x + 1, load_);
+    for (Eigen::Index b = 0; b < bodies; ++b)
+      gains_(2 * body + 1, b) = std::hypot(gains_(2 * body + 1, b), load_[b]) / equations_.size();
   }
-  anchor_ = q_;
-  moved_ = 0;
+  anchor_ = base_;
+  anchored_ = true;
+}
+
+/// omega at the anchor under the weights, and how far q_ is from it.
+void PlanarPath::weigh() {
+  load_ = weights_.cwiseAbs2();
+  bending_ = 0;
+  for (Eigen::Index body = 1; body < weights_.size(); ++body)
+    bending_ = std::max(
+        {bending_, gains_.row(2 * body).dot(load_) / weights_[body], gains_.row(2 * body + 1).dot(load_)});
+  step_ = q_ - anchor_;
+  moved_ = longest(step_);
+}
+
+void PlanarPath::weigh_alike() {
+  if (alike_) return;
+  weights_.setOnes();
+  alike_ = true;
+  if (anchor_.size() > 0) weigh();
+}
+
+/// Weighs each body by its turn in a Newton step and what the bends may add to it.
+void PlanarPath::weigh_by(const Eigen::VectorXd& step) {
+  const auto bodies = weights_.size();
+  const auto turn = [&](Eigen::Index body) { return std::abs(step[3 * body - 1]); };
+  load_.setZero();
+  for (Eigen::Index body = 1; body < bodies; ++body) load_[body] = turn(body) * turn(body);
+  double largest = 0;
+  for (Eigen::Index body = 1; body < bodies; ++body) {
+    weights_[body] = turn(body) + gains_.row(2 * body).dot(load_);
+    largest = std::max(largest, weights_[body]);
+  }
+  for (Eigen::Index body = 1; body < bodies; ++body)
+    weights_[body] = std::max(weights_[body] / largest, least_weight);
+  alike_ = false;
+  weigh();
 }
 
 /// omega at q_ carried over from the anchor; negative if it has to be computed anew.
 double PlanarPath::bending_here() const {
-  if (bending_ < 0 || bending_ * moved_ > 0.3) return -1;
+  if (anchor_.size() == 0 || bending_ * moved_ > 0.3) return -1;
   return bending_ / (1 - bending_ * moved_);
 }
 
@@ -173,12 +230,36 @@ double PlanarPath::bending_here() const {
 /// rad; 0 at a singular position.
 double PlanarPath::allowed_step(double reach) {
   double omega = bending_here();
-  if (omega < 0 || omega * reach > kantorovich_limit || moved_ + 2 * reach > ball) {
-    if (moved_ > 0 || bending_ < 0) bound_bending();
-    omega = bending_;
+  if (!anchored_ && (omega < 0 || omega * reach > kantorovich_limit || moved_ + 2 * reach > ball)) {
+    measure_gains();
+    weigh();
+    omega = bending_here();
   }
+  if (omega < 0) return 0;
   const double allowed = omega * longest_step > kantorovich_limit ? kantorovich_limit / omega : longest_step;
   return allowed > singular_turn ? allowed : 0;
+}
+
+/// The share of a way that one step may take, `step` being Newton's first step for the whole of it; 0 at a
+/// singular position.
+double PlanarPath::share_of(const Eigen::VectorXd& step) {
+  weigh_alike();
+  double reach = longest(step);
+  if (!std::isfinite(reach)) return 0;
+  double allowed = allowed_step(reach);
+  reach_ = std::min(reach, allowed);
+  if (reach <= allowed) return 1;
+  const double plain = allowed / reach, plain_reach = reach_;
+  if (!(plain > 0) || allowed == longest_step) return plain;
+  weigh_by(step);
+  reach = longest(step);
+  allowed = allowed_step(reach);
+  reach_ = std::min(reach, allowed);
+  const double share = std::min(1.0, allowed / reach);
+  if (share > plain) return share;
+  weigh_alike();
+  reach_ = plain_reach;
+  return plain;
 }
 
 /// Length of the first Newton step if one driver moves by at most `way`.
@@ -191,32 +272,39 @@ double PlanarPath::reach_of(int driver, double way) {
   return longest(trial_);
 }
 
+/// The share of a way whose first Newton step is at most a t + b t^2 long over a share t, up to `left`.
+double PlanarPath::share_of(double a, double b, double left) {
+  const double reach = (a + b * left) * left;
+  if (!std::isfinite(reach)) return 0;
+  const double allowed = allowed_step(reach);
+  reach_ = std::min(reach, allowed);
+  return reach <= allowed ? left : 2 * allowed / (a + std::sqrt(a * a + 4 * b * allowed));
+}
+
 /// The share of the straight way to the target that one step may take, 0 at a singular position.
 double PlanarPath::straight_share(const std::vector<double>& target) {
   const std::vector<double>& now = equations_.values();
-  double reach = 0;
   if (equations_.has_distance_driver()) {
+    weigh_alike();
+    double reach = 0;
     for (std::size_t i = 0; i < target.size(); ++i)
       reach += reach_of(static_cast<int>(i), std::abs(target[i] - now[i]));
-  } else {
-    step_.setZero(q_.size());
-    for (std::size_t i = 0; i < target.size(); ++i) {
-      const int driver = static_cast<int>(i);
-      step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
-    }
-    factors_.solve(step_, trial_);
-    reach = longest(trial_);
+    return share_of(reach, 0, 1);
   }
-  if (!std::isfinite(reach)) return 0;
-  const double allowed = allowed_step(reach);
-  return reach <= allowed ? 1 : allowed / reach;
+  step_.setZero(q_.size());
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    const int driver = static_cast<int>(i);
+    step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
+  }
+  factors_.solve(step_, first_);
+  return share_of(first_);
 }
 
 /// The share of a curve that one step may take: by its slope and bend, if they are known, else by its speed.
-/// Over a share t the first Newton step is at most a t + b t^2 long.
 double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
   const double left = 1 - covered;
   double a = 0, b = 0;
+  weigh_alike();
   if (curve.slopes_at && !equations_.has_distance_driver()) {
     curve.slopes_at(covered, slopes_);
     step_.setZero(q_.size());
@@ -232,37 +320,49 @@ double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
     for (std::size_t i = 0; i < curve.fastest.size(); ++i)
       a += reach_of(static_cast<int>(i), curve.fastest[i] * left) / left;
   }
-  const double reach = (a + b * left) * left;
-  if (!std::isfinite(reach)) return 0;
-  const double allowed = allowed_step(reach);
-  return reach <= allowed ? left : 2 * allowed / (a + std::sqrt(a * a + 4 * b * allowed));
+  return share_of(a, b, left);
 }
 
-/// Newton from q_ to the position at `values`: true if it converges to rounding. The first step uses the
-/// factors at q_.
+/// Newton from q_ to the position at `values`: true if it converges to rounding, within the certified ball.
+/// The factors at q_ serve for two steps, those at the point so reached for the rest.
 bool PlanarPath::correct(const std::vector<double>& values) {
   equations_.set_values(values);
   const Eigen::Index square = q_.size();
   const double exact = 4 * rounding * magnitude_of(q_, equations_.size());
-  equations_.residual(q_, trial_f_);
-  factors_.solve(trial_f_, change_);
-  trial_ = q_ - change_;
-  double previous = 1e300;
-  for (int i = 0; i < most_corrections; ++i) {
-    equations_.residual_and_jacobian(trial_, trial_f_, trial_jacobian_);
-    const double now = trial_f_.head(square).lpNorm<Eigen::Infinity>();
-    const bool settled = now <= exact || (now > 0.25 * previous && previous <= 64 * exact);
-    if (settled) {
-      factored_ = false;
-      return true;
-    }
-    if (!(now < previous)) break;
-    previous = now;
-    factors_.compute(trial_jacobian_);
+  const auto length = [&] { return trial_f_.head(square).lpNorm<Eigen::Infinity>(); };
+  const auto step_on = [&] {
     factors_.solve(trial_f_, change_);
     trial_ -= change_;
+  };
+  equations_.residual(q_, trial_f_);
+  trial_ = q_;
+  double previous = length(), gain = 0;  // of the last step
+  step_on();
+  exact_ = false;
+  for (int i = 0; i < most_corrections; ++i) {
+    // Once more with these factors, if that will do; else with those at this point.
+    const bool renew = previous * gain * gain > exact;
+    if (renew)
+      equations_.residual_and_jacobian(trial_, trial_f_, jacobian_);
+    else
+      equations_.residual(trial_, trial_f_);
+    const double now = length();
+    if (now <= exact || (now > 0.25 * previous && previous <= 64 * exact)) {
+      step_ = trial_ - q_;
+      return longest(step_) <= 2.5 * reach_ + singular_turn;
+    }
+    if (!(now < previous)) break;
+    gain = now / previous;
+    previous = now;
+    if (renew) {
+      factors_.compute(jacobian_);
+      base_ = trial_;
+      anchored_ = false;
+      gain = 0;
+    }
+    step_on();
   }
-  factored_ = false;
+  base_.resize(0);
   return false;
 }
 
@@ -274,7 +374,8 @@ double PlanarPath::closing_limit() const {
 
 /// At a singular position the left null vector tells: a dead point resists the drivers, a change point does
 /// not.
-PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) const {
+PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) {
+  equations_.residual_and_jacobian(q_, f_, jacobian_);
   const Eigen::Index square = q_.size();
   Eigen::MatrixXd scaled = jacobian_.topRows(square);
   for (Eigen::Index angle = 2; angle < square; angle += 3) scaled.col(angle) /= equations_.size();
@@ -293,8 +394,7 @@ PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) const
 void PlanarPath::accept() {
   q_.swap(trial_);
   f_.swap(trial_f_);
-  jacobian_.swap(trial_jacobian_);
-  if (bending_ >= 0) {
+  if (anchor_.size() > 0) {
     step_ = q_ - anchor_;
     moved_ = longest(step_);
   }
@@ -315,7 +415,7 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
     return stopped(kind_of_singularity(next));
   };
   while (covered < 1) {
-    if (!linearise()) return singular();
+    if (!linearise_nearby()) return singular();
     const double share = certified_share(covered) * trust;
     if (!(share > 0) || trust < 1e-3) return singular();
     const double reached = covered + share >= 1 ? 1 : covered + share;

@@ -6,9 +6,15 @@
 // F bends (known in advance: a joint bends only with the angles of its bodies, at most by the joint's arm),
 //   omega eta < 1/2
 // says that the closed position moves continuously from q to exactly one position in the ball of radius 2
-// eta, that J stays regular on the way, and that Newton converges to it. Steps that are too long for this are
-// cut, so a path either arrives on its own assembly or stops at a singular position; it cannot jump.
+// eta, that J stays regular on the way, and that no other lies in that ball. Steps that are too long for this
+// are cut, so a path either arrives on its own assembly or stops at a singular position; it cannot jump.
 // (Rounding is not part of the proof.)
+//
+// The theorem holds in any norm. Where the plain one (the largest turn of a body) does not allow a whole step,
+// bodies are weighed by how far they turn in it: |v| = max |v_b| / w_b with 0 < w_b <= 1. With g_ab the gain
+// of body a's angle from the bends of body b,
+//   omega = max_a (1 / w_a) sum_b g_ab w_b^2
+// so that a body that hardly turns does not pay for one that turns fast.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -111,7 +117,13 @@ class PlanarPath {
   PlanarPath(PlanarEquations equations, Eigen::VectorXd q);
 
   bool linearise();
-  void bound_bending();
+  bool linearise_nearby();
+  void measure_gains();
+  void weigh();
+  void weigh_alike();
+  void weigh_by(const Eigen::VectorXd& step);
+  double share_of(const Eigen::VectorXd& step);
+  double share_of(double a, double b, double left);
   double bending_here() const;
   template <class Share, class Values>
   tl::expected<void, PathStop> move(const Share& certified_share, const Values& values_at);
@@ -123,19 +135,26 @@ class PlanarPath {
   void accept();
   double closing_limit() const;
   bool correct(const std::vector<double>& values);
-  PathEnd kind_of_singularity(const std::vector<double>& target) const;
+  PathEnd kind_of_singularity(const std::vector<double>& target);
 
   PlanarEquations equations_;
   Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_, inverse_row_;
-  Eigen::MatrixXd jacobian_, trial_jacobian_;
+  Eigen::MatrixXd jacobian_;
   PlanarFactors factors_;
   std::vector<PlanarEquations::Bend> bends_;
   std::vector<double> slopes_;
-  Eigen::VectorXd anchor_;  ///< where bending_ was computed
-  double bending_ = -1;     ///< omega at the anchor, 1/rad; -1: not computed
-  double moved_ = 0;        ///< from the anchor, rad
-  bool linear_ = false;     ///< jacobian_ belongs to q_
-  bool factored_ = false;   ///< factors_ belong to q_
+  Eigen::VectorXd first_;    ///< Newton's first step for the whole way ahead
+  Eigen::VectorXd base_;     ///< where factors_ were computed; empty: nowhere
+  Eigen::VectorXd anchor_;   ///< where gains_ were computed; empty: nowhere
+  Eigen::MatrixXd gains_;    ///< g, 1/rad: a row a body (its angle, then its place), a column a bend's body
+  Eigen::VectorXd weights_;  ///< w of each body; 1 for the ground, which stands for bends of several
+  Eigen::VectorXd load_;     ///< w^2, then g w^2
+  double bending_ = -1;      ///< omega at the anchor under the weights, 1/rad; -1: not computed
+  double moved_ = 0;         ///< from the anchor under the weights, rad
+  bool alike_ = true;        ///< all weights are 1
+  bool exact_ = false;       ///< factors_, jacobian_ and f_ are those at q_
+  bool anchored_ = false;    ///< the anchor is where the factors are
+  double reach_ = 0;         ///< bound of Newton's first step of the share taken, rad, under the weights
   int orientation_ = 1;
   std::size_t steps_ = 0;
 };

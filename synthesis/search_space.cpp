@@ -144,7 +144,7 @@ std::vector<HalfPlane> SearchSpace::room_around(const Point& pole) const {
   std::vector<HalfPlane> room;
   const double touching = 1e-9 * layout_.unit;
   for (const Cut& cut : cuts) {
-    const auto& [from, to] = area_->edges()[cut.edge];
+    const Point &from = area_->edges()[cut.edge].from, &to = area_->edges()[cut.edge].to;
     const auto beyond = [&](const HalfPlane& plane) {
       return plane.inside(from) <= touching && plane.inside(to) <= touching;
     };

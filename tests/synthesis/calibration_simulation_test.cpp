@@ -41,7 +41,7 @@ SimulationRecord played(const Measurements& file, const std::optional<DrawnDesig
 }
 
 TEST(CalibrationSimulation, KnightBringsEveryInstrumentBelowATenthWithinThreeRounds) {
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1U, 2U}) {
     const SimulationRecord record =
         played(knights_instruments(CalibrationMethod::knight, 2, 3), variable_ratio, seed);
     EXPECT_EQ(record.instruments, 1000);

@@ -100,9 +100,6 @@ struct Joints {
   }
 };
 
-/// Links as polylines of joints' letters; bent plates and straight bars alike.
-constexpr std::array<const char*, 4> arms{"VA", "VB", "CAX", "CBY"};
-
 double apart(const Joints& z, const char* one, const char* other) {
   double least = 1e300;
   const std::string m = one, n = other;
