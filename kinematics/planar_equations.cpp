@@ -112,12 +112,12 @@ void PlanarEquations::turn_bodies(const Eigen::VectorXd& q) {
   }
 }
 
-Point PlanarEquations::turned(int body, const Point& local) const {
+inline Point PlanarEquations::turned(int body, const Point& local) const {
   const Point& d = directions_[static_cast<std::size_t>(body)];
   return {d.x() * local.x() - d.y() * local.y(), d.y() * local.x() + d.x() * local.y()};
 }
 
-PlanarEquations::Arm PlanarEquations::arm(const Eigen::VectorXd& q, const BodyPoint& point) const {
+inline PlanarEquations::Arm PlanarEquations::arm(const Eigen::VectorXd& q, const BodyPoint& point) const {
   const Point r = turned(point.body, point.local);
   if (!moves(point.body)) return {point.body, r, r};
   const Eigen::Index x = 3 * point.body - 3;
@@ -136,6 +136,17 @@ void PlanarEquations::add_point(Eigen::MatrixXd& jacobian, int row, const Arm& a
   jacobian(row, x) += along.x();
   jacobian(row, x + 1) += along.y();
   jacobian(row, x + 2) += along.dot(left_of(arm.turned));
+}
+
+/// Adds the derivative of +-P to both rows of a joint.
+inline void PlanarEquations::add_joint(Eigen::MatrixXd& jacobian, const Entry& entry, const Arm& arm,
+                                       double sign) {
+  if (!moves(arm.body)) return;
+  const Eigen::Index x = 3 * arm.body - 3;
+  jacobian(entry.row, x) += sign;
+  jacobian(entry.row, x + 2) -= sign * arm.turned.y();
+  jacobian(entry.second_row, x + 1) += sign;
+  jacobian(entry.second_row, x + 2) += sign * arm.turned.x();
 }
 
 void PlanarEquations::evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian) {
@@ -157,51 +168,49 @@ void PlanarEquations::evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eig
   };
   for (const Entry& entry : entries_) {
     const int row = entry.row;
-    std::visit(
-        Overloaded{
-            [&](const Revolute& c) {
-              const Arm a = arm(q, c.a), b = arm(q, c.b);
-              f[row] = a.at.x() - b.at.x();
-              f[entry.second_row] = a.at.y() - b.at.y();
-              if (!jacobian) return;
-              for (const auto& [r, unit] : {std::pair{row, Point(1, 0)}, {entry.second_row, Point(0, 1)}}) {
-                add_point(*jacobian, r, a, unit);
-                add_point(*jacobian, r, b, -unit);
-              }
-            },
-            [&](const Coordinate& c) { f[row] = along_line(row, c.point, c.origin, c.direction) - c.value; },
-            [&](const Distance& c) {
-              const Arm a = arm(q, c.a), b = arm(q, c.b);
-              const Point d = a.at - b.at;
-              f[row] = (d.norm() - c.value) * (d.norm() + c.value) / (2 * entry.scale);
-              if (!jacobian) return;
-              add_point(*jacobian, row, a, d / entry.scale);
-              add_point(*jacobian, row, b, -d / entry.scale);
-            },
-            [&](const RelativeAngle& c) {
-              f[row] = size_ * (angle(c.body) - angle(c.reference) - c.value);
-              if (!jacobian) return;
-              add_angle(*jacobian, row, c.body, size_);
-              add_angle(*jacobian, row, c.reference, -size_);
-            },
-            [&](const GearPair& c) {
-              const double a = c.first_radius, b = c.second_radius;
-              f[row] = a * (angle(c.first) - angle(c.carrier)) + b * (angle(c.second) - angle(c.carrier)) -
-                       c.value;
-              if (!jacobian) return;
-              add_angle(*jacobian, row, c.first, a);
-              add_angle(*jacobian, row, c.second, b);
-              add_angle(*jacobian, row, c.carrier, -a - b);
-            },
-            [&](const RackAndPinion& c) {
-              const int pinion = c.centre.body, rack = c.rack_origin.body;
-              f[row] = along_line(row, c.centre, c.rack_origin, c.direction) +
-                       c.radius * (angle(pinion) - angle(rack)) - c.value;
-              if (!jacobian) return;
-              add_angle(*jacobian, row, pinion, c.radius);
-              add_angle(*jacobian, row, rack, -c.radius);
-            }},
-        entry.constraint);
+    std::visit(Overloaded{[&](const Revolute& c) {
+                            const Arm a = arm(q, c.a), b = arm(q, c.b);
+                            f[row] = a.at.x() - b.at.x();
+                            f[entry.second_row] = a.at.y() - b.at.y();
+                            if (!jacobian) return;
+                            add_joint(*jacobian, entry, a, 1);
+                            add_joint(*jacobian, entry, b, -1);
+                          },
+                          [&](const Coordinate& c) {
+                            f[row] = along_line(row, c.point, c.origin, c.direction) - c.value;
+                          },
+                          [&](const Distance& c) {
+                            const Arm a = arm(q, c.a), b = arm(q, c.b);
+                            const Point d = a.at - b.at;
+                            f[row] = (d.norm() - c.value) * (d.norm() + c.value) / (2 * entry.scale);
+                            if (!jacobian) return;
+                            add_point(*jacobian, row, a, d / entry.scale);
+                            add_point(*jacobian, row, b, -d / entry.scale);
+                          },
+                          [&](const RelativeAngle& c) {
+                            f[row] = size_ * (angle(c.body) - angle(c.reference) - c.value);
+                            if (!jacobian) return;
+                            add_angle(*jacobian, row, c.body, size_);
+                            add_angle(*jacobian, row, c.reference, -size_);
+                          },
+                          [&](const GearPair& c) {
+                            const double a = c.first_radius, b = c.second_radius;
+                            f[row] = a * (angle(c.first) - angle(c.carrier)) +
+                                     b * (angle(c.second) - angle(c.carrier)) - c.value;
+                            if (!jacobian) return;
+                            add_angle(*jacobian, row, c.first, a);
+                            add_angle(*jacobian, row, c.second, b);
+                            add_angle(*jacobian, row, c.carrier, -a - b);
+                          },
+                          [&](const RackAndPinion& c) {
+                            const int pinion = c.centre.body, rack = c.rack_origin.body;
+                            f[row] = along_line(row, c.centre, c.rack_origin, c.direction) +
+                                     c.radius * (angle(pinion) - angle(rack)) - c.value;
+                            if (!jacobian) return;
+                            add_angle(*jacobian, row, pinion, c.radius);
+                            add_angle(*jacobian, row, rack, -c.radius);
+                          }},
+               entry.constraint);
   }
 }
 

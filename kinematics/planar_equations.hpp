@@ -88,20 +88,21 @@ class PlanarEquations {
     int body;
     Point turned, at;
   };
-  void mark_bends(const Constraint& constraint);
-  void turn_bodies(const Eigen::VectorXd& q);
-  Arm arm(const Eigen::VectorXd& q, const BodyPoint& point) const;
-  Point turned(int body, const Point& local) const;
-  void add_angle(Eigen::MatrixXd& jacobian, int row, int body, double slope) const;
-  void add_point(Eigen::MatrixXd& jacobian, int row, const Arm& arm, const Point& along) const;
-  void evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian);
-
   struct Entry {
     Constraint constraint;
     int row;         ///< first row
     int second_row;  ///< of a revolute joint; else -1
     double scale;    ///< of a distance, mm
   };
+  void mark_bends(const Constraint& constraint);
+  void turn_bodies(const Eigen::VectorXd& q);
+  Arm arm(const Eigen::VectorXd& q, const BodyPoint& point) const;
+  Point turned(int body, const Point& local) const;
+  void add_angle(Eigen::MatrixXd& jacobian, int row, int body, double slope) const;
+  void add_point(Eigen::MatrixXd& jacobian, int row, const Arm& arm, const Point& along) const;
+  static void add_joint(Eigen::MatrixXd& jacobian, const Entry& entry, const Arm& arm, double sign);
+  void evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eigen::MatrixXd* jacobian);
+
   std::vector<Entry> entries_;
   std::vector<int> driver_entries_;
   std::vector<double> values_;

@@ -12,7 +12,7 @@ constexpr double ball = 0.5;               ///< rad, within which the bends hold
 constexpr double singular_turn = 1e-8;     ///< rad: a certified step this short means a singular position
 constexpr double crossing_share =
     1e-5;                              ///< drivers' part of the left null vector below which assemblies cross
-constexpr double nearby = 1e-3;        ///< omega times the distance of factors that still count as those of q
+constexpr double nearby = 0.01;        ///< omega times the distance at which other factors still serve
 constexpr double least_weight = 0.02;  ///< of a body that does not turn at all
 constexpr int most_corrections = 24;
 constexpr double rounding = 2.220446049250313e-16;
@@ -131,17 +131,6 @@ bool PlanarPath::linearise() {
   return factors_.sign() != 0;
 }
 
-/// Factors at q_ or so near that the step control's margin below 1/2 covers the difference.
-bool PlanarPath::linearise_nearby() {
-  if (!exact_ && base_.size() > 0 && anchor_.size() > 0) {
-    weigh_alike();
-    step_ = q_ - base_;
-    const double omega = bending_here();
-    if (omega >= 0 && omega * longest(step_) <= nearby && factors_.sign() != 0) return true;
-  }
-  return linearise();
-}
-
 /// The norm of the step control: the largest turn of a body whose angle bends something, over its weight, and
 /// the largest shift (in sizes) of a body whose place does.
 double PlanarPath::longest(const Eigen::VectorXd& change) const {
@@ -189,9 +178,11 @@ void PlanarPath::measure_gains() {
 void PlanarPath::weigh() {
   load_ = weights_.cwiseAbs2();
   bending_ = 0;
-  for (Eigen::Index body = 1; body < weights_.size(); ++body)
-    bending_ = std::max(
-        {bending_, gains_.row(2 * body).dot(load_) / weights_[body], gains_.row(2 * body + 1).dot(load_)});
+  for (Eigen::Index body = 1; body < weights_.size(); ++body) {
+    bending_ = std::max(bending_, gains_.row(2 * body).dot(load_) / weights_[body]);
+    if (equations_.place_bends()[static_cast<std::size_t>(body)])
+      bending_ = std::max(bending_, gains_.row(2 * body + 1).dot(load_));
+  }
   step_ = q_ - anchor_;
   moved_ = longest(step_);
 }
@@ -214,6 +205,7 @@ void PlanarPath::weigh_by(const Eigen::VectorXd& step) {
     weights_[body] = turn(body) + gains_.row(2 * body).dot(load_);
     largest = std::max(largest, weights_[body]);
   }
+  if (!(largest > 0)) largest = 1;  // nothing turns: all weigh the same little
   for (Eigen::Index body = 1; body < bodies; ++body)
     weights_[body] = std::max(weights_[body] / largest, least_weight);
   alike_ = false;
@@ -226,40 +218,58 @@ double PlanarPath::bending_here() const {
   return bending_ / (1 - bending_ * moved_);
 }
 
-/// How much of a step whose first Newton step is at most `reach` long may be taken: its certified length,
-/// rad; 0 at a singular position.
+/// How long a first Newton step of at most `reach` may be under the weights, rad; 0 at a singular position.
+/// The step was computed with the factors of a place `apart` from q_, so that the true one is longer by up to
+/// |J(q)^-1 J(base)| <= 1 + omega apart.
+double PlanarPath::certified_step(double reach) {
+  const double omega = bending_here();
+  if (omega < 0) return 0;
+  double longer = 1;
+  if (!exact_) {
+    step_ = q_ - base_;
+    longer += omega * longest(step_);
+    factors_serve_ &= longer <= 1 + nearby;
+  }
+  double allowed = omega * longest_step > kantorovich_limit ? kantorovich_limit / omega : longest_step;
+  allowed = std::min({allowed / longer, 0.5 * (ball - moved_), reach});
+  return allowed > std::min(singular_turn, 0.5 * reach) ? allowed : 0;
+}
+
+/// The same, with gains of this place if older ones do not allow it all.
 double PlanarPath::allowed_step(double reach) {
-  double omega = bending_here();
-  if (!anchored_ && (omega < 0 || omega * reach > kantorovich_limit || moved_ + 2 * reach > ball)) {
+  reach_ = certified_step(reach);
+  if (reach_ < reach && !anchored_) {
     measure_gains();
     weigh();
-    omega = bending_here();
+    reach_ = certified_step(reach);
   }
-  if (omega < 0) return 0;
-  const double allowed = omega * longest_step > kantorovich_limit ? kantorovich_limit / omega : longest_step;
-  return allowed > singular_turn ? allowed : 0;
+  return reach_;
 }
 
 /// The share of a way that one step may take, `step` being Newton's first step for the whole of it; 0 at a
-/// singular position.
+/// singular position. Cheap certificates first: plain, weighed, then both with gains of this place.
 double PlanarPath::share_of(const Eigen::VectorXd& step) {
-  weigh_alike();
-  double reach = longest(step);
-  if (!std::isfinite(reach)) return 0;
-  double allowed = allowed_step(reach);
-  reach_ = std::min(reach, allowed);
-  if (reach <= allowed) return 1;
-  const double plain = allowed / reach, plain_reach = reach_;
-  if (!(plain > 0) || allowed == longest_step) return plain;
-  weigh_by(step);
-  reach = longest(step);
-  allowed = allowed_step(reach);
-  reach_ = std::min(reach, allowed);
-  const double share = std::min(1.0, allowed / reach);
-  if (share > plain) return share;
-  weigh_alike();
-  reach_ = plain_reach;
-  return plain;
+  const auto share_under_weights = [&] {
+    const double reach = longest(step);
+    if (!std::isfinite(reach)) return 0.0;
+    reach_ = certified_step(reach);
+    return reach_ < reach ? reach_ / reach : 1.0;
+  };
+  for (;;) {
+    double plain = 0;
+    if (anchor_.size() > 0) {
+      weigh_alike();
+      plain = share_under_weights();
+      if (plain >= 1 || reach_ >= longest_step) return plain;
+      weigh_by(step);
+      const double weighed = share_under_weights();
+      if (weighed >= 1 || (anchored_ && weighed > plain)) return weighed;
+    }
+    weigh_alike();
+    if (anchored_) return share_under_weights();
+    measure_gains();
+    weigh();
+  }
 }
 
 /// Length of the first Newton step if one driver moves by at most `way`.
@@ -277,7 +287,6 @@ double PlanarPath::share_of(double a, double b, double left) {
   const double reach = (a + b * left) * left;
   if (!std::isfinite(reach)) return 0;
   const double allowed = allowed_step(reach);
-  reach_ = std::min(reach, allowed);
   return reach <= allowed ? left : 2 * allowed / (a + std::sqrt(a * a + 4 * b * allowed));
 }
 
@@ -297,6 +306,7 @@ double PlanarPath::straight_share(const std::vector<double>& target) {
     step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * (target[i] - now[i]);
   }
   factors_.solve(step_, first_);
+  way_ = step_.lpNorm<Eigen::Infinity>();
   return share_of(first_);
 }
 
@@ -323,34 +333,57 @@ double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
   return share_of(a, b, left);
 }
 
-/// Newton from q_ to the position at `values`: true if it converges to rounding, within the certified ball.
-/// The factors at q_ serve for two steps, those at the point so reached for the rest.
-bool PlanarPath::correct(const std::vector<double>& values) {
-  equations_.set_values(values);
-  const Eigen::Index square = q_.size();
-  const double exact = 4 * rounding * magnitude_of(q_, equations_.size());
-  const auto length = [&] { return trial_f_.head(square).lpNorm<Eigen::Infinity>(); };
-  const auto step_on = [&] {
+/// Where correct() begins: at Newton's first step, bent as the last step was. The residual before, mm.
+double PlanarPath::predict(double share) {
+  if (!(way_ > 0)) {
+    equations_.residual(q_, trial_f_);
     factors_.solve(trial_f_, change_);
-    trial_ -= change_;
-  };
-  equations_.residual(q_, trial_f_);
-  trial_ = q_;
-  double previous = length(), gain = 0;  // of the last step
-  step_on();
+    trial_ = q_ - change_;
+    return trial_f_.head(q_.size()).lpNorm<Eigen::Infinity>();
+  }
+  const double way = share * way_;
+  trial_ = q_ + share * first_;
+  if (curvature_.size() > 0) trial_ += way * way * curvature_;
+  return way;
+}
+
+/// What the last step was off from Newton's first, over the square of the way.
+void PlanarPath::learn_curvature(double share) {
+  const double way = share * way_;
+  if (way > 1e-5 * equations_.size())
+    curvature_ = (trial_ - q_ - share * first_) / (way * way);
+  else
+    curvature_.resize(0);
+}
+
+/// Newton from q_ to the position at `values`, a share of the way ahead: true if it converges to rounding and
+/// within the certified ball. Factors serve as long as they bring the residual down fast, first those at q_.
+bool PlanarPath::correct(const std::vector<double>& values, double share) {
+  equations_.set_values(values);
+  const double exact = 4 * rounding * magnitude_of(q_, equations_.size());
+  double previous = predict(share), gain = 0;     // gain: of the last step
+  bool bent = way_ > 0 && curvature_.size() > 0;  // the first point is better than Newton's
   exact_ = false;
   for (int i = 0; i < most_corrections; ++i) {
-    // Once more with these factors, if that will do; else with those at this point.
-    const bool renew = previous * gain * gain > exact;
+    const bool renew = bent || previous * gain * gain > exact;
     if (renew)
       equations_.residual_and_jacobian(trial_, trial_f_, jacobian_);
     else
       equations_.residual(trial_, trial_f_);
-    const double now = length();
+    const double now = trial_f_.head(q_.size()).lpNorm<Eigen::Infinity>();
     if (now <= exact || (now > 0.25 * previous && previous <= 64 * exact)) {
+      learn_curvature(share);
       step_ = trial_ - q_;
       return longest(step_) <= 2.5 * reach_ + singular_turn;
     }
+    if (bent && now > 0.1 * previous) {  // the path bends otherwise here
+      curvature_.resize(0);
+      previous = predict(share);
+      gain = 0;
+      bent = false;
+      continue;
+    }
+    bent = false;
     if (!(now < previous)) break;
     gain = now / previous;
     previous = now;
@@ -360,9 +393,11 @@ bool PlanarPath::correct(const std::vector<double>& values) {
       anchored_ = false;
       gain = 0;
     }
-    step_on();
+    factors_.solve(trial_f_, change_);
+    trial_ -= change_;
   }
   base_.resize(0);
+  curvature_.resize(0);
   return false;
 }
 
@@ -415,14 +450,22 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
     return stopped(kind_of_singularity(next));
   };
   while (covered < 1) {
-    if (!linearise_nearby()) return singular();
-    const double share = certified_share(covered) * trust;
+    // The factors of the last correction will do where they are near enough, which the certificate tells.
+    factors_serve_ = (exact_ || base_.size() > 0) && factors_.sign() != 0;
+    if (!factors_serve_ && !linearise()) return singular();
+    way_ = 0;
+    double share = certified_share(covered);
+    if (!factors_serve_ || !(share > 0)) {
+      if (!linearise()) return singular();
+      share = certified_share(covered);
+    }
+    share *= trust;
     if (!(share > 0) || trust < 1e-3) return singular();
     const double reached = covered + share >= 1 ? 1 : covered + share;
     if (!(reached > covered)) return singular();
     before = equations_.values();
     values_at(reached, next);
-    if (!correct(next)) {
+    if (!correct(next, (reached - covered) / (1 - covered))) {
       equations_.set_values(before);
       trust *= 0.5;
       continue;

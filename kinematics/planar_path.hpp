@@ -117,7 +117,6 @@ class PlanarPath {
   PlanarPath(PlanarEquations equations, Eigen::VectorXd q);
 
   bool linearise();
-  bool linearise_nearby();
   void measure_gains();
   void weigh();
   void weigh_alike();
@@ -128,13 +127,16 @@ class PlanarPath {
   template <class Share, class Values>
   tl::expected<void, PathStop> move(const Share& certified_share, const Values& values_at);
   double longest(const Eigen::VectorXd& change) const;
+  double certified_step(double reach);
   double allowed_step(double reach);
   double reach_of(int driver, double way);
   double straight_share(const std::vector<double>& target);
   double curve_share(const DriverCurve& curve, double covered);
   void accept();
   double closing_limit() const;
-  bool correct(const std::vector<double>& values);
+  double predict(double share);
+  void learn_curvature(double share);
+  bool correct(const std::vector<double>& values, double share);
   PathEnd kind_of_singularity(const std::vector<double>& target);
 
   PlanarEquations equations_;
@@ -143,18 +145,22 @@ class PlanarPath {
   PlanarFactors factors_;
   std::vector<PlanarEquations::Bend> bends_;
   std::vector<double> slopes_;
-  Eigen::VectorXd first_;    ///< Newton's first step for the whole way ahead
-  Eigen::VectorXd base_;     ///< where factors_ were computed; empty: nowhere
-  Eigen::VectorXd anchor_;   ///< where gains_ were computed; empty: nowhere
-  Eigen::MatrixXd gains_;    ///< g, 1/rad: a row a body (its angle, then its place), a column a bend's body
-  Eigen::VectorXd weights_;  ///< w of each body; 1 for the ground, which stands for bends of several
-  Eigen::VectorXd load_;     ///< w^2, then g w^2
-  double bending_ = -1;      ///< omega at the anchor under the weights, 1/rad; -1: not computed
-  double moved_ = 0;         ///< from the anchor under the weights, rad
-  bool alike_ = true;        ///< all weights are 1
-  bool exact_ = false;       ///< factors_, jacobian_ and f_ are those at q_
-  bool anchored_ = false;    ///< the anchor is where the factors are
-  double reach_ = 0;         ///< bound of Newton's first step of the share taken, rad, under the weights
+  Eigen::VectorXd first_;      ///< Newton's first step for the whole way ahead, if straight
+  Eigen::VectorXd curvature_;  ///< of the last step, per mm^2 of way; empty: not known
+  Eigen::VectorXd base_;       ///< where factors_ were computed; empty: nowhere
+  Eigen::VectorXd anchor_;     ///< where gains_ were computed; empty: nowhere
+  /// g, 1/rad: a row a body (its angle, then its place), a column a bend's body
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> gains_;
+  Eigen::VectorXd weights_;    ///< w of each body; 1 for the ground, which stands for bends of several
+  Eigen::VectorXd load_;       ///< w^2, then g w^2
+  double bending_ = -1;        ///< omega at the anchor under the weights, 1/rad; -1: not computed
+  double moved_ = 0;           ///< from the anchor under the weights, rad
+  bool alike_ = true;          ///< all weights are 1
+  bool exact_ = false;         ///< factors_, jacobian_ and f_ are those at q_
+  bool factors_serve_ = true;  ///< they are near enough to q_ for the certificate
+  bool anchored_ = false;      ///< the anchor is where the factors are
+  double way_ = 0;    ///< largest change of a driver's equation over the way, mm; 0: first_ not known
+  double reach_ = 0;  ///< bound of Newton's first step of the share taken, rad, under the weights
   int orientation_ = 1;
   std::size_t steps_ = 0;
 };
