@@ -12,6 +12,7 @@ namespace {
 
 /// Shares of the largest pivot below which a pivot counts as none, tried in this order.
 constexpr std::array<double, 4> left_out{1e-11, 1e-8, 1e-5, 1e-3};
+constexpr double square_on = 1e-7;  ///< cosine; near a dead point it is about 1e-3 where Newton takes over
 constexpr int most_damped_steps = 120, most_newton_steps = 40;
 
 /// Newton and its damped form on one linkage. Angles are scaled by the linkage's size, so that every unknown
@@ -26,13 +27,15 @@ class Closing {
 
   int iterations = 0;
 
-  /// Levenberg-Marquardt with gain control, until Newton's own region is reached or nothing is gained.
+  /// Levenberg-Marquardt with gain control, until Newton's own region is reached or nothing is gained: at a
+  /// least error that is not zero the residual stands square to all that the unknowns can do about it.
   void approach(Eigen::VectorXd& q) {
     double damping = 1e-3, previous = linearise(q);
     for (int step = 0; step < most_damped_steps && previous > 1e-7 * equations_.size();
          ++step, ++iterations) {
       Eigen::MatrixXd normal = jacobian_.transpose() * jacobian_;
       const Eigen::VectorXd slope = jacobian_.transpose() * f_;
+      if (slope.norm() <= square_on * previous * jacobian_.norm()) return;
       normal.diagonal().array() += damping;
       const Eigen::VectorXd trial = q - scale_.cwiseProduct(normal.ldlt().solve(slope));
       equations_.residual(trial, f_);

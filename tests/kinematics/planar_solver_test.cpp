@@ -23,7 +23,7 @@ std::optional<Assembled> close(const PlanarLinkage& linkage, const std::vector<d
 TEST(PlanarSolver, ClosesRandomFourBarsOrSaysThatTheyDoNotAssemble) {
   Random random(21);
   int closed_count = 0, open_count = 0;
-  for (int i = 0; i < 70000; ++i) {
+  for (int i = 0; i < 100000; ++i) {
     const double d = random.logarithmic(0.1, 5), a = random.logarithmic(0.1, 5),
                  b = random.logarithmic(0.1, 5), c = random.logarithmic(0.1, 5),
                  crank = random.uniform(-pi, pi);
@@ -33,7 +33,6 @@ TEST(PlanarSolver, ClosesRandomFourBarsOrSaysThatTheyDoNotAssemble) {
     const PlanarLinkage linkage = test::four_bar(d, a, b, c);
     if (margin < 0) {
       ++open_count;
-      if (open_count % 8 != 0) continue;  // an open one costs the most and says the least
       const auto open = solve_from(linkage, test::random_position(random, 4, 3), {crank});
       ASSERT_FALSE(open);
       EXPECT_GT(open.error().closure_error, 0);
@@ -64,7 +63,7 @@ PlanarLinkage watt(Random& random, double crank_length) {
 TEST(PlanarSolver, ClosesRandomWattSixBarsOrSaysThatTheyDoNotAssemble) {
   Random random(22);
   int closed_count = 0;
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < 100000; ++i) {
     const double crank = random.uniform(-pi, pi);
     const PlanarLinkage linkage = watt(random, random.uniform(0.2, 1));
     const auto tried = solve_from(linkage, test::random_position(random, 6, 3), {crank});
@@ -75,7 +74,7 @@ TEST(PlanarSolver, ClosesRandomWattSixBarsOrSaysThatTheyDoNotAssemble) {
       EXPECT_GT(tried.error().closure_error, closing_tolerance(linkage, tried.error().nearest));
     }
   }
-  EXPECT_GT(closed_count, 15000);
+  EXPECT_GT(closed_count, 50000);
 }
 
 TEST(PlanarSolver, RedundantEquationsDoNoHarm) {
