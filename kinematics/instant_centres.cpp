@@ -95,6 +95,12 @@ class Centres {
     return place(position_, {body, local}) - place(position_, {body, Point::Zero()});
   }
 
+  static KnownLine known_line(const Projective& line, CentreLine::From from, int via, int number) {
+    const Point along(-line.y(), line.x());
+    const bool finite = along.norm() > distinct * line.norm();
+    return {line.normalized(), {from, via, number, finite ? along.normalized() : Point::Zero().eval()}};
+  }
+
   void set(const Pair& pair, const Projective& at, InstantCentre::Source source, int number) {
     known_.try_emplace(pair, Known{at, source, number, std::nullopt});
   }
@@ -109,11 +115,11 @@ class Centres {
       const Projective pin = frame_.finite(place(position_, slot->point));
       const Projective normal = Frame::at_infinity(turned(slot->origin.body, slot->direction));
       lines_[pair_of(slot->point.body, slot->origin.body)].push_back(
-          {pin.cross(normal).normalized(), {CentreLine::From::slider, -1, number}});
+          known_line(pin.cross(normal), CentreLine::From::slider, -1, number));
     } else if (const auto* angle = std::get_if<RelativeAngle>(&constraint(number))) {
       if (!is_link(angle->body) || !is_link(angle->reference)) return;
       lines_[pair_of(angle->body, angle->reference)].push_back(
-          {Projective(0, 0, 1), {CentreLine::From::no_turning, -1, number}});
+          known_line(Projective(0, 0, 1), CentreLine::From::no_turning, -1, number));
     }
   }
 
@@ -165,7 +171,7 @@ class Centres {
       const auto a = known_.find(pair_of(pair.first, via)), b = known_.find(pair_of(via, pair.second));
       if (a == known_.end() || b == known_.end()) continue;
       const Projective line = a->second.at.cross(b->second.at);
-      if (line.norm() > distinct) result.push_back({line.normalized(), {CentreLine::From::kennedy, via, -1}});
+      if (line.norm() > distinct) result.push_back(known_line(line, CentreLine::From::kennedy, via, -1));
     }
     return result;
   }
@@ -174,7 +180,7 @@ class Centres {
   bool add_best_crossing() {
     double best = 1e-7;
     std::optional<Pair> found;
-    Known centre;
+    Known centre{Projective::Zero(), InstantCentre::Source::none, -1, std::nullopt};
     for (std::size_t i = 0; i < links_.size(); ++i)
       for (std::size_t j = i + 1; j < links_.size(); ++j) {
         const Pair pair = pair_of(links_[i], links_[j]);

@@ -23,8 +23,9 @@ struct CentreLine {
     no_turning  ///< the line at infinity: the two links do not turn against each other
   };
   From from = From::kennedy;
-  int via = -1;         ///< the third link, for kennedy
-  int constraint = -1;  ///< the constraint, else
+  int via = -1;                     ///< the third link, for kennedy
+  int constraint = -1;              ///< the constraint, else
+  Point direction = Point::Zero();  ///< unit vector along it; zero for the line at infinity
 };
 
 struct InstantCentre {

@@ -66,36 +66,27 @@ class CentresPicture {
 
   std::string own_style() const {
     return fmt::format(
-        ".line{{stroke:#b7312c;stroke-width:{0};stroke-opacity:.3}}.primary{{fill:#222}}.found{{fill:#b7312c}"
+        ".line{{stroke:#b7312c;stroke-width:{0};stroke-opacity:.3}}.normal{{stroke-dasharray:{3} "
+        "{3}}}.primary{{fill:#222}}.found{{fill:#b7312c}"
         "}"
         ".rates{{fill:#8e3b8f}}.centre{{font:{1}px "
         "system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:{2}}}"
         ".legend{{font:{1}px system-ui,sans-serif;fill:#333}}",
-        scale_.number(scale_.stroke), scale_.number(0.75 * scale_.letter), scale_.number(2 * scale_.stroke));
+        scale_.number(scale_.stroke), scale_.number(0.75 * scale_.letter), scale_.number(2 * scale_.stroke),
+        scale_.number(3 * scale_.stroke));
   }
 
-  const InstantCentre* centre_of(int a, int b) const {
-    for (const InstantCentre& centre : centres_)
-      if (centre.first == std::min(a, b) && centre.second == std::max(a, b)) return &centre;
-    return nullptr;
-  }
-
-  /// The line through the picture on which a centre was found.
+  /// The lines through the picture on which a centre was found.
   std::string draw_lines(const InstantCentre& centre) const {
     std::string text;
+    const Point at = on_page(centre.at);
     for (const CentreLine& line : *centre.lines) {
-      if (line.from != CentreLine::From::kennedy) continue;
-      const Point at = on_page(centre.at);
-      Point along = Point::Zero();
-      for (const auto* other : {centre_of(centre.first, line.via), centre_of(line.via, centre.second)}) {
-        if (!other) continue;
-        const Point way = other->kind == Kind::finite ? Point(on_page(other->at) - at)
-                                                      : Point(other->direction.x(), -other->direction.y());
-        if (way.norm() > 1e-6 * scene_.extent() && along.norm() == 0) along = way.normalized();
-      }
+      const Point along(line.direction.x(), -line.direction.y());
+      if (along == Point::Zero()) continue;
       const double far = 3 * (scale_.upper - scale_.lower).maxCoeff();
-      text += fmt::format("<path class=\"line\" d=\"M{} L{}\"/>\n", scale_.pair(clipped(at, along, far)),
-                          scale_.pair(clipped(at, -along, far)));
+      text += fmt::format("<path class=\"{}\" d=\"M{} L{}\"/>\n",
+                          line.from == CentreLine::From::slider ? "line normal" : "line",
+                          scale_.pair(clipped(at, along, far)), scale_.pair(clipped(at, -along, far)));
     }
     return text;
   }

@@ -142,6 +142,21 @@ TEST(InstantCentres, OfRandomSixBarsAgreeWithVelocities) {
       EXPECT_NE(each.source, Source::none);
       EXPECT_NE(each.source, Source::rates);  // one freedom: joints and lines suffice
       EXPECT_LT(each.velocity_error, 1e-7);
+      if (!each.lines || each.kind != Kind::finite) continue;
+      const auto centre_of = [&](int a, int b) {
+        return *std::find_if(all.begin(), all.end(), [&](const InstantCentre& other) {
+          return other.first == std::min(a, b) && other.second == std::max(a, b);
+        });
+      };
+      for (const CentreLine& line : *each.lines) {  // each passes through the two centres that gave it
+        const InstantCentre a = centre_of(each.first, line.via), b = centre_of(line.via, each.second);
+        for (const InstantCentre& other : {a, b}) {
+          if (other.kind != Kind::finite) continue;
+          const Point way = other.at - each.at;
+          EXPECT_LT(std::abs(way.x() * line.direction.y() - way.y() * line.direction.x()),
+                    1e-6 * (1 + way.norm()));
+        }
+      }
     }
   }
 }

@@ -221,5 +221,18 @@ TEST(CentresPicture, LabelsEveryCentreOnceAndLosesNone) {
   EXPECT_THAT(picture, HasSubstr("3-4  at infinity"));
 }
 
+TEST(CentresPicture, DrawsTheNormalOfASlider) {
+  const Moved moved = example("shear-press");
+  const PlanarRun moment{{moved.run.frames[0]}, std::nullopt};
+  const auto centres = instant_centres(moved.model.linkage, moment.frames[0].position, moment.frames[0].rate);
+  const std::string picture =
+      centres_svg(linkage_scene(moved.file, moved.model, moment, moved.steps), centres, 1000);
+  std::smatch line;  // of the blade's guide, which is upright: level, through the blade
+  ASSERT_TRUE(std::regex_search(
+      picture, line,
+      std::regex("class=\"line normal\" d=\"M[-0-9.]+[ ,]([-0-9.]+) L[-0-9.]+[ ,]([-0-9.]+)\"")));
+  EXPECT_EQ(line[1], line[2]);
+}
+
 }  // namespace
 }  // namespace kempe
