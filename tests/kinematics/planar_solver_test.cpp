@@ -5,6 +5,7 @@
 
 #include "kinematics/planar_assemblies.hpp"
 #include "random_linkages.hpp"
+#include "tests/samples.hpp"
 
 namespace kempe {
 namespace {
@@ -23,7 +24,7 @@ std::optional<Assembled> close(const PlanarLinkage& linkage, const std::vector<d
 TEST(PlanarSolver, ClosesRandomFourBarsOrSaysThatTheyDoNotAssemble) {
   Random random(21);
   int closed_count = 0, open_count = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < test::samples(100000); ++i) {
     const double d = random.logarithmic(0.1, 5), a = random.logarithmic(0.1, 5),
                  b = random.logarithmic(0.1, 5), c = random.logarithmic(0.1, 5),
                  crank = random.uniform(-pi, pi);
@@ -44,8 +45,8 @@ TEST(PlanarSolver, ClosesRandomFourBarsOrSaysThatTheyDoNotAssemble) {
     EXPECT_LT(closed->closure_error, 1e-12 * linkage.size());
     ++closed_count;
   }
-  EXPECT_GT(closed_count, 10000);
-  EXPECT_GT(open_count, 10000);
+  EXPECT_GT(closed_count, test::samples(10000));
+  EXPECT_GT(open_count, test::samples(10000));
 }
 
 /// A four-bar whose coupler and rocker each carry a further point, joined by a dyad.
@@ -63,7 +64,7 @@ PlanarLinkage watt(Random& random, double crank_length) {
 TEST(PlanarSolver, ClosesRandomWattSixBarsOrSaysThatTheyDoNotAssemble) {
   Random random(22);
   int closed_count = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < test::samples(100000); ++i) {
     const double crank = random.uniform(-pi, pi);
     const PlanarLinkage linkage = watt(random, random.uniform(0.2, 1));
     const auto tried = solve_from(linkage, test::random_position(random, 6, 3), {crank});
@@ -74,7 +75,7 @@ TEST(PlanarSolver, ClosesRandomWattSixBarsOrSaysThatTheyDoNotAssemble) {
       EXPECT_GT(tried.error().closure_error, closing_tolerance(linkage, tried.error().nearest));
     }
   }
-  EXPECT_GT(closed_count, 50000);
+  EXPECT_GT(closed_count, test::samples(50000));
 }
 
 TEST(PlanarSolver, RedundantEquationsDoNoHarm) {

@@ -1,8 +1,7 @@
 #pragma once
 // A law: a claim that RapidCheck tries on random cases and shrinks to a small counterexample where it fails.
 //
-// The seed is fixed, so that every run tries the same cases; KEMPE_LAW_SEED sets another. KEMPE_SAMPLES, a share of 1,
-// lets slow builds (sanitisers) try fewer; ordinary builds try all.
+// The seed is fixed, so that every run tries the same cases; KEMPE_LAW_SEED sets another.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -13,26 +12,21 @@
 #include <sstream>
 
 #include "kinematics/copying_linkage.hpp"
+#include "tests/samples.hpp"
 #include "workspace/parts.hpp"
 
 namespace kempe::laws {
 
-inline double setting(const char* name, double otherwise) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? otherwise : std::strtod(value, nullptr);
-}
-
-enum class Shrink {
-  yes,
-  no
-};  ///< no: where a case takes seconds, and a smaller one would take minutes to find
+/// no: where a case takes seconds, and a smaller one would take minutes to find
+enum class Shrink { yes, no };
 
 /// Tries the claim, a function of nothing that draws its case with `*generator`, on so many cases.
 template <class Claim>
 void law(int cases, Claim claim, Shrink shrink = Shrink::yes) {
   rc::detail::TestParams params;
-  params.seed = static_cast<std::uint64_t>(setting("KEMPE_LAW_SEED", 8));
-  params.maxSuccess = std::max(1, static_cast<int>(std::lround(cases * setting("KEMPE_SAMPLES", 1))));
+  const char* seed = std::getenv("KEMPE_LAW_SEED");
+  params.seed = seed == nullptr ? 8 : std::strtoull(seed, nullptr, 10);
+  params.maxSuccess = test::samples(cases);
   params.maxDiscardRatio = 50;
   params.disableShrinking = shrink == Shrink::no;
   const auto result = rc::detail::checkTestable(claim, rc::detail::TestMetadata{}, params);

@@ -6,6 +6,7 @@
 #include "specs/spec_reader.hpp"
 #include "synthesis/design_check.hpp"
 #include "synthesis/obstacle_check.hpp"
+#include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
 namespace kempe {
@@ -83,7 +84,7 @@ TEST(Diagnosis, OfATightCopyError) {
 TEST(Diagnosis, OfRandomSpecs) {
   test::SpecDice dice(61);
   int seen = 0;
-  for (int i = 0; i < 40 && seen < 6; ++i) {
+  for (int i = 0; i < 40 && seen < test::samples(6); ++i) {
     Spec spec = dice.spec();
     spec.limits.transmission = radians(dice.uniform(30, 60));
     spec.links.longest = dice.uniform(100, 400);
@@ -92,7 +93,7 @@ TEST(Diagnosis, OfRandomSpecs) {
     ++seen;
     check(spec, nothing_for(spec));
   }
-  EXPECT_GE(seen, 4);
+  EXPECT_GE(seen, test::samples(4));
 }
 
 TEST(Diagnosis, AnObstacleInTheWayIsNamed) {

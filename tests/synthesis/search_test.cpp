@@ -12,6 +12,7 @@
 #include "synthesis/footprint.hpp"
 #include "synthesis/lower_bound.hpp"
 #include "synthesis/verification.hpp"
+#include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 #include "workspace/reach.hpp"
 #include "workspace/self_contact.hpp"
@@ -60,7 +61,7 @@ bool keeps_limits(const Spec& spec, const CopyingLinkage& linkage, const LayerAs
 TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
   test::SpecDice dice(5);
   int designs = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < test::samples(60); ++i) {
     Spec spec = dice.spec();
     if (dice.one_in(3)) spec.objective.objective = Objective::transmission;
     if (dice.one_in(4)) spec.limits.sheets_gap = dice.uniform(0, 10);
@@ -78,14 +79,14 @@ TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
     else
       EXPECT_GE(found->value, *design.quality.lower_bound) << i;
   }
-  EXPECT_GT(designs, 30);
+  EXPECT_GT(designs, test::expected(30));
 }
 
 /// Thousands of pairs of lengths with every grounding and assembly.
 TEST(Search, NoRandomPairOfLengthsIsBetter) {
   test::SpecDice dice(17);
   int compared = 0;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < test::samples(16); ++i) {
     Spec spec = dice.spec();
     spec.pole.place = Point(Point::Zero());
     const auto found = found_for(spec);
@@ -108,7 +109,7 @@ TEST(Search, NoRandomPairOfLengthsIsBetter) {
     ASSERT_TRUE(found) << "case " << i << " has a design of size " << best;
     EXPECT_LE(found->value, best * (1 + 1e-9)) << i;
   }
-  EXPECT_GT(compared, 8);
+  EXPECT_GT(compared, test::expected(8));
 }
 
 TEST(Search, IsTheSameForAnyNumberOfThreads) {
@@ -133,7 +134,7 @@ TEST(Search, IsTheSameForAnyNumberOfThreads) {
 TEST(Search, GoesRoundObstacles) {
   test::SpecDice dice(31);
   int designs = 0, moved = 0;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < test::samples(24); ++i) {
     Spec spec = dice.spec();
     const auto without = found_for(spec);
     for (int j = 0; j < 3; ++j) spec.obstacles.push_back(dice.obstacle_beside(spec));
@@ -149,8 +150,8 @@ TEST(Search, GoesRoundObstacles) {
     const Verification verified = verify(verification_task(design));
     EXPECT_TRUE(verified.certified) << i << verified.failure;
   }
-  EXPECT_GT(designs, 10);
-  EXPECT_GT(moved, 2) << "no obstacle was ever in the way";
+  EXPECT_GT(designs, test::expected(10));
+  EXPECT_GT(moved, test::expected(2)) << "no obstacle was ever in the way";
 }
 
 double boundary_distance(const Region& one, const Region& other) {
@@ -170,7 +171,7 @@ double boundary_distance(const Region& one, const Region& other) {
 TEST(Search, KeepsTheSheetsApart) {
   test::SpecDice dice(37);
   int designs = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < test::samples(20); ++i) {
     Spec spec = dice.spec();
     spec.limits.sheets_gap = dice.uniform(1, 15);
     const auto found = found_for(spec);
@@ -181,13 +182,13 @@ TEST(Search, KeepsTheSheetsApart) {
     EXPECT_FALSE(contains(spec.region, copy.polygons[0].outer[0]));
     EXPECT_FALSE(contains(copy, spec.region.polygons[0].outer[0]));
   }
-  EXPECT_GT(designs, 5);
+  EXPECT_GT(designs, test::expected(5));
 }
 
 TEST(Search, MakesTheCopyErrorSmall) {
   test::SpecDice dice(41);
   int compared = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < test::samples(12); ++i) {
     Spec spec = dice.spec();
     spec.tolerance = Tolerance{0.05, 0.02};
     const auto small = found_for(spec);
@@ -210,13 +211,13 @@ TEST(Search, MakesTheCopyErrorSmall) {
               *spec.limits.copy_error * (1 + 1e-9));
     EXPECT_GE(limited->value, small->value * (1 - 1e-9));
   }
-  EXPECT_GT(compared, 5);
+  EXPECT_GT(compared, test::expected(5));
 }
 
 TEST(Search, MakesTheFootprintSmall) {
   test::SpecDice dice(43);
   int compared = 0;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < test::samples(6); ++i) {
     Spec spec = dice.spec();
     spec.pole.place = Point(Point::Zero());
     const auto small = found_for(spec);
@@ -232,7 +233,7 @@ TEST(Search, MakesTheFootprintSmall) {
     EXPECT_NEAR(found->value, area(found->linkage), 1e-9 * found->value);
     EXPECT_TRUE(keeps_limits(spec, found->linkage, found->layers));
   }
-  EXPECT_GE(compared, 3);
+  EXPECT_GE(compared, test::expected(3));
 }
 
 TEST(Search, ContradictoryLimitsAreProvenToHaveNoDesign) {
