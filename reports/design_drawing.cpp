@@ -12,7 +12,7 @@
 namespace kempe {
 namespace {
 
-constexpr double row_height = 6, text_height = 3.5, small_text = 2.5;  ///< mm, of the title block
+constexpr double row_height = 6, text_height = 3.5;  ///< mm, of the title block
 
 const DrawingLayer assembly_layer{"ASSEMBLY", 8, "#777", false};
 const DrawingLayer region_layer{"REGION", 4, "#0a8a8a", false};

@@ -90,7 +90,8 @@ Json centre_json(const LinkageFile& file, const LinkageModel& model, const Insta
 }  // namespace
 
 std::string constraint_label(const LinkageModel& model, int number) {
-  const auto& [name, constraint] = model.linkage.constraints()[static_cast<std::size_t>(number)];
+  const auto& named = model.linkage.constraints()[static_cast<std::size_t>(number)];
+  const auto& constraint = named.constraint;
   const auto& drivers = model.linkage.drivers();
   if (const auto driver = std::find(drivers.begin(), drivers.end(), number); driver != drivers.end())
     return "driver " + model.driver_label(static_cast<int>(driver - drivers.begin()));
@@ -98,10 +99,10 @@ std::string constraint_label(const LinkageModel& model, int number) {
     std::string links;
     for (const int body : bodies_of(constraint))
       links += (links.empty() ? "" : ", ") + model.linkage.body_name(body);
-    return fmt::format("{} {} ({})", kind, name, links);
+    return fmt::format("{} {} ({})", kind, named.name, links);
   };
   if (std::holds_alternative<Revolute>(constraint)) return with_links("joint");
-  return std::holds_alternative<Coordinate>(constraint) ? with_links("slider") : name;
+  return std::holds_alternative<Coordinate>(constraint) ? with_links("slider") : named.name;
 }
 
 std::vector<std::string> mobility_sentences(const LinkageModel& model, const Mobility& m) {

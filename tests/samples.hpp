@@ -11,7 +11,8 @@ namespace kempe::test {
 /// The share of `all` cases that this run tries, at least one.
 inline int samples(int all) {
   const char* share = std::getenv("KEMPE_SAMPLES");
-  return share == nullptr ? all : std::max(1, static_cast<int>(std::lround(all * std::strtod(share, nullptr))));
+  return share == nullptr ? all
+                          : std::max(1, static_cast<int>(std::lround(all * std::strtod(share, nullptr))));
 }
 
 /// True in a run that tries fewer: what holds of all cases together is then not asked for.

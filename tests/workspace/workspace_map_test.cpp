@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "random_linkage.hpp"
+#include "tests/samples.hpp"
 #include "workspace/clearance.hpp"
 #include "workspace/layer_choice.hpp"
 #include "workspace/reach.hpp"
@@ -343,7 +344,7 @@ TEST(Coverage, ManyCornersAndHolesAreDecided) {
 TEST(Coverage, AgreesWithVerdictsAndClearanceOnRandomTasks) {
   Dice dice(78);
   int covered = 0, refused = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < test::samples(150); ++i) {
     MapTask task{test::random_linkage(dice),
                  {5, 3, 4, PlateStyle::bent},
                  test::random_layers(dice),
@@ -387,8 +388,8 @@ TEST(Coverage, AgreesWithVerdictsAndClearanceOnRandomTasks) {
       EXPECT_LT(distance(task.region, *map.coverage.witness), 1e-6 * size) << i;
     }
   }
-  EXPECT_GT(covered, 15);
-  EXPECT_GT(refused, 15);
+  EXPECT_GT(covered, test::expected(15));
+  EXPECT_GT(refused, test::expected(15));
 }
 
 // The smallest gap over the region.
