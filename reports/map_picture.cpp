@@ -330,14 +330,15 @@ std::string Picture::contours(const std::vector<ContourCircle>& circles,
   const double bearing = std::arg(as_complex(tracer_ - pole)) + 0.75 * pi;
   std::string lines, figures;
   std::vector<double> named;  // figures need room on the line
-  for (const auto& [level, radius] : circles) {
+  for (const ContourCircle& circle : circles) {
+    const double radius = circle.radius;
     lines += fmt::format("<circle class=\"contour\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", coordinate(pole.x()),
                          coordinate(-pole.y()), coordinate(radius));
     if (std::any_of(named.begin(), named.end(),
                     [&](double other) { return std::abs(other - radius) < 20 * view_.unit; }))
       continue;
     named.push_back(radius);
-    figures += text("small", pole + as_point(std::polar(radius, bearing)), words(level));
+    figures += text("small", pole + as_point(std::polar(radius, bearing)), words(circle.level));
   }
   return lines + figures;
 }

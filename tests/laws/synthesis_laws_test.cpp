@@ -1,8 +1,7 @@
 // What must become of the design when the whole task is moved, enlarged or mirrored: the same worth, enlarged with it.
-#include "synthesis/search.hpp"
-
 #include "law.hpp"
 #include "movement.hpp"
+#include "synthesis/search.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
 namespace kempe {
@@ -30,7 +29,7 @@ TEST(SynthesisLaws, AMovedTaskHasAMovedDesignOfTheSameWorth) {
   laws::law(
       40,
       [] {
-        test::SpecDice dice(static_cast<std::uint64_t>(*laws::whole(0, 1 << 20)));
+        test::SpecDice dice(static_cast<unsigned>(*laws::whole(0, 1 << 20)));
         same_worth(dice.spec(), draw_movement());
       },
       laws::Shrink::no);
