@@ -23,8 +23,8 @@ Spec full_spec(test::SpecDice& dice) {
 }
 
 struct Tally {
-  int seen = 0, kinks = 0;
-  double gradient = 0, hessian = 0;  // largest deviations, relative to 1 + |derivative|
+  int seen = 0, kinks = 0, rough = 0;  // rough: a second derivative whose own differences meet a kink
+  double gradient = 0, hessian = 0;    // largest deviations, relative to 1 + |derivative|
 };
 
 /// False where the linkage is too short or too long for the row's place of the tracer: there the opening is clamped, and the
@@ -44,7 +44,8 @@ RowJet row_at(const DesignProblem& problem, const Row* row, const DesignVector& 
   return row ? problem.row(*row, x) : problem.objective(x);
 }
 
-/// One row, or the goal, by central differences. Where the nearest features change within a step there is a kink.
+/// One row, or the goal, by central differences. Where the nearest features change within a step there is a kink: the
+/// gradient changes by more than its own derivative says.
 void compare(const DesignProblem& problem, const Row* row, const DesignVector& x, Tally& tally) {
   constexpr double step = 1e-6;
   const RowJet here = row_at(problem, row, x);
@@ -57,7 +58,7 @@ void compare(const DesignProblem& problem, const Row* row, const DesignVector& x
     behind[i] -= step;
     const RowJet after = row_at(problem, row, ahead), before = row_at(problem, row, behind);
     const double jump = (after.gradient - here.gradient).norm() + (here.gradient - before.gradient).norm();
-    if (jump > 1e-2 * (1 + here.gradient.norm())) {
+    if (jump > 1e-7 * (1 + here.gradient.norm()) + 3 * step * here.hessian.norm()) {
       ++tally.kinks;
       return;
     }
@@ -67,14 +68,18 @@ void compare(const DesignProblem& problem, const Row* row, const DesignVector& x
     off_hessian = std::max(off_hessian, (bend - here.hessian.col(i)).norm() / (1 + bend.norm()));
   }
   tally.gradient = std::max(tally.gradient, off_gradient);
-  tally.hessian = std::max(tally.hessian, off_hessian);
+  const bool by_differences = row && (row->kind == Row::Kind::obstacle || row->kind == Row::Kind::copy_error);
+  if (by_differences)
+    tally.rough += off_hessian > 1e-2;
+  else
+    tally.hessian = std::max(tally.hessian, off_hessian);
 }
 
 TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
   test::SpecDice dice(71);
   std::map<Row::Kind, Tally> rows;
   Tally objectives;
-  for (int i = 0; i < 160; ++i) {
+  for (int i = 0; i < 640; ++i) {
     const Spec spec = full_spec(dice);
     const Goal goal = goals[static_cast<std::size_t>(i) % goals.size()];
     Requirements limits = requirements_of(spec);
@@ -102,8 +107,10 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
   for (const auto& [kind, tally] : rows) {
     SCOPED_TRACE(static_cast<int>(kind));
     EXPECT_GT(tally.seen, 10);
-    EXPECT_LT(tally.kinks, 0.05 * tally.seen + 2);
-    EXPECT_LT(tally.gradient, 1e-6);
+    // A contact's rows stand at its worst opening, and a gap of two axes that cross has its kink right there.
+    EXPECT_LT(tally.kinks, (kind == Row::Kind::contact ? 0.2 : 0.05) * tally.seen + 3);
+    EXPECT_LT(tally.rough, 0.05 * tally.seen + 3);
+    EXPECT_LT(tally.gradient, 5e-6);
     EXPECT_LT(tally.hessian, 2e-4);
   }
   EXPECT_EQ(rows.size(), 13U) << "a kind of row was never met";

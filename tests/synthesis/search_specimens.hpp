@@ -34,8 +34,9 @@ class SpecDice {
     spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
     const double away = uniform(60, 300);
     const Point centre = as_point(std::polar(away, uniform(-pi, pi)));
-    spec.region.polygons.push_back(
-        star(centre, away * uniform(0.1, 0.6), 3 + static_cast<int>(random_() % 12)));
+    const int corners = 3 + static_cast<int>(random_() % 12);  // drawn one by one: arguments have no order
+    const double radius = away * uniform(0.1, 0.6);
+    spec.region.polygons.push_back(star(centre, radius, corners));
     spec.links.style.width = uniform(2, 15);
     spec.links.style.pin_diameter = spec.links.style.width * uniform(0.2, 1);
     spec.links.style.plate = one_in(2) ? PlateStyle::bent : PlateStyle::triangle;
@@ -53,9 +54,9 @@ class SpecDice {
 
   Obstacle obstacle_beside(const Spec& spec) {
     const double away = spec.region.polygons[0].outer[0].norm() * uniform(0.3, 1.2);
-    return {star(as_point(std::polar(away, uniform(-pi, pi))), away * uniform(0.05, 0.15),
-                 3 + static_cast<int>(random_() % 5)),
-            1, 1, "block"};
+    const int corners = 3 + static_cast<int>(random_() % 5);
+    const double radius = away * uniform(0.05, 0.15);
+    return {star(as_point(std::polar(away, uniform(-pi, pi))), radius, corners), 1, 1, "block"};
   }
 
  private:
