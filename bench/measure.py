@@ -56,11 +56,15 @@ class Metered:
 
 
 def metered(command, **options):
-    """Runs a command to its end: its output, CPU seconds and largest resident memory (of it and what it waited for)."""
+    """Runs a command to its end: its output, CPU seconds and largest resident memory (of it and what it waited for).
+
+    The memory is what time(1) sees: a child of this process begins with the memory of this process.
+    """
     import time
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err, tempfile.NamedTemporaryFile("r") as memory:
         begin = time.monotonic()
-        process = subprocess.Popen([str(c) for c in command], stdout=out, stderr=err, **options)
+        process = subprocess.Popen(["/usr/bin/time", "--quiet", "-f", "%M", "-o", memory.name, *[str(c) for c in command]],
+                                   stdout=out, stderr=err, **options)
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         wall = time.monotonic() - begin
@@ -68,7 +72,8 @@ def metered(command, **options):
         for file in (out, err):
             file.seek(0)
             texts.append(file.read().decode())
-    return Metered(process.returncode, *texts, usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss / 1024)
+        largest = int(memory.read().split()[-1]) / 1024
+    return Metered(process.returncode, *texts, usage.ru_utime + usage.ru_stime, wall, largest)
 
 
 def json_of(*command):

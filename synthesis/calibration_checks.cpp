@@ -12,18 +12,26 @@ namespace {
 
 using Fault = std::optional<CalibrationFault>;
 
-/// The copy's size against the ratio, over the two readings of a setup that lie farthest apart.
+using Readings = std::vector<const CalibrationReading*>;
+
+const CalibrationReading& farthest_from(const CalibrationReading& from, const Readings& readings) {
+  return **std::max_element(readings.begin(), readings.end(), [&](const auto* a, const auto* b) {
+    return (a->input - from.input).squaredNorm() < (b->input - from.input).squaredNorm();
+  });
+}
+
+/// The copy's size against the ratio, over two readings of a setup that lie at least half as far apart as any two.
 Fault fault_of_size(const CalibrationTask& task, std::size_t setup) {
-  double far_in = 0, far_out = 0, farthest_wanted = 0;
-  for (const auto& a : task.readings)
-    for (const auto& b : task.readings)
-      if (a.setup == setup && b.setup == setup && (a.input - b.input).norm() > far_in) {
-        far_in = (a.input - b.input).norm();
-        far_out = (a.output - b.output).norm();
-      }
+  Readings readings;
+  for (const auto& reading : task.readings)
+    if (reading.setup == setup) readings.push_back(&reading);
+  if (readings.empty()) return {};
+  const auto& one = farthest_from(*readings.front(), readings);
+  const auto& other = farthest_from(one, readings);
+  const double far_in = (one.input - other.input).norm(), far_out = (one.output - other.output).norm();
   const double size = task.setups[setup].drawn.head<8>().cwiseAbs().maxCoeff(),
                k = std::abs(task.setups[setup].ratio);
-  farthest_wanted = k * far_in;
+  const double farthest_wanted = k * far_in;
   constexpr double far_enough = 0.02, near_enough = 0.25;
   if (far_in < far_enough * size || std::abs(far_out - farthest_wanted) < near_enough * farthest_wanted)
     return {};

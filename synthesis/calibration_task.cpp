@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "synthesis/knight.hpp"
 
@@ -130,12 +131,10 @@ bool knights_case(const Measurements& measurements) {
 
 CalibrationMethod method_for(const Measurements& measurements) {
   if (measurements.fit.method) return *measurements.fit.method;
-  std::size_t most = 0;
+  std::map<int, int> readings_of_round;
+  int most = 0;
   for (const ReadingSpec& reading : measurements.readings)
-    most = std::max<std::size_t>(
-        most, static_cast<std::size_t>(
-                  std::count_if(measurements.readings.begin(), measurements.readings.end(),
-                                [&](const ReadingSpec& other) { return other.round == reading.round; })));
+    most = std::max(most, ++readings_of_round[reading.round]);
   return knights_case(measurements) && most <= 2 ? CalibrationMethod::knight
                                                  : CalibrationMethod::least_squares;
 }
