@@ -26,9 +26,9 @@ Fault fault_of_size(const CalibrationTask& task, std::size_t setup) {
   for (const auto& reading : task.readings)
     if (reading.setup == setup) readings.push_back(&reading);
   if (readings.empty()) return {};
-  const auto& one = farthest_from(*readings.front(), readings);
-  const auto& other = farthest_from(one, readings);
-  const double far_in = (one.input - other.input).norm(), far_out = (one.output - other.output).norm();
+  const auto& first = farthest_from(*readings.front(), readings);
+  const auto& second = farthest_from(first, readings);
+  const double far_in = (first.input - second.input).norm(), far_out = (first.output - second.output).norm();
   const double size = task.setups[setup].drawn.head<8>().cwiseAbs().maxCoeff(),
                k = std::abs(task.setups[setup].ratio);
   const double farthest_wanted = k * far_in;
