@@ -46,14 +46,14 @@ int check_links(const LoadedLinkage& loaded, const SolveArguments& arguments) {
 
 /// A row an assembly: where the points are.
 SolveTable assembly_table(const LoadedLinkage& loaded, const std::vector<PlanarPosition>& found) {
-  SolveTable table{{"assembly"}, {Quantity::step}, {}};
+  SolveTable table{{"assembly"}, {ColumnKind::step}, {}};
   for (std::size_t i = 0; i < found.size(); ++i) table.rows.push_back({static_cast<double>(i)});
   for (const ModelPoint& point : loaded.model.points) {
     if (point.place.body == PlanarLinkage::ground) continue;
     for (const int axis : {0, 1}) {
       table.columns.push_back(
           fmt::format("{}_{}_{}", point.name, axis == 0 ? 'x' : 'y', loaded.file.unit.name));
-      table.quantities.push_back(Quantity::place);
+      table.kinds.push_back(ColumnKind::place);
       for (std::size_t i = 0; i < found.size(); ++i)
         table.rows[i].push_back(place(found[i], point.place)[axis] / loaded.file.unit.in_mm);
     }

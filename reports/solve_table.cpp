@@ -13,13 +13,13 @@ namespace {
 
 struct Column {
   std::string name;
-  Quantity quantity;
+  ColumnKind kind;
   std::function<double(const RunFrame&)> value;
 
   /// Rates do not exist at a dead point.
   bool needs_rates() const {
-    return quantity == Quantity::velocity || quantity == Quantity::acceleration ||
-           quantity == Quantity::spin || quantity == Quantity::spin_change;
+    return kind == ColumnKind::velocity || kind == ColumnKind::acceleration || kind == ColumnKind::spin ||
+           kind == ColumnKind::spin_change;
   }
 };
 
@@ -35,27 +35,27 @@ double transmission_angle(const LinkageModel& model, const std::array<std::strin
 class Columns {
  public:
   Columns(const LinkageFile& file, const LinkageModel& model, int steps) : file_(file), model_(model) {
-    add("step", Quantity::step, [steps](const RunFrame& frame) { return frame.share * steps; });
-    add("time_s", Quantity::time, [&file](const RunFrame& frame) { return frame.share * file.duration; });
+    add("step", ColumnKind::step, [steps](const RunFrame& frame) { return frame.share * steps; });
+    add("time_s", ColumnKind::time, [&file](const RunFrame& frame) { return frame.share * file.duration; });
     for (const std::string& name : file.output.points) add_point(name);
     for (const std::string& name : file.output.angles) add_link(name);
     for (const auto& points : file.output.transmission)
-      add(fmt::format("transmission_{}_{}_{}_deg", points[0], points[1], points[2]), Quantity::angle,
+      add(fmt::format("transmission_{}_{}_{}_deg", points[0], points[1], points[2]), ColumnKind::angle,
           [&model, points](const RunFrame& frame) { return transmission_angle(model, points, frame); });
   }
 
   std::vector<Column> all;
 
  private:
-  void add(std::string name, Quantity quantity, std::function<double(const RunFrame&)> value) {
-    all.push_back({std::move(name), quantity, std::move(value)});
+  void add(std::string name, ColumnKind kind, std::function<double(const RunFrame&)> value) {
+    all.push_back({std::move(name), kind, std::move(value)});
   }
 
   /// x and y of something of a point, in the file's unit; `letter` and `per` say what in the column's name.
-  void add_pair(const std::string& name, Quantity quantity, const std::string& letter, const std::string& per,
+  void add_pair(const std::string& name, ColumnKind kind, const std::string& letter, const std::string& per,
                 const std::function<Point(const RunFrame&)>& value) {
     for (const int axis : {0, 1})
-      add(fmt::format("{}_{}{}_{}{}", name, letter, axis == 0 ? 'x' : 'y', file_.unit.name, per), quantity,
+      add(fmt::format("{}_{}{}_{}{}", name, letter, axis == 0 ? 'x' : 'y', file_.unit.name, per), kind,
           [value, axis, unit = file_.unit.in_mm](const RunFrame& frame) {
             return value(frame)[axis] / unit;
           });
@@ -63,24 +63,25 @@ class Columns {
 
   void add_point(const std::string& name) {
     const BodyPoint point = model_.point(name);
-    add_pair(name, Quantity::place, "", "", [point](const RunFrame& f) { return place(f.position, point); });
+    add_pair(name, ColumnKind::place, "", "",
+             [point](const RunFrame& f) { return place(f.position, point); });
     if (file_.output.velocities)
-      add_pair(name, Quantity::velocity, "v", "_per_s",
+      add_pair(name, ColumnKind::velocity, "v", "_per_s",
                [point](const RunFrame& f) { return velocity_of(f.position, f.rate, point); });
     if (file_.output.accelerations)
-      add_pair(name, Quantity::acceleration, "a", "_per_s2",
+      add_pair(name, ColumnKind::acceleration, "a", "_per_s2",
                [point](const RunFrame& f) { return acceleration_of(f.position, f.rate, f.second, point); });
   }
 
   void add_link(const std::string& name) {
     const int body = model_.body(name);
-    add(name + "_angle_deg", Quantity::angle,
+    add(name + "_angle_deg", ColumnKind::angle,
         [body](const RunFrame& f) { return degrees(f.position[static_cast<std::size_t>(body)].angle); });
     if (file_.output.velocities)
-      add(name + "_rate_rad_per_s", Quantity::spin,
+      add(name + "_rate_rad_per_s", ColumnKind::spin,
           [body](const RunFrame& f) { return spin_of(f.rate, body); });
     if (file_.output.accelerations)
-      add(name + "_acceleration_rad_per_s2", Quantity::spin_change,
+      add(name + "_acceleration_rad_per_s2", ColumnKind::spin_change,
           [body](const RunFrame& f) { return spin_of(f.second, body); });
   }
 
@@ -88,13 +89,12 @@ class Columns {
   const LinkageModel& model_;
 };
 
-/// Decimals that show 15 digits of a quantity's largest value: what lies beyond is rounding.
+/// Decimals that show 15 digits of the largest value of a column's kind: what lies beyond is rounding.
 int decimals_of(const SolveTable& table, std::size_t column) {
   double largest = 0;
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i)
-      if (row[i] && table.quantities[i] == table.quantities[column])
-        largest = std::max(largest, std::abs(*row[i]));
+      if (row[i] && table.kinds[i] == table.kinds[column]) largest = std::max(largest, std::abs(*row[i]));
   return largest > 0 ? std::clamp(14 - static_cast<int>(std::floor(std::log10(largest))), 0, 300) : 0;
 }
 
@@ -115,7 +115,7 @@ SolveTable solve_table(const LinkageFile& file, const LinkageModel& model, const
   SolveTable table;
   for (const Column& column : columns.all) {
     table.columns.push_back(column.name);
-    table.quantities.push_back(column.quantity);
+    table.kinds.push_back(column.kind);
   }
   for (const RunFrame& frame : run.frames) {
     auto& row = table.rows.emplace_back();

@@ -13,11 +13,11 @@ namespace kempe {
 /// P_vx_m_per_s, P_vy_m_per_s, P_ax_m_per_s2, P_ay_m_per_s2; for each wanted link L its L_angle_deg with
 /// L_rate_rad_per_s and L_acceleration_rad_per_s2 where velocities and accelerations are wanted;
 /// transmission_A_B_C_deg. A value is absent where it does not exist: rates at a dead point. Never NaN.
-enum class Quantity { step, time, place, velocity, acceleration, angle, spin, spin_change };
+enum class ColumnKind { step, time, place, velocity, acceleration, angle, spin, spin_change };
 
 struct SolveTable {
   std::vector<std::string> columns;
-  std::vector<Quantity> quantities;  ///< of each column
+  std::vector<ColumnKind> kinds;  ///< of each column
   std::vector<std::vector<std::optional<double>>> rows;
 };
 
@@ -26,7 +26,7 @@ struct SolveTable {
 SolveTable solve_table(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run, int steps);
 
 /// Comma-separated, one header line; absent values are empty. Numbers are rounded at the 15th digit of the
-/// largest value of their quantity, where rounding errors begin.
+/// largest value of their kind, where rounding errors begin.
 std::string csv_text(const SolveTable& table);
 
 }  // namespace kempe

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""The rooms' order: a file includes only its own room and those below it, and the heavy libraries stay in their files."""
+"""The rooms' order: a file includes only its own room and those below it, the heavy libraries stay in their files, and no two
+types outside unnamed namespaces share a full name (the linker would silently take one's functions for the other's)."""
+import collections
 import pathlib
 import re
 import sys
@@ -10,6 +12,7 @@ HEAVY = {  # a library's headers -> the files that may include them
     r"nlopt": r"_backend\.cpp$",
     r"Ip[A-Z]|coin": r"_backend\.cpp$",
 }
+TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: :| \{|$)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 
@@ -26,12 +29,32 @@ def faults_of(path, room):
         yield f"{path}: only app/ writes to the terminal or exits"
 
 
+def types_in(path):
+    """The full names of the types a file defines at namespace level, outside unnamed namespaces."""
+    spaces = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if opened := re.match(r"(?:inline )?namespace(?: ([\w:]+))? \{", line):
+            spaces.append(opened[1])
+        elif line.startswith("}  // namespace"):
+            spaces.pop()
+        elif (named := TYPE.match(line)) and None not in spaces:
+            yield "::".join(spaces + [named[1]])
+
+
+def sources(folder):
+    return sorted(p for e in ("*.hpp", "*.cpp") for p in folder.rglob(e) if "node_modules" not in p.parts)
+
+
 def main(root):
-    faults = []
+    faults, homes = [], collections.defaultdict(list)
     for room in ROOMS:
-        for path in sorted(p for e in ("*.hpp", "*.cpp") for p in (root / room).rglob(e)):
-            if "node_modules" not in path.parts:
-                faults += faults_of(path, room)
+        for path in sources(root / room):
+            faults += faults_of(path, room)
+            for name in types_in(path):
+                homes[name].append(str(path))
+    for name, files in homes.items():
+        if len(files) > 1:
+            faults.append(f"{name} is defined more than once: {', '.join(files)}")
     print("\n".join(faults) or f"{len(ROOMS)} rooms in order")
     return 1 if faults else 0
 
