@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 #include <tuple>
+#include <utility>
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/design_check.hpp"
@@ -81,8 +82,9 @@ std::optional<CopyingLinkage> linkage_of(const Spec& spec, const SearchTask& tas
 
 }  // namespace
 
-SearchRun::SearchRun(const Spec& spec, const SearchOptions& options)
-    : space_(spec), options_(options), start_(std::chrono::steady_clock::now()), choices_(choices_of(spec)) {
+SearchRun::SearchRun(const Spec& spec, SearchOptions options)
+    : space_(spec), options_(std::move(options)), start_(std::chrono::steady_clock::now()),
+      choices_(choices_of(spec)) {
   stop_ = [this] {
     return (options_.stop && options_.stop->load(std::memory_order_relaxed)) ||
            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >

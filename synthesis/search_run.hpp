@@ -45,8 +45,8 @@ struct SearchTask {
 
 class SearchRun {
  public:
-  /// The options, and what they refer to, must outlive the run.
-  SearchRun(const Spec& spec, const SearchOptions& options);
+  /// What the options refer to (the flag that stops) must outlive the run.
+  SearchRun(const Spec& spec, SearchOptions options);
   SearchRun(const SearchRun&) = delete;
   SearchRun& operator=(const SearchRun&) = delete;
 
@@ -83,7 +83,7 @@ class SearchRun {
   void report(double share, std::string_view what) const;
 
   SearchSpace space_;
-  const SearchOptions& options_;
+  SearchOptions options_;
   std::chrono::steady_clock::time_point start_;
   StopFlag stop_;
   std::vector<ContactChoice> choices_;
