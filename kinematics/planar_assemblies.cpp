@@ -39,10 +39,10 @@ Surroundings surroundings_of(const PlanarLinkage& linkage) {
 
 PlanarPosition random_position(int bodies, const Surroundings& about, Uniform& uniform) {
   PlanarPosition position(static_cast<std::size_t>(bodies));
-  for (std::size_t body = 1; body < position.size(); ++body)
-    position[body] = {
-        about.centre + Point(uniform(-about.reach, about.reach), uniform(-about.reach, about.reach)),
-        uniform(-pi, pi)};
+  for (std::size_t body = 1; body < position.size(); ++body) {
+    const double y = uniform(-about.reach, about.reach), x = uniform(-about.reach, about.reach);
+    position[body] = {about.centre + Point(x, y), uniform(-pi, pi)};
+  }
   return position;
 }
 

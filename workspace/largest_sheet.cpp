@@ -71,7 +71,8 @@ class SheetFinder {
     place.half_height = half_height_at(place.centre, place.turn, size);
     for (double step = size / pixels; step > 1e-6 * size; step *= 0.5) {
       for (int failures = 0; failures < 24;) {
-        const Point centre = place.centre + step * Point(unit(), unit());
+        const double down = unit(), across = unit();
+        const Point centre = place.centre + step * Point(across, down);
         const double turn = place.turn + (may_turn ? 4 * step / size * unit() : 0);
         const double half_height = half_height_at(centre, turn, size);
         if (half_height > place.half_height) {
