@@ -6,14 +6,9 @@
 namespace kempe {
 namespace {
 
-constexpr double kantorovich_limit = 0.4;  ///< omega eta; the theorem asks for 1/2
-constexpr double longest_step = 0.2;       ///< eta, rad: keeps the ball of 2 eta inside the 1/2 of the bends
-constexpr double ball = 0.5;               ///< rad, within which the bends hold
-constexpr double singular_turn = 1e-8;     ///< rad: a certified step this short means a singular position
-constexpr double crossing_share =
-    1e-5;                              ///< drivers' part of the left null vector below which assemblies cross
-constexpr double nearby = 0.01;        ///< omega times the distance at which other factors still serve
-constexpr double least_weight = 0.02;  ///< of a body that does not turn at all
+constexpr double crossing_share = 1e-5;  ///< drivers' part of the left null vector where assemblies cross
+constexpr double nearby = 0.01;          ///< omega times the distance at which other factors still serve
+constexpr double rounding_turn = 1e-8;   ///< rad, that rounding may add to a step; no other position is near
 constexpr int most_corrections = 24;
 constexpr double rounding = 2.220446049250313e-16;
 
@@ -105,9 +100,7 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
 }
 
 PlanarPath::PlanarPath(PlanarEquations equations, Eigen::VectorXd q)
-    : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_) {
-  weights_.setOnes(static_cast<Eigen::Index>(equations_.angle_bends().size()));
-  load_.setOnes(weights_.size());
+    : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_), certificate_(equations_) {
   linearise();
   orientation_ = factors_.sign();
 }
@@ -119,129 +112,37 @@ Point PlanarPath::at(const BodyPoint& point) const {
          Point(c * point.local.x() - s * point.local.y(), s * point.local.x() + c * point.local.y());
 }
 
+bool PlanarPath::is_exact() const { return base_.size() == q_.size() && base_ == q_; }
+
+bool PlanarPath::is_measured() const {
+  return certificate_.anchor().size() == base_.size() && certificate_.anchor() == base_;
+}
+
 /// J and its factors at q_; false if J is singular to rounding.
 bool PlanarPath::linearise() {
-  if (!exact_) {
+  if (!is_exact()) {
     equations_.residual_and_jacobian(q_, f_, jacobian_);
     factors_.compute(jacobian_);
     base_ = q_;
-    exact_ = true;
-    anchored_ = false;
   }
   return factors_.sign() != 0;
 }
 
-/// The norm of the step control: the largest turn of a body whose angle bends something, over its weight, and
-/// the largest shift (in sizes) of a body whose place does.
-double PlanarPath::longest(const Eigen::VectorXd& change) const {
-  double result = 0;
-  for (std::size_t body = 1; body < equations_.angle_bends().size(); ++body) {
-    const Eigen::Index x = 3 * static_cast<Eigen::Index>(body) - 3;
-    if (equations_.angle_bends()[body])
-      result = std::max(result, std::abs(change[x + 2]) / weights_[static_cast<Eigen::Index>(body)]);
-    if (equations_.place_bends()[body])
-      result = std::max(result, change.segment<2>(x).norm() / equations_.size());
-  }
-  return result;
+void PlanarPath::measure() { certificate_.measure(equations_, factors_, base_, q_); }
+
+/// How far the factors are from q_, rad, under the weights.
+double PlanarPath::apart() {
+  step_ = q_ - base_;
+  return certificate_.length(step_);
 }
 
-/// The gains at the place of the factors, from the rows of J^-1 and the bends.
-void PlanarPath::measure_gains() {
-  const Eigen::Index square = q_.size();
-  const auto bodies = static_cast<Eigen::Index>(equations_.angle_bends().size());
-  equations_.bends(base_, bends_);
-  gains_.setZero(2 * bodies, bodies);
-  const auto add_gains = [&](Eigen::Index unknown, auto&& row) {
-    factors_.inverse_row(unknown, inverse_row_);
-    for (const auto& bend : bends_) {
-      const double first = bend.row < square ? inverse_row_[bend.row] : 0;
-      const double second =
-          bend.second_row >= 0 && bend.second_row < square ? inverse_row_[bend.second_row] : 0;
-      row[bend.body] += bend.bound * std::sqrt(first * first + second * second);
-    }
-  };
-  for (Eigen::Index body = 1; body < bodies; ++body) {
-    const Eigen::Index x = 3 * body - 3;
-    if (equations_.angle_bends()[static_cast<std::size_t>(body)]) add_gains(x + 2, gains_.row(2 * body));
-    if (!equations_.place_bends()[static_cast<std::size_t>(body)]) continue;
-    load_.setZero();
-    add_gains(x, gains_.row(2 * body + 1));
-    add_gains(x + 1, load_);
-    for (Eigen::Index b = 0; b < bodies; ++b)
-      gains_(2 * body + 1, b) = std::hypot(gains_(2 * body + 1, b), load_[b]) / equations_.size();
-  }
-  anchor_ = base_;
-  anchored_ = true;
-}
-
-/// omega at the anchor under the weights, and how far q_ is from it.
-void PlanarPath::weigh() {
-  load_ = weights_.cwiseAbs2();
-  bending_ = 0;
-  for (Eigen::Index body = 1; body < weights_.size(); ++body) {
-    bending_ = std::max(bending_, gains_.row(2 * body).dot(load_) / weights_[body]);
-    if (equations_.place_bends()[static_cast<std::size_t>(body)])
-      bending_ = std::max(bending_, gains_.row(2 * body + 1).dot(load_));
-  }
-  step_ = q_ - anchor_;
-  moved_ = longest(step_);
-}
-
-void PlanarPath::weigh_alike() {
-  if (alike_) return;
-  weights_.setOnes();
-  alike_ = true;
-  if (anchor_.size() > 0) weigh();
-}
-
-/// Weighs each body by its turn in a Newton step and what the bends may add to it.
-void PlanarPath::weigh_by(const Eigen::VectorXd& step) {
-  const auto bodies = weights_.size();
-  const auto turn = [&](Eigen::Index body) { return std::abs(step[3 * body - 1]); };
-  load_.setZero();
-  for (Eigen::Index body = 1; body < bodies; ++body) load_[body] = turn(body) * turn(body);
-  double largest = 0;
-  for (Eigen::Index body = 1; body < bodies; ++body) {
-    weights_[body] = turn(body) + gains_.row(2 * body).dot(load_);
-    largest = std::max(largest, weights_[body]);
-  }
-  if (!(largest > 0)) largest = 1;  // nothing turns: all weigh the same little
-  for (Eigen::Index body = 1; body < bodies; ++body)
-    weights_[body] = std::max(weights_[body] / largest, least_weight);
-  alike_ = false;
-  weigh();
-}
-
-/// omega at q_ carried over from the anchor; negative if it has to be computed anew.
-double PlanarPath::bending_here() const {
-  if (anchor_.size() == 0 || bending_ * moved_ > 0.3) return -1;
-  return bending_ / (1 - bending_ * moved_);
-}
-
-/// How long a first Newton step of at most `reach` may be under the weights, rad; 0 at a singular position.
-/// The step was computed with the factors of a place `apart` from q_, so that the true one is longer by up to
-/// |J(q)^-1 J(base)| <= 1 + omega apart.
-double PlanarPath::certified_step(double reach) {
-  const double omega = bending_here();
-  if (omega < 0) return 0;
-  double longer = 1;
-  if (!exact_) {
-    step_ = q_ - base_;
-    longer += omega * longest(step_);
-    factors_serve_ &= longer <= 1 + nearby;
-  }
-  double allowed = omega * longest_step > kantorovich_limit ? kantorovich_limit / omega : longest_step;
-  allowed = std::min({allowed / longer, 0.5 * (ball - moved_), reach});
-  return allowed > std::min(singular_turn, 0.5 * reach) ? allowed : 0;
-}
-
-/// The same, with gains of this place if older ones do not allow it all.
-double PlanarPath::allowed_step(double reach) {
-  reach_ = certified_step(reach);
-  if (reach_ < reach && !anchored_) {
-    measure_gains();
-    weigh();
-    reach_ = certified_step(reach);
+/// The part of a first Newton step so long that may be taken; by gains of this place if older ones do not allow it
+/// all.
+double PlanarPath::allowed(double length) {
+  reach_ = certificate_.allowed(length, apart());
+  if (reach_ < length && !is_measured()) {
+    measure();
+    reach_ = certificate_.allowed(length, apart());
   }
   return reach_;
 }
@@ -249,26 +150,24 @@ double PlanarPath::allowed_step(double reach) {
 /// The share of a way that one step may take, `step` being Newton's first step for the whole of it; 0 at a
 /// singular position. Cheap certificates first: plain, weighed, then both with gains of this place.
 double PlanarPath::share_of(const Eigen::VectorXd& step) {
-  const auto share_under_weights = [&] {
-    const double reach = longest(step);
-    if (!std::isfinite(reach)) return 0.0;
-    reach_ = certified_step(reach);
-    return reach_ < reach ? reach_ / reach : 1.0;
+  const auto share = [&] {
+    const double length = certificate_.length(step);
+    if (!std::isfinite(length)) return 0.0;
+    reach_ = certificate_.allowed(length, apart());
+    return reach_ < length ? reach_ / length : 1.0;
   };
-  for (;;) {
-    double plain = 0;
-    if (anchor_.size() > 0) {
-      weigh_alike();
-      plain = share_under_weights();
-      if (plain >= 1 || reach_ >= longest_step) return plain;
-      weigh_by(step);
-      const double weighed = share_under_weights();
-      if (weighed >= 1 || (anchored_ && weighed > plain)) return weighed;
-    }
-    weigh_alike();
-    if (anchored_) return share_under_weights();
-    measure_gains();
-    weigh();
+  if (certificate_.anchor().size() == 0) measure();
+  for (;; measure()) {
+    certificate_.weigh_alike();
+    const double plain = share();
+    if (plain >= 1 || reach_ >= StepCertificate::longest) return plain;
+    certificate_.weigh_by(step);
+    const double weighed = share();
+    if (weighed >= 1) return weighed;
+    if (!is_measured()) continue;
+    if (weighed > plain) return weighed;
+    certificate_.weigh_alike();
+    return share();
   }
 }
 
@@ -279,22 +178,23 @@ double PlanarPath::reach_of(int driver, double way) {
   step_.setZero(q_.size());
   step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * way * growth;
   factors_.solve(step_, trial_);
-  return longest(trial_);
+  return certificate_.length(trial_);
 }
 
 /// The share of a way whose first Newton step is at most a t + b t^2 long over a share t, up to `left`.
 double PlanarPath::share_of(double a, double b, double left) {
   const double reach = (a + b * left) * left;
   if (!std::isfinite(reach)) return 0;
-  const double allowed = allowed_step(reach);
-  return reach <= allowed ? left : 2 * allowed / (a + std::sqrt(a * a + 4 * b * allowed));
+  const double taken = allowed(reach);
+  return reach <= taken ? left : 2 * taken / (a + std::sqrt(a * a + 4 * b * taken));
 }
 
 /// The share of the straight way to the target that one step may take, 0 at a singular position.
 double PlanarPath::straight_share(const std::vector<double>& target) {
   const std::vector<double>& now = equations_.values();
+  way_ = 0;
   if (equations_.has_distance_driver()) {
-    weigh_alike();
+    certificate_.weigh_alike();
     double reach = 0;
     for (std::size_t i = 0; i < target.size(); ++i)
       reach += reach_of(static_cast<int>(i), std::abs(target[i] - now[i]));
@@ -314,7 +214,8 @@ double PlanarPath::straight_share(const std::vector<double>& target) {
 double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
   const double left = 1 - covered;
   double a = 0, b = 0;
-  weigh_alike();
+  way_ = 0;
+  certificate_.weigh_alike();
   if (curve.slopes_at && !equations_.has_distance_driver()) {
     curve.slopes_at(covered, slopes_);
     step_.setZero(q_.size());
@@ -323,7 +224,7 @@ double PlanarPath::curve_share(const DriverCurve& curve, double covered) {
       step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * slopes_[i];
     }
     factors_.solve(step_, trial_);
-    a = longest(trial_);
+    a = certificate_.length(trial_);
     for (std::size_t i = 0; i < slopes_.size(); ++i)
       if (curve.most_bent[i] > 0) b += 0.5 * reach_of(static_cast<int>(i), curve.most_bent[i]);
   } else {
@@ -363,7 +264,6 @@ bool PlanarPath::correct(const std::vector<double>& values, double share) {
   const double exact = 4 * rounding * magnitude_of(q_, equations_.size());
   double previous = predict(share), gain = 0;     // gain: of the last step
   bool bent = way_ > 0 && curvature_.size() > 0;  // the first point is better than Newton's
-  exact_ = false;
   for (int i = 0; i < most_corrections; ++i) {
     const bool renew = bent || previous * gain * gain > exact;
     if (renew)
@@ -374,7 +274,7 @@ bool PlanarPath::correct(const std::vector<double>& values, double share) {
     if (now <= exact || (now > 0.25 * previous && previous <= 64 * exact)) {
       learn_curvature(share);
       step_ = trial_ - q_;
-      return longest(step_) <= 2.5 * reach_ + singular_turn;
+      return certificate_.length(step_) <= 2 * reach_ + rounding_turn;
     }
     if (bent && now > 0.1 * previous) {  // the path bends otherwise here
       curvature_.resize(0);
@@ -390,7 +290,6 @@ bool PlanarPath::correct(const std::vector<double>& values, double share) {
     if (renew) {
       factors_.compute(jacobian_);
       base_ = trial_;
-      anchored_ = false;
       gain = 0;
     }
     factors_.solve(trial_f_, change_);
@@ -404,7 +303,7 @@ bool PlanarPath::correct(const std::vector<double>& values, double share) {
 /// What the constraints that are not solved for may be off, mm: looser than Newton's own residual, since they
 /// only follow from the others, and looser the nearer a singular position is.
 double PlanarPath::closing_limit() const {
-  return 1e-12 * (1 + std::max(bending_, 0.0)) * magnitude_of(q_, equations_.size());
+  return 1e-12 * (1 + std::max(certificate_.bending(), 0.0)) * magnitude_of(q_, equations_.size());
 }
 
 /// At a singular position the left null vector tells: a dead point resists the drivers, a change point does
@@ -429,10 +328,7 @@ PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) {
 void PlanarPath::accept() {
   q_.swap(trial_);
   f_.swap(trial_f_);
-  if (anchor_.size() > 0) {
-    step_ = q_ - anchor_;
-    moved_ = longest(step_);
-  }
+  certificate_.stand_at(q_);
   ++steps_;
 }
 
@@ -450,12 +346,10 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
     return stopped(kind_of_singularity(next));
   };
   while (covered < 1) {
-    // The factors of the last correction will do where they are near enough, which the certificate tells.
-    factors_serve_ = (exact_ || base_.size() > 0) && factors_.sign() != 0;
-    if (!factors_serve_ && !linearise()) return singular();
-    way_ = 0;
+    // The factors of the last correction will do where they are near enough.
+    if ((base_.size() == 0 || factors_.sign() == 0) && !linearise()) return singular();
     double share = certified_share(covered);
-    if (!factors_serve_ || !(share > 0)) {
+    if (!is_exact() && (!(share > 0) || certificate_.bending() * apart() > nearby)) {
       if (!linearise()) return singular();
       share = certified_share(covered);
     }

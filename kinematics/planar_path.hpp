@@ -1,20 +1,8 @@
 #pragma once
 // Moving a linkage by its drivers without ever changing its assembly.
 //
-// Each step is certified by the Newton-Kantorovich theorem: with J the Jacobian at the last good position q,
-// eta the length of Newton's first step towards the new driver values and omega a bound of how strongly J^-1
-// F bends (known in advance: a joint bends only with the angles of its bodies, at most by the joint's arm),
-//   omega eta < 1/2
-// says that the closed position moves continuously from q to exactly one position in the ball of radius 2
-// eta, that J stays regular on the way, and that no other lies in that ball. Steps that are too long for this
-// are cut, so a path either arrives on its own assembly or stops at a singular position; it cannot jump.
-// (Rounding is not part of the proof.)
-//
-// The theorem holds in any norm. Where the plain one (the largest turn of a body) does not allow a whole step,
-// bodies are weighed by how far they turn in it: |v| = max |v_b| / w_b with 0 < w_b <= 1. With g_ab the gain
-// of body a's angle from the bends of body b,
-//   omega = max_a (1 / w_a) sum_b g_ab w_b^2
-// so that a body that hardly turns does not pay for one that turns fast.
+// Each step is certified (step_certificate.hpp): steps that are too long are cut, so a path either arrives on its own
+// assembly or stops at a singular position; it cannot jump.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -25,6 +13,7 @@
 #include "kinematics/planar_equations.hpp"
 #include "kinematics/planar_factors.hpp"
 #include "kinematics/planar_solver.hpp"
+#include "kinematics/step_certificate.hpp"
 
 namespace kempe {
 
@@ -116,19 +105,16 @@ class PlanarPath {
  private:
   PlanarPath(PlanarEquations equations, Eigen::VectorXd q);
 
+  bool is_exact() const;     ///< the factors are those at q_
+  bool is_measured() const;  ///< the gains are those at the factors' place
   bool linearise();
-  void measure_gains();
-  void weigh();
-  void weigh_alike();
-  void weigh_by(const Eigen::VectorXd& step);
+  void measure();
+  double apart();
+  double allowed(double length);
   double share_of(const Eigen::VectorXd& step);
   double share_of(double a, double b, double left);
-  double bending_here() const;
   template <class Share, class Values>
   tl::expected<void, PathStop> move(const Share& certified_share, const Values& values_at);
-  double longest(const Eigen::VectorXd& change) const;
-  double certified_step(double reach);
-  double allowed_step(double reach);
   double reach_of(int driver, double way);
   double straight_share(const std::vector<double>& target);
   double curve_share(const DriverCurve& curve, double covered);
@@ -140,25 +126,14 @@ class PlanarPath {
   PathEnd kind_of_singularity(const std::vector<double>& target);
 
   PlanarEquations equations_;
-  Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_, inverse_row_;
+  Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_;
   Eigen::MatrixXd jacobian_;
   PlanarFactors factors_;
-  std::vector<PlanarEquations::Bend> bends_;
+  StepCertificate certificate_;
   std::vector<double> slopes_;
+  Eigen::VectorXd base_;       ///< where factors_ were computed; empty: nowhere
   Eigen::VectorXd first_;      ///< Newton's first step for the whole way ahead, if straight
   Eigen::VectorXd curvature_;  ///< of the last step, per mm^2 of way; empty: not known
-  Eigen::VectorXd base_;       ///< where factors_ were computed; empty: nowhere
-  Eigen::VectorXd anchor_;     ///< where gains_ were computed; empty: nowhere
-  /// g, 1/rad: a row a body (its angle, then its place), a column a bend's body
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> gains_;
-  Eigen::VectorXd weights_;    ///< w of each body; 1 for the ground, which stands for bends of several
-  Eigen::VectorXd load_;       ///< w^2, then g w^2
-  double bending_ = -1;        ///< omega at the anchor under the weights, 1/rad; -1: not computed
-  double moved_ = 0;           ///< from the anchor under the weights, rad
-  bool alike_ = true;          ///< all weights are 1
-  bool exact_ = false;         ///< factors_, jacobian_ and f_ are those at q_
-  bool factors_serve_ = true;  ///< they are near enough to q_ for the certificate
-  bool anchored_ = false;      ///< the anchor is where the factors are
   double way_ = 0;    ///< largest change of a driver's equation over the way, mm; 0: first_ not known
   double reach_ = 0;  ///< bound of Newton's first step of the share taken, rad, under the weights
   int orientation_ = 1;
