@@ -69,7 +69,7 @@ class StepCertificate {
   Eigen::VectorXd weights_;  ///< w of each body; 1 for the ground, which stands for bends of several
   Eigen::VectorXd load_;     ///< room for w^2 and the like
   Eigen::VectorXd anchor_;
-  Eigen::VectorXd way_;      ///< from the anchor
+  Eigen::VectorXd way_;  ///< from the anchor
   Eigen::VectorXd inverse_row_;
   std::vector<PlanarEquations::Bend> bends_;
   double bending_ = 0;  ///< omega at the anchor under the weights, 1/rad
