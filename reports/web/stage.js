@@ -108,10 +108,11 @@
           const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support) * px;
           return [this.pose[i][0] + x * reach, this.pose[i][1] + y * reach];
         };
-        // Another side, before the window's edge pushes the words over what they name.
-        const [x, y] = away, sides = [[x, y], [-y, x], [y, -x], [-x, -y]].map(beside);
-        const inside = sides.find((at) => this.kept(at, half).every((value, axis) => value === at[axis]));
-        return this.kept(inside || sides[0], half);
+        // Another side, before the window's edge pushes the words over what they name, or over the map's own words.
+        const turned = (part) => [away[0] * Math.cos(part) - away[1] * Math.sin(part), away[0] * Math.sin(part) + away[1] * Math.cos(part)];
+        const sides = [0, 1, -1, 2, -2, 3, -3, 4].map((eighth) => beside(turned((eighth * Math.PI) / 4)));
+        const inside = sides.filter((at) => this.kept(at, half).every((value, axis) => value === at[axis]));
+        return inside.find((at) => this.isClear(at, half)) || inside[0] || this.kept(sides[0], half);
       };
       const css = `live-label ${role}`;
       return this.board.create("text", [() => place()[0], () => place()[1], words], {
@@ -125,6 +126,12 @@
       const [x1, y1, x2, y2] = this.board.getBoundingBox(), px = this.pixel(), [wide, high] = [half[0] * px, half[1] * px];
       const into = (value, lower, upper, slack) => (value < lower - slack || value > upper + slack ? value : Math.min(upper, Math.max(lower, value)));
       return [into(x, x1 + wide, x2 - wide, 2 * wide), into(y, y2 + high, y1 - high, 2 * high)];
+    }
+
+    /** Whether a box of half size `half` (px) covers no word of the static map. */
+    isClear([x, y], half) {
+      const [wide, high] = half.map((size) => size * this.pixel());
+      return this.words.every((box) => box.width === 0 || x + wide < box.x || x - wide > box.x + box.width || -y + high < box.y || -y - high > box.y + box.height);
     }
 
     freeSide(i, neighbours) {
@@ -144,6 +151,7 @@
     /** Shows a pose and what is too near in it. */
     show(pose, tooNear) {
       this.pose = pose;
+      this.words = [...this.map.querySelectorAll(".words .name")].map((node) => node.getBBox());
       this.joints.forEach(({ point }, i) => point.setPositionDirectly(JXG.COORDS_BY_USER, pose[i]));
       this.marks.forEach((mark, i) => (mark.at = tooNear[i] || null));
       const touching = new Set(tooNear.flatMap(({ names }) => names));
