@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/overloaded.hpp"
+
 namespace kempe {
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 14 does not deduce it by itself
 
 Point left_of(const Point& v) { return {-v.y(), v.x()}; }
 

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/overloaded.hpp"
+
 namespace kempe {
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 14 does not deduce it by itself
 
 double value_of(const Constraint& constraint) {
   return std::visit(

@@ -6,15 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/overloaded.hpp"
+
 namespace kempe {
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 14 does not deduce it by itself
 
 Point direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 Point normal_of(double angle) { return {-std::sin(angle), std::cos(angle)}; }
