@@ -62,11 +62,16 @@ OutlineShape straight_outline(const std::string& layer, const Ring& ring) {
   return shape;
 }
 
+/// Regions are there to look at: corners that no eye tells apart would only burden the program that opens the file.
 void add_region(Drawing& drawing, const DrawingLayer& layer, const Region& region) {
   drawing.layers.push_back(layer);
+  if (region.empty()) return;
+  const Box box = bounding_box(region);
+  const double detail = std::min(0.01, 1e-4 * (box.upper - box.lower).norm());
   for (const Polygon& polygon : region.polygons) {
-    drawing.shapes.push_back(straight_outline(layer.name, polygon.outer));
-    for (const Ring& hole : polygon.holes) drawing.shapes.push_back(straight_outline(layer.name, hole));
+    drawing.shapes.push_back(straight_outline(layer.name, thinned(polygon.outer, detail)));
+    for (const Ring& hole : polygon.holes)
+      drawing.shapes.push_back(straight_outline(layer.name, thinned(hole, detail)));
   }
 }
 

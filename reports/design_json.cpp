@@ -183,20 +183,23 @@ Json tool_json(const std::optional<ToolAdvice>& tool) {
 }  // namespace
 
 std::string design_json(const Design& design) {
-  const Json json{{"format", "kempe-design/1"},
-                  {"copy", copy_json(design)},
-                  {"region", multi_polygon(design.region)},
-                  {"mechanism", mechanism_json(design)},
-                  {"quality", quality_json(design)},
-                  {"workspace", workspace_json(design.map)},
-                  {"verification", verification_json(design.verification)},
-                  {"search", search_json(design.search)},
-                  {"limits", limits_json(design.limits)},
-                  {"tolerance", tolerance_json(design.tolerance)},
-                  {"obstacles", obstacles_json(design.obstacles)},
-                  {"why_not_fewer_layers", design.why_not_fewer_layers},
-                  {"tool", tool_json(design.tool)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  Json json{{"format", "kempe-design/1"},
+            {"copy", copy_json(design)},
+            {"region", multi_polygon(design.region)},
+            {"mechanism", mechanism_json(design)},
+            {"quality", quality_json(design)},
+            {"workspace", workspace_json(design.map)},
+            {"verification", verification_json(design.verification)},
+            {"search", search_json(design.search)},
+            {"limits", limits_json(design.limits)},
+            {"tolerance", tolerance_json(design.tolerance)},
+            {"obstacles", obstacles_json(design.obstacles)},
+            {"why_not_fewer_layers", design.why_not_fewer_layers},
+            {"tool", tool_json(design.tool)}};
+  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  json = nullptr;        // a region of a million corners is large: neither it nor spare room
+  text.shrink_to_fit();  // may stay while the other files are made
+  return text;
 }
 
 }  // namespace kempe

@@ -20,12 +20,8 @@ Json interval(const OpeningInterval& openings) { return Json::array({openings.lo
 /// Corners at least `detail` apart, rounded to a thousandth of a millimetre.
 Json ring(const Ring& corners, double detail) {
   Json points = Json::array();
-  const Point* last = nullptr;
-  for (const Point& at : corners) {
-    if (last != nullptr && (at - *last).norm() < detail) continue;
-    last = &at;
+  for (const Point& at : thinned(corners, detail))
     points.push_back({std::round(at.x() * 1000) / 1000, std::round(at.y() * 1000) / 1000});
-  }
   return points;
 }
 

@@ -1,5 +1,7 @@
 #include "reports/workspace_geojson.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -13,16 +15,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A feature becomes text when the next one comes: regions may have a million corners, whose JSON is large.
 class Features {
  public:
   explicit Features(double tolerance) : tolerance_(tolerance) {}
 
-  /// Adds a feature; returns its properties for more.
+  /// Adds a feature; returns its properties for more, until the next is added.
   Json& add(std::string_view layer, Json geometry) {
-    list_.push_back({{"type", "Feature"},
-                     {"properties", {{"layer", layer}, {"tolerance_mm", tolerance_}}},
-                     {"geometry", std::move(geometry)}});
-    return list_.back()["properties"];
+    write_last();
+    last_ = {{"type", "Feature"},
+             {"properties", {{"layer", layer}, {"tolerance_mm", tolerance_}}},
+             {"geometry", std::move(geometry)}};
+    return last_["properties"];
   }
   Json& add(std::string_view layer, const Region& region) {
     Json& properties = add(layer, multi_polygon(region));
@@ -32,11 +36,23 @@ class Features {
   Json& add(std::string_view layer, const ArcRegion& region, Flatten side) {
     return add(layer, flattened(region, tolerance_, side));
   }
-  Json take() { return std::move(list_); }
+  /// The features' texts with commas between them; nothing is left here.
+  std::string take() {
+    write_last();
+    return std::move(text_);
+  }
 
  private:
+  void write_last() {
+    if (last_.is_null()) return;
+    if (!text_.empty()) text_ += ',';
+    text_ += last_.dump(-1, ' ', false, Json::error_handler_t::replace);
+    last_ = nullptr;
+  }
+
   double tolerance_;
-  Json list_ = Json::array();
+  Json last_;
+  std::string text_;
 };
 
 /// A circle about the pole as a line whose points lie on it, within the tolerance of it between them.
@@ -133,11 +149,10 @@ std::string workspace_geojson(const Design& design, double tolerance) {
   add_sheets(features, map.largest_sheets);
   add_tightest(features, map);
   add_contours(features, design, tolerance);
-  const Json collection{{"type", "FeatureCollection"},
-                        {"units", "mm"},
-                        {"tolerance_mm", tolerance},
-                        {"features", features.take()}};
-  return collection.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string text = features.take();
+  text.insert(0, fmt::format(R"({{"type":"FeatureCollection","units":"mm","tolerance_mm":{},"features":[)",
+                             Json(tolerance).dump()));
+  return text += "]}\n";
 }
 
 }  // namespace kempe

@@ -114,6 +114,13 @@ double area(const Region& region) {
   return sum;
 }
 
+Ring thinned(const Ring& ring, double detail) {
+  Ring kept;
+  for (const Point& corner : ring)
+    if (kept.empty() || (corner - kept.back()).norm() >= detail) kept.push_back(corner);
+  return kept;
+}
+
 Box bounding_box(const Region& region) {
   Box box{Point::Constant(infinity), Point::Constant(-infinity)};
   for (const Polygon& polygon : region.polygons) {

@@ -71,6 +71,26 @@ TEST(DesignDrawing, StatesRatioRotationUnitsLayersAndLengths) {
     EXPECT_NE(dxf.find(words), std::string::npos) << words;
 }
 
+TEST(DesignDrawing, LeavesOutCornersOfTheRegionThatNoEyeTellsApart) {
+  Design design = plagiograph();
+  const Point centre(70, 0);
+  Ring ring;
+  for (int i = 0; i < 200'000; ++i) ring.push_back(centre + as_point(std::polar(5.0, 2 * pi * i / 200'000)));
+  design.region = Region{{{ring, {}}}};
+  for (const Shape& shape : design_drawing(design).shapes) {
+    const auto* outline = std::get_if<OutlineShape>(&shape);
+    if (outline == nullptr || outline->layer != "REGION" || outline->ring.size() == 4)
+      continue;  // 4: a frame
+    EXPECT_LT(outline->ring.size(), 25'000U);
+    ASSERT_GT(outline->ring.size(), 3'000U);
+    const Box box = bounding_box(outline->ring);
+    for (std::size_t i = 1; i < outline->ring.size(); ++i) {
+      EXPECT_NEAR((outline->ring[i].at - 0.5 * (box.lower + box.upper)).norm(), 5, 1e-5);
+      EXPECT_LT((outline->ring[i].at - outline->ring[i - 1].at).norm(), 0.002);
+    }
+  }
+}
+
 TEST(DesignDrawing, IsTheSameInSvg) {
   const std::string svg = svg_text(design_drawing(plagiograph()), "a <b> & \"c\"");
   EXPECT_NE(svg.find("<title>a &lt;b&gt; &amp; &quot;c&quot;</title>"), std::string::npos);
