@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -98,75 +99,121 @@ class PolarBins {
   std::vector<int> change_;
 };
 
-/// A convex piece of a link at rest, grown by `half_width`; the pole at the origin.
-struct GrownPiece {
-  std::array<Point, 3> corner;
-  int count;
-  double half_width;
+/// A convex piece of a link at rest, grown by `half_width`; the pole at the origin. Three corners run counter-clockwise.
+class GrownPiece {
+ public:
+  GrownPiece(const std::array<Point, 3>& corners, int count, double half_width)
+      : count_(count), half_width_(half_width) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      Side& side = sides_[i];
+      side.from = corners[i];
+      side.along = corners[(i + 1) % size()] - corners[i];
+      side.length = side.along.norm();
+      if (side.length > 0) side.along /= side.length;
+      side.outward = {side.along.y(), -side.along.x()};
+      side.height = side.outward.dot(side.from) + half_width;
+      side.away = side.from.norm();
+      side.from_bearing = std::atan2(side.from.y(), side.from.x());
+      side.outward_bearing = std::atan2(side.outward.y(), side.outward.x());
+    }
+  }
 
-  double distance(const Point& point) const {
-    double least = 1e300;
-    bool inside = count == 3;
-    for (int i = 0; i < count; ++i) {
-      const Point &a = corner[static_cast<std::size_t>(i)],
-                  &b = corner[static_cast<std::size_t>((i + 1) % count)];
-      const Point along = b - a;
-      const double share =
-          std::clamp((point - a).dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-      least = std::min(least, (point - a - share * along).norm());
-      inside = inside && cross(along, point - a) > 0;
+  /// How near to the pole and how far from it the piece comes.
+  double nearest() const { return std::max(0.0, std::sqrt(squared_distance(Point::Zero())) - half_width_); }
+  double farthest() const {
+    double far = 0;
+    for (std::size_t i = 0; i < size(); ++i) far = std::max(far, sides_[i].away);
+    return far + half_width_;
+  }
+
+  /// The angles of the circle of radius rho about the pole that lie in the piece; replaces `found`.
+  void angles_in(double rho, std::vector<Bearings>& found) const {
+    found.clear();
+    Crossings angles;
+    crossings(rho, angles);
+    if (angles.count == 0) {
+      if (has(rho, 0)) found.push_back({0, 2 * pi});
+      return;
+    }
+    for (std::size_t i = 0; i < angles.count; ++i) {
+      const double from = angles.at[i], to = i + 1 < angles.count ? angles.at[i + 1] : angles.at[0] + 2 * pi;
+      if (!has(rho, 0.5 * (from + to))) continue;
+      if (!found.empty() && found.back().to == from)
+        found.back().to = to;
+      else
+        found.push_back({from, to});
+    }
+  }
+
+ private:
+  /// A corner and the straight outline beside the edge that leaves it.
+  struct Side {
+    Point from = Point::Zero(), along = Point::Zero(), outward = Point::Zero();
+    double length = 0, height = 0;  ///< of the edge; of the outline's line over the pole
+    double away = 0, from_bearing = 0, outward_bearing = 0;
+  };
+  struct Crossings {
+    std::array<double, 12> at;
+    std::size_t count = 0;
+    void add(double angle) { at[count++] = angle - 2 * pi * std::floor(angle / (2 * pi)); }
+  };
+
+  std::size_t size() const { return static_cast<std::size_t>(count_); }
+
+  double squared_distance(const Point& point) const {
+    double least = std::numeric_limits<double>::infinity();
+    bool inside = count_ == 3;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Side& side = sides_[i];
+      const Point from = point - side.from;
+      const double share = std::clamp(from.dot(side.along), 0.0, side.length);
+      least = std::min(least, (from - share * side.along).squaredNorm());
+      inside = inside && side.outward.dot(from) < 0;
     }
     return inside ? 0 : least;
   }
+
+  bool has(double rho, double bearing) const {
+    return squared_distance(rho * Point(std::cos(bearing), std::sin(bearing))) <= half_width_ * half_width_;
+  }
+
+  /// Angles at which the circle passes the outline, in rising order: its straight parts and its round corners. What
+  /// rounding puts at an end of both is listed twice, which does no harm.
+  void crossings(double rho, Crossings& found) const {
+    const double slack = 1e-9 * (rho + half_width_);
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Side &side = sides_[i], &before = sides_[(i + size() - 1) % size()];
+      if (side.away > 0) {
+        // The circle passes that of the corner at two points, beyond both edges where they are of the outline.
+        const double forth =
+            (rho * rho + side.away * side.away - half_width_ * half_width_) / (2 * side.away);
+        if (std::abs(forth) < rho) {
+          const double aside = std::sqrt(rho * rho - forth * forth), half = std::acos(forth / rho);
+          const Point ahead = side.from / side.away, left(-ahead.y(), ahead.x());
+          for (const double sign : {-1.0, 1.0}) {
+            const Point out = forth * ahead + sign * aside * left - side.from;
+            if (out.dot(side.along) <= slack && out.dot(before.along) >= -slack)
+              found.add(side.from_bearing + sign * half);
+          }
+        }
+      }
+      if (side.length > 0 && std::abs(side.height) < rho) {
+        const double aside = std::sqrt(rho * rho - side.height * side.height),
+                     half = std::acos(side.height / rho);
+        const double start = side.from.dot(side.along);
+        for (const double sign : {-1.0, 1.0}) {  // `along` lies a quarter turn ahead of `outward`
+          const double share = sign * aside - start;
+          if (share >= -slack && share <= side.length + slack) found.add(side.outward_bearing + sign * half);
+        }
+      }
+    }
+    std::sort(found.at.begin(), found.at.begin() + static_cast<std::ptrdiff_t>(found.count));
+  }
+
+  std::array<Side, 3> sides_;
+  int count_;
+  double half_width_;
 };
-
-/// Angles at which the circle of radius rho about the origin passes the outline of the piece, in rising
-/// order.
-std::vector<double> crossings(const GrownPiece& piece, double rho) {
-  std::vector<double> angles;
-  for (int i = 0; i < piece.count; ++i) {
-    const Point& a = piece.corner[static_cast<std::size_t>(i)];
-    const Point& b = piece.corner[static_cast<std::size_t>((i + 1) % piece.count)];
-    const double away = a.norm(), h = piece.half_width;
-    const double cosine = (rho * rho + away * away - h * h) / (2 * rho * away);
-    if (away > 0 && std::abs(cosine) < 1) {
-      const double direction = std::atan2(a.y(), a.x()), half = std::acos(cosine);
-      angles.insert(angles.end(), {direction - half, direction + half});
-    }
-    const Point along = b - a;
-    const double length = along.norm();
-    if (!(length > 0)) continue;
-    const Point normal(-along.y() / length, along.x() / length);
-    for (const double side : {h, -h}) {
-      const double height = normal.dot(a) + side;
-      if (std::abs(height) >= rho) continue;
-      const double direction = std::atan2(normal.y(), normal.x()), half = std::acos(height / rho);
-      angles.insert(angles.end(), {direction - half, direction + half});
-    }
-  }
-  for (double& angle : angles) angle -= 2 * pi * std::floor(angle / (2 * pi));
-  std::sort(angles.begin(), angles.end());
-  return angles;
-}
-
-/// The angles of the circle of radius rho that lie in the piece.
-std::vector<Bearings> angles_in(const GrownPiece& piece, double rho) {
-  const auto inside = [&](double angle) {
-    return piece.distance(rho * Point(std::cos(angle), std::sin(angle))) <= piece.half_width;
-  };
-  const std::vector<double> angles = crossings(piece, rho);
-  if (angles.empty()) return inside(0) ? std::vector<Bearings>{{0, 2 * pi}} : std::vector<Bearings>{};
-  std::vector<Bearings> found;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const double from = angles[i], to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * pi;
-    if (!inside(0.5 * (from + to))) continue;
-    if (!found.empty() && found.back().to == from)
-      found.back().to = to;
-    else
-      found.push_back({from, to});
-  }
-  return found;
-}
 
 /// Bearings at which the region has points at distances inner .. outer from the pole (the origin): the
 /// projection of a closed set is that of its boundary, and its boundary is made of the region's edges and of
@@ -265,35 +312,33 @@ std::vector<GrownPiece> pieces_at(const Sweep& sweep, const LinkageMotion& motio
   for (const Link link : all_links)
     for (const JointHull& hull :
          axis_of({.kind = Part::Kind::link, .link = link}, sweep.linkage.shape(), sweep.style.plate)) {
-      GrownPiece piece{{}, hull.count, 0.5 * sweep.style.width};
-      double strays = 0;
+      std::array<Point, 3> corners;
+      double half_width = 0.5 * sweep.style.width, strays = 0;
       for (int i = 0; i < hull.count; ++i) {
         const MovingJoint& joint = joints[static_cast<std::size_t>(hull.joints[static_cast<std::size_t>(i)])];
-        piece.corner[static_cast<std::size_t>(i)] = joint.at;
+        corners[static_cast<std::size_t>(i)] = joint.at;
         strays = std::max(strays, joint.reach);
       }
-      if (hull.count == 3 && cross(piece.corner[1] - piece.corner[0], piece.corner[2] - piece.corner[0]) < 0)
-        std::swap(piece.corner[1], piece.corner[2]);
-      if (sweep.outward) piece.half_width += strays + half_ring;
-      pieces.push_back(piece);
+      if (hull.count == 3 && cross(corners[1] - corners[0], corners[2] - corners[0]) < 0)
+        std::swap(corners[1], corners[2]);
+      if (sweep.outward) half_width += strays + half_ring;
+      pieces.emplace_back(corners, hull.count, half_width);
     }
   return pieces;
 }
 
 void fill_slab(const std::vector<GrownPiece>& pieces, const std::vector<Bearings>& bearings, bool outward,
                PolarBins& bins) {
+  std::vector<Bearings> found;
   for (const GrownPiece& piece : pieces) {
-    double near = piece.distance(Point::Zero()), far = 0;
-    for (int i = 0; i < piece.count; ++i)
-      far = std::max(far, piece.corner[static_cast<std::size_t>(i)].norm());
-    near -= piece.half_width;
-    far += piece.half_width;
-    const int first = std::max(0, static_cast<int>(near / bins.step()) - 1);
-    const int last = std::min(bins.rings() - 1, static_cast<int>(far / bins.step()) + 1);
-    for (int ring = first; ring <= last; ++ring)
-      for (const Bearings& angles : angles_in(piece, bins.middle(ring)))
+    const int first = std::max(0, static_cast<int>(piece.nearest() / bins.step()) - 1);
+    const int last = std::min(bins.rings() - 1, static_cast<int>(piece.farthest() / bins.step()) + 1);
+    for (int ring = first; ring <= last; ++ring) {
+      piece.angles_in(bins.middle(ring), found);
+      for (const Bearings& angles : found)
         for (const Bearings& turned : bearings)
           bins.fill(ring, {angles.from + turned.from, angles.to + turned.to}, outward);
+    }
   }
 }
 
@@ -399,15 +444,21 @@ double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style,
   const double step = (farthest + style.width) / grid.rings;
   const RegionBearings region_bearings(region, linkage.pole());
   std::vector<std::vector<Bearings>> swept(static_cast<std::size_t>(grid.rings));
+  std::vector<Bearings> found;
   for (int slab = 0; slab < grid.slabs; ++slab) {
     const double opening = openings->lower + slab * openings->width() / std::max(1, grid.slabs - 1);
     const double radius = linkage.radius_at(opening);
     const auto bearings = region_bearings.between(radius, radius);
-    for (const GrownPiece& piece : pieces_at(sweep, motion, opening, 0, 0))
-      for (int ring = 0; ring < grid.rings; ++ring)
-        for (const Bearings& angles : angles_in(piece, (ring + 0.5) * step))
+    for (const GrownPiece& piece : pieces_at(sweep, motion, opening, 0, 0)) {
+      const int first = std::max(0, static_cast<int>(piece.nearest() / step) - 1);
+      const int last = std::min(grid.rings - 1, static_cast<int>(piece.farthest() / step) + 1);
+      for (int ring = first; ring <= last; ++ring) {
+        piece.angles_in((ring + 0.5) * step, found);
+        for (const Bearings& angles : found)
           for (const Bearings& turned : bearings)
             add_turned(angles, turned, swept[static_cast<std::size_t>(ring)]);
+      }
+    }
   }
   double area = 0;
   for (int ring = 0; ring < grid.rings; ++ring)

@@ -128,10 +128,10 @@ SearchResult design_with(const SearchRun& run, const SearchTask& task, const Can
   options.progress = nullptr;
   const Spec spec = locked(run.spec(), candidate.VA, candidate.VB);
   const SearchSpace space(spec);
-  SearchTask here;
-  here.choice = task.choice;
-  here.problem = std::make_unique<DesignProblem>(space, task.choice->choice, limits, goal, task.allowed,
-                                                 task.choice->terms);
+  const auto problem = [&](Goal sought) {
+    return std::make_unique<DesignProblem>(space, task.choice->choice, limits, sought, task.allowed,
+                                           task.choice->terms);
+  };
   ChoiceOptions quick{.poles = 16,
                       .lattice = 1,
                       .evaluations = 60,
@@ -139,8 +139,19 @@ SearchResult design_with(const SearchRun& run, const SearchTask& task, const Can
                       .starts_if_none = 4,
                       .seed = options.seed,
                       .stop = run.stop()};
+  SearchTask here;
+  here.choice = task.choice;
+  here.problem = problem(Goal::size);
   here.result = search_choice(*here.problem, quick);
   SearchResult result{.evaluations = here.result.evaluations};
+  // The smallest is found soonest, and may stand nearly alone.
+  if (here.result.feasible && goal != Goal::size) {
+    here.problem = problem(goal);
+    const ChoiceResult near = refine(*here.problem, here.result.point, run.stop());
+    const ChoiceResult far = search_choice(*here.problem, quick);
+    result.evaluations += near.evaluations + far.evaluations;
+    if (near.feasible || far.feasible) here.result = better(near, far) ? near : far;
+  }
   if (here.result.feasible && run.certify(here, limits)) result.design = run.design_of(here, limits, goal);
   return result;
 }
@@ -207,9 +218,13 @@ SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& l
     other.copy.k = ratio.k;
     other.objective.groundings = {ratio.vertex};
     const SearchRun inner(other, run.options());
-    SearchResult here = inner.best(limits, goal);
-    result.evaluations += here.evaluations;
-    result.design = std::move(here.design);
+    for (const Goal sought : {Goal::size, goal}) {  // the smallest is found soonest: is there any?
+      SearchResult here = inner.best(limits, sought);
+      result.evaluations += here.evaluations;
+      if (!here.design) break;
+      if (sought == goal) result.design = std::move(here.design);
+      if (result.design) break;
+    }
   }
   result.stopped = run.stop()();
   return result;
