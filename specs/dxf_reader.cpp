@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <locale>
 #include <mutex>
 #include <sstream>
@@ -170,6 +173,29 @@ std::string_view next_line(std::string_view& text) {
   return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// How many vertices, knots, points or edges an entity announces; the library makes room for them before it meets any.
+std::optional<long> announced_count(std::string_view entity, std::string_view code, std::string_view value) {
+  struct Count {
+    std::string_view entity;
+    int code;
+  };
+  static constexpr std::array counts{Count{"LWPOLYLINE", 90}, Count{"SPLINE", 72}, Count{"SPLINE", 73},
+                                     Count{"SPLINE", 74},     Count{"LEADER", 76}, Count{"HATCH", 91},
+                                     Count{"HATCH", 93}};
+  const auto number = [](std::string_view text) -> std::optional<long> {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    long result = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), result);
+    if (fault == std::errc::result_out_of_range) return std::numeric_limits<long>::max();
+    return fault == std::errc() ? std::optional(result) : std::nullopt;
+  };
+  const auto which = number(code);
+  const bool counts_here = std::any_of(counts.begin(), counts.end(), [&](const Count& count) {
+    return entity == count.entity && which == count.code;
+  });
+  return counts_here ? number(value) : std::nullopt;
+}
+
 /// What is wrong with the text as groups of code and value: the library itself passes over everything in
 /// silence.
 std::optional<InputError> group_fault(std::string_view text, const std::string& file) {
@@ -178,6 +204,8 @@ std::optional<InputError> group_fault(std::string_view text, const std::string& 
   };
   if (text.substr(0, 18) == "AutoCAD Binary DXF")
     return fault(0, "a binary DXF", "a DXF saved as text (ASCII)");
+  const auto groups = (std::count(text.begin(), text.end(), '\n') + 1) / 2;
+  std::string_view entity;
   int line = 0;
   bool any = false;
   while (!text.empty()) {
@@ -189,6 +217,10 @@ std::optional<InputError> group_fault(std::string_view text, const std::string& 
       return any ? fault(line - 1, "no group code", "DXF's pairs of group code and value")
                  : fault(0, "text that is no DXF", "a DXF drawing");
     if (code == "0" && value == "EOF") return std::nullopt;
+    if (code.find_first_not_of('0') == std::string_view::npos) entity = value;
+    if (const auto count = announced_count(entity, code, value); count && *count > groups)
+      return fault(line, fmt::format("{} of {} parts", entity, value),
+                   fmt::format("at most as many as the file holds ({} groups)", groups));
     any = true;
   }
   return fault(0, any ? "the end of the text without EOF" : "an empty file",

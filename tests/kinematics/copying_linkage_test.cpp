@@ -56,6 +56,16 @@ class RandomCases {
 
 double size_of(const CopyingLinkage& linkage) { return linkage.size(); }
 
+TEST(CopyRatio, IsExactAtQuarterTurnsAndTakesAnyNumber) {
+  for (int quarters = -9; quarters <= 9; ++quarters) {
+    constexpr std::array<Complex, 4> unit{Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    EXPECT_EQ(copy_ratio(1.5, quarters * (pi / 2)), 1.5 * unit[static_cast<std::size_t>(quarters & 3)]);
+  }
+  EXPECT_NEAR(std::abs(copy_ratio(2, 5.8e114)), 2, 1e-12);
+  EXPECT_FALSE(std::isfinite(copy_ratio(2, std::numeric_limits<double>::quiet_NaN()).real()));
+  EXPECT_FALSE(std::isfinite(copy_ratio(2, std::numeric_limits<double>::infinity()).real()));
+}
+
 TEST(CopyingLinkage, PenTracesTheSimilarImage) {
   RandomCases cases(1);
   for (int i = 0; i < 2000; ++i) {

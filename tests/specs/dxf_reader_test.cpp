@@ -134,6 +134,18 @@ TEST(DxfReader, SurvivesFilesCutAndDamagedAnywhere) {
   }
 }
 
+TEST(DxfReader, MakesNoRoomForMoreThanTheFileHolds) {
+  for (const char* count : {"LWPOLYLINE\n90\n30000000", "LWPOLYLINE\n 090\n+30000000",
+                            "SPLINE\n72\n500000000", "SPLINE\n73\n99999999999999999999", "SPLINE\n74\n70000",
+                            "LEADER\n76\n2000000000", "HATCH\n91\n2000000000"}) {
+    const auto drawing =
+        read_dxf(std::string("0\nSECTION\n2\nENTITIES\n0\n") + count + "\n0\nENDSEC\n0\nEOF\n", "d.dxf");
+    ASSERT_FALSE(drawing) << count;
+    EXPECT_THAT(drawing.error().message(), HasSubstr("d.dxf:8: ")) << count;
+    EXPECT_THAT(drawing.error().message(), HasSubstr("at most as many as the file holds")) << count;
+  }
+}
+
 TEST(DxfReader, RefusesBlocksInACircleAndHugeArrays) {
   const auto with_insert = [](const std::string& more) {
     return "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n10\n0\n20\n0\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n1\n21\n1\n0"
