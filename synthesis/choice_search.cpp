@@ -23,7 +23,8 @@ constexpr double penalty = 10;
 /// Starts differ at least by so much in the unit square, or in the pole's place over the task's size.
 constexpr double apart = 0.15;
 constexpr double poles_apart = 0.6;
-/// Promising poles differ by so much of the task's size: kinks of the region's distances lie close together.
+/// Promising poles, and starts with locked lengths, differ by so much of the task's size: kinks of the region's distances
+/// lie close together.
 constexpr double poles_told_apart = 0.06;
 
 double merit_of(const DesignProblem& problem, const Assessment& seen) {
@@ -42,9 +43,9 @@ struct Start {
 void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lattice,
                         std::vector<Start>& starts) {
   std::vector<Start> seen;
+  const double last = std::max(1, lattice - 1);
   for (int i = 0; i < lattice; ++i)
     for (int j = 0; j < lattice; ++j) {
-      const double last = lattice - 1;
       const DesignPoint point{problem.unit_lengths(pole, i / last, j / last), pole};
       seen.push_back({{i / last, j / last}, pole, merit_of(problem, problem.assess(point, global_openings))});
     }
@@ -64,8 +65,9 @@ void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lat
 /// Local solutions move the pole further than from one end of the square to the other, where the lengths are
 /// those of another local optimum.
 bool are_close(const DesignProblem& problem, const Start& a, const Start& b) {
+  const double told_apart = problem.lengths_are_locked() ? poles_told_apart : poles_apart;
   return std::abs(a.z[0] - b.z[0]) < apart && std::abs(a.z[1] - b.z[1]) < apart &&
-         (a.pole - b.pole).norm() < poles_apart * problem.layout().unit;
+         (a.pole - b.pole).norm() < told_apart * problem.layout().unit;
 }
 
 /// The best that are not close to each other.
@@ -199,9 +201,12 @@ namespace {
 std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& options,
                              std::uint64_t& evaluations) {
   std::vector<Start> starts;
+  const bool locked = problem.lengths_are_locked();
+  const int lattice = locked ? 1 : options.lattice;
   const std::vector<Point> poles = problem.start_poles(options.poles);
-  for (const Point& pole : poles) add_lattice_minima(problem, pole, options.lattice, starts);
-  evaluations += poles.size() * static_cast<std::size_t>(options.lattice * options.lattice);
+  for (const Point& pole : poles) add_lattice_minima(problem, pole, lattice, starts);
+  evaluations += poles.size() * static_cast<std::size_t>(lattice * lattice);
+  if (problem.cube_dimensions() == 0) return starts;
   const auto merit = [&](std::span<const double> z) {
     return merit_of(problem, problem.assess(problem.unit_point(z), global_openings));
   };
@@ -209,7 +214,8 @@ std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& 
       explore({problem.cube_dimensions(), options.evaluations, options.seed, merit, options.stop});
   evaluations += seen.size();
   for (const Explored& place : seen)
-    starts.push_back({{place.z[0], place.z[1]}, problem.unit_point(place.z).pole, place.merit});
+    starts.push_back({locked ? std::array{0.0, 0.0} : std::array{place.z[0], place.z[1]},
+                      problem.unit_point(place.z).pole, place.merit});
   return best_starts(problem, std::move(starts), options.starts_if_none);
 }
 

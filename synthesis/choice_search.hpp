@@ -16,7 +16,6 @@ struct ChoiceOptions {
   int starts_if_none = 16;  ///< local solutions while none is feasible
   std::uint64_t seed = 1;
   std::vector<DesignPoint> hints{};  ///< further starts, tried first
-  std::vector<Point> pole_hints{};   ///< further poles for the lattices
   double bound = -1e300;  ///< no cost below this is possible: a result that reaches it ends the search
   StopFlag stop{};
 };

@@ -76,6 +76,7 @@ Point DesignProblem::unit_pole(double x, double y) const {
 }
 
 LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, double of_m) const {
+  if (lengths_are_locked()) return {box_.u.lower, box_.v.lower};
   const SearchSpace::Annulus annulus = space_.annulus(pole);
   const double r_max = annulus.farthest, r_min = std::max(annulus.nearest, 1e-6 * r_max);
   const double limit = reach_.lambda_limit(r_min, r_max, allowed_).value_or(0);
@@ -86,8 +87,8 @@ LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, doub
 }
 
 DesignPoint DesignProblem::unit_point(std::span<const double> z) const {
-  const Point pole = layout_.pole_is_free ? unit_pole(z[2], z[3]) : layout_.origin;
-  return {unit_lengths(pole, z[0], z[1]), pole};
+  const Point pole = layout_.pole_is_free ? unit_pole(z[z.size() - 2], z[z.size() - 1]) : layout_.origin;
+  return {lengths_are_locked() ? unit_lengths(pole, 0, 0) : unit_lengths(pole, z[0], z[1]), pole};
 }
 
 double DesignProblem::smallest_gap(const LogLengths& lengths, double from, double to, int openings) const {

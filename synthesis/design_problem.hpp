@@ -106,9 +106,11 @@ class DesignProblem {
   /// Every requirement at a point; contact looked at in `openings` places between the region's two openings.
   Assessment assess(const DesignPoint& point, int openings) const;
 
-  /// Dimensions of the unit cube that unit_point() maps onto the designs: 2 for lengths, 2 more for a free
-  /// pole.
-  int cube_dimensions() const { return layout_.pole_is_free ? 4 : 2; }
+  /// True if the workshop dictates both VA and VB: only the pole can be free.
+  bool lengths_are_locked() const { return box_.u.width() == 0 && box_.v.width() == 0; }
+  /// Dimensions of the unit cube that unit_point() maps onto the designs: 2 for lengths unless they are locked, 2 more for
+  /// a free pole.
+  int cube_dimensions() const { return (lengths_are_locked() ? 0 : 2) + (layout_.pole_is_free ? 2 : 0); }
   /// For a pole from which the region can be reached: lengths that reach it and fit the length limits, if
   /// there are any.
   DesignPoint unit_point(std::span<const double> z) const;

@@ -129,7 +129,7 @@ std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirem
                                             std::uint64_t& evaluations) {
   Spec spec = run.spec();
   spec.obstacles = left;
-  SearchOptions options = run.options();
+  SearchOptions options = run.options_from_now();
   options.progress = nullptr;
   const SearchResult found = SearchRun(spec, options).best(limits, goal_of(spec.objective.objective));
   evaluations += found.evaluations;

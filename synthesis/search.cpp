@@ -7,29 +7,47 @@
 namespace kempe {
 namespace {
 
-/// A design further than this from the proven bound is searched around once more.
+/// A design further than this from the proven bound is searched around once more, and then searched again.
 constexpr double unproven_share = 0.004;
 constexpr int hops = 24;
+/// Searches from other random numbers where the first found nothing, or nothing near the bound.
+constexpr int more_searches = 2;
 
 bool has_workshop_lengths(const Spec& spec) {
   return spec.links.workshop.grid || !spec.links.workshop.stock.empty();
 }
 
-/// The proven bound, and the design improved where the bound's tree met a better one.
+/// The best of a search and of others from further random numbers, told as the first one's.
+template <typename Enough>
+SearchResult searched_again(const SearchRun& run, SearchResult found, Goal goal, const Enough& is_enough) {
+  for (int i = 1; i <= more_searches && !run.stop()() && !is_enough(found); ++i) {
+    SearchOptions options = run.options_from_now();
+    options.seed += static_cast<std::uint64_t>(i);
+    const SearchResult again = SearchRun(run.spec(), options).best(requirements_of(run.spec()), goal);
+    found.evaluations += again.evaluations;
+    if (!again.design || (found.design && !is_better(goal, *again.design, *found.design))) continue;
+    found.design = again.design;
+    found.design->seed = run.options().seed;
+  }
+  found.stopped = run.stop()();
+  return found;
+}
+
+/// The proven bound, and the design improved where the bound's tree met a better one or the bound is far away.
 SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   const Spec& spec = run.spec();
   if (std::abs(result.design->linkage.k() - spec.copy.k) > 1e-12 * std::abs(spec.copy.k))
     return result;  // the bound is one of designs with the exact ratio
   const auto bound = lower_bound(spec, {.incumbent = result.design->value});
   if (!bound || bound->no_design) return result;
+  const auto is_near = [&](const SearchResult& found) {
+    return std::abs(found.design->value - bound->value) <= unproven_share * std::abs(bound->value);
+  };
   if (!has_workshop_lengths(spec) && !run.stop()()) {
-    const bool complete = result.design->complete;
     for (const RelaxedDesign& start : starts_of(*bound))
       result = run.best_from(start, requirements_of(spec), goal, std::move(result));
-    if (std::abs(result.design->value - bound->value) > unproven_share * std::abs(bound->value))
-      result = run.best_around(requirements_of(spec), goal, std::move(result), hops);
-    result.design->evaluations = result.evaluations;
-    result.design->complete = complete;
+    if (!is_near(result)) result = run.best_around(requirements_of(spec), goal, std::move(result), hops);
+    result = searched_again(run, std::move(result), goal, is_near);
   }
   result.design->lower_bound = bound->value;
   return result;
@@ -42,7 +60,17 @@ SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
   const SearchRun run(spec, options);
   const Goal goal = goal_of(spec.objective.objective);
   SearchResult result = run.best(requirements_of(spec), goal);
-  if (result.design) return *with_bound(run, std::move(result), goal).design;
+  if (!result.design && !result.proven_none)
+    result = searched_again(run, std::move(result), goal, [](const SearchResult& found) {
+      return found.design.has_value();
+    });
+  if (result.design) {
+    const bool complete = result.design->complete;
+    result = with_bound(run, std::move(result), goal);
+    result.design->evaluations = result.evaluations;
+    result.design->complete = complete;
+    return *std::move(result.design);
+  }
   if (result.stopped) return Stopped{result.evaluations};
   return diagnose(run, result);
 }

@@ -64,6 +64,10 @@ void remember(std::vector<SearchTask>& tasks, const std::vector<RelaxedDesign>& 
         task.known.push_back({{std::log(one.VA), std::log(one.VB)}, one.pole});
 }
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// A length from its logarithm: the decimal number next to it, 120 and not 119.99999999999999.
 double length_from(double logarithm) {
   const double length = std::exp(logarithm);
@@ -82,14 +86,23 @@ std::optional<CopyingLinkage> linkage_of(const Spec& spec, const SearchTask& tas
 
 }  // namespace
 
+bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
+  return is_maximized(goal) ? a.value > b.value : a.value < b.value;
+}
+
 SearchRun::SearchRun(const Spec& spec, SearchOptions options)
     : space_(spec), options_(std::move(options)), start_(std::chrono::steady_clock::now()),
       choices_(choices_of(spec)) {
   stop_ = [this] {
     return (options_.stop && options_.stop->load(std::memory_order_relaxed)) ||
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() >
-               options_.time_limit;
+           seconds_since(start_) > options_.time_limit;
   };
+}
+
+SearchOptions SearchRun::options_from_now() const {
+  SearchOptions options = options_;
+  options.time_limit = std::max(0.0, options_.time_limit - seconds_since(start_));
+  return options;
 }
 
 std::vector<SearchTask> SearchRun::tasks_for(const Requirements& limits, Goal goal) const {
@@ -217,7 +230,6 @@ void SearchRun::search_group(std::vector<SearchTask>& tasks, std::size_t first, 
     SearchTask& task = tasks[first + i];
     if (best.feasible && !better(task.relaxed, best)) return;
     ChoiceOptions options = options_for(false);
-    options.pole_hints = task.poles;
     if (task.relaxed.feasible) {
       options.hints = {task.relaxed.point};
       options.bound = task.relaxed.cost;
@@ -297,10 +309,6 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
 }
 
 namespace {
-
-bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
-  return is_maximized(goal) ? a.value > b.value : a.value < b.value;
-}
 
 /// A place around a point, the nearer the smaller `reach` (in shares of the lengths and of the task's size).
 DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is_free,

@@ -31,6 +31,9 @@ struct SearchResult {
   std::uint64_t evaluations = 0;
 };
 
+/// True if a has the better value of the goal; both have been found for it.
+bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b);
+
 /// A choice on its way through the search.
 struct SearchTask {
   std::unique_ptr<DesignProblem> problem;
@@ -54,6 +57,8 @@ class SearchRun {
   const SearchSpace& space() const { return space_; }
   const SearchOptions& options() const { return options_; }
   const StopFlag& stop() const { return stop_; }
+  /// The options with what is left of the time limit: for a search that is part of this one.
+  SearchOptions options_from_now() const;
 
   /// The design with the best goal that keeps the limits, the workshop's numbers included.
   SearchResult best(const Requirements& limits, Goal goal) const;

@@ -163,6 +163,19 @@ std::vector<HalfPlane> SearchSpace::room_around(const Point& pole) const {
   return room;
 }
 
+namespace {
+
+/// To one value, which may lie on a limit, or be another locked length's up to its last digits.
+void lock(LogRange& range, double locked) {
+  constexpr double slack = 2 * inward;
+  if (locked < range.lower - slack || locked > range.upper + slack)
+    range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  else if (range.width() > 0)
+    range = {locked, locked};
+}
+
+}  // namespace
+
 LogBox length_box(const Reach& reach, const Requirements& limits, const WorkshopSpec& workshop) {
   const Reach::LengthFactors& f = reach.factors();
   const double low = std::max(limits.shortest, 1e-9 * limits.longest);
@@ -181,8 +194,7 @@ LogBox length_box(const Reach& reach, const Requirements& limits, const Workshop
   for (std::size_t i = 0; i < 8; ++i) {
     if (!workshop.locked[i]) continue;
     LogRange& range = multiples[i].first ? box.u : box.v;
-    const double locked = std::log(*workshop.locked[i] / multiples[i].second);
-    range = {std::max(range.lower, locked), std::min(range.upper, locked)};
+    lock(range, std::log(*workshop.locked[i] / multiples[i].second));
   }
   return box;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "synthesis/parallel.hpp"
 
@@ -72,9 +74,9 @@ std::vector<WorkshopLengths> nearest_workshop_lengths(const WorkshopSpec& worksh
 
 namespace {
 
-/// A pair of lengths of one task, with what orders the candidates.
+/// A pair of lengths, with all tasks that differ in their layers alone, and what orders the candidates.
 struct Candidate {
-  std::size_t task;
+  std::vector<std::size_t> tasks;
   double VA, VB, order;
 };
 
@@ -97,21 +99,34 @@ Complex ratio_of(Complex shape, Vertex vertex) {
   return 1.0 / (1.0 - shape);
 }
 
-/// Size: by the size itself, from the task's relaxed size upward. Others: by the distance from the task's best lengths.
+/// The tasks that differ in their layers alone: of one grounding, assembly and interval of openings.
+std::vector<std::vector<std::size_t>> tasks_by_shape(const std::vector<SearchTask>& tasks) {
+  std::map<std::tuple<Vertex, int, double>, std::vector<std::size_t>> shapes;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const Choice& choice = tasks[i].choice->choice;
+    shapes[{choice.vertex, choice.assembly, tasks[i].allowed.lower}].push_back(i);
+  }
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& shape : shapes) result.push_back(std::move(shape.second));
+  return result;
+}
+
+/// Size: by the size itself, from the task's relaxed size upward. Others: by the distance from the best lengths without
+/// contact.
 std::vector<Candidate> candidates(const std::vector<SearchTask>& tasks,
                                   const std::vector<WorkshopLengths>& lengths, Goal goal) {
   std::vector<Candidate> all;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const Reach& reach = tasks[i].problem->reach();
-    const ChoiceResult& near = tasks[i].result.feasible ? tasks[i].result : tasks[i].relaxed;
-    if (!near.feasible) continue;
-    for (const double VA : lengths[i].VA)
-      for (const double VB : lengths[i].VB) {
+  for (const std::vector<std::size_t>& shape : tasks_by_shape(tasks)) {
+    const SearchTask& task = tasks[shape.front()];
+    const Reach& reach = task.problem->reach();
+    if (!task.relaxed.feasible) continue;
+    for (const double VA : lengths[shape.front()].VA)
+      for (const double VB : lengths[shape.front()].VB) {
         const double size = reach.factors().size_per_VA * VA + reach.factors().size_per_VB * VB;
-        const double away =
-            std::hypot(std::log(VA) - near.point.lengths.u, std::log(VB) - near.point.lengths.v);
-        if (goal == Goal::size && size < tasks[i].relaxed.cost * (1 - 1e-9)) continue;
-        all.push_back({i, VA, VB, goal == Goal::size ? size : away});
+        const double away = std::hypot(std::log(VA) - task.relaxed.point.lengths.u,
+                                       std::log(VB) - task.relaxed.point.lengths.v);
+        if (goal == Goal::size && size < task.relaxed.cost * (1 - 1e-9)) continue;
+        all.push_back({shape, VA, VB, goal == Goal::size ? size : away});
       }
   }
   std::stable_sort(all.begin(), all.end(),
@@ -120,49 +135,97 @@ std::vector<Candidate> candidates(const std::vector<SearchTask>& tasks,
   return all;
 }
 
-/// The best design of one candidate, pole sought where it is free.
-SearchResult design_with(const SearchRun& run, const SearchTask& task, const Candidate& candidate,
-                         const Requirements& limits, Goal goal) {
-  SearchOptions options = run.options();
-  options.threads = 1;
-  options.progress = nullptr;
-  const Spec spec = locked(run.spec(), candidate.VA, candidate.VB);
-  const SearchSpace space(spec);
-  const auto problem = [&](Goal sought) {
-    return std::make_unique<DesignProblem>(space, task.choice->choice, limits, sought, task.allowed,
-                                           task.choice->terms);
-  };
-  ChoiceOptions quick{.poles = 16,
-                      .lattice = 1,
-                      .evaluations = 60,
-                      .starts = 3,
-                      .starts_if_none = 4,
-                      .seed = options.seed,
-                      .stop = run.stop()};
-  SearchTask here;
-  here.choice = task.choice;
-  here.problem = problem(Goal::size);
-  here.result = search_choice(*here.problem, quick);
-  SearchResult result{.evaluations = here.result.evaluations};
-  // The smallest is found soonest, and may stand nearly alone.
-  if (here.result.feasible && goal != Goal::size) {
-    here.problem = problem(goal);
-    const ChoiceResult near = refine(*here.problem, here.result.point, run.stop());
-    const ChoiceResult far = search_choice(*here.problem, quick);
-    result.evaluations += near.evaluations + far.evaluations;
-    if (near.feasible || far.feasible) here.result = better(near, far) ? near : far;
-  }
-  if (here.result.feasible && run.certify(here, limits)) result.design = run.design_of(here, limits, goal);
-  return result;
-}
+/// The search for the pole with both lengths locked.
+class LockedLengths {
+ public:
+  LockedLengths(const SearchRun& run, const Candidate& candidate, const Requirements& limits, Goal goal)
+      : run_(run), candidate_(candidate), limits_(limits), goal_(goal),
+        spec_(locked(run.spec(), candidate.VA, candidate.VB)), space_(spec_) {}
 
-bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
-  return is_maximized(goal) ? a.value > b.value : a.value < b.value;
+  /// The best design over all layers, sought around `poles` too. Without contact first: where no pole does there, no layers
+  /// need to be looked at, and a pole that does is a good place to start.
+  SearchResult best(const std::vector<SearchTask>& tasks, const std::vector<Point>& poles) {
+    SearchResult result;
+    const SearchTask& first = tasks[candidate_.tasks.front()];
+    const ChoiceResult small = search(first, {}, Goal::size, starts_at(poles), result);
+    if (!small.feasible) return result;
+    const ChoiceResult free = goal_ == Goal::size ? small : search(first, {}, goal_, {small.point}, result);
+    for (const std::size_t i : candidate_.tasks) {
+      if (run_.stop()()) break;
+      if (result.design && cost_of(*result.design) <= free.cost + 1e-7 * std::abs(free.cost)) break;
+      if (auto found = with_layers(tasks[i], small, free, result);
+          found && (!result.design || cost_of(*found) < cost_of(*result.design)))
+        result.design = std::move(found);
+    }
+    return result;
+  }
+
+ private:
+  double cost_of(const FoundDesign& design) const {
+    return is_maximized(goal_) ? -design.value : design.value;
+  }
+
+  std::vector<DesignPoint> starts_at(const std::vector<Point>& poles) const {
+    std::vector<DesignPoint> starts;
+    for (const Point& pole : poles)
+      starts.push_back({{std::log(candidate_.VA), std::log(candidate_.VB)}, pole});
+    return starts;
+  }
+
+  ChoiceResult search(const SearchTask& task, const ContactTerms& contact, Goal sought,
+                      std::vector<DesignPoint> hints, SearchResult& counted) const {
+    const DesignProblem problem(space_, task.choice->choice, limits_, sought, task.allowed, contact);
+    const ChoiceResult found = search_choice(problem, {.poles = 16,
+                                                       .evaluations = contact.empty() ? 80 : 200,
+                                                       .starts = 3,
+                                                       .starts_if_none = 8,
+                                                       .seed = run_.options().seed,
+                                                       .hints = std::move(hints),
+                                                       .stop = run_.stop()});
+    counted.evaluations += found.evaluations;
+    return found;
+  }
+
+  /// The smallest is found soonest, and may stand nearly alone: it leads to the best of the goal.
+  std::optional<FoundDesign> with_layers(const SearchTask& task, const ChoiceResult& small,
+                                         const ChoiceResult& free, SearchResult& counted) const {
+    SearchTask here;
+    here.choice = task.choice;
+    here.result = search(task, task.choice->terms, Goal::size, {small.point, free.point}, counted);
+    if (!here.result.feasible) return std::nullopt;
+    if (goal_ != Goal::size) {
+      const ChoiceResult led =
+          search(task, task.choice->terms, goal_, {here.result.point, free.point}, counted);
+      if (led.feasible) here.result = led;
+    }
+    here.problem = std::make_unique<DesignProblem>(space_, task.choice->choice, limits_, goal_, task.allowed,
+                                                   task.choice->terms);
+    if (!run_.certify(here, limits_)) return std::nullopt;
+    return run_.design_of(here, limits_, goal_);
+  }
+
+  const SearchRun& run_;
+  const Candidate& candidate_;
+  const Requirements& limits_;
+  Goal goal_;
+  Spec spec_;
+  SearchSpace space_;
+};
+
+/// The poles that are worth a look for a candidate: of the best with any lengths, and promising without contact.
+std::vector<Point> poles_for(const Candidate& candidate, const std::vector<SearchTask>& tasks,
+                             const std::optional<FoundDesign>& any_lengths) {
+  const SearchTask& task = tasks[candidate.tasks.front()];
+  std::vector<Point> poles{task.relaxed.point.pole};
+  if (any_lengths) poles.push_back(any_lengths->linkage.pole());
+  poles.insert(poles.end(), task.poles.begin(), task.poles.end());
+  return poles;
 }
 
 /// Size: the first candidate that works is the best. Others: the best of the first that work.
 SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>& tasks,
-                            const std::vector<Candidate>& all, const Requirements& limits, Goal goal) {
+                            const std::vector<Candidate>& all, const Requirements& limits, Goal goal,
+                            const SearchResult& any_lengths) {
   const std::size_t enough = goal == Goal::size ? 1 : 24;
   SearchResult best;
   std::size_t working = 0;
@@ -170,7 +233,9 @@ SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>&
     const std::size_t count = std::min(group_size, all.size() - first);
     std::vector<SearchResult> found(count);
     run_parallel(count, run.options().threads, [&](std::size_t i) {
-      found[i] = design_with(run, tasks[all[first + i].task], all[first + i], limits, goal);
+      const Candidate& candidate = all[first + i];
+      found[i] = LockedLengths(run, candidate, limits, goal)
+                     .best(tasks, poles_for(candidate, tasks, any_lengths.design));
     });
     for (SearchResult& one : found) {
       best.evaluations += one.evaluations;
@@ -217,7 +282,7 @@ SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& l
     Spec other = spec;
     other.copy.k = ratio.k;
     other.objective.groundings = {ratio.vertex};
-    const SearchRun inner(other, run.options());
+    const SearchRun inner(other, run.options_from_now());
     for (const Goal sought : {Goal::size, goal}) {  // the smallest is found soonest: is there any?
       SearchResult here = inner.best(limits, sought);
       result.evaluations += here.evaluations;
@@ -235,9 +300,11 @@ SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& l
 SearchResult best_with_workshop_lengths(const SearchRun& run, const Requirements& limits, Goal goal,
                                         const SearchResult& any_lengths) {
   std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
-  run.relax(tasks, limits, goal);
+  // A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
+  run.relax(tasks, limits, goal == Goal::footprint ? Goal::size : goal);
   const std::vector<WorkshopLengths> lengths = exact_lengths(run, tasks, limits.longest);
-  SearchResult result = best_candidate(run, tasks, candidates(tasks, lengths, goal), limits, goal);
+  SearchResult result =
+      best_candidate(run, tasks, candidates(tasks, lengths, goal), limits, goal, any_lengths);
   const bool exact = std::any_of(lengths.begin(), lengths.end(), [](const WorkshopLengths& one) {
     return !one.VA.empty() && !one.VB.empty();
   });
