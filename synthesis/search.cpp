@@ -61,9 +61,8 @@ SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
   const Goal goal = goal_of(spec.objective.objective);
   SearchResult result = run.best(requirements_of(spec), goal);
   if (!result.design && !result.proven_none)
-    result = searched_again(run, std::move(result), goal, [](const SearchResult& found) {
-      return found.design.has_value();
-    });
+    result = searched_again(run, std::move(result), goal,
+                            [](const SearchResult& found) { return found.design.has_value(); });
   if (result.design) {
     const bool complete = result.design->complete;
     result = with_bound(run, std::move(result), goal);
