@@ -8,6 +8,9 @@
 namespace kempe {
 namespace {
 
+/// Multiples of the grid that the search looks through.
+constexpr double most_grid_lengths = 1e5;
+
 /// What concerns several keys of [links].
 class LinkChecks {
  public:
@@ -47,6 +50,10 @@ class LinkChecks {
     if (workshop.grid && !fits(std::floor(links_.longest / *workshop.grid) * *workshop.grid)) {
       refuse("grid_mm", fmt::format("{}, of which no multiple is a length allowed", *workshop.grid),
              "lengths from " + range());
+    }
+    if (workshop.grid && links_.longest / *workshop.grid > most_grid_lengths) {
+      refuse("grid_mm", fmt::format("{} beside longest_mm = {}", *workshop.grid, links_.longest),
+             fmt::format("at least longest_mm / {:.0f}", most_grid_lengths));
     }
     if (!workshop.stock.empty() && std::none_of(workshop.stock.begin(), workshop.stock.end(),
                                                 [&](double length) { return fits(length); })) {

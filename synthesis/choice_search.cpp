@@ -47,7 +47,7 @@ void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lat
   for (int i = 0; i < lattice; ++i)
     for (int j = 0; j < lattice; ++j) {
       const DesignPoint point{problem.unit_lengths(pole, i / last, j / last), pole};
-      seen.push_back({{i / last, j / last}, pole, merit_of(problem, problem.assess(point, global_openings))});
+      seen.push_back({{i / last, j / last}, pole, merit_at(problem, point)});
     }
   const auto at = [&](int i, int j) -> const Start& {
     return seen[static_cast<std::size_t>(std::clamp(i, 0, lattice - 1) * lattice +
@@ -105,6 +105,10 @@ DesignPoint rounded(const DesignProblem& problem, const DesignPoint& point) {
 }
 
 }  // namespace
+
+double merit_at(const DesignProblem& problem, const DesignPoint& point) {
+  return merit_of(problem, problem.assess(point, global_openings));
+}
 
 ChoiceResult no_result() {
   return {.cost = std::numeric_limits<double>::infinity(),
@@ -207,9 +211,7 @@ std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& 
   for (const Point& pole : poles) add_lattice_minima(problem, pole, lattice, starts);
   evaluations += poles.size() * static_cast<std::size_t>(lattice * lattice);
   if (problem.cube_dimensions() == 0) return starts;
-  const auto merit = [&](std::span<const double> z) {
-    return merit_of(problem, problem.assess(problem.unit_point(z), global_openings));
-  };
+  const auto merit = [&](std::span<const double> z) { return merit_at(problem, problem.unit_point(z)); };
   const std::vector<Explored> seen =
       explore({problem.cube_dimensions(), options.evaluations, options.seed, merit, options.stop});
   evaluations += seen.size();

@@ -34,6 +34,10 @@ ChoiceResult no_result();
 /// True if a is better than b: by feasibility, then cost (or violation).
 bool better(const ChoiceResult& a, const ChoiceResult& b);
 
+/// What a design promises, the less the better: the goal in shares of its scale, and ten times what is missing from the
+/// limits, at nine openings.
+double merit_at(const DesignProblem& problem, const DesignPoint& point);
+
 ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& options);
 
 /// The best poles by a global search over the pole alone, a few pairs of lengths tried at each; none if the

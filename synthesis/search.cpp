@@ -11,7 +11,7 @@ namespace {
 constexpr double unproven_share = 0.004;
 constexpr int hops = 24;
 /// Searches from other random numbers where the first found nothing, or nothing near the bound.
-constexpr int more_searches = 2;
+constexpr int more_searches = 3;
 
 bool has_workshop_lengths(const Spec& spec) {
   return spec.links.workshop.grid || !spec.links.workshop.stock.empty();

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <queue>
 #include <tuple>
 
 #include "synthesis/parallel.hpp"
@@ -12,11 +14,17 @@ namespace {
 
 /// Two lengths closer than this share of the larger are one.
 constexpr double same_length = 1e-9;
-/// Candidates tried before the search gives up.
+/// Pairs of lengths tried before the search gives up.
 constexpr std::size_t most_candidates = 4000;
-constexpr std::size_t group_size = 16;
-/// Inexact ratios tried.
-constexpr int most_ratios = 24;
+/// Of one shape, next to its best lengths; of all of them, before a goal other than size gives up.
+constexpr std::size_t near_one_shape = 400, near_all_shapes = 1000;
+/// Choices of layers tried after one that works.
+constexpr int most_more_layers = 4;
+/// Inexact ratios tried of each grounding; designs with one that are found before the best of them is taken (obstacles make
+/// each of them slow).
+constexpr int most_ratios = 48, most_found_ratios = 24, most_found_among_obstacles = 4;
+/// A design with another ratio is good enough if its goal is no more than so much worse than with any lengths.
+constexpr double worse_for_ratio = 1.25;
 
 std::vector<double> all_lengths(const WorkshopSpec& workshop, double longest) {
   std::vector<double> lengths = workshop.stock;
@@ -74,10 +82,56 @@ std::vector<WorkshopLengths> nearest_workshop_lengths(const WorkshopSpec& worksh
 
 namespace {
 
-/// A pair of lengths, with all tasks that differ in their layers alone, and what orders the candidates.
-struct Candidate {
+struct LengthPair {
+  double VA, VB;
+};
+
+/// The first `count` pairs by `order`, which rises in VB from `best_VB(VA)` on and falls up to there; pairs of infinite order
+/// are left out. Looks at few of all pairs: a fine grid has billions.
+template <typename Order, typename BestVB>
+std::vector<LengthPair> pairs_in_order(const WorkshopLengths& lengths, std::size_t count, const Order& order,
+                                       const BestVB& best_VB) {
+  struct Cursor {
+    double order;
+    std::size_t VA, VB;
+    bool up;
+    bool operator<(const Cursor& other) const {
+      return std::tie(order, VA, VB) > std::tie(other.order, other.VA, other.VB);
+    }
+  };
+  std::priority_queue<Cursor> cursors;
+  const auto push = [&](std::size_t i, std::size_t j, bool up) {
+    if (j >= lengths.VB.size()) return;
+    if (const double here = order(lengths.VA[i], lengths.VB[j]); std::isfinite(here))
+      cursors.push({here, i, j, up});
+  };
+  for (std::size_t i = 0; i < lengths.VA.size(); ++i) {
+    const auto at = std::lower_bound(lengths.VB.begin(), lengths.VB.end(), best_VB(lengths.VA[i]));
+    const auto j = static_cast<std::size_t>(at - lengths.VB.begin());
+    push(i, j, true);
+    push(i, j - 1, false);  // wraps to beyond the end
+  }
+  std::vector<LengthPair> pairs;
+  while (!cursors.empty() && pairs.size() < count) {
+    const Cursor best = cursors.top();
+    cursors.pop();
+    pairs.push_back({lengths.VA[best.VA], lengths.VB[best.VB]});
+    push(best.VA, best.up ? best.VB + 1 : best.VB - 1, best.up);
+  }
+  return pairs;
+}
+
+/// The tasks that differ in their layers alone: of one grounding, assembly and interval of openings.
+struct Shape {
   std::vector<std::size_t> tasks;
-  double VA, VB, order;
+  WorkshopLengths lengths;
+};
+
+/// A pair of lengths of a shape, with what orders the candidates.
+struct Candidate {
+  const Shape* shape;
+  LengthPair lengths;
+  double order;
 };
 
 /// The spec with both lengths locked.
@@ -99,39 +153,82 @@ Complex ratio_of(Complex shape, Vertex vertex) {
   return 1.0 / (1.0 - shape);
 }
 
-/// The tasks that differ in their layers alone: of one grounding, assembly and interval of openings.
-std::vector<std::vector<std::size_t>> tasks_by_shape(const std::vector<SearchTask>& tasks) {
-  std::map<std::tuple<Vertex, int, double>, std::vector<std::size_t>> shapes;
+std::vector<Shape> shapes_of(const SearchRun& run, const std::vector<SearchTask>& tasks, double longest) {
+  std::map<std::tuple<Vertex, int, double>, std::vector<std::size_t>> by_shape;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const Choice& choice = tasks[i].choice->choice;
-    shapes[{choice.vertex, choice.assembly, tasks[i].allowed.lower}].push_back(i);
+    by_shape[{choice.vertex, choice.assembly, tasks[i].allowed.lower}].push_back(i);
   }
-  std::vector<std::vector<std::size_t>> result;
-  for (auto& shape : shapes) result.push_back(std::move(shape.second));
-  return result;
+  std::vector<Shape> shapes;
+  for (auto& [key, alike] : by_shape) {
+    const double scale = std::abs(tasks[alike.front()].problem->reach().shape());
+    shapes.push_back({std::move(alike), workshop_lengths(run.spec().links.workshop, scale, longest)});
+  }
+  return shapes;
 }
 
-/// Size: by the size itself, from the task's relaxed size upward. Others: by the distance from the best lengths without
-/// contact.
-std::vector<Candidate> candidates(const std::vector<SearchTask>& tasks,
-                                  const std::vector<WorkshopLengths>& lengths, Goal goal) {
-  std::vector<Candidate> all;
-  for (const std::vector<std::size_t>& shape : tasks_by_shape(tasks)) {
-    const SearchTask& task = tasks[shape.front()];
-    const Reach& reach = task.problem->reach();
-    if (!task.relaxed.feasible) continue;
-    for (const double VA : lengths[shape.front()].VA)
-      for (const double VB : lengths[shape.front()].VB) {
-        const double size = reach.factors().size_per_VA * VA + reach.factors().size_per_VB * VB;
-        const double away = std::hypot(std::log(VA) - task.relaxed.point.lengths.u,
-                                       std::log(VB) - task.relaxed.point.lengths.v);
-        if (goal == Goal::size && size < task.relaxed.cost * (1 - 1e-9)) continue;
-        all.push_back({shape, VA, VB, goal == Goal::size ? size : away});
-      }
-  }
+void sort_and_cut(std::vector<Candidate>& all, std::size_t most) {
   std::stable_sort(all.begin(), all.end(),
                    [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
-  if (all.size() > most_candidates) all.resize(most_candidates);
+  if (all.size() > most) all.resize(most);
+}
+
+/// By size, from the size that no lengths can beat up to `largest`.
+std::vector<Candidate> candidates_by_size(const std::vector<SearchTask>& tasks,
+                                          const std::vector<Shape>& shapes,
+                                          const std::optional<FoundDesign>& any_lengths, double largest) {
+  std::vector<Candidate> all;
+  for (const Shape& shape : shapes) {
+    const SearchTask& task = tasks[shape.tasks.front()];
+    if (!task.relaxed.feasible) continue;
+    const auto [per_VA, per_VB] =
+        std::pair{task.problem->reach().factors().size_per_VA, task.problem->reach().factors().size_per_VB};
+    const auto size = [&](double VA, double VB) { return per_VA * VA + per_VB * VB; };
+    const double least =
+        (1 - 1e-9) * std::max(task.relaxed.cost, any_lengths ? any_lengths->attained.size : 0);
+    const auto order = [&](double VA, double VB) {
+      const double here = size(VA, VB);
+      return here < least || here >= largest ? std::numeric_limits<double>::infinity() : here;
+    };
+    const auto best_VB = [&](double VA) { return (least - per_VA * VA) / per_VB; };
+    for (const LengthPair& pair : pairs_in_order(shape.lengths, most_candidates, order, best_VB))
+      all.push_back({&shape, pair, size(pair.VA, pair.VB)});
+  }
+  sort_and_cut(all, most_candidates);
+  return all;
+}
+
+/// The best lengths of a shape: of the design with any lengths, or without contact.
+DesignPoint centre_of(const SearchTask& task, const std::optional<FoundDesign>& any_lengths) {
+  if (any_lengths) {
+    const CopyingLinkage& linkage = any_lengths->linkage;
+    if (linkage.vertex() == task.choice->choice.vertex && linkage.assembly() == task.choice->choice.assembly)
+      return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
+  }
+  return task.relaxed.point;
+}
+
+/// Those next to the best lengths of each shape, by what the goal promises there without contact.
+std::vector<Candidate> candidates_near(const SearchRun& run, const std::vector<SearchTask>& tasks,
+                                       const std::vector<Shape>& shapes, const Requirements& limits,
+                                       Goal goal, const std::optional<FoundDesign>& any_lengths) {
+  std::vector<Candidate> all;
+  for (const Shape& shape : shapes) {
+    const SearchTask& task = tasks[shape.tasks.front()];
+    if (!task.relaxed.feasible) continue;
+    const DesignPoint centre = centre_of(task, any_lengths);
+    const auto away = [&](double VA, double VB) {
+      return std::hypot(std::log(VA) - centre.lengths.u, std::log(VB) - centre.lengths.v);
+    };
+    const DesignProblem problem(run.space(), task.choice->choice, limits,
+                                goal == Goal::footprint ? Goal::size : goal, task.allowed, {});
+    for (const LengthPair& pair : pairs_in_order(shape.lengths, near_one_shape, away,
+                                                 [&](double) { return std::exp(centre.lengths.v); })) {
+      const DesignPoint point{{std::log(pair.VA), std::log(pair.VB)}, centre.pole};
+      all.push_back({&shape, pair, merit_at(problem, point)});
+    }
+  }
+  sort_and_cut(all, near_all_shapes);
   return all;
 }
 
@@ -140,19 +237,22 @@ class LockedLengths {
  public:
   LockedLengths(const SearchRun& run, const Candidate& candidate, const Requirements& limits, Goal goal)
       : run_(run), candidate_(candidate), limits_(limits), goal_(goal),
-        spec_(locked(run.spec(), candidate.VA, candidate.VB)), space_(spec_) {}
+        spec_(locked(run.spec(), candidate.lengths.VA, candidate.lengths.VB)), space_(spec_) {}
 
   /// The best design over all layers, sought around `poles` too. Without contact first: where no pole does there, no layers
   /// need to be looked at, and a pole that does is a good place to start.
   SearchResult best(const std::vector<SearchTask>& tasks, const std::vector<Point>& poles) {
     SearchResult result;
-    const SearchTask& first = tasks[candidate_.tasks.front()];
+    const SearchTask& first = tasks[candidate_.shape->tasks.front()];
     const ChoiceResult small = search(first, {}, Goal::size, starts_at(poles), result);
     if (!small.feasible) return result;
+    const double near_enough =
+        goal_ == Goal::footprint ? 1e-3 : 1e-7;  // more is not known, or not worth its time
     const ChoiceResult free = goal_ == Goal::size ? small : search(first, {}, goal_, {small.point}, result);
-    for (const std::size_t i : candidate_.tasks) {
-      if (run_.stop()()) break;
-      if (result.design && cost_of(*result.design) <= free.cost + 1e-7 * std::abs(free.cost)) break;
+    int more_layers = most_more_layers;
+    for (const std::size_t i : candidate_.shape->tasks) {
+      if (run_.stop()() || (result.design && more_layers-- == 0)) break;
+      if (result.design && cost_of(*result.design) <= free.cost + near_enough * std::abs(free.cost)) break;
       if (auto found = with_layers(tasks[i], small, free, result);
           found && (!result.design || cost_of(*found) < cost_of(*result.design)))
         result.design = std::move(found);
@@ -168,17 +268,20 @@ class LockedLengths {
   std::vector<DesignPoint> starts_at(const std::vector<Point>& poles) const {
     std::vector<DesignPoint> starts;
     for (const Point& pole : poles)
-      starts.push_back({{std::log(candidate_.VA), std::log(candidate_.VB)}, pole});
+      starts.push_back({{std::log(candidate_.lengths.VA), std::log(candidate_.lengths.VB)}, pole});
     return starts;
   }
 
   ChoiceResult search(const SearchTask& task, const ContactTerms& contact, Goal sought,
                       std::vector<DesignPoint> hints, SearchResult& counted) const {
     const DesignProblem problem(space_, task.choice->choice, limits_, sought, task.allowed, contact);
-    const ChoiceResult found = search_choice(problem, {.poles = 16,
-                                                       .evaluations = contact.empty() ? 80 : 200,
-                                                       .starts = 3,
-                                                       .starts_if_none = 8,
+    const bool slow = sought == Goal::footprint, obstacles = !contact.obstacles.empty();
+    const ChoiceResult found = search_choice(problem, {.poles = slow ? 4 : 16,
+                                                       .evaluations = slow        ? 40
+                                                                      : obstacles ? 60
+                                                                                  : 100,
+                                                       .starts = slow ? 1 : 3,
+                                                       .starts_if_none = slow ? 1 : 8,
                                                        .seed = run_.options().seed,
                                                        .hints = std::move(hints),
                                                        .stop = run_.stop()});
@@ -215,27 +318,28 @@ class LockedLengths {
 /// The poles that are worth a look for a candidate: of the best with any lengths, and promising without contact.
 std::vector<Point> poles_for(const Candidate& candidate, const std::vector<SearchTask>& tasks,
                              const std::optional<FoundDesign>& any_lengths) {
-  const SearchTask& task = tasks[candidate.tasks.front()];
+  const SearchTask& task = tasks[candidate.shape->tasks.front()];
   std::vector<Point> poles{task.relaxed.point.pole};
   if (any_lengths) poles.push_back(any_lengths->linkage.pole());
   poles.insert(poles.end(), task.poles.begin(), task.poles.end());
   return poles;
 }
 
-/// Size: the first candidate that works is the best. Others: the best of the first that work.
+/// The best of the first `enough` candidates that work.
 SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>& tasks,
                             const std::vector<Candidate>& all, const Requirements& limits, Goal goal,
-                            const SearchResult& any_lengths) {
-  const std::size_t enough = goal == Goal::size ? 1 : 24;
+                            const std::optional<FoundDesign>& any_lengths, std::size_t enough) {
   SearchResult best;
   std::size_t working = 0;
+  const std::size_t group_size =
+      std::clamp<std::size_t>(enough, 4, 16);  // of fixed size: threads change nothing
   for (std::size_t first = 0; first < all.size() && working < enough && !run.stop()(); first += group_size) {
     const std::size_t count = std::min(group_size, all.size() - first);
     std::vector<SearchResult> found(count);
     run_parallel(count, run.options().threads, [&](std::size_t i) {
       const Candidate& candidate = all[first + i];
-      found[i] = LockedLengths(run, candidate, limits, goal)
-                     .best(tasks, poles_for(candidate, tasks, any_lengths.design));
+      found[i] =
+          LockedLengths(run, candidate, limits, goal).best(tasks, poles_for(candidate, tasks, any_lengths));
     });
     for (SearchResult& one : found) {
       best.evaluations += one.evaluations;
@@ -248,69 +352,116 @@ SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>&
   return best;
 }
 
-std::vector<WorkshopLengths> exact_lengths(const SearchRun& run, const std::vector<SearchTask>& tasks,
-                                           double longest) {
-  std::vector<WorkshopLengths> lengths;
-  for (const SearchTask& task : tasks)
-    lengths.push_back(
-        workshop_lengths(run.spec().links.workshop, std::abs(task.problem->reach().shape()), longest));
-  return lengths;
+/// The best design that keeps the run's ratio to the last digit.
+SearchResult best_with_exact_ratio(const SearchRun& run, const Requirements& limits, Goal goal,
+                                   const std::optional<FoundDesign>& any_lengths) {
+  std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
+  // A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
+  run.relax(tasks, limits, goal == Goal::footprint ? Goal::size : goal);
+  const std::vector<Shape> shapes = shapes_of(run, tasks, limits.longest);
+  const auto near = candidates_near(run, tasks, shapes, limits, goal, any_lengths);
+  const std::size_t enough = goal == Goal::size || goal == Goal::footprint ? 4 : 8;
+  SearchResult result = best_candidate(run, tasks, near, limits, goal, any_lengths, enough);
+  if (goal == Goal::size) {  // the smallest works first
+    const double largest = result.design ? result.design->value : std::numeric_limits<double>::infinity();
+    SearchResult smallest = best_candidate(
+        run, tasks, candidates_by_size(tasks, shapes, any_lengths, largest), limits, goal, any_lengths, 1);
+    result.evaluations += smallest.evaluations;
+    if (smallest.design) result.design = std::move(smallest.design);
+  }
+  result.stopped = run.stop()();
+  return result;
 }
 
-/// Where no workshop lengths keep k: a ratio next to it, grounding by grounding, the smallest error first.
-SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& limits, Goal goal) {
-  struct Ratio {
-    Complex k;
-    Vertex vertex;
-    double off;
-  };
-  const Spec& spec = run.spec();
+/// A ratio next to the wanted one, of one grounding.
+struct Ratio {
+  Complex k;
+  Vertex vertex;
+  double off;
+};
+
+/// Those that lengths up to `longest` allow, the smallest error first.
+std::vector<Ratio> ratios_near(const Spec& spec, double longest) {
   std::vector<Ratio> ratios;
   for (const Vertex vertex : spec.objective.groundings) {
     const Complex shape = shape_of(spec.copy.k, vertex);
     for (const WorkshopLengths& lengths :
-         nearest_workshop_lengths(spec.links.workshop, std::abs(shape), limits.longest, most_ratios)) {
+         nearest_workshop_lengths(spec.links.workshop, std::abs(shape), longest, most_ratios)) {
       const Complex k = ratio_of(shape / std::abs(shape) * lengths.ratio, vertex);
       ratios.push_back({k, vertex, std::abs(k - spec.copy.k)});
     }
   }
   std::stable_sort(ratios.begin(), ratios.end(),
                    [](const Ratio& a, const Ratio& b) { return a.off < b.off; });
+  return ratios;
+}
+
+SearchResult best_with_ratio(const SearchRun& run, const Ratio& ratio, const Requirements& limits,
+                             Goal goal) {
+  Spec other = run.spec();
+  other.copy.k = ratio.k;
+  other.objective.groundings = {ratio.vertex};
+  return best_with_exact_ratio(SearchRun(other, run.options_from_now()), limits, goal, {});
+}
+
+/// The first design that is good enough; where the first few found are not, the best of them.
+template <typename GoodEnough>
+SearchResult best_of_ratios(const SearchRun& run, const std::vector<Ratio>& ratios,
+                            const Requirements& limits, Goal goal, const GoodEnough& is_good_enough) {
+  const Goal sought = goal == Goal::footprint ? Goal::size : goal;  // soon known, and nearly the same
   SearchResult result;
+  const Ratio* chosen = nullptr;
+  const int most_found = run.spec().obstacles.empty() ? most_found_ratios : most_found_among_obstacles;
+  int found = 0;
   for (const Ratio& ratio : ratios) {
-    if (result.design || run.stop()()) break;
-    Spec other = spec;
-    other.copy.k = ratio.k;
-    other.objective.groundings = {ratio.vertex};
-    const SearchRun inner(other, run.options_from_now());
-    for (const Goal sought : {Goal::size, goal}) {  // the smallest is found soonest: is there any?
-      SearchResult here = inner.best(limits, sought);
-      result.evaluations += here.evaluations;
-      if (!here.design) break;
-      if (sought == goal) result.design = std::move(here.design);
-      if (result.design) break;
-    }
+    if (run.stop()()) break;
+    SearchResult here = best_with_ratio(run, ratio, limits, sought);
+    result.evaluations += here.evaluations;
+    if (!here.design) continue;
+    const bool good = is_good_enough(*here.design);
+    if (good || !chosen || is_better(sought, *here.design, *result.design))
+      result.design = std::move(here.design), chosen = &ratio;
+    if (good || ++found == most_found) break;
+  }
+  if (chosen && sought != goal) {
+    SearchResult best = best_with_ratio(run, *chosen, limits, goal);
+    result.evaluations += best.evaluations;
+    result.design = std::move(best.design);
   }
   result.stopped = run.stop()();
   return result;
+}
+
+/// Where no workshop lengths keep k: the ratio next to it for which the design is not much worse than with any lengths, or
+/// failing that, the ratio next to it for which there is a design.
+SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& limits, Goal goal,
+                                     const FoundDesign& any_lengths) {
+  const auto lengths = any_lengths.linkage.lengths().values();
+  const double longest = worse_for_ratio * *std::max_element(lengths.begin(), lengths.end());
+  const auto good = [&](const FoundDesign& design) {
+    const double value = any_lengths.attained.of(design.goal);
+    return is_maximized(design.goal) ? design.value >= value / worse_for_ratio
+                                     : design.value <= value * worse_for_ratio;
+  };
+  SearchResult result =
+      best_of_ratios(run, ratios_near(run.spec(), std::min(longest, limits.longest)), limits, goal, good);
+  if (result.design || result.stopped) return result;
+  SearchResult farther = best_of_ratios(run, ratios_near(run.spec(), limits.longest), limits, goal,
+                                        [](const FoundDesign&) { return true; });
+  farther.evaluations += result.evaluations;
+  return farther;
 }
 
 }  // namespace
 
 SearchResult best_with_workshop_lengths(const SearchRun& run, const Requirements& limits, Goal goal,
                                         const SearchResult& any_lengths) {
-  std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
-  // A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
-  run.relax(tasks, limits, goal == Goal::footprint ? Goal::size : goal);
-  const std::vector<WorkshopLengths> lengths = exact_lengths(run, tasks, limits.longest);
-  SearchResult result =
-      best_candidate(run, tasks, candidates(tasks, lengths, goal), limits, goal, any_lengths);
-  const bool exact = std::any_of(lengths.begin(), lengths.end(), [](const WorkshopLengths& one) {
-    return !one.VA.empty() && !one.VB.empty();
-  });
-  if (!result.design && !exact) result = best_with_another_ratio(run, limits, goal);
+  SearchResult result = best_with_exact_ratio(run, limits, goal, any_lengths.design);
   result.evaluations += any_lengths.evaluations;
-  return result;
+  if (result.design || result.stopped || !any_lengths.design) return result;
+  SearchResult inexact = best_with_another_ratio(run, limits, goal, *any_lengths.design);
+  inexact.evaluations += result.evaluations;
+  return inexact;
 }
 
 }  // namespace kempe

@@ -127,7 +127,8 @@ GapBounds bounds_to_edge(const MovingJoints& joints, const JointHull& hull, cons
   const Point normal = nearest.apart / distance;
   const Lower lower = separation(joints, hull, edge, normal, half);
   const Straying stray = straying(joints, nearest, normal, half);
-  const double upper = std::min(std::hypot(distance + stray.along, stray.in_all), distance + reach);
+  const double along = distance + stray.along;
+  const double upper = std::min(std::sqrt(along * along + stray.in_all * stray.in_all), distance + reach);
   return {std::max({lower.distance, distance - reach, 0.0}), upper, distance, lower.by_opening,
           lower.by_bearing};
 }

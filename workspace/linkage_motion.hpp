@@ -47,9 +47,10 @@ class LinkageMotion {
   double squared_chain(double opening) const;
 
   double VA_, VB_, chain_end_;  // chain_end_ is m = VB / |s|
-  Complex shape_, chain_per_tracer_;
-  std::array<Complex, 6> a_, b_;
-  double dead_;  // arg s
+  Complex per_shape_, tracer_per_chain_;
+  std::array<Complex, 6> a_, b_;           // a joint's place is a p + b q,
+  std::array<double, 6> p_size_, q_size_;  // with |a p| and |b q|, mm
+  double dead_;                            // arg s
 };
 
 }  // namespace kempe

@@ -88,6 +88,45 @@ TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
   EXPECT_FALSE(design.quality.lower_bound) << "the bound is one of the exact ratio";
 }
 
+TEST(Workshop, AFineGridCostsNothing) {
+  Spec spec = quarter_turn();
+  spec.objective.groundings = {Vertex::pole};  // |s| = 1.4; that of the others is irrational
+  const auto free = found_for(spec);
+  ASSERT_TRUE(free);
+  for (const double grid : {1.0, 0.1, 0.01}) {
+    spec.links.workshop.grid = grid;
+    const auto found = found_for(spec);
+    ASSERT_TRUE(found) << grid;
+    EXPECT_GE(found->value, free->value * (1 - 1e-9));
+    EXPECT_LT(found->value, free->value + 40 * grid) << grid;
+    EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k), 1e-12);
+  }
+}
+
+TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
+  test::SpecDice dice(77);
+  int compared = 0, small = 0;
+  const int wanted = test::samples(20);
+  for (int i = 0; i < 4 * wanted && compared < wanted; ++i) {
+    Spec spec = dice.spec();
+    spec.pole = {};
+    const auto free = found_for(spec);
+    if (!free) continue;
+    const auto lengths = free->linkage.lengths().values();
+    spec.links.workshop.grid = *std::max_element(lengths.begin(), lengths.end()) / 40;
+    const auto found = found_for(spec);
+    if (!found) continue;
+    ++compared;
+    small += found->value <= 1.25 * free->value;
+    EXPECT_GT(std::abs(found->linkage.k() - spec.copy.k), 0) << "spec " << i;
+    EXPECT_NEAR(std::arg(shape_of(found->linkage.k(), found->linkage.vertex())),
+                std::arg(shape_of(spec.copy.k, found->linkage.vertex())), 1e-9)
+        << "the plates keep their angle";
+  }
+  EXPECT_EQ(compared, wanted);
+  EXPECT_GE(small, wanted * 3 / 4);
+}
+
 TEST(Workshop, StockLengthsAreTheOnlyOnesUsed) {
   Spec spec = quarter_turn();
   spec.copy.scale = 2;
@@ -144,6 +183,25 @@ TEST(Workshop, ALockedLengthIsKeptAndTheRestSolved) {
     EXPECT_NEAR(found->linkage.VA(), VA, 1e-9);
     EXPECT_GE(found->value, free->value * (1 - 1e-9));
   }
+}
+
+TEST(Workshop, ALockedLengthMayLieOnTheLimit) {
+  Spec spec = quarter_turn();
+  const auto free = found_for(spec);
+  ASSERT_TRUE(free);
+  spec.links.workshop.locked[0] = free->linkage.VA();
+  spec.links.workshop.locked[1] = free->linkage.VB();
+  const auto lengths = free->linkage.lengths().values();
+  const double least = *std::min_element(lengths.begin(), lengths.end());
+  const double most = *std::max_element(lengths.begin(), lengths.end());
+  spec.links.shortest = least;
+  spec.links.longest = most;
+  EXPECT_TRUE(found_for(spec));
+  spec.links.shortest = least * (1 + 1e-9);
+  EXPECT_FALSE(found_for(spec));
+  spec.links.shortest = least;
+  spec.links.longest = most * (1 - 1e-9);
+  EXPECT_FALSE(found_for(spec));
 }
 
 TEST(Workshop, AGridThatNoLengthFitsHasNoDesign) {
