@@ -276,15 +276,15 @@ class LockedLengths {
                       std::vector<DesignPoint> hints, SearchResult& counted) const {
     const DesignProblem problem(space_, task.choice->choice, limits_, sought, task.allowed, contact);
     const bool slow = sought == Goal::footprint, obstacles = !contact.obstacles.empty();
-    const ChoiceResult found = search_choice(problem, {.poles = slow ? 4 : 16,
-                                                       .evaluations = slow        ? 40
-                                                                      : obstacles ? 60
-                                                                                  : 100,
-                                                       .starts = slow ? 1 : 3,
-                                                       .starts_if_none = slow ? 1 : 8,
-                                                       .seed = run_.options().seed,
-                                                       .hints = std::move(hints),
-                                                       .stop = run_.stop()});
+    ChoiceResult found = search_choice(problem, {.poles = slow ? 4 : 16,
+                                                 .evaluations = slow        ? 40
+                                                                : obstacles ? 60
+                                                                            : 100,
+                                                 .starts = slow ? 1 : 3,
+                                                 .starts_if_none = slow ? 1 : 8,
+                                                 .seed = run_.options().seed,
+                                                 .hints = std::move(hints),
+                                                 .stop = run_.stop()});
     counted.evaluations += found.evaluations;
     return found;
   }
