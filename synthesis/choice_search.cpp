@@ -210,7 +210,6 @@ std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& 
   const std::vector<Point> poles = problem.start_poles(options.poles);
   for (const Point& pole : poles) add_lattice_minima(problem, pole, lattice, starts);
   evaluations += poles.size() * static_cast<std::size_t>(lattice * lattice);
-  if (problem.cube_dimensions() == 0) return starts;
   const auto merit = [&](std::span<const double> z) { return merit_at(problem, problem.unit_point(z)); };
   const std::vector<Explored> seen =
       explore({problem.cube_dimensions(), options.evaluations, options.seed, merit, options.stop});
@@ -231,6 +230,8 @@ bool is_done(const ChoiceResult& best, const ChoiceOptions& options) {
 ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& options) {
   ChoiceResult best = no_result();
   if (!problem.possible()) return best;
+  if (problem.cube_dimensions() == 0)  // nothing is free
+    return judged(problem, problem.unit_point({}));
   std::uint64_t evaluations = 0;
   const auto try_from = [&](const DesignPoint& point) {
     const ChoiceResult found = refine(problem, point, options.stop);

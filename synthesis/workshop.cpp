@@ -352,12 +352,13 @@ SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>&
   return best;
 }
 
-/// The best design that keeps the run's ratio to the last digit.
-SearchResult best_with_exact_ratio(const SearchRun& run, const Requirements& limits, Goal goal,
+/// A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
+Goal quick_goal(Goal goal) { return goal == Goal::footprint ? Goal::size : goal; }
+
+/// The best design that keeps the run's ratio to the last digit, given its tasks with what is known without contact.
+SearchResult best_with_exact_ratio(const SearchRun& run, const std::vector<SearchTask>& tasks,
+                                   const Requirements& limits, Goal goal,
                                    const std::optional<FoundDesign>& any_lengths) {
-  std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
-  // A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
-  run.relax(tasks, limits, goal == Goal::footprint ? Goal::size : goal);
   const std::vector<Shape> shapes = shapes_of(run, tasks, limits.longest);
   const auto near = candidates_near(run, tasks, shapes, limits, goal, any_lengths);
   const std::size_t enough = goal == Goal::size || goal == Goal::footprint ? 4 : 8;
@@ -396,26 +397,46 @@ std::vector<Ratio> ratios_near(const Spec& spec, double longest) {
   return ratios;
 }
 
-SearchResult best_with_ratio(const SearchRun& run, const Ratio& ratio, const Requirements& limits,
-                             Goal goal) {
+/// Tasks of a ratio next to another one, whose results without contact are as good as their own.
+std::vector<SearchTask> tasks_next_to(const std::vector<SearchTask>& known, const SearchRun& run,
+                                      const Requirements& limits, Goal goal) {
+  constexpr double lower_cost = 0.98;  // the size without contact is no bound here
+  std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
+  for (SearchTask& task : tasks)
+    for (const SearchTask& one : known)
+      if (one.choice->choice.vertex == task.choice->choice.vertex &&
+          one.choice->choice.assembly == task.choice->choice.assembly) {
+        task.relaxed = one.relaxed;
+        task.relaxed.cost *= goal == Goal::size ? lower_cost : 1;
+        task.poles = one.poles;
+        break;
+      }
+  return tasks;
+}
+
+SearchResult best_with_ratio(const SearchRun& run, const std::vector<SearchTask>& known, const Ratio& ratio,
+                             const Requirements& limits, Goal goal) {
   Spec other = run.spec();
   other.copy.k = ratio.k;
   other.objective.groundings = {ratio.vertex};
-  return best_with_exact_ratio(SearchRun(other, run.options_from_now()), limits, goal, {});
+  const SearchRun inner(other, run.options_from_now());
+  return best_with_exact_ratio(inner, tasks_next_to(known, inner, limits, quick_goal(goal)), limits, goal,
+                               {});
 }
 
 /// The first design that is good enough; where the first few found are not, the best of them.
 template <typename GoodEnough>
-SearchResult best_of_ratios(const SearchRun& run, const std::vector<Ratio>& ratios,
-                            const Requirements& limits, Goal goal, const GoodEnough& is_good_enough) {
-  const Goal sought = goal == Goal::footprint ? Goal::size : goal;  // soon known, and nearly the same
+SearchResult best_of_ratios(const SearchRun& run, const std::vector<SearchTask>& known,
+                            const std::vector<Ratio>& ratios, const Requirements& limits, Goal goal,
+                            const GoodEnough& is_good_enough) {
+  const Goal sought = quick_goal(goal);
   SearchResult result;
   const Ratio* chosen = nullptr;
   const int most_found = run.spec().obstacles.empty() ? most_found_ratios : most_found_among_obstacles;
   int found = 0;
   for (const Ratio& ratio : ratios) {
     if (run.stop()()) break;
-    SearchResult here = best_with_ratio(run, ratio, limits, sought);
+    SearchResult here = best_with_ratio(run, known, ratio, limits, sought);
     result.evaluations += here.evaluations;
     if (!here.design) continue;
     const bool good = is_good_enough(*here.design);
@@ -424,7 +445,7 @@ SearchResult best_of_ratios(const SearchRun& run, const std::vector<Ratio>& rati
     if (good || ++found == most_found) break;
   }
   if (chosen && sought != goal) {
-    SearchResult best = best_with_ratio(run, *chosen, limits, goal);
+    SearchResult best = best_with_ratio(run, known, *chosen, limits, goal);
     result.evaluations += best.evaluations;
     result.design = std::move(best.design);
   }
@@ -434,8 +455,8 @@ SearchResult best_of_ratios(const SearchRun& run, const std::vector<Ratio>& rati
 
 /// Where no workshop lengths keep k: the ratio next to it for which the design is not much worse than with any lengths, or
 /// failing that, the ratio next to it for which there is a design.
-SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& limits, Goal goal,
-                                     const FoundDesign& any_lengths) {
+SearchResult best_with_another_ratio(const SearchRun& run, const std::vector<SearchTask>& known,
+                                     const Requirements& limits, Goal goal, const FoundDesign& any_lengths) {
   const auto lengths = any_lengths.linkage.lengths().values();
   const double longest = worse_for_ratio * *std::max_element(lengths.begin(), lengths.end());
   const auto good = [&](const FoundDesign& design) {
@@ -443,10 +464,10 @@ SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& l
     return is_maximized(design.goal) ? design.value >= value / worse_for_ratio
                                      : design.value <= value * worse_for_ratio;
   };
-  SearchResult result =
-      best_of_ratios(run, ratios_near(run.spec(), std::min(longest, limits.longest)), limits, goal, good);
+  SearchResult result = best_of_ratios(run, known, ratios_near(run.spec(), std::min(longest, limits.longest)),
+                                       limits, goal, good);
   if (result.design || result.stopped) return result;
-  SearchResult farther = best_of_ratios(run, ratios_near(run.spec(), limits.longest), limits, goal,
+  SearchResult farther = best_of_ratios(run, known, ratios_near(run.spec(), limits.longest), limits, goal,
                                         [](const FoundDesign&) { return true; });
   farther.evaluations += result.evaluations;
   return farther;
@@ -456,10 +477,12 @@ SearchResult best_with_another_ratio(const SearchRun& run, const Requirements& l
 
 SearchResult best_with_workshop_lengths(const SearchRun& run, const Requirements& limits, Goal goal,
                                         const SearchResult& any_lengths) {
-  SearchResult result = best_with_exact_ratio(run, limits, goal, any_lengths.design);
+  std::vector<SearchTask> tasks = run.tasks_for(limits, quick_goal(goal));
+  run.relax(tasks, limits, quick_goal(goal));
+  SearchResult result = best_with_exact_ratio(run, tasks, limits, goal, any_lengths.design);
   result.evaluations += any_lengths.evaluations;
   if (result.design || result.stopped || !any_lengths.design) return result;
-  SearchResult inexact = best_with_another_ratio(run, limits, goal, *any_lengths.design);
+  SearchResult inexact = best_with_another_ratio(run, tasks, limits, goal, *any_lengths.design);
   inexact.evaluations += result.evaluations;
   return inexact;
 }

@@ -35,6 +35,16 @@ def kempe(*arguments, **options):
     return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=600, **options)
 
 
+def wait_until_caught(pid, number):
+    """Until the process has a handler of the signal: on a busy machine that takes a while."""
+    for _ in range(5000):
+        status = pathlib.Path(f"/proc/{pid}/status").read_text()
+        caught = int(next(line for line in status.splitlines() if line.startswith("SigCgt")).split()[1], 16)
+        if caught >> (number - 1) & 1:
+            return
+        time.sleep(0.002)
+
+
 class Case(unittest.TestCase):
     def setUp(self):
         self._scratch = tempfile.TemporaryDirectory()
@@ -298,7 +308,8 @@ class Faults(Case):
         text = TEN_LINES.replace("[links]", "[links]\nlayers = 6")
         process = subprocess.Popen([KEMPE, "synthesize", self.spec(text), "-o", self.scratch / "out", "-j", "1"],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.1)
+        wait_until_caught(process.pid, signal.SIGINT)
+        time.sleep(0.05)
         process.send_signal(signal.SIGINT)
         _, message = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130, message)
