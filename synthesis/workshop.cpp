@@ -181,8 +181,8 @@ std::vector<Candidate> candidates_by_size(const std::vector<SearchTask>& tasks,
   for (const Shape& shape : shapes) {
     const SearchTask& task = tasks[shape.tasks.front()];
     if (!task.relaxed.feasible) continue;
-    const auto [per_VA, per_VB] =
-        std::pair{task.problem->reach().factors().size_per_VA, task.problem->reach().factors().size_per_VB};
+    const double per_VA = task.problem->reach().factors().size_per_VA;
+    const double per_VB = task.problem->reach().factors().size_per_VB;
     const auto size = [&](double VA, double VB) { return per_VA * VA + per_VB * VB; };
     const double least =
         (1 - 1e-9) * std::max(task.relaxed.cost, any_lengths ? any_lengths->attained.size : 0);
