@@ -1,7 +1,7 @@
 #include "synthesis/convex_parts.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace kempe {
 namespace {
@@ -15,45 +15,73 @@ bool is_convex(const Ring& ring) {
   return true;
 }
 
-bool cross_properly(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return turns_left(a, b, c) != turns_left(a, b, d) && turns_left(c, d, a) != turns_left(c, d, b);
-}
+/// An edge that rises, whichever way it was drawn.
+struct RisingEdge {
+  Point lower, upper;
 
-/// The corner of `ring` nearest to `from` that the straight cut reaches without crossing the ring.
-std::size_t visible_corner(const Ring& ring, const Point& from) {
-  std::size_t best = 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const double distance = (ring[i] - from).squaredNorm();
-    if (distance >= nearest) continue;
-    bool free = true;
-    for (std::size_t j = 0; j < ring.size() && free; ++j) {
-      const Point &a = ring[j], &b = ring[(j + 1) % ring.size()];
-      free = a == ring[i] || b == ring[i] || !cross_properly(from, ring[i], a, b);
+  double x_at(double y) const {
+    if (y == lower.y()) return lower.x();
+    if (y == upper.y()) return upper.x();
+    return lower.x() + (y - lower.y()) / (upper.y() - lower.y()) * (upper.x() - lower.x());
+  }
+};
+
+std::vector<RisingEdge> rising_edges(const Polygon& polygon) {
+  std::vector<RisingEdge> edges;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if (a.y() < b.y()) edges.push_back({a, b});
+      if (a.y() > b.y()) edges.push_back({b, a});
     }
-    if (free) best = i, nearest = distance;
-  }
-  return best;
+  };
+  add(polygon.outer);
+  for (const Ring& hole : polygon.holes) add(hole);
+  return edges;
 }
 
-/// One ring that runs around the polygon and, along cuts there and back, around its holes.
-Ring joined_ring(const Polygon& polygon) {
-  Ring ring = polygon.outer;
-  std::vector<Ring> holes = polygon.holes;
-  const auto rightmost = [](auto& hole) {
-    return std::max_element(hole.begin(), hole.end(),
-                            [](const Point& a, const Point& b) { return a.x() < b.x(); });
-  };
-  std::sort(holes.begin(), holes.end(),
-            [&](const Ring& a, const Ring& b) { return rightmost(a)->x() > rightmost(b)->x(); });
-  for (Ring& hole : holes) {
-    std::rotate(hole.begin(), rightmost(hole), hole.end());
-    hole.push_back(hole.front());
-    const auto at = ring.begin() + static_cast<std::ptrdiff_t>(visible_corner(ring, hole.front()));
-    hole.push_back(*at);
-    ring.insert(at + 1, hole.begin(), hole.end());
+/// What lies between two edges from one height to another, without corners that stand twice.
+ConvexPart trapezoid(const RisingEdge& left, const RisingEdge& right, double bottom, double top) {
+  ConvexPart part;
+  for (const Complex corner : {Complex(left.x_at(bottom), bottom), Complex(right.x_at(bottom), bottom),
+                               Complex(right.x_at(top), top), Complex(left.x_at(top), top)})
+    if (part.empty() || (part.back() != corner && part.front() != corner)) part.push_back(corner);
+  return part;
+}
+
+/// A polygon with holes as trapezoids: between the heights of neighbouring corners the edges do not meet, and every second
+/// space between them is inside. Spaces between the same two edges above each other are one part.
+std::vector<ConvexPart> trapezoids(const Polygon& polygon) {
+  const std::vector<RisingEdge> edges = rising_edges(polygon);
+  std::vector<double> heights;
+  for (const RisingEdge& edge : edges) heights.insert(heights.end(), {edge.lower.y(), edge.upper.y()});
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  std::vector<ConvexPart> parts;
+  using Sides = std::pair<const RisingEdge*, const RisingEdge*>;
+  std::vector<std::pair<Sides, double>> open;  // and from which height on
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    std::vector<std::pair<double, const RisingEdge*>> across;
+    if (i + 1 < heights.size())
+      for (const RisingEdge& edge : edges)
+        if (edge.lower.y() <= heights[i] && edge.upper.y() >= heights[i + 1])
+          across.emplace_back(edge.x_at(0.5 * (heights[i] + heights[i + 1])), &edge);
+    std::sort(across.begin(), across.end());
+    std::vector<std::pair<Sides, double>> next;
+    for (std::size_t j = 0; j + 1 < across.size(); j += 2)
+      next.push_back({{across[j].second, across[j + 1].second}, heights[i]});
+    for (const auto& [sides, since] : open) {
+      const Sides here = sides;
+      const auto same =
+          std::find_if(next.begin(), next.end(), [here](const auto& other) { return other.first == here; });
+      if (same != next.end())
+        same->second = since;
+      else
+        parts.push_back(trapezoid(*sides.first, *sides.second, since, heights[i]));
+    }
+    open = std::move(next);
   }
-  return ring;
+  return parts;
 }
 
 bool is_ear(const Ring& ring, std::size_t i) {
@@ -69,13 +97,14 @@ bool is_ear(const Ring& ring, std::size_t i) {
 }  // namespace
 
 std::vector<ConvexPart> convex_parts(const Polygon& polygon) {
-  if (polygon.holes.empty() && is_convex(polygon.outer)) {
+  if (!polygon.holes.empty()) return trapezoids(polygon);
+  if (is_convex(polygon.outer)) {
     ConvexPart whole;
     for (const Point& corner : polygon.outer) whole.push_back(as_complex(corner));
     return {whole};
   }
   std::vector<ConvexPart> parts;
-  Ring ring = joined_ring(polygon);
+  Ring ring = polygon.outer;
   while (ring.size() >= 3) {
     std::size_t ear = 0;
     while (ear < ring.size() && !is_ear(ring, ear)) ++ear;

@@ -9,8 +9,8 @@ namespace kempe {
 
 using ConvexPart = std::vector<Complex>;
 
-/// The polygon itself if it is convex and has no holes, else triangles (holes joined to the outer ring by a cut, then ear
-/// clipping). Parts overlap at most in edges. O(n^2).
+/// The polygon itself if it is convex; else triangles (ear clipping) if it has no holes, and trapezoids between its corners'
+/// heights if it has. Anticlockwise; parts overlap at most in edges. O(n^2).
 std::vector<ConvexPart> convex_parts(const Polygon& polygon);
 
 }  // namespace kempe

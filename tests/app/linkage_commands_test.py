@@ -102,6 +102,32 @@ class Solve(Case):
             self.assertIn(column, full)
         self.assertRefused(kempe("solve", linkage, "--angles", "piston"), 2, "piston")
 
+    def test_a_strut_drives_by_its_length(self):
+        strut = '[[drivers]]\ndistance = ["A", "C"]\nfrom = 45\nto = 65\n[motion]\nsteps = 8\n'
+        rows = list(csv.DictReader(io.StringIO(kempe("solve", self.linkage(BARS + strut)).stdout)))
+        self.assertEqual(len(rows), 9)
+        for i, row in enumerate(rows):
+            A, D = (0, 0), (60, 0)
+            B, C = ((float(row[f"{p}_x_mm"]), float(row[f"{p}_y_mm"])) for p in "BC")
+            for a, b, length in [(A, C, 45 + 2.5 * i), (A, B, 20), (B, C, 50), (D, C, 40)]:
+                self.assertAlmostEqual(math.dist(a, b), length, places=9)
+
+    def test_a_slide_drives_the_piston(self):
+        text = (LINKAGES / "slider-crank.toml").read_text()
+        for old, new in [('angle = "crank"', 'slide = "piston"'), ("from_deg = 0", "from = 75"), ("to_deg = 360", "to = 125")]:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        rows = list(csv.DictReader(io.StringIO(kempe("solve", self.linkage(text)).stdout)))
+        self.assertEqual(len(rows), 73)
+        for i, row in enumerate(rows):
+            ax, ay, bx, by, vx, vy = (float(row[k]) for k in ["A_x_mm", "A_y_mm", "B_x_mm", "B_y_mm", "A_vx_mm_per_s", "A_vy_mm_per_s"])
+            self.assertAlmostEqual(bx, 75 + 50 * i / 72, places=9)
+            self.assertAlmostEqual(math.hypot(ax, ay), 30, places=9)
+            self.assertAlmostEqual(math.dist((ax, ay), (bx, by)), 100, places=9)
+            self.assertAlmostEqual(ax * vx + ay * vy, 0, places=6)  # along the crank's circle
+            self.assertAlmostEqual((ax - bx) * (vx - 1250) + (ay - by) * vy, 0, places=6)  # and the rod keeps its length
+        self.assertRefused(kempe("solve", self.linkage(text.replace('slide = "piston"', 'slide = "cylinder"'))), 2, "cylinder")
+
     def test_assemblies(self):
         linkage = self.linkage(BARS + TURN)
         rows = list(csv.DictReader(io.StringIO(kempe("solve", linkage, "--assemblies").stdout)))
