@@ -208,6 +208,9 @@ DesignPoint centre_of(const SearchTask& task, const std::optional<FoundDesign>& 
   return task.relaxed.point;
 }
 
+/// A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
+Goal quick_goal(Goal goal) { return goal == Goal::footprint ? Goal::size : goal; }
+
 /// Those next to the best lengths of each shape, by what the goal promises there without contact.
 std::vector<Candidate> candidates_near(const SearchRun& run, const std::vector<SearchTask>& tasks,
                                        const std::vector<Shape>& shapes, const Requirements& limits,
@@ -220,8 +223,7 @@ std::vector<Candidate> candidates_near(const SearchRun& run, const std::vector<S
     const auto away = [&](double VA, double VB) {
       return std::hypot(std::log(VA) - centre.lengths.u, std::log(VB) - centre.lengths.v);
     };
-    const DesignProblem problem(run.space(), task.choice->choice, limits,
-                                goal == Goal::footprint ? Goal::size : goal, task.allowed, {});
+    const DesignProblem problem(run.space(), task.choice->choice, limits, quick_goal(goal), task.allowed, {});
     for (const LengthPair& pair : pairs_in_order(shape.lengths, near_one_shape, away,
                                                  [&](double) { return std::exp(centre.lengths.v); })) {
       const DesignPoint point{{std::log(pair.VA), std::log(pair.VB)}, centre.pole};
@@ -351,9 +353,6 @@ SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>&
   best.stopped = run.stop()();
   return best;
 }
-
-/// A footprint takes a thousand times as long to evaluate as a size, and the smallest linkage has nearly the least of it.
-Goal quick_goal(Goal goal) { return goal == Goal::footprint ? Goal::size : goal; }
 
 /// The best design that keeps the run's ratio to the last digit, given its tasks with what is known without contact.
 SearchResult best_with_exact_ratio(const SearchRun& run, const std::vector<SearchTask>& tasks,

@@ -5,7 +5,11 @@
 namespace kempe {
 
 AngleGrid::AngleGrid(const CopyingLinkage& linkage, const OpeningInterval& openings)
-    : linkage_(linkage), openings_(openings) {}
+    : linkage_(linkage), openings_(openings), dead_(std::arg(linkage.shape())) {
+  const double chain_per_tracer = linkage.vertex() == Vertex::pen ? std::abs(linkage.k()) : 1;
+  area_scale_ =
+      2 * linkage.VA() * linkage.VB() / std::abs(linkage.shape()) / (chain_per_tracer * chain_per_tracer);
+}
 
 double AngleGrid::opening(double y) const {
   if (y == rise) return openings_.upper;
@@ -17,8 +21,11 @@ Point AngleGrid::place(double x, double y) const {
 }
 
 double AngleGrid::area(const GridCell& cell) const {
-  const double a = radius(cell.y), b = radius(cell.top());
-  return 0.5 * std::abs(a - b) * (a + b) * bearing(cell.width);
+  // r^2 = (VA^2 + m^2 + 2 VA m cos(d - arg s)) / n^2 with m = VB/|s| and n the chain over the tracer's distance; as a product
+  // the difference of the two ends' squares keeps its digits in the smallest cell.
+  const double middle = opening(cell.y + 0.5 * cell.height),
+               half = 0.5 * openings_.width() * (cell.height * (1.0 / rise));
+  return area_scale_ * std::abs(std::sin(middle - dead_) * std::sin(half)) * bearing(cell.width);
 }
 
 }  // namespace kempe

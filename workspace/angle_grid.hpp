@@ -41,6 +41,8 @@ class AngleGrid {
  private:
   CopyingLinkage linkage_;
   OpeningInterval openings_;
+  double area_scale_;  // 2 VA m / n^2 of area(), mm^2
+  double dead_;        // arg s
 };
 
 }  // namespace kempe

@@ -58,8 +58,12 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
   return best;
 }
 
-/// Tries points of the region in the open cells; keeps the smallest gap found.
-void improve(ClearanceFigure& best, const MapTask& task, const ContactScene& scene,
+/// Gaps nearer to each other than this (mm) are equally tight, and the pair found first is named: a design that is best where
+/// several pairs are at their limit would else name one of them by rounding.
+constexpr double as_tight = 1e-9;
+
+/// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
+void improve(ClearanceFigure& best, double& named, const MapTask& task, const ContactScene& scene,
              const Subdivision& cells) {
   const CopyingLinkage& linkage = cells.grid().linkage();
   const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
@@ -70,11 +74,13 @@ void improve(ClearanceFigure& best, const MapTask& task, const ContactScene& sce
     const auto opening = linkage.opening_at(reach.norm());
     if (!opening) continue;
     const ObstacleGap here = tightest_obstacle(scene, *opening, std::atan2(reach.y(), reach.x()));
-    if (here.gap < best.gap)
-      best = {here.gap,
-              name(scene.pieces[here.between.piece].part) + " and " +
-                  obstacle_name(task, scene.obstacles[here.between.obstacle].number),
-              *point, false};
+    if (here.gap < named - as_tight) {
+      best.parts = name(scene.pieces[here.between.piece].part) + " and " +
+                   obstacle_name(task, scene.obstacles[here.between.obstacle].number);
+      best.at = *point;
+      named = here.gap;
+    }
+    best.gap = std::min(best.gap, here.gap);
   }
 }
 
@@ -93,8 +99,9 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task) {
   const EdgeTree region(task.region, task.linkage.pole());
   Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
                     {.contacts_stay_open = true, .region_only = true});
+  double named = best.gap;
   while (!cells.open().empty() && cells.open().size() < most_cells) {
-    improve(best, task, scene, cells);
+    improve(best, named, task, scene, cells);
     cells.lower_clearance(best.gap - certain_to(task.linkage));
     if (!cells.split([](const OpenCell&) { return true; })) break;
   }

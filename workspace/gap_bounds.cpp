@@ -30,17 +30,20 @@ std::size_t index(const JointHull& hull, std::size_t corner) {
 void offer_side(Nearest& nearest, const MovingJoints& joints, std::size_t one, std::size_t other,
                 const EdgeTree::Edge& edge) {
   const Point &a = joints[one].at, &b = joints[other].at, &c = edge.from, &d = edge.to;
-  if (properly_cross(a, b, c, d)) {
-    nearest.offer(one, other, cross(c - a, d - c) / cross(b - a, d - c), Point::Zero());
+  const Point ab = b - a, cd = d - c, ca = a - c, cb = b - c, da = a - d;
+  const double cd_ca = cross(cd, ca), cd_cb = cross(cd, cb);
+  if (cd_ca * cd_cb < 0 && cross(ab, ca) * cross(ab, da) < 0) {  // they cross
+    nearest.offer(one, other, cd_ca / (cd_ca - cd_cb), Point::Zero());
     return;
   }
-  const auto on_edge = [&](const Point& point) -> Point { return c + nearest_share(point, c, d) * (d - c); };
-  nearest.offer(one, other, 0, a - on_edge(a));
-  nearest.offer(one, other, 1, b - on_edge(b));
-  for (const Point& end : {c, d}) {
-    const double share = nearest_share(end, a, b);
-    nearest.offer(one, other, share, a + share * (b - a) - end);
-  }
+  const double ab_squared = ab.squaredNorm(), cd_squared = cd.squaredNorm();
+  const double per_ab = ab_squared > 0 ? 1 / ab_squared : 0, per_cd = cd_squared > 0 ? 1 / cd_squared : 0;
+  const auto share = [](double of_way) { return std::clamp(of_way, 0.0, 1.0); };
+  nearest.offer(one, other, 0, ca - share(ca.dot(cd) * per_cd) * cd);
+  nearest.offer(one, other, 1, cb - share(cb.dot(cd) * per_cd) * cd);
+  const double of_c = share(-ca.dot(ab) * per_ab), of_d = share(-da.dot(ab) * per_ab);
+  nearest.offer(one, other, of_c, ca + of_c * ab);
+  nearest.offer(one, other, of_d, da + of_d * ab);
 }
 
 Nearest nearest_points(const MovingJoints& joints, const JointHull& hull, const EdgeTree::Edge& edge) {
@@ -119,16 +122,19 @@ double reach_of(const MovingJoints& joints, const JointHull& hull) {
 }
 
 GapBounds bounds_to_edge(const MovingJoints& joints, const JointHull& hull, const EdgeTree::Edge& edge,
-                         const HalfSides& half) {
+                         const HalfSides& half, double upper_below) {
   const Nearest nearest = nearest_points(joints, hull, edge);
   const double reach = reach_of(joints, hull);
   const double distance = std::sqrt(nearest.squared);
   if (!(distance > 0)) return overlapping(joints, hull, half, reach);
   const Point normal = nearest.apart / distance;
   const Lower lower = separation(joints, hull, edge, normal, half);
-  const Straying stray = straying(joints, nearest, normal, half);
-  const double along = distance + stray.along;
-  const double upper = std::min(std::sqrt(along * along + stray.in_all * stray.in_all), distance + reach);
+  double upper = distance + reach;
+  if (distance < upper_below) {
+    const Straying stray = straying(joints, nearest, normal, half);
+    const double along = distance + stray.along;
+    upper = std::min(upper, std::sqrt(along * along + stray.in_all * stray.in_all));
+  }
   return {std::max({lower.distance, distance - reach, 0.0}), upper, distance, lower.by_opening,
           lower.by_bearing};
 }

@@ -10,6 +10,8 @@
 // v in all,
 //     distance <= sqrt((distance in the middle + u)^2 + v^2).
 
+#include <limits>
+
 #include "workspace/edge_tree.hpp"
 #include "workspace/linkage_motion.hpp"
 #include "workspace/parts.hpp"
@@ -27,9 +29,10 @@ struct GapBounds {
   double by_opening, by_bearing;  ///< mm, what either half side contributes to the uncertainty
 };
 
-/// Bounds of the distance between the hull of moving joints and an edge.
+/// Bounds of the distance between the hull of moving joints and an edge. Whoever only asks whether the upper bound lies below
+/// some distance (mm) names it: a looser one is returned where it cannot.
 GapBounds bounds_to_edge(const MovingJoints& joints, const JointHull& hull, const EdgeTree::Edge& edge,
-                         const HalfSides& half);
+                         const HalfSides& half, double upper_below = std::numeric_limits<double>::infinity());
 
 /// A lower bound of the distance between the hull in the middle of the rectangle and a box, mm.
 double distance_from_box(const MovingJoints& joints, const JointHull& hull, const Box& box);

@@ -33,6 +33,8 @@ class Components {
 struct Side {
   std::uint32_t line, from, to, cell;
   bool after;
+  /// Rises with line, then with `after`, then with place: lines and places have 31 bits.
+  std::uint64_t order() const { return (std::uint64_t{line} << 32) | (std::uint64_t{after} << 31) | from; }
 };
 
 /// A side of the outline: from a grid point, `step` units along x or y, the set on the left.
@@ -59,9 +61,7 @@ std::vector<Side> sides_of(const std::vector<GridCell>& cells, bool across) {
       sides.push_back({wrapped(cell.right()), cell.y, cell.top(), i, false});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.line, a.after, a.from) < std::tie(b.line, b.after, b.from);
-  });
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.order() < b.order(); });
   return sides;
 }
 

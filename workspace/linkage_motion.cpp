@@ -19,7 +19,7 @@ double size_of(Complex z) { return std::sqrt(std::norm(z)); }
 
 LinkageMotion::LinkageMotion(const CopyingLinkage& linkage)
     : VA_(linkage.VA()), VB_(linkage.VB()), chain_end_(linkage.VB() / std::abs(linkage.shape())),
-      per_shape_(1.0 / linkage.shape()), dead_(std::arg(linkage.shape())) {
+      per_shape_(1.0 / linkage.shape()) {
   const auto of = multiples(linkage.shape());
   const auto pole = static_cast<std::size_t>(linkage.pole_joint());
   const auto tracer = static_cast<std::size_t>(linkage.tracer_joint());
@@ -33,20 +33,19 @@ LinkageMotion::LinkageMotion(const CopyingLinkage& linkage)
   tracer_per_chain_ = a_[tracer];
 }
 
-double LinkageMotion::squared_chain(double opening) const {
-  return VA_ * VA_ + chain_end_ * chain_end_ + 2 * VA_ * chain_end_ * std::cos(opening - dead_);
-}
-
-MovingJoints LinkageMotion::over(double opening, double half_opening, double bearing,
-                                 double half_bearing) const {
+OpeningJoints LinkageMotion::over_openings(double opening, double half_opening) const {
   const Complex q_from_p = std::polar(VB_ / VA_, opening);
-  const Complex unturned = (1.0 + q_from_p * per_shape_) * tracer_per_chain_;  // the tracer for p = 1
-  const Complex p = (VA_ / size_of(unturned)) * std::polar(1.0, bearing) * std::conj(unturned);
+  const Complex end_from_p = q_from_p * per_shape_;                   // q/s for p = 1
+  const Complex unturned = (1.0 + end_from_p) * tracer_per_chain_;    // the tracer for p = 1
+  const Complex p = (VA_ / size_of(unturned)) * std::conj(unturned);  // with the tracer at bearing 0
   const Complex q = p * q_from_p;
+  const auto squared_chain = [&](const Complex& end) { return VA_ * VA_ * std::norm(1.0 + end); };
+  const Complex half_turn = std::polar(1.0, half_opening);
   const double difference = VA_ * VA_ - chain_end_ * chain_end_;
   const auto turning = [&](double squared) { return 0.5 + 0.5 * difference / squared; };  // g'
-  const double here = turning(std::max(squared_chain(opening), std::numeric_limits<double>::min()));
-  const double one = squared_chain(opening - half_opening), other = squared_chain(opening + half_opening);
+  const double here = turning(std::max(squared_chain(end_from_p), std::numeric_limits<double>::min()));
+  const double one = squared_chain(end_from_p * std::conj(half_turn)),
+               other = squared_chain(end_from_p * half_turn);
   const double least = std::max(std::min(one, other), std::numeric_limits<double>::min());
   const double g1 =
       std::max(std::abs(turning(std::max(one, least))), std::abs(turning(std::max(other, least))));
@@ -54,21 +53,35 @@ MovingJoints LinkageMotion::over(double opening, double half_opening, double bea
       std::max(std::abs(turning(std::max(one, least)) - 1), std::abs(turning(std::max(other, least)) - 1));
   const double bend = std::abs(difference) * std::min(VA_, chain_end_) / (least * std::sqrt(least));
 
-  MovingJoints joints;
+  OpeningJoints over{half_opening, {}};
   for (std::size_t i = 0; i < 6; ++i) {
-    const Complex of_p = a_[i] * p, of_q = b_[i] * q;
-    const Complex at = of_p + of_q;
-    const Complex by_opening = Complex(0, 1) * ((here - 1) * of_p + here * of_q);
+    const Complex of_p = a_[i] * p;
+    const Complex at = of_p + b_[i] * q;
+    const Complex unturned_slope = here * at - of_p;  // (here - 1) of_p + here of_q
+    const Complex by_opening(-unturned_slope.imag(), unturned_slope.real());
     const double p_size = p_size_[i], q_size = q_size_[i];
-    const double far = size_of(at), speed = size_of(by_opening);
+    const double speed = size_of(by_opening);
     const double bowed =
         0.5 * half_opening * half_opening * (p_size * (bend + f1 * f1) + q_size * (bend + g1 * g1));
+    const double reach = std::min(half_opening * (f1 * p_size + g1 * q_size), half_opening * speed + bowed);
+    over.joints[i] = {at, by_opening, size_of(at), speed, bowed, reach};
+  }
+  return over;
+}
+
+MovingJoints LinkageMotion::turned(const OpeningJoints& over, double bearing, double half_bearing) {
+  const Complex turn = std::polar(1.0, bearing);
+  MovingJoints joints;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto& [at, by_opening, far, speed, bowed, reach] = over.joints[i];
     const double rest =
-        bowed + 0.5 * far * half_bearing * half_bearing + half_bearing * (speed * half_opening + bowed);
-    const double turned = std::min(far * half_bearing, 2 * far);
-    const double reach =
-        std::min(turned + half_opening * (f1 * p_size + g1 * q_size), turned + half_opening * speed + bowed);
-    joints[i] = {as_point(at), as_point(by_opening), far, speed, rest, reach};
+        bowed + 0.5 * far * half_bearing * half_bearing + half_bearing * (speed * over.half_opening + bowed);
+    joints[i] = {as_point(at * turn),
+                 as_point(by_opening * turn),
+                 far,
+                 speed,
+                 rest,
+                 std::min(far * half_bearing, 2 * far) + reach};
   }
   return joints;
 }

@@ -32,25 +32,40 @@ struct MovingJoint {
 /// All six joints; the pole's own is at rest at the origin.
 using MovingJoints = std::array<MovingJoint, 6>;
 
+/// A joint over an interval of openings with the tracer at bearing 0: what does not depend on the bearing.
+struct OpeningJoint {
+  Complex at, by_opening;
+  double far, speed;  ///< as in MovingJoint
+  double bowed;       ///< mm: how far the joint may stray from at + by_opening dd
+  double reach;       ///< mm: how far it may stray from `at` by the openings alone, whatever the way
+};
+struct OpeningJoints {
+  double half_opening;  ///< rad
+  std::array<OpeningJoint, 6> joints;
+};
+
 class LinkageMotion {
  public:
   explicit LinkageMotion(const CopyingLinkage& linkage);
 
   /// The joints in the middle of the rectangle opening +- half_opening, bearing +- half_bearing (rad), with
   /// bounds that hold all over it. The rectangle's openings must lie in the assembly's interval.
-  MovingJoints over(double opening, double half_opening, double bearing, double half_bearing) const;
+  MovingJoints over(double opening, double half_opening, double bearing, double half_bearing) const {
+    return turned(over_openings(opening, half_opening), bearing, half_bearing);
+  }
+
+  /// The same in two steps, for rectangles that share their openings.
+  OpeningJoints over_openings(double opening, double half_opening) const;
+  static MovingJoints turned(const OpeningJoints& joints, double bearing, double half_bearing);
 
   /// An upper bound of the distance of a joint from the pole over all openings of the assembly, mm.
   double farthest(Joint joint) const;
 
  private:
-  double squared_chain(double opening) const;
-
   double VA_, VB_, chain_end_;  // chain_end_ is m = VB / |s|
   Complex per_shape_, tracer_per_chain_;
   std::array<Complex, 6> a_, b_;           // a joint's place is a p + b q,
   std::array<double, 6> p_size_, q_size_;  // with |a p| and |b q|, mm
-  double dead_;                            // arg s
 };
 
 }  // namespace kempe

@@ -67,7 +67,8 @@ void Subdivision::add_roots() {
       constexpr std::uint32_t width = AngleGrid::turn / roots_across,
                               height = AngleGrid::rise / roots_upwards;
       const RegionSide side = region_.empty() ? RegionSide::outside : RegionSide::crossing;
-      classify({i * width, j * height, width, height}, side, items.data(), items.size(), &region_root,
+      const GridCell cell{i * width, j * height, width, height};
+      classify(cell, over_openings_of(cell), side, items.data(), items.size(), &region_root,
                region_.empty() ? 0 : 1, next);
     }
   open_ = std::move(next.open);
@@ -77,6 +78,7 @@ void Subdivision::add_roots() {
 
 bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
   Lists next;
+  open_area_ = 0;
   bool any = false;
   for (const OpenCell& open : open_) {
     const auto [x, y, width, height] = open.cell;
@@ -87,6 +89,7 @@ bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
       OpenCell& kept = next.open.emplace_back(open);
       kept.first = static_cast<std::uint32_t>(next.items.size());
       kept.region_first = static_cast<std::uint32_t>(next.region_items.size());
+      open_area_ += grid_.area(kept.cell);
       next.items.insert(next.items.end(), items, items + open.count);
       next.region_items.insert(next.region_items.end(), region_items, region_items + open.region_count);
       continue;
@@ -96,8 +99,10 @@ bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
     const GridCell one = upwards ? GridCell{x, y, width, height / 2} : GridCell{x, y, width / 2, height};
     const GridCell other = upwards ? GridCell{x, y + height / 2, width, height / 2}
                                    : GridCell{x + width / 2, y, width / 2, height};
-    for (const GridCell& half : {one, other})
-      classify(half, open.side, items, open.count, region_items, open.region_count, next);
+    const OpeningJoints over_one = over_openings_of(one);
+    classify(one, over_one, open.side, items, open.count, region_items, open.region_count, next);
+    classify(other, upwards ? over_openings_of(other) : over_one, open.side, items, open.count, region_items,
+             open.region_count, next);
   }
   open_ = std::move(next.open);
   items_ = std::move(next.items);
@@ -105,12 +110,18 @@ bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
   return any;
 }
 
-void Subdivision::classify(const GridCell& cell, RegionSide side, const ContactItem* items, std::size_t count,
-                           const std::uint32_t* region_items, std::size_t region_count, Lists& next) {
+OpeningJoints Subdivision::over_openings_of(const GridCell& cell) const {
+  return scene_.motion.over_openings(grid_.opening(cell.y + 0.5 * cell.height),
+                                     half_sides(grid_, cell).opening);
+}
+
+void Subdivision::classify(const GridCell& cell, const OpeningJoints& over, RegionSide side,
+                           const ContactItem* items, std::size_t count, const std::uint32_t* region_items,
+                           std::size_t region_count, Lists& next) {
   const std::size_t first = next.items.size(), region_first = next.region_items.size();
   const HalfSides half = half_sides(grid_, cell);
-  const MovingJoints joints = scene_.motion.over(grid_.opening(cell.y + 0.5 * cell.height), half.opening,
-                                                 AngleGrid::bearing(cell.x + 0.5 * cell.width), half.bearing);
+  const MovingJoints joints =
+      LinkageMotion::turned(over, AngleGrid::bearing(cell.x + 0.5 * cell.width), half.bearing);
   if (side == RegionSide::crossing) {
     const MovingJoint& tracer = joints[static_cast<std::size_t>(grid_.linkage().tracer_joint())];
     side = side_of(tracer, region_items, region_count, next);
@@ -125,6 +136,7 @@ void Subdivision::classify(const GridCell& cell, RegionSide side, const ContactI
                          should_split_opening(joints, half, decision.by_opening, decision.by_bearing),
                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(kept),
                          static_cast<std::uint32_t>(region_first), static_cast<std::uint32_t>(region_kept)});
+    open_area_ += grid_.area(cell);
     return;
   }
   const auto meeting = region_point(cell, side, next.region_items.data() + region_first,
@@ -181,7 +193,8 @@ void Subdivision::decide_node(std::uint32_t node, const Encounter& between, cons
     }
   }
   // Of a node that is small against the motion one edge is as good as all to prove contact.
-  const GapBounds bounds = bounds_to_edge(joints, piece.hull, obstacle.edges.edge(here.first_edge), half);
+  const GapBounds bounds =
+      bounds_to_edge(joints, piece.hull, obstacle.edges.edge(here.first_edge), half, needed - obstacle.slack);
   if (bounds.upper < needed - obstacle.slack && !mode_.contacts_stay_open) {
     decision.in_contact = true;
     decision.between = between;
@@ -253,16 +266,12 @@ std::optional<Point> Subdivision::region_point(const GridCell& cell, RegionSide 
 void Subdivision::look_at_region_only() {
   mode_.region_only = true;
   std::erase_if(open_, [&](const OpenCell& open) { return !region_point_in(open); });
+  open_area_ = 0;
+  for (const OpenCell& open : open_) open_area_ += grid_.area(open.cell);
 }
 
 std::optional<Point> Subdivision::region_point_in(const OpenCell& open) const {
   return region_point(open.cell, open.side, region_items_.data() + open.region_first, open.region_count);
-}
-
-double Subdivision::open_area() const {
-  double sum = 0;
-  for (const OpenCell& open : open_) sum += grid_.area(open.cell);
-  return sum;
 }
 
 }  // namespace kempe

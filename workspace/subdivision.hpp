@@ -56,7 +56,7 @@ class Subdivision {
   const std::vector<OpenCell>& open() const { return open_; }
   const AngleGrid& grid() const { return grid_; }
   double free_area() const { return free_area_; }  ///< mm^2
-  double open_area() const;                        ///< mm^2
+  double open_area() const { return open_area_; }  ///< mm^2
 
   /// Cuts every open cell that `wanted` accepts into halves, unless it is as small as can be; true if any was
   /// cut.
@@ -82,8 +82,9 @@ class Subdivision {
   struct Decision;
 
   void add_roots();
-  void classify(const GridCell& cell, RegionSide side, const ContactItem* items, std::size_t count,
-                const std::uint32_t* region_items, std::size_t region_count, Lists& next);
+  OpeningJoints over_openings_of(const GridCell& cell) const;
+  void classify(const GridCell& cell, const OpeningJoints& over, RegionSide side, const ContactItem* items,
+                std::size_t count, const std::uint32_t* region_items, std::size_t region_count, Lists& next);
   bool decide_group(const ContactItem*& item, const ContactItem* end, const MovingJoints& joints,
                     const HalfSides& half, Decision& decision, Lists& next) const;
   void decide_node(std::uint32_t node, const Encounter& between, const MovingJoints& joints,
@@ -103,7 +104,7 @@ class Subdivision {
   std::vector<OpenCell> open_;
   std::vector<ContactItem> items_;
   std::vector<std::uint32_t> region_items_;
-  double free_area_ = 0;
+  double free_area_ = 0, open_area_ = 0;
   std::optional<std::pair<ContactCell, Point>> region_in_contact_;
 };
 

@@ -94,6 +94,12 @@ TEST(GapBounds, HoldTheDistanceAllOverTheRectangle) {
     const MovingJoints joints =
         LinkageMotion(linkage).over(patch.opening, patch.half_opening, patch.bearing, patch.half_bearing);
     const GapBounds bounds = bounds_to_edge(joints, hull, edge, {patch.half_opening, patch.half_bearing});
+    const double asked = bounds.middle + dice.between(-20, 20);
+    const GapBounds looser =
+        bounds_to_edge(joints, hull, edge, {patch.half_opening, patch.half_bearing}, asked);
+    EXPECT_EQ(looser.upper < asked, bounds.upper < asked) << i;
+    EXPECT_GE(looser.upper, bounds.upper) << i;
+    EXPECT_EQ(looser.lower, bounds.lower) << i;
     const Box box{edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)};
     EXPECT_LE(distance_from_box(joints, hull, box), bounds.middle + 1e-9);
     for (int sample = 0; sample < 10; ++sample) {
