@@ -63,9 +63,7 @@ tl::expected<std::vector<BatchTask>, InputError> line_tasks(const std::string& f
 }
 
 tl::expected<void, std::string> append_toml(std::string& text, const Json& value) {
-  if (value.is_boolean() || value.is_number_integer()) {
-    text += value.dump();
-  } else if (value.is_number_float()) {
+  if (value.is_boolean() || value.is_number()) {
     text += value.dump();
   } else if (value.is_string()) {
     text += value.dump(-1, ' ', true);  // JSON's escapes are TOML's
@@ -73,7 +71,7 @@ tl::expected<void, std::string> append_toml(std::string& text, const Json& value
     text += "[";
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (i > 0) text += ", ";
-      if (const auto done = append_toml(text, value[i]); !done) return done;
+      if (auto done = append_toml(text, value[i]); !done) return done;
     }
     text += "]";
   } else if (value.is_object()) {
@@ -83,7 +81,7 @@ tl::expected<void, std::string> append_toml(std::string& text, const Json& value
       text += first ? "" : ", ";
       first = false;
       text += Json(key).dump(-1, ' ', true) + " = ";
-      if (const auto done = append_toml(text, entry); !done) return done;
+      if (auto done = append_toml(text, entry); !done) return done;
     }
     text += "}";
   } else {

@@ -95,7 +95,7 @@ std::vector<OpeningInterval> assemblies(Complex shape) {
 }
 
 tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Vertex vertex, double VA,
-                                                                double VB, int assembly, Point pole) {
+                                                                double VB, int assembly, const Point& pole) {
   if (!std::isfinite(k.real()) || !std::isfinite(k.imag()))
     return tl::unexpected(LinkageFault::ratio_not_finite);
   if (std::abs(k) == 0) return tl::unexpected(LinkageFault::ratio_zero);
@@ -109,7 +109,8 @@ tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Verte
   return CopyingLinkage(k, vertex, VA, VB, assembly, pole);
 }
 
-CopyingLinkage::CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly, Point pole)
+CopyingLinkage::CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly,
+                               const Point& pole)
     : k_(k), vertex_(vertex), VA_(VA), VB_(VB), assembly_(assembly), pole_(pole), s_(shape_of(k, vertex)),
       interval_(assemblies(s_)[static_cast<std::size_t>(assembly)]) {}
 

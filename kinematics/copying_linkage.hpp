@@ -90,7 +90,7 @@ std::vector<OpeningInterval> assemblies(Complex shape);
 class CopyingLinkage {
  public:
   static tl::expected<CopyingLinkage, LinkageFault> make(Complex k, Vertex vertex, double VA, double VB,
-                                                         int assembly, Point pole = Point::Zero());
+                                                         int assembly, const Point& pole = Point::Zero());
 
   Complex k() const { return k_; }
   Vertex vertex() const { return vertex_; }
@@ -165,7 +165,7 @@ class CopyingLinkage {
   bool operator==(const CopyingLinkage&) const = default;
 
  private:
-  CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly, Point pole);
+  CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly, const Point& pole);
 
   /// chain = X - V as a factor of tracer - pole: 1, -1 or -k.
   Complex chain_per_tracer() const;

@@ -57,9 +57,10 @@ std::optional<double> FourBar::least_transmission_angle(double first, double las
     return here.has_value();
   };
   if (!look(first) || !look(last)) return std::nullopt;
-  for (double turn = std::ceil(low / pi) * pi; turn < high;
-       turn += pi)  // where cos of the input angle is +-1
-    if (!look(turn)) return std::nullopt;
+  // Where cos of the input angle is +-1.
+  for (auto half_turns = std::llround(std::ceil(low / pi)); static_cast<double>(half_turns) * pi < high;
+       ++half_turns)
+    if (!look(static_cast<double>(half_turns) * pi)) return std::nullopt;
   return least;
 }
 

@@ -18,7 +18,7 @@ struct Tree {
 };
 
 Tree tree_of(const PlanarEquations& equations) {
-  const auto bodies = static_cast<std::size_t>(equations.unknown_count() / 3 + 1);
+  const auto bodies = static_cast<std::size_t>(equations.unknown_count()) / 3 + 1;
   Tree tree{std::vector<bool>(bodies, false), {}};
   const auto joints = equations.joints();
   const auto grow = [&] {

@@ -94,7 +94,7 @@ int PlanarLinkage::add_body(std::string name) {
   return body_count() - 1;
 }
 
-int PlanarLinkage::add_particle(std::string name) {
+int PlanarLinkage::add_particle(const std::string& name) {
   const int body = add_body(name);
   is_particle_.back() = true;
   add(RelativeAngle{body, ground, 0}, name + " does not turn");

@@ -112,7 +112,7 @@ class PlanarLinkage {
   int add_body(std::string name = {});
 
   /// Adds a body that cannot turn, for a point that belongs to no link; returns its number.
-  int add_particle(std::string name = {});
+  int add_particle(const std::string& name = {});
 
   /// Adds a constraint and returns its number.
   int add(const Constraint& constraint, std::string name = {});

@@ -6,19 +6,12 @@
 #include <cmath>
 
 #include "reports/html_text.hpp"
+#include "reports/round_step.hpp"
 
 namespace kempe {
 namespace {
 
 constexpr double width = 720, height = 420, left = 84, right = 24, top = 44, bottom = 58;
-
-/// A round step that divides a range into four to ten pieces.
-double round_step(double range) {
-  const double decade = std::pow(10, std::floor(std::log10(range)));
-  for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0})
-    if (range / (step * decade) <= 8) return step * decade;
-  return 5 * decade;
-}
 
 struct Axis {
   double lower, upper, from, to;  // values, pixels
@@ -27,19 +20,19 @@ struct Axis {
 
 std::string ticks(const Axis& x, const Axis& y) {
   std::string svg;
-  const double step_x = round_step(x.upper - x.lower), step_y = round_step(y.upper - y.lower);
-  for (double value = std::ceil(x.lower / step_x - 1e-9) * step_x; value <= x.upper * (1 + 1e-12) + 1e-12;
-       value += step_x)
+  const auto ticks_of = [](const Axis& axis) {
+    return multiples_within(round_step((axis.upper - axis.lower) / 8), axis.lower, axis.upper);
+  };
+  for (const double value : ticks_of(x))
     svg += fmt::format(
         "<line x1='{0:.2f}' y1='{1}' x2='{0:.2f}' y2='{2}' class='grid'/><text x='{0:.2f}' y='{3}' "
         "text-anchor='middle'>{4:.6g}</text>\n",
-        x.at(value), top, height - bottom, height - bottom + 18, std::abs(value) < 1e-12 ? 0.0 : value);
-  for (double value = std::ceil(y.lower / step_y) * step_y; value <= y.upper; value += step_y)
+        x.at(value), top, height - bottom, height - bottom + 18, value);
+  for (const double value : ticks_of(y))
     svg += fmt::format(
         "<line x1='{0}' y1='{1:.2f}' x2='{2}' y2='{1:.2f}' class='{5}'/><text x='{3}' y='{1:.2f}' dy='4' "
         "text-anchor='end'>{4:.4g}</text>\n",
-        left, y.at(value), width - right, left - 8, std::abs(value) < 1e-9 * step_y ? 0.0 : value,
-        std::abs(value) < 1e-9 * step_y ? "zero" : "grid");
+        left, y.at(value), width - right, left - 8, value, value == 0 ? "zero" : "grid");
   return svg;
 }
 

@@ -45,11 +45,8 @@ std::vector<double> round_levels(const std::vector<Row>& rows, const OpeningInte
     least = std::min(least.value_or(row.error), row.error);
     largest = std::max(largest.value_or(row.error), row.error);
   }
-  std::vector<double> levels;
-  if (!least || !(*largest > *least * (1 + 1e-9))) return levels;
-  const double step = round_step((*largest - *least) / 6);
-  for (double i = std::floor(*least / step) + 1; i * step <= *largest; ++i) levels.push_back(i * step);
-  return levels;
+  if (!least || !(*largest > *least * (1 + 1e-9))) return {};
+  return multiples_within(round_step((*largest - *least) / 6), *least, *largest);
 }
 
 }  // namespace

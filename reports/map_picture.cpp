@@ -216,14 +216,14 @@ std::string Picture::grid() const {
   const double u = view_.unit, step = round_step(2 * drawing_.half.x() / 9);
   const Point lower = drawing_.lower(), upper = drawing_.upper();
   std::string lines, figures;
-  for (double x = std::ceil(lower.x() / step) * step; x <= upper.x(); x += step) {
+  for (const double x : multiples_within(step, lower.x(), upper.x())) {
     lines += svg_line({{x, lower.y()}, {x, upper.y()}});
-    figures += text("tick", {x, lower.y() - 10 * u}, number_text(std::round(x / step) * step, 6));
+    figures += text("tick", {x, lower.y() - 10 * u}, number_text(x, 6));
   }
   // A line at the very top would have no room for its figure.
-  for (double y = std::ceil(lower.y() / step) * step; y <= upper.y() - 7 * u; y += step) {
+  for (const double y : multiples_within(step, lower.y(), upper.y() - 7 * u)) {
     lines += svg_line({{lower.x(), y}, {upper.x(), y}});
-    figures += text("tick end", {lower.x() - 6 * u, y}, number_text(std::round(y / step) * step, 6));
+    figures += text("tick end", {lower.x() - 6 * u, y}, number_text(y, 6));
   }
   return group("grid", path_element("grid-line", lines) + figures);
 }

@@ -96,7 +96,7 @@ std::vector<TextShape> engraving(Link link, const Pose& pose, const LinkStyle& s
   const std::string text(name(link));
   const double characters = static_cast<double>(text.size()) + 5;  // two letters and the gaps between
   const double height = std::min(0.4 * style.width, main_way->length / (0.85 * characters));
-  const Point start = pose[main_way->pair.from], end = pose[main_way->pair.to];
+  const Point &start = pose[main_way->pair.from], &end = pose[main_way->pair.to];
   std::vector<TextShape> labels{text_along(text, 0.5 * (start + end), end - start, height)};
   const LinkJoints joints = joints_of(link);
   for (int i = 0; i < joints.count; ++i) {

@@ -6,19 +6,13 @@
 #include <cmath>
 
 #include "reports/html_text.hpp"
+#include "reports/round_step.hpp"
 
 namespace kempe {
 namespace {
 
 constexpr double chart_width = 420, chart_height = 260;
 constexpr double left = 58, right = 14, top = 14, bottom = 46;
-
-double round_up_step(double wanted) {
-  const double power = std::pow(10, std::floor(std::log10(wanted)));
-  for (const double factor : {1.0, 2.0, 2.5, 5.0})
-    if (wanted <= factor * power * (1 + 1e-9)) return factor * power;
-  return 10 * power;
-}
 
 /// Values along one side of a chart and where they stand in it.
 struct Axis {
@@ -28,7 +22,7 @@ struct Axis {
 
 Axis axis(double lower, double upper, double from, double to) {
   const double span = upper > lower ? upper - lower : std::max(1e-6, std::abs(upper)) * 0.2;
-  const double step = round_up_step(span / 5);
+  const double step = round_step(span / 5);
   return {std::floor(lower / step) * step, std::ceil((upper > lower ? upper : lower + span) / step) * step,
           step, from, to};
 }
@@ -39,13 +33,11 @@ std::string text(double x, double y, std::string_view css, const std::string& wo
 
 std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const std::string& y_name) {
   std::string lines, figures;
-  for (double i = std::ceil(x.lower / x.step - 0.01); i * x.step <= x.upper + 0.01 * x.step; ++i) {
-    const double value = i * x.step;
+  for (const double value : multiples_within(x.step, x.lower, x.upper)) {
     lines += fmt::format("M{:.1f},{:.1f}V{:.1f}", x.at(value), y.from, y.to);
     figures += text(x.at(value), y.from + 16, "tick", number_text(value, 6));
   }
-  for (double i = std::ceil(y.lower / y.step - 0.01); i * y.step <= y.upper + 0.01 * y.step; ++i) {
-    const double value = i * y.step;
+  for (const double value : multiples_within(y.step, y.lower, y.upper)) {
     lines += fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(value), x.to);
     figures += text(x.from - 6, y.at(value) + 4, "tick end", number_text(value, 6));
   }
@@ -88,7 +80,7 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
   double most = 0;
   for (const CopyErrorChart::Row& row : rows) most = std::max({most, row.worst, row.rss});
   const Axis x{degrees(rows.front().opening), degrees(rows.back().opening),
-               round_up_step(degrees(rows.back().opening - rows.front().opening) / 6), left,
+               round_step(degrees(rows.back().opening - rows.front().opening) / 6), left,
                chart_width - right};
   const Axis y = axis(0, most, chart_height - bottom, top);
   std::string inside;

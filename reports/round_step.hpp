@@ -2,15 +2,25 @@
 // Steps that people count in.
 
 #include <cmath>
+#include <vector>
 
 namespace kempe {
 
-/// The least of 1, 2, 5 times a power of ten that is not below `wanted` (> 0).
+/// The least of 1, 2, 5 times a power of ten that is not below `wanted` (> 0) but for rounding.
 inline double round_step(double wanted) {
   const double power = std::pow(10, std::floor(std::log10(wanted)));
   for (const double factor : {1.0, 2.0, 5.0})
-    if (wanted <= factor * power) return factor * power;
+    if (wanted <= factor * power * (1 + 1e-9)) return factor * power;
   return 10 * power;
+}
+
+/// The multiples of `step` (> 0) from `lower` to `upper`; a billionth of a step outside still counts. Few are expected.
+inline std::vector<double> multiples_within(double step, double lower, double upper) {
+  std::vector<double> multiples;
+  const auto last = std::llround(std::floor(upper / step + 1e-9));
+  for (auto i = std::llround(std::ceil(lower / step - 1e-9)); i <= last; ++i)
+    multiples.push_back(static_cast<double>(i) * step);
+  return multiples;
 }
 
 }  // namespace kempe

@@ -289,7 +289,7 @@ class LinkageReader {
     }
     const auto name = names_.point(table, key);
     if (!name) return std::nullopt;
-    const auto local = names_.local_place(*name, link);
+    auto local = names_.local_place(*name, link);
     if (!local) table.refuse(key, fmt::format("{}, which is no point of {}", *name, link));
     return local;
   }

@@ -133,7 +133,7 @@ bool LinkageTable::truth(std::string_view key) const {
 std::optional<Point> LinkageTable::point(std::string_view key) const {
   const toml::node* node = find(key);
   if (!node) return std::nullopt;
-  const auto value = finite_point(*node);
+  auto value = finite_point(*node);
   if (value && value->cwiseAbs().maxCoeff() <= largest_number) return value;
   const toml::array* list = node->as_array();
   if (list && list->size() == 2)

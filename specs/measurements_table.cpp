@@ -71,7 +71,7 @@ std::optional<int> MeasurementTable::whole(std::string_view key, int lower, int 
 std::optional<std::string> MeasurementTable::text(std::string_view key) const {
   const toml::node* node = find(key);
   if (!node) return std::nullopt;
-  const auto value = node->value_exact<std::string>();
+  auto value = node->value_exact<std::string>();
   if (value && !value->empty()) return value;
   refuse(key, describe(*node), "text between quotation marks");
   return std::nullopt;
@@ -81,7 +81,7 @@ std::optional<std::string> MeasurementTable::word(std::string_view key,
                                                   const std::vector<std::string_view>& words) const {
   const toml::node* node = find(key);
   if (!node) return std::nullopt;
-  const auto value = node->value_exact<std::string>();
+  auto value = node->value_exact<std::string>();
   if (value && std::find(words.begin(), words.end(), *value) != words.end()) return value;
   refuse(key, describe(*node), fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
   return std::nullopt;
@@ -119,7 +119,7 @@ bool MeasurementTable::truth(std::string_view key) const {
 std::optional<Point> MeasurementTable::point(std::string_view key, double farthest) const {
   const toml::node* node = find(key);
   if (!node) return std::nullopt;
-  const auto value = finite_point(*node);
+  auto value = finite_point(*node);
   if (value && value->cwiseAbs().maxCoeff() <= farthest) return value;
   refuse(key, describe(*node), fmt::format("[x, y], numbers from {} to {}", -farthest, farthest));
   return std::nullopt;

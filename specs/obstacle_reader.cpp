@@ -43,7 +43,7 @@ class ObstacleReader {
     common_.highest_layer = (*list)[1].value_or(common_.highest_layer);
   }
 
-  void refuse(std::string found, std::string allowed) {
+  void refuse(const std::string& found, std::string allowed) {
     complaints_.add(table_.line_of_key(key_), table_.dotted(key_), common_.name + ": " + found,
                     std::move(allowed));
   }

@@ -99,7 +99,7 @@ Ring image(const Ring& ring, Complex k, const Point& pole) {
 double signed_area(const Ring& ring) {
   if (ring.empty()) return 0;
   // Relative to a corner: far from the origin the products would cancel.
-  const Point origin = ring.front();
+  const Point& origin = ring.front();
   double doubled = 0;
   for_each_edge(ring,
                 [&](const Point& from, const Point& to) { doubled += cross(from - origin, to - origin); });

@@ -65,7 +65,7 @@ std::optional<Region> read_file_region(const TableView& table, const std::filesy
   return std::nullopt;
 }
 
-std::optional<Region> grow_as_asked(const TableView& table, Region region, Complaints& complaints) {
+std::optional<Region> grow_as_asked(const TableView& table, const Region& region, Complaints& complaints) {
   double margin = 0;
   table.set("margin_mm", margin);
   auto result = grown(region, margin);
@@ -92,7 +92,7 @@ std::optional<Region> read_region(const TableView& table, const std::filesystem:
   if (!complaints.none()) return std::nullopt;
   if (*key == "file") return read_file_region(table, folder, complaints);
   auto region = read_shape(table, *key, complaints);
-  return region ? grow_as_asked(table, std::move(*region), complaints) : std::nullopt;
+  return region ? grow_as_asked(table, *region, complaints) : std::nullopt;
 }
 
 PoleSpec read_pole(const TableView& table, const Point& natural, Complaints& complaints) {

@@ -52,7 +52,7 @@ Complex without_rounding(Complex k) {
   return k;
 }
 
-Point without_rounding(Point point, double scale) {
+Point without_rounding(const Point& point, double scale) {
   return point.unaryExpr([&](double c) { return std::abs(c) < rounding * scale ? 0.0 : c; });
 }
 

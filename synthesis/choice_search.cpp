@@ -50,8 +50,10 @@ void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lat
       seen.push_back({{i / last, j / last}, pole, merit_at(problem, point)});
     }
   const auto at = [&](int i, int j) -> const Start& {
-    return seen[static_cast<std::size_t>(std::clamp(i, 0, lattice - 1) * lattice +
-                                         std::clamp(j, 0, lattice - 1))];
+    const auto within = [&](int index) {
+      return static_cast<std::size_t>(std::clamp(index, 0, lattice - 1));
+    };
+    return seen[within(i) * static_cast<std::size_t>(lattice) + within(j)];
   };
   for (int i = 0; i < lattice; ++i)
     for (int j = 0; j < lattice; ++j) {

@@ -68,7 +68,7 @@ Box DesignProblem::pole_box() const {
 
 Point DesignProblem::unit_pole(double x, double y) const {
   const Box box = pole_box();
-  const Point pole = box.lower + (box.upper - box.lower).cwiseProduct(Point(x, y));
+  Point pole = box.lower + (box.upper - box.lower).cwiseProduct(Point(x, y));
   const double outside = space_.pole_distance(pole) - limits_.pole_margin;
   if (goal_ == Goal::pole_margin || outside <= 0) return pole;
   const Point home = space_.nearest_pole(pole);

@@ -87,7 +87,10 @@ class PolarBins {
   }
 
  private:
-  std::size_t at(int ring, int bin) const { return static_cast<std::size_t>(ring * (bins_ + 1) + bin); }
+  std::size_t at(int ring, int bin) const {
+    return static_cast<std::size_t>(ring) * static_cast<std::size_t>(bins_ + 1) +
+           static_cast<std::size_t>(bin);
+  }
   void add(int ring, int from, int to) {
     if (to <= from) return;
     ++change_[at(ring, from)];

@@ -182,7 +182,7 @@ std::vector<std::string> names_of(const GeneratorError& error, const GeneratorVe
 /// The conditions at work near u: those with negative multipliers are let go one by one.
 std::optional<Balanced> held(const GeneratorError& error, const GeneratorVector& u, ActiveSet active) {
   while (active.size() > 1) {
-    const auto found = balanced(error, u, active);
+    auto found = balanced(error, u, active);
     if (!found) return std::nullopt;
     Eigen::Index weakest = 0;
     if (found->multipliers.minCoeff(&weakest) > 0) return found;

@@ -162,6 +162,7 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
     if (here.distance < nearest.distance) nearest = here, of_part = &part.corners;
   }
   PlacedJet jet{.value = nearest.distance - term.piece.half_width};
+  if (!of_part) return jet;  // nothing stands there, or lengths overflow: no slope to go by
   // Unit vector along which the piece's deciding place leaves the obstacle; that place as a mixture of joints.
   const auto joint = [&](std::size_t corner) { return term.piece.hull.joints[corner]; };
   const auto add = [&](Joint moving, double weight, Complex normal) {

@@ -33,8 +33,8 @@ class Drive {
   struct Points {
     BodyPoint V, A, B, C, X, Y;
   };
-  Drive(PlanarPath path, Points points, Point pole)
-      : path_(std::move(path)), points_(points), pole_(std::move(pole)) {}
+  Drive(PlanarPath path, const Points& points, const Point& pole)
+      : path_(std::move(path)), points_(points), pole_(pole) {}
   tl::expected<void, std::string> around_the_pole(const Point& tracer);
 
   PlanarPath path_;

@@ -50,8 +50,10 @@ ArcRegion polygons_of(const AngleGrid& grid, const GridOutline& outline) {
   for (const GridRing& ring : outline.rings) {
     ArcRing mapped = plane_ring(grid, ring);
     const double enclosed = signed_area(mapped);
-    if (enclosed > 0) by_component[ring.component].outer = std::move(mapped);
-    if (enclosed < 0) by_component[ring.component].holes.push_back(std::move(mapped));
+    if (enclosed > 0)
+      by_component[ring.component].outer = std::move(mapped);
+    else if (enclosed < 0)
+      by_component[ring.component].holes.push_back(std::move(mapped));
   }
   ArcRegion region;
   for (auto& [component, polygon] : by_component)

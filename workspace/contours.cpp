@@ -19,6 +19,7 @@ namespace {
 /// distance (2).
 struct Node {
   int bearing, distance, kind;
+  // clang-tidy 14 takes the 0 of what follows for a pointer. NOLINTNEXTLINE(modernize-use-nullptr)
   auto operator<=>(const Node&) const = default;
 };
 

@@ -93,9 +93,10 @@ void add_steps(std::vector<Step>& steps, const std::vector<GridCell>& cells, boo
   const std::vector<Side> sides = sides_of(cells, across);
   for (std::size_t begin = 0; begin < sides.size();) {
     const std::uint32_t line = sides[begin].line;
-    std::size_t middle = begin, end = begin;
+    std::size_t middle = begin;
     while (middle < sides.size() && sides[middle].line == line && !sides[middle].after) ++middle;
-    for (end = middle; end < sides.size() && sides[end].line == line;) ++end;
+    std::size_t end = middle;
+    while (end < sides.size() && sides[end].line == line) ++end;
     std::uint32_t last_end = none;
     bool last_after = false;
     const auto use = [&](std::uint32_t from, std::uint32_t to, std::uint32_t cell, bool after) {

@@ -48,15 +48,15 @@ std::optional<Point> point_in(const Sector& sector, const EdgeTree::Edge& edge) 
   std::sort(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(count));
   const auto try_at = [&](double share) -> std::optional<Point> {
     if (share < shares.from || share > shares.to) return std::nullopt;
-    const Point point = edge.from + share * (edge.to - edge.from);
+    Point point = edge.from + share * (edge.to - edge.from);
     const double distance = point.norm();
     if (distance < sector.inner || distance > sector.outer) return std::nullopt;
     return point;
   };
   for (std::size_t i = 0; i + 1 < count; ++i)
-    if (const auto point = try_at(0.5 * (at[i] + at[i + 1]))) return point;
+    if (auto point = try_at(0.5 * (at[i] + at[i + 1]))) return point;
   for (std::size_t i = 0; i < count; ++i)
-    if (const auto point = try_at(at[i])) return point;
+    if (auto point = try_at(at[i])) return point;
   return std::nullopt;
 }
 
