@@ -32,6 +32,11 @@ struct Case {
   int layers;  ///< index of the assignment
 };
 
+/// For the test's name, which would show the bytes.
+void PrintTo(const Case& one, std::ostream* out) {
+  *out << one.obstacles << " obstacles of " << one.corners << " corners";
+}
+
 class MapSampling : public testing::TestWithParam<Case> {};
 
 MapTask task_of(const Case& one) {
