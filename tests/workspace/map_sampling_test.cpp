@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "random_linkage.hpp"
 #include "sampled_mechanism.hpp"
 #include "workspace/reach.hpp"
