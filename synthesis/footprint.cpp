@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "workspace/edge_tree.hpp"
 #include "workspace/grid_outline.hpp"
 #include "workspace/linkage_motion.hpp"
 #include "workspace/parts.hpp"
@@ -20,12 +21,12 @@ struct Bearings {
   double from, to;
 };
 
-/// Overlapping ones joined, by rising angle.
-std::vector<Bearings> merged(std::vector<Bearings> all) {
+/// Those that overlap, or come as near to each other as `gap`, joined, by rising angle.
+std::vector<Bearings> merged(std::vector<Bearings> all, double gap = 0) {
   std::sort(all.begin(), all.end(), [](const Bearings& a, const Bearings& b) { return a.from < b.from; });
   std::vector<Bearings> found;
   for (const Bearings& one : all) {
-    if (!found.empty() && one.from <= found.back().to)
+    if (!found.empty() && one.from <= found.back().to + gap)
       found.back().to = std::max(found.back().to, one.to);
     else
       found.push_back(one);
@@ -223,25 +224,31 @@ class GrownPiece {
 /// both circles.
 class RegionBearings {
  public:
-  RegionBearings(const Region& region, const Point& pole) : region_(region), pole_(pole) {
-    for (const Polygon& polygon : region.polygons) {
-      append(polygon.outer);
-      for (const Ring& hole : polygon.holes) append(hole);
-    }
-  }
+  RegionBearings(const Region& region, const Point& pole) : edges_(region, pole) {}
 
-  std::vector<Bearings> between(double inner, double outer) const {
+  /// Gaps between bearings up to `gap` are filled.
+  std::vector<Bearings> between(double inner, double outer, double gap = 0) const {
     std::vector<Bearings> found;
-    for (const auto& [a, b] : edges_) add_edge(a, b, inner, outer, found);
+    for_each_edge_between(
+        inner, outer, [&](const EdgeTree::Edge& edge) { add_edge(edge.from, edge.to, inner, outer, found); });
     add_circle(inner, found);
     if (outer > inner) add_circle(outer, found);
-    return merged(std::move(found));
+    return merged(std::move(found), gap);
   }
 
  private:
-  void append(const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      edges_.push_back({ring[i] - pole_, ring[(i + 1) % ring.size()] - pole_});
+  /// Calls `visit(edge)` for all edges that come between two distances from the pole, and for few others.
+  template <class Visit>
+  void for_each_edge_between(double inner, double outer, Visit visit) const {
+    constexpr double rounding = 1e-12;
+    for_each_edge(
+        edges_,
+        [&](const Box& box) {
+          const Point far = box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs());
+          return far.squaredNorm() >= inner * inner &&
+                 distance(box, {Point::Zero(), Point::Zero()}) <= outer * (1 + rounding);
+        },
+        visit);
   }
 
   /// Shares of the edge a-b at which it is `radius` from the pole, in order.
@@ -275,29 +282,29 @@ class RegionBearings {
 
   void add_circle(double radius, std::vector<Bearings>& found) const {
     std::vector<double> angles;
-    for (const auto& [a, b] : edges_) {
-      if ((b - a).squaredNorm() == 0 || std::max(a.squaredNorm(), b.squaredNorm()) < radius * radius)
-        continue;
+    for_each_edge_between(radius, radius, [&](const EdgeTree::Edge& edge) {
+      const Point &a = edge.from, &b = edge.to;
+      if ((b - a).squaredNorm() == 0 || std::max(a.squaredNorm(), b.squaredNorm()) < radius * radius) return;
       for (const double share : shares_at(a, b, radius)) {
         if (share < 0 || share > 1) continue;
         const Point at = a + share * (b - a);
         angles.push_back(std::atan2(at.y(), at.x()));
       }
-    }
+    });
     std::sort(angles.begin(), angles.end());
     const auto inside = [&](double angle) {
-      return contains(region_, pole_ + radius * Point(std::cos(angle), std::sin(angle)));
+      return edges_.winds_around(radius * Point(std::cos(angle), std::sin(angle)));
     };
-    if (angles.empty() && inside(0)) found.push_back({0, 2 * pi});
+    // A circle that only touches the region may seem to miss its edges by rounding, so one place tells nothing.
+    if (angles.empty() && inside(1) && inside(1 + 2 * pi / 3) && inside(1 + 4 * pi / 3))
+      found.push_back({0, 2 * pi});
     for (std::size_t i = 0; i < angles.size(); ++i) {
       const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * pi;
       if (inside(0.5 * (angles[i] + to))) found.push_back({angles[i], to});
     }
   }
 
-  const Region& region_;
-  Point pole_;
-  std::vector<std::pair<Point, Point>> edges_;
+  EdgeTree edges_;  ///< seen from the pole
 };
 
 /// What one sweep needs beside the bins.
@@ -367,11 +374,12 @@ std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkSty
   PolarBins bins(grid, 1.05 * (farthest + style.width));
   const RegionBearings region_bearings(region, linkage.pole());
   const double half_slab = openings->width() / grid.slabs / 2;
+  const double one_bin = 2 * pi / grid.bins;  // what lies between is swept to within the grid anyway
   for (int slab = 0; slab < grid.slabs; ++slab) {
     const double opening = openings->lower + (2 * slab + 1) * half_slab;
     const double a = linkage.radius_at(opening - half_slab), b = linkage.radius_at(opening + half_slab);
     const double middle = linkage.radius_at(opening);
-    const auto bearings = outward ? region_bearings.between(std::min(a, b), std::max(a, b))
+    const auto bearings = outward ? region_bearings.between(std::min(a, b), std::max(a, b), one_bin)
                                   : region_bearings.between(middle, middle);
     fill_slab(pieces_at(sweep, motion, opening, half_slab, bins.step() / 2), bearings, outward, bins);
   }
