@@ -30,7 +30,9 @@ class Raster {
         cells_.at(static_cast<std::size_t>((x + reach) * 2 * reach + y + reach)) = true;
       }
   }
-  double area() const { return static_cast<double>(std::count(cells_.begin(), cells_.end(), true)) * cell * cell; }
+  double area() const {
+    return static_cast<double>(std::count(cells_.begin(), cells_.end(), true)) * cell * cell;
+  }
 
  private:
   static constexpr long reach = 800;
@@ -40,8 +42,12 @@ class Raster {
 void add_pose(Raster& raster, const CopyingLinkage& linkage, Z tracer) {
   const auto at = test::joints_with_tracer_at(linkage, tracer);
   ASSERT_TRUE(at) << tracer;
-  for (const auto& [from, to] : {std::pair{at->V, at->A}, {at->V, at->B}, {at->A, at->C}, {at->A, at->X},
-                                 {at->B, at->C}, {at->B, at->Y}})
+  for (const auto& [from, to] : {std::pair{at->V, at->A},
+                                 {at->V, at->B},
+                                 {at->A, at->C},
+                                 {at->A, at->X},
+                                 {at->B, at->C},
+                                 {at->B, at->Y}})
     raster.add_bar(from, to);
 }
 
@@ -77,7 +83,8 @@ TEST(Footprint, IsWhatTheBarsPassOver) {
       const Z centre = as_complex(pole) + std::polar(radius, bearing);
       Raster raster;
       for (int ring = 0; ring <= 4; ++ring)
-        for (int i = 0; i < 48; ++i) add_pose(raster, linkage, centre + std::polar(size * ring / 4, i * pi / 24));
+        for (int i = 0; i < 48; ++i)
+          add_pose(raster, linkage, centre + std::polar(size * ring / 4, i * pi / 24));
       const double area = footprint(linkage, style, Region{{{disc_at(centre, size), {}}}}).area;
       EXPECT_GT(area, 0.99 * raster.area());
       EXPECT_LT(area, 1.06 * raster.area()) << "bearing " << bearing << " of " << linkage.k();
@@ -89,7 +96,8 @@ TEST(Footprint, OfARegionAroundThePoleIsAWholeTurn) {
   for (const auto& [linkage, radius] : specimens(pole)) {
     Raster raster;
     for (const double at : {0.95 * radius, radius, 1.05 * radius})
-      for (int i = 0; i < 450; ++i) add_pose(raster, linkage, as_complex(pole) + std::polar(at, 2 * pi * i / 450));
+      for (int i = 0; i < 450; ++i)
+        add_pose(raster, linkage, as_complex(pole) + std::polar(at, 2 * pi * i / 450));
     const Polygon ring{disc_at(as_complex(pole), 1.05 * radius),
                        {disc_at(as_complex(pole), 0.95 * radius, true)}};
     const double area = footprint(linkage, style, Region{{ring}}).area;
