@@ -3,9 +3,8 @@
 
 Scale 0.1 .. 10, any rotation, regions of 3 .. 30 corners, fixed and free poles, bent and triangular plates, two and three
 layers; every third spec has obstacles, every fourth a tolerance, every sixth a gap between the sheets, every twelfth a
-grid of lengths. Says how many designs failed their
-verification (none may), how far they are above the proven bound, how often each grounding wins, and how many verdicts
-without a design are proven by interval arithmetic.
+grid of lengths. Says how many designs failed their verification (none may), how far they are above the proven bound, how
+often each grounding wins, and how many verdicts without a design are proven by interval arithmetic.
 
 usage: random_specs.py KEMPE [COUNT] [SEED] [FOLDER]
 """
@@ -104,4 +103,5 @@ def main():
     report(rows)
 
 
-main()
+if __name__ == "__main__":
+    main()

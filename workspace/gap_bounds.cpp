@@ -36,8 +36,10 @@ void offer_side(Nearest& nearest, const MovingJoints& joints, std::size_t one, s
     nearest.offer(one, other, cd_ca / (cd_ca - cd_cb), Point::Zero());
     return;
   }
-  const double ab_squared = ab.squaredNorm(), cd_squared = cd.squaredNorm();
-  const double per_ab = ab_squared > 0 ? 1 / ab_squared : 0, per_cd = cd_squared > 0 ? 1 / cd_squared : 0;
+  const auto inverse = [](double squared) {  // of a point, or nearly one: 0, which takes its first end
+    return squared > std::numeric_limits<double>::min() ? 1 / squared : 0;
+  };
+  const double per_ab = inverse(ab.squaredNorm()), per_cd = inverse(cd.squaredNorm());
   const auto share = [](double of_way) { return std::clamp(of_way, 0.0, 1.0); };
   nearest.offer(one, other, 0, ca - share(ca.dot(cd) * per_cd) * cd);
   nearest.offer(one, other, 1, cb - share(cb.dot(cd) * per_cd) * cd);
