@@ -17,26 +17,47 @@ def row(what, sizes, times, unit):
                f"n log n (n^{allowed:.2f} here)", fitted <= allowed + SLACK)
 
 
+def wave(n):
+    """A disc with a wavy outline: a circle about the pole meets few of its edges."""
+    ring = []
+    for i in range(n):
+        t = 2 * math.pi * i / n
+        r = 20 + 2 * math.sin(9 * t) + 0.3 * math.sin(57 * t)
+        ring.append([120 + r * math.cos(t), r * math.sin(t)])
+    return ring
+
+
+def comb(n):
+    """A square whose right half is slit into teeth: circles about the pole cross every edge."""
+    teeth = n // 4
+    ring = [[100, -20]]
+    for i in range(teeth):
+        y = -20 + 40 * i / teeth
+        ring += [[140, y], [140, y + 20 / teeth], [120, y + 20 / teeth], [120, y + 40 / teeth]]
+    return ring + [[100, 20]]
+
+
+def synthesized(context, folder, outline, n):
+    """The run of synthesize, whole command, with a region of n corners in a GeoJSON file."""
+    ring = outline(n)
+    (folder / "region.geojson").write_text(json.dumps({"type": "Polygon", "coordinates": [ring + ring[:1]]}))
+    spec = folder / "spec.toml"
+    spec.write_text('copy = {scale = 1.4, rotation_deg = 90}\nregion = {file = "region.geojson"}\npole = {at_mm = [0, 0]}\n')
+    run = metered([context.kempe, "synthesize", spec, "-o", folder / "out", "-j", "1", "--quiet"])
+    if run.code != 0:
+        raise RuntimeError(run.stderr)
+    return run
+
+
 def vertices(context, folder):
-    """synthesize with a wavy region of n corners in a GeoJSON file, whole command."""
     sizes = [100, 1000, 10_000, 100_000] + ([] if context.quick else [1_000_000])
-    times, memory = [], 0
-    for n in sizes:
-        ring = []
-        for i in range(n):
-            t = 2 * math.pi * i / n
-            r = 20 + 2 * math.sin(9 * t) + 0.3 * math.sin(57 * t)
-            ring.append([120 + r * math.cos(t), r * math.sin(t)])
-        (folder / "region.geojson").write_text(json.dumps({"type": "Polygon", "coordinates": [ring + ring[:1]]}))
-        spec = folder / "spec.toml"
-        spec.write_text('copy = {scale = 1.4, rotation_deg = 90}\nregion = {file = "region.geojson"}\npole = {at_mm = [0, 0]}\n')
-        run = metered([context.kempe, "synthesize", spec, "-o", folder / "out", "-j", "1", "--quiet"])
-        if run.code != 0:
-            raise RuntimeError(run.stderr)
-        times.append(run.cpu_s)
-        memory = max(memory, run.memory_mb)
-    yield row("corners of the region (synthesize, files included)", sizes, times, "corners")
+    runs = [synthesized(context, folder, wave, n) for n in sizes]
+    yield row("corners of the region (synthesize, files included)", sizes, [run.cpu_s for run in runs], "corners")
+    memory = max(run.memory_mb for run in runs)
     yield Row("peak memory of the same", f"{sizes[-1]} corners", f"{memory:.0f} MB", "", "", "300 MB", memory < 300)
+    sizes = [100, 1000, 10_000] + ([] if context.quick else [100_000])
+    times = [synthesized(context, folder, comb, n).cpu_s for n in sizes]
+    yield row("corners of a comb (synthesize, files included)", sizes, times, "corners")
 
 
 def readings(context, folder):

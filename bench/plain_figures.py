@@ -22,6 +22,7 @@ from shapely.ops import nearest_points, unary_union
 
 from random_specs import spec
 
+GAP_MM = 0.011    # to 0.01 mm the smallest gap is certified
 LENGTH = 1e-6     # of the larger figure: lengths are written with ten digits
 ANGLE_DEG = 0.01  # places lie on the region's nearest and farthest point of the pole, to rounding
 EXCESS = 0.12     # of the footprint
@@ -119,7 +120,7 @@ def faults(design):
             gaps += [("an obstacle", axis.distance(shape_) - design.width / 2) for shape_, (low, high) in design.obstacles
                      if low <= layer <= high]
             wrong += [f"{name} comes {gap:.6f} mm near to {other} at {place:.6f}" for other, gap in gaps
-                      if gap < quality["clearance_min_mm"] - LENGTH * max(lengths.values())]
+                      if gap < quality["clearance_min_mm"] - GAP_MM]
         if wrong:
             return wrong
     size = sum((lengths[a] + lengths[b] + lengths[c]) / 2 for a, b, c in (("AC", "AX", "CX"), ("BC", "BY", "CY")))

@@ -94,7 +94,11 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task) {
   ClearanceFigure best{
       own.gap, name(*own.pair),
       place_at_distance(task.region, task.linkage.pole(), task.linkage.radius_at(own.opening)), true};
-  const ContactScene scene(task);
+  if (const auto post = tightest_at_pole(task); post && post->gap < best.gap) {
+    best.gap = post->gap;
+    best.parts = post->post + " and " + obstacle_name(task, post->obstacle);
+  }
+  const ContactScene scene(task, best.gap);
   if (scene.encounters.empty() || !(openings.width() > 0)) return best;
   const EdgeTree region(task.region, task.linkage.pole());
   Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),

@@ -27,7 +27,7 @@ double distance_from_origin(const Box& box) { return distance(box, {Point::Zero(
 
 }  // namespace
 
-ContactScene::ContactScene(const MapTask& task) : motion(task.linkage) {
+ContactScene::ContactScene(const MapTask& task, double within) : motion(task.linkage) {
   for (const Part& part : parts_of(task.linkage, task.layers)) {
     if (part.kind == Part::Kind::pole_post || part.lowest_layer > part.highest_layer) continue;
     for (const JointHull& hull : axis_of(part, task.linkage.shape(), task.style.plate))
@@ -46,7 +46,7 @@ ContactScene::ContactScene(const MapTask& task) : motion(task.linkage) {
     const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (share_layer(pieces[i].part, obstacle) &&
-          nearest < pieces[i].farthest + pieces[i].half_width + task.clearance)
+          nearest < pieces[i].farthest + pieces[i].half_width + within)
         encounters.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(obstacles.size())});
     if (encounters.size() > before) obstacles.push_back(std::move(obstacle));
   }
@@ -88,19 +88,44 @@ ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double 
   return tightest;
 }
 
-std::optional<std::size_t> obstacle_at_pole(const MapTask& task) {
+namespace {
+
+Part pole_post_of(const MapTask& task) {
   Part post;
   for (const Part& part : parts_of(task.linkage, task.layers))
     if (part.kind == Part::Kind::pole_post) post = part;
+  return post;
+}
+
+/// Distance of an obstacle from the pole, if it reaches the post's layers.
+std::optional<double> distance_from_pole(const MapTask& task, const Part& post, const Obstacle& obstacle) {
   // A pole in the lowest layer's link stands in its layer too: the joint itself must be clear.
-  const int highest = std::max(post.highest_layer, 1);
+  if (obstacle.lowest_layer > std::max(post.highest_layer, 1)) return std::nullopt;
+  return distance(Region{{obstacle.shape}}, task.linkage.pole());
+}
+
+}  // namespace
+
+std::optional<std::size_t> obstacle_at_pole(const MapTask& task) {
+  const Part post = pole_post_of(task);
   const double needed = half_width(post, task.style) + task.clearance;
   for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
-    const Obstacle& obstacle = task.obstacles[number];
-    if (obstacle.lowest_layer > highest) continue;
-    if (distance(Region{{obstacle.shape}}, task.linkage.pole()) < needed) return number;
+    const auto away = distance_from_pole(task, post, task.obstacles[number]);
+    if (away && *away < needed) return number;
   }
   return std::nullopt;
+}
+
+std::optional<PoleGap> tightest_at_pole(const MapTask& task) {
+  const Part post = pole_post_of(task);
+  std::optional<PoleGap> tightest;
+  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
+    const auto away = distance_from_pole(task, post, task.obstacles[number]);
+    if (!away) continue;
+    const double gap = *away - half_width(post, task.style);
+    if (!tightest || gap < tightest->gap) tightest = PoleGap{name(post), number, gap};
+  }
+  return tightest;
 }
 
 }  // namespace kempe

@@ -30,11 +30,14 @@ struct Encounter {
 };
 
 struct ContactScene {
-  explicit ContactScene(const MapTask& task);
+  /// For contact: with the obstacles that anything comes nearer to than the task's clearance, perhaps.
+  explicit ContactScene(const MapTask& task) : ContactScene(task, task.clearance) {}
+  /// For gaps: with those that anything comes nearer to than `within`, mm.
+  ContactScene(const MapTask& task, double within);
 
   LinkageMotion motion;
   std::vector<ScenePiece> pieces;        ///< all but the pole post, which does not move
-  std::vector<SceneObstacle> obstacles;  ///< those that anything can come near
+  std::vector<SceneObstacle> obstacles;  ///< the others can be nowhere so near
   std::vector<Encounter> encounters;
 };
 
@@ -52,5 +55,13 @@ ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double 
 /// The first obstacle within `clearance` of the pole post, which no position changes; nothing if there is
 /// none.
 std::optional<std::size_t> obstacle_at_pole(const MapTask& task);
+
+/// The obstacle nearest to the pole post in its layers, and their gap, mm; nothing without one.
+struct PoleGap {
+  std::string post;
+  std::size_t obstacle;  ///< index in MapTask::obstacles
+  double gap;
+};
+std::optional<PoleGap> tightest_at_pole(const MapTask& task);
 
 }  // namespace kempe

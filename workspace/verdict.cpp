@@ -72,11 +72,13 @@ SmallestGap smallest_gap(const MapTask& task, double opening, double bearing) {
   const Pose pose = task.linkage.pose_at(opening, bearing);
   const Tightest own = tightest_gap(task.linkage, pose, task.style, task.layers);
   SmallestGap smallest{own.gap, Cause::self_contact, name(own.pair->first), name(own.pair->second)};
-  const ContactScene scene(task);
+  const ContactScene scene(task, own.gap);
   const ObstacleGap obstacle = tightest_obstacle(scene, opening, bearing);
   if (obstacle.gap < smallest.gap)
     smallest = {obstacle.gap, Cause::obstacle_contact, name(scene.pieces[obstacle.between.piece].part),
                 obstacle_name(task, scene.obstacles[obstacle.between.obstacle].number)};
+  if (const auto post = tightest_at_pole(task); post && post->gap < smallest.gap)
+    smallest = {post->gap, Cause::obstacle_contact, post->post, obstacle_name(task, post->obstacle)};
   return smallest;
 }
 

@@ -1,4 +1,4 @@
-// The map against a dense independent sampling: a million tracer places a case, ten cases of 0 to 50
+// The map and the smallest gap against dense independent sampling: a million tracer places a case, ten cases of 0 to 50
 // obstacles.
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 
 #include "random_linkage.hpp"
 #include "sampled_mechanism.hpp"
+#include "workspace/clearance.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -121,6 +122,53 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{35, 20, {0.5, 0.8660254037844386}, Vertex::tracer, 80, 80, 2, PlateStyle::bent, 0},
                     Case{50, 20, {0, 1.4}, Vertex::pole, 50, 35, 2, PlateStyle::triangle, 0}),
     [](const auto& one) { return std::to_string(one.param.obstacles) + "Obstacles"; });
+
+/// Places of a disc, its outline dense.
+std::vector<test::Z> places_of_disc(test::Z centre, double radius) {
+  std::vector<test::Z> places{centre};
+  for (int ring = 1; ring <= 6; ++ring)
+    for (int i = 0; i < 60 * ring; ++i)
+      places.push_back(centre + std::polar(radius * ring / 6, 2 * pi * i / (60 * ring)));
+  return places;
+}
+
+TEST(ClearanceSampling, FigureIsThatOfThePlainGapsWhereverTheObstaclesStand) {
+  Dice dice(31);
+  int obstacles_decide = 0;
+  for (int i = 0; i < 300; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const LinkStyle thin{1, 0.5, 4, dice.below(2) == 0 ? PlateStyle::bent : PlateStyle::triangle};
+    MapTask task{linkage, thin, test::random_layers(dice), 0.5, 0, {}, {}, {}};
+    const Annulus reach = reachable_annulus(linkage);
+    const double out = reach.outer, radius = linkage.radius_at(linkage.assembly_interval().middle());
+    const test::Z centre = as_complex(linkage.pole()) + std::polar(radius, dice.between(-pi, pi));
+    const double size = 0.4 * std::min(radius - reach.inner, reach.outer - radius);
+    Ring disc;
+    for (int corner = 0; corner < 360; ++corner)
+      disc.push_back(as_point(centre + std::polar(size, pi * corner / 180)));
+    task.region = {{{disc, {}}}};
+    for (int count = 1 + i % 3; count > 0; --count) {
+      const test::Z away = std::polar(out * dice.between(0.4, 2), dice.between(-pi, pi));
+      task.obstacles.push_back(star(dice, as_point(as_complex(linkage.pole()) + away), 0.1 * out, 8));
+    }
+    double plain = 1e300, own = 1e300;
+    const std::vector<test::Block> blocked = test::blocks(task.obstacles);
+    for (const test::Z place : places_of_disc(centre, size)) {
+      const auto joints = test::joints_with_tracer_at(linkage, place);
+      ASSERT_TRUE(joints);
+      const std::vector<test::Solid> all = test::solids(linkage, *joints, task.style, task.layers);
+      own = std::min(own, test::self_gap(all));
+      plain = std::min({plain, own, test::obstacle_gap(all, blocked, 1e300)});
+    }
+    if (plain < 0) continue;  // how deep parts overlap is not measured
+    const auto figure = smallest_clearance(task);
+    ASSERT_TRUE(figure);
+    EXPECT_LE(figure->gap, plain + 1e-2) << figure->parts;
+    EXPECT_GE(figure->gap, plain - 1e-3 * out) << figure->parts;  // as dense as the places are
+    obstacles_decide += plain < own;
+  }
+  EXPECT_GT(obstacles_decide, 20);
+}
 
 }  // namespace
 }  // namespace kempe
