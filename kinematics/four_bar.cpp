@@ -58,9 +58,8 @@ std::optional<double> FourBar::least_transmission_angle(double first, double las
   };
   if (!look(first) || !look(last)) return std::nullopt;
   // Where cos of the input angle is +-1.
-  for (auto half_turns = std::llround(std::ceil(low / pi)); static_cast<double>(half_turns) * pi < high;
-       ++half_turns)
-    if (!look(static_cast<double>(half_turns) * pi)) return std::nullopt;
+  for (double half_turns = std::ceil(low / pi); half_turns * pi < high; ++half_turns)
+    if (!look(half_turns * pi)) return std::nullopt;
   return least;
 }
 

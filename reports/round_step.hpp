@@ -14,9 +14,11 @@ inline double round_step(double wanted) {
   return 10 * power;
 }
 
-/// The multiples of `step` (> 0) from `lower` to `upper`; a billionth of a step outside still counts. Few are expected.
+/// The multiples of `step` from `lower` to `upper`; a billionth of a step outside still counts. Few are expected; none where
+/// there is no step to count in, as for a range of no width.
 inline std::vector<double> multiples_within(double step, double lower, double upper) {
   std::vector<double> multiples;
+  if (!(step > 0) || !std::isfinite(lower / step) || !std::isfinite(upper / step)) return multiples;
   const auto last = std::llround(std::floor(upper / step + 1e-9));
   for (auto i = std::llround(std::ceil(lower / step - 1e-9)); i <= last; ++i)
     multiples.push_back(static_cast<double>(i) * step);

@@ -54,13 +54,11 @@ class PolarBins {
   double step() const { return step_; }
   double middle(int ring) const { return (ring + 0.5) * step_; }
 
-  /// `outward`: whole bins that hold the angles; else those whose middle they hold.
-  void fill(int ring, const Bearings& angles, bool outward) {
-    const double per_bin = bins_ / (2 * pi), rounding = outward ? 0 : 0.5;
+  /// All bins that hold some of the angles.
+  void fill(int ring, const Bearings& angles) {
+    const double per_bin = bins_ / (2 * pi);
     if (angles.to - angles.from >= 2 * pi) return add(ring, 0, bins_);
-    const double first =
-        outward ? std::floor(angles.from * per_bin) : std::ceil(angles.from * per_bin - rounding);
-    const double past = outward ? std::ceil(angles.to * per_bin) : std::ceil(angles.to * per_bin - rounding);
+    const double first = std::floor(angles.from * per_bin), past = std::ceil(angles.to * per_bin);
     const int count = std::min(bins_, static_cast<int>(past - first));
     const int start = static_cast<int>(first - bins_ * std::floor(first / bins_));
     add(ring, start, std::min(bins_, start + count));
@@ -337,7 +335,7 @@ std::vector<GrownPiece> pieces_at(const Sweep& sweep, const LinkageMotion& motio
   return pieces;
 }
 
-void fill_slab(const std::vector<GrownPiece>& pieces, const std::vector<Bearings>& bearings, bool outward,
+void fill_slab(const std::vector<GrownPiece>& pieces, const std::vector<Bearings>& bearings,
                PolarBins& bins) {
   std::vector<Bearings> found;
   for (const GrownPiece& piece : pieces) {
@@ -347,7 +345,7 @@ void fill_slab(const std::vector<GrownPiece>& pieces, const std::vector<Bearings
       piece.angles_in(bins.middle(ring), found);
       for (const Bearings& angles : found)
         for (const Bearings& turned : bearings)
-          bins.fill(ring, {angles.from + turned.from, angles.to + turned.to}, outward);
+          bins.fill(ring, {angles.from + turned.from, angles.to + turned.to});
     }
   }
 }
@@ -364,10 +362,10 @@ std::optional<OpeningInterval> openings_met(const CopyingLinkage& linkage, const
 }
 
 std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkStyle& style,
-                                    const Region& region, const FootprintGrid& grid, bool outward) {
+                                    const Region& region, const FootprintGrid& grid) {
   const auto openings = openings_met(linkage, region);
   if (!openings) return std::nullopt;
-  const Sweep sweep{linkage, style, *openings, outward};
+  const Sweep sweep{linkage, style, *openings, true};
   const LinkageMotion motion(linkage);
   double farthest = 0;
   for (const Joint joint : all_joints) farthest = std::max(farthest, motion.farthest(joint));
@@ -378,10 +376,8 @@ std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkSty
   for (int slab = 0; slab < grid.slabs; ++slab) {
     const double opening = openings->lower + (2 * slab + 1) * half_slab;
     const double a = linkage.radius_at(opening - half_slab), b = linkage.radius_at(opening + half_slab);
-    const double middle = linkage.radius_at(opening);
-    const auto bearings = outward ? region_bearings.between(std::min(a, b), std::max(a, b), one_bin)
-                                  : region_bearings.between(middle, middle);
-    fill_slab(pieces_at(sweep, motion, opening, half_slab, bins.step() / 2), bearings, outward, bins);
+    const auto bearings = region_bearings.between(std::min(a, b), std::max(a, b), one_bin);
+    fill_slab(pieces_at(sweep, motion, opening, half_slab, bins.step() / 2), bearings, bins);
   }
   return bins;
 }
@@ -439,7 +435,7 @@ Region outline_in_the_plane(const PolarBins& bins, const FootprintGrid& grid, co
 
 Footprint footprint(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
                     const FootprintGrid& grid) {
-  const auto bins = swept_bins(linkage, style, region, grid, true);
+  const auto bins = swept_bins(linkage, style, region, grid);
   if (!bins) return {};
   return {bins->area(), outline_in_the_plane(*bins, grid, linkage.pole())};
 }
