@@ -20,12 +20,11 @@ Point AngleGrid::place(double x, double y) const {
   return linkage_.pole() + as_point(std::polar(radius(y), bearing(x)));
 }
 
-double AngleGrid::area(const GridCell& cell) const {
+double AngleGrid::area_per_bearing(std::uint32_t y, std::uint32_t height) const {
   // r^2 = (VA^2 + m^2 + 2 VA m cos(d - arg s)) / n^2 with m = VB/|s| and n the chain over the tracer's distance; as a product
   // the difference of the two ends' squares keeps its digits in the smallest cell.
-  const double middle = opening(cell.y + 0.5 * cell.height),
-               half = 0.5 * openings_.width() * (cell.height * (1.0 / rise));
-  return area_scale_ * std::abs(std::sin(middle - dead_) * std::sin(half)) * bearing(cell.width);
+  const double middle = opening(y + 0.5 * height), half = 0.5 * openings_.width() * (height * (1.0 / rise));
+  return area_scale_ * std::abs(std::sin(middle - dead_) * std::sin(half));
 }
 
 }  // namespace kempe

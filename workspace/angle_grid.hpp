@@ -36,12 +36,16 @@ class AngleGrid {
   Point place(double x, double y) const;
 
   /// Area of a cell in the tracer's plane, mm^2: exact up to rounding.
-  double area(const GridCell& cell) const;
+  double area(const GridCell& cell) const {
+    return area_per_bearing(cell.y, cell.height) * bearing(cell.width);
+  }
+  /// That of a cell with these openings over its bearings' width, mm^2/rad.
+  double area_per_bearing(std::uint32_t y, std::uint32_t height) const;
 
  private:
   CopyingLinkage linkage_;
   OpeningInterval openings_;
-  double area_scale_;  // 2 VA m / n^2 of area(), mm^2
+  double area_scale_;  // 2 VA m / n^2 of area_per_bearing(), mm^2
   double dead_;        // arg s
 };
 

@@ -59,18 +59,13 @@ std::string obstacle_name(const MapTask& task, std::size_t index) {
 
 namespace {
 
-constexpr HalfSides no_motion{0, 0};
-
 /// Distance between a hull and an obstacle, 0 if it lies inside, or some figure >= `enough` if it is larger.
-double distance_to(const SceneObstacle& obstacle, const MovingJoints& joints, const JointHull& hull,
-                   double enough) {
+double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double enough) {
   double least = enough;
   for_each_edge(
-      obstacle.edges, [&](const Box& box) { return distance_from_box(joints, hull, box) < least; },
-      [&](const EdgeTree::Edge& edge) {
-        least = std::min(least, bounds_to_edge(joints, hull, edge, no_motion).middle);
-      });
-  return obstacle.edges.winds_around(joints[static_cast<std::size_t>(hull.joints[0])].at) ? 0 : least;
+      obstacle.edges, [&](const Box& box) { return distance_from_box(hull, box) < least; },
+      [&](const EdgeTree::Edge& edge) { least = std::min(least, distance_to_edge(hull, edge)); });
+  return obstacle.edges.winds_around(hull[0].at) ? 0 : least;
 }
 
 }  // namespace
@@ -80,9 +75,9 @@ ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double 
   const MovingJoints joints = scene.motion.over(opening, 0, bearing, 0);
   for (const Encounter& pair : scene.encounters) {
     const ScenePiece& piece = scene.pieces[pair.piece];
-    const double gap =
-        distance_to(scene.obstacles[pair.obstacle], joints, piece.hull, tightest.gap + piece.half_width) -
-        piece.half_width;
+    const double gap = distance_to(scene.obstacles[pair.obstacle], {joints, piece.hull, {}},
+                                   tightest.gap + piece.half_width) -
+                       piece.half_width;
     if (gap < tightest.gap) tightest = {gap, pair};
   }
   return tightest;

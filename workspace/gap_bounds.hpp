@@ -7,10 +7,8 @@
 // edge, so
 //     distance >= min over corners ( n.z - |n.dz/dd| D - |n.dz/dt| T - rest ) - max over ends ( n.y ),
 // D and T being half the rectangle. The hull's nearest point itself moves by at most u along n and by at most
-// v in all,
+// v across it,
 //     distance <= sqrt((distance in the middle + u)^2 + v^2).
-
-#include <limits>
 
 #include "workspace/edge_tree.hpp"
 #include "workspace/linkage_motion.hpp"
@@ -20,7 +18,25 @@ namespace kempe {
 
 /// Half the sides of a rectangle of openings and bearings, rad.
 struct HalfSides {
-  double opening, bearing;
+  double opening = 0, bearing = 0;
+};
+
+/// A hull of moving joints over a rectangle of openings and bearings.
+class MovingHull {
+ public:
+  /// `joints` are those of the rectangle and must outlive the object.
+  MovingHull(const MovingJoints& joints, const JointHull& hull, const HalfSides& half);
+
+  std::size_t size() const { return size_; }  ///< number of corners: 1, 2 or 3
+  const MovingJoint& operator[](std::size_t corner) const { return *corners_[corner]; }
+  const HalfSides& half() const { return half_; }
+  double reach() const { return reach_; }  ///< how far any of its points gets from its middle place, mm
+
+ private:
+  std::array<const MovingJoint*, 3> corners_;
+  std::size_t size_;
+  HalfSides half_;
+  double reach_;
 };
 
 struct GapBounds {
@@ -29,15 +45,23 @@ struct GapBounds {
   double by_opening, by_bearing;  ///< mm, what either half side contributes to the uncertainty
 };
 
-/// Bounds of the distance between the hull of moving joints and an edge. Whoever only asks whether the upper bound lies below
-/// some distance (mm) names it: a looser one is returned where it cannot.
-GapBounds bounds_to_edge(const MovingJoints& joints, const JointHull& hull, const EdgeTree::Edge& edge,
-                         const HalfSides& half, double upper_below = std::numeric_limits<double>::infinity());
+/// Bounds of the distance between a hull and an edge.
+GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge);
+
+/// What is asked of bounds, mm: is the upper one below a distance, does the lower one reach another that is no
+/// smaller?
+struct GapQuestion {
+  double upper_below, lower_from;
+};
+
+/// The same bounds, but only as close as the answers need. Where the distance in the middle and the reach
+/// alone say yes, by_opening and by_bearing are 0.
+GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge, const GapQuestion& question);
+
+/// The distance between the hull in the middle of the rectangle and an edge, mm.
+double distance_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge);
 
 /// A lower bound of the distance between the hull in the middle of the rectangle and a box, mm.
-double distance_from_box(const MovingJoints& joints, const JointHull& hull, const Box& box);
-
-/// How far any point of the hull gets from its middle place, mm.
-double reach_of(const MovingJoints& joints, const JointHull& hull);
+double distance_from_box(const MovingHull& hull, const Box& box);
 
 }  // namespace kempe

@@ -1,6 +1,7 @@
 #include "workspace/grid_outline.hpp"
 
 #include <algorithm>
+#include <boost/sort/pdqsort/pdqsort.hpp>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -28,13 +29,17 @@ class Components {
   std::vector<std::uint32_t> parent_;
 };
 
-/// One side of a cell on a grid line: from `from` to `to` along it, the cell after the line (above it, or
+/// One side of a cell on a grid line: from from() to `to` along it, the cell after the line (above it, or
 /// right of it) or before.
 struct Side {
-  std::uint32_t line, from, to, cell;
-  bool after;
-  /// Rises with line, then with `after`, then with place: lines and places have 31 bits.
-  std::uint64_t order() const { return (std::uint64_t{line} << 32) | (std::uint64_t{after} << 31) | from; }
+  std::uint64_t order;  ///< by line, then by after(), then by place: lines and places have 31 bits
+  std::uint32_t to, cell;
+
+  Side(std::uint32_t line, std::uint32_t from, std::uint32_t end, std::uint32_t of_cell, bool after)
+      : order((std::uint64_t{line} << 32) | (std::uint64_t{after} << 31) | from), to(end), cell(of_cell) {}
+  std::uint32_t line() const { return static_cast<std::uint32_t>(order >> 32); }
+  bool after() const { return (order >> 31) & 1; }
+  std::uint32_t from() const { return static_cast<std::uint32_t>(order & (AngleGrid::turn - 1)); }
 };
 
 /// A side of the outline: from a grid point, `step` units along x or y, the set on the left.
@@ -54,14 +59,15 @@ std::vector<Side> sides_of(const std::vector<GridCell>& cells, bool across) {
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
     const GridCell& cell = cells[i];
     if (across) {
-      sides.push_back({cell.y, cell.x, cell.right(), i, true});
-      sides.push_back({cell.top(), cell.x, cell.right(), i, false});
+      sides.emplace_back(cell.y, cell.x, cell.right(), i, true);
+      sides.emplace_back(cell.top(), cell.x, cell.right(), i, false);
     } else {
-      sides.push_back({cell.x, cell.y, cell.top(), i, true});
-      sides.push_back({wrapped(cell.right()), cell.y, cell.top(), i, false});
+      sides.emplace_back(cell.x, cell.y, cell.top(), i, true);
+      sides.emplace_back(wrapped(cell.right()), cell.y, cell.top(), i, false);
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.order() < b.order(); });
+  boost::sort::pdqsort_branchless(sides.begin(), sides.end(),
+                                  [](const Side& a, const Side& b) { return a.order < b.order; });
   return sides;
 }
 
@@ -72,13 +78,13 @@ void cancel(const Side* before, const Side* before_end, const Side* after, const
             Meet meet) {
   std::uint32_t place = 0;
   while (before != before_end || after != after_end) {
-    const std::uint32_t next_before = before != before_end ? before->from : none;
-    const std::uint32_t next_after = after != after_end ? after->from : none;
+    const std::uint32_t next_before = before != before_end ? before->from() : none;
+    const std::uint32_t next_after = after != after_end ? after->from() : none;
     place = std::max(place, std::min(next_before, next_after));
     const bool on_before = next_before <= place, on_after = next_after <= place;
     std::uint32_t stop = none;
-    if (before != before_end) stop = std::min(stop, on_before ? before->to : before->from);
-    if (after != after_end) stop = std::min(stop, on_after ? after->to : after->from);
+    if (before != before_end) stop = std::min(stop, on_before ? before->to : before->from());
+    if (after != after_end) stop = std::min(stop, on_after ? after->to : after->from());
     if (on_before && on_after) meet(before->cell, after->cell);
     if (on_before != on_after) use(place, stop, on_after ? after->cell : before->cell, on_after);
     place = stop;
@@ -92,11 +98,11 @@ void add_steps(std::vector<Step>& steps, const std::vector<GridCell>& cells, boo
                Components& components) {
   const std::vector<Side> sides = sides_of(cells, across);
   for (std::size_t begin = 0; begin < sides.size();) {
-    const std::uint32_t line = sides[begin].line;
+    const std::uint32_t line = sides[begin].line();
     std::size_t middle = begin;
-    while (middle < sides.size() && sides[middle].line == line && !sides[middle].after) ++middle;
+    while (middle < sides.size() && sides[middle].line() == line && !sides[middle].after()) ++middle;
     std::size_t end = middle;
-    while (end < sides.size() && sides[end].line == line) ++end;
+    while (end < sides.size() && sides[end].line() == line) ++end;
     std::uint32_t last_end = none;
     bool last_after = false;
     const auto use = [&](std::uint32_t from, std::uint32_t to, std::uint32_t cell, bool after) {

@@ -12,6 +12,11 @@ std::array<std::array<Complex, 2>, 6> multiples(Complex s) {
   return {{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 1.0 / s}, {s, 1}}};
 }
 
+/// The product as a point. That of std::complex asks for NaN first, which no place or turn is.
+Point rotated(Complex z, Complex turn) {
+  return {z.real() * turn.real() - z.imag() * turn.imag(), z.real() * turn.imag() + z.imag() * turn.real()};
+}
+
 /// std::abs() guards against overflow, which lengths in mm are far from, at four times the cost.
 double size_of(Complex z) { return std::sqrt(std::norm(z)); }
 
@@ -69,15 +74,14 @@ OpeningJoints LinkageMotion::over_openings(double opening, double half_opening) 
   return over;
 }
 
-MovingJoints LinkageMotion::turned(const OpeningJoints& over, double bearing, double half_bearing) {
-  const Complex turn = std::polar(1.0, bearing);
+MovingJoints LinkageMotion::turned(const OpeningJoints& over, Complex turn, double half_bearing) {
   MovingJoints joints;
   for (std::size_t i = 0; i < 6; ++i) {
     const auto& [at, by_opening, far, speed, bowed, reach] = over.joints[i];
     const double rest =
         bowed + 0.5 * far * half_bearing * half_bearing + half_bearing * (speed * over.half_opening + bowed);
-    joints[i] = {as_point(at * turn),
-                 as_point(by_opening * turn),
+    joints[i] = {rotated(at, turn),
+                 rotated(by_opening, turn),
                  far,
                  speed,
                  rest,

@@ -51,12 +51,12 @@ class LinkageMotion {
   /// The joints in the middle of the rectangle opening +- half_opening, bearing +- half_bearing (rad), with
   /// bounds that hold all over it. The rectangle's openings must lie in the assembly's interval.
   MovingJoints over(double opening, double half_opening, double bearing, double half_bearing) const {
-    return turned(over_openings(opening, half_opening), bearing, half_bearing);
+    return turned(over_openings(opening, half_opening), std::polar(1.0, bearing), half_bearing);
   }
 
-  /// The same in two steps, for rectangles that share their openings.
+  /// The same in two steps, for rectangles that share their openings. `turn` is exp(i bearing).
   OpeningJoints over_openings(double opening, double half_opening) const;
-  static MovingJoints turned(const OpeningJoints& joints, double bearing, double half_bearing);
+  static MovingJoints turned(const OpeningJoints& joints, Complex turn, double half_bearing);
 
   /// An upper bound of the distance of a joint from the pole over all openings of the assembly, mm.
   double farthest(Joint joint) const;

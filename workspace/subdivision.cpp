@@ -1,7 +1,9 @@
 #include "workspace/subdivision.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 #include "workspace/sector.hpp"
 #include "workspace/segment_distance.hpp"
@@ -15,6 +17,9 @@ constexpr std::uint32_t roots_across = 16, roots_upwards = 2;
 /// A side that moves the joints this many times as far as the other is cut whatever the tightest item says:
 /// bounds of items that are not yet single edges shrink with the whole motion.
 constexpr double most_uneven = 12;
+
+/// Rows and columns that are remembered.
+constexpr std::size_t rows_remembered = 64, columns_remembered = 256;
 
 HalfSides half_sides(const AngleGrid& grid, const GridCell& cell) {
   return {0.5 * grid.openings().width() * cell.height / AngleGrid::rise,
@@ -47,13 +52,25 @@ double diagonal(const Box& box) { return (box.upper - box.lower).norm(); }
 struct Subdivision::Decision {
   bool in_contact = false;
   Encounter between{};
-  double tightest = std::numeric_limits<double>::infinity();  ///< of lower bound less what is needed
-  double by_opening = 1, by_bearing = 1;                      ///< of the tightest item
+  double least = std::numeric_limits<double>::infinity();  ///< of lower bounds less what is needed, mm
+  std::size_t tightest = 0;                                ///< its item in the list
+  double by_opening = 1, by_bearing = 1;                   ///< its motions
+  const ContactItem* apart = nullptr;                      ///< an item already found apart
+};
+
+/// A piece over a cell, and an obstacle.
+struct Subdivision::Meeting {
+  Encounter between;
+  MovingHull hull;
+  const SceneObstacle& obstacle;
+  double needed;         ///< mm, between axis and edge
+  GapQuestion question;  ///< of a single edge: are they in contact, are they apart?
 };
 
 Subdivision::Subdivision(const ContactScene& scene, const EdgeTree& region, const AngleGrid& grid,
                          double clearance, SubdivisionMode mode)
-    : scene_(scene), region_(region), grid_(grid), clearance_(clearance), mode_(mode) {
+    : scene_(scene), region_(region), grid_(grid), clearance_(clearance), mode_(mode), rows_(rows_remembered),
+      columns_(columns_remembered) {
   add_roots();
 }
 
@@ -61,29 +78,29 @@ void Subdivision::add_roots() {
   std::vector<ContactItem> items;
   for (const Encounter& between : scene_.encounters) items.push_back({0, between});
   const std::uint32_t region_root = 0;
-  Lists next;
   for (std::uint32_t j = 0; j < roots_upwards; ++j)
     for (std::uint32_t i = 0; i < roots_across; ++i) {
       constexpr std::uint32_t width = AngleGrid::turn / roots_across,
                               height = AngleGrid::rise / roots_upwards;
-      const RegionSide side = region_.empty() ? RegionSide::outside : RegionSide::crossing;
-      const GridCell cell{i * width, j * height, width, height};
-      classify(cell, over_openings_of(cell), side, items.data(), items.size(), &region_root,
-               region_.empty() ? 0 : 1, next);
+      OpenCell whole{};
+      whole.side = region_.empty() ? RegionSide::outside : RegionSide::crossing;
+      whole.count = static_cast<std::uint32_t>(items.size());
+      whole.region_count = region_.empty() ? 0 : 1;
+      classify({i * width, j * height, width, height}, whole, items.data(), &region_root, lists_);
     }
-  open_ = std::move(next.open);
-  items_ = std::move(next.items);
-  region_items_ = std::move(next.region_items);
 }
 
 bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
-  Lists next;
+  Lists next = std::move(spare_);
+  next.open.clear();
+  next.items.clear();
+  next.region_items.clear();
   open_area_ = 0;
   bool any = false;
-  for (const OpenCell& open : open_) {
+  for (const OpenCell& open : lists_.open) {
     const auto [x, y, width, height] = open.cell;
-    const ContactItem* items = items_.data() + open.first;
-    const std::uint32_t* region_items = region_items_.data() + open.region_first;
+    const ContactItem* items = lists_.items.data() + open.first;
+    const std::uint32_t* region_items = lists_.region_items.data() + open.region_first;
     const bool narrow = width <= AngleGrid::smallest, low = height <= AngleGrid::smallest;
     if ((narrow && low) || !wanted(open)) {
       OpenCell& kept = next.open.emplace_back(open);
@@ -99,44 +116,62 @@ bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
     const GridCell one = upwards ? GridCell{x, y, width, height / 2} : GridCell{x, y, width / 2, height};
     const GridCell other = upwards ? GridCell{x, y + height / 2, width, height / 2}
                                    : GridCell{x + width / 2, y, width / 2, height};
-    const OpeningJoints over_one = over_openings_of(one);
-    classify(one, over_one, open.side, items, open.count, region_items, open.region_count, next);
-    classify(other, upwards ? over_openings_of(other) : over_one, open.side, items, open.count, region_items,
-             open.region_count, next);
+    for (const GridCell& half : {one, other}) classify(half, open, items, region_items, next);
   }
-  open_ = std::move(next.open);
-  items_ = std::move(next.items);
-  region_items_ = std::move(next.region_items);
+  spare_ = std::exchange(lists_, std::move(next));
   return any;
 }
 
-OpeningJoints Subdivision::over_openings_of(const GridCell& cell) const {
-  return scene_.motion.over_openings(grid_.opening(cell.y + 0.5 * cell.height),
-                                     half_sides(grid_, cell).opening);
+const Subdivision::Row& Subdivision::row_of(const GridCell& cell) {
+  const auto [x, y, width, height] = cell;
+  // Rows of one height are y / height = 0, 1, ..: neighbours have places of their own.
+  const int level = std::countr_zero(height);
+  Row& row = rows_[((y >> level) + 29 * static_cast<std::size_t>(level)) % rows_remembered];
+  if (row.y != y || row.height != height)
+    row = {y, height,
+           scene_.motion.over_openings(grid_.opening(y + 0.5 * height), half_sides(grid_, cell).opening),
+           grid_.area_per_bearing(y, height)};
+  return row;
 }
 
-void Subdivision::classify(const GridCell& cell, const OpeningJoints& over, RegionSide side,
-                           const ContactItem* items, std::size_t count, const std::uint32_t* region_items,
-                           std::size_t region_count, Lists& next) {
+Complex Subdivision::turn_of(const GridCell& cell) {
+  const double middle = cell.x + 0.5 * cell.width;
+  const int level = std::countr_zero(cell.width);
+  Column& column = columns_[((cell.x >> level) + 29 * static_cast<std::size_t>(level)) % columns_remembered];
+  if (column.middle != middle) column = {middle, std::polar(1.0, AngleGrid::bearing(middle))};
+  return column.turn;
+}
+
+void Subdivision::classify(const GridCell& cell, const OpenCell& parent, const ContactItem* items,
+                           const std::uint32_t* region_items, Lists& next) {
+  RegionSide side = parent.side;
   const std::size_t first = next.items.size(), region_first = next.region_items.size();
   const HalfSides half = half_sides(grid_, cell);
-  const MovingJoints joints =
-      LinkageMotion::turned(over, AngleGrid::bearing(cell.x + 0.5 * cell.width), half.bearing);
+  const Row& row = row_of(cell);
+  const double cell_area = row.area_per_bearing * AngleGrid::bearing(cell.width);
+  const MovingJoints joints = LinkageMotion::turned(row.over, turn_of(cell), half.bearing);
   if (side == RegionSide::crossing) {
     const MovingJoint& tracer = joints[static_cast<std::size_t>(grid_.linkage().tracer_joint())];
-    side = side_of(tracer, region_items, region_count, next);
+    side = side_of(tracer, region_items, parent.region_count, next);
   }
   if (side == RegionSide::outside && mode_.region_only) return;
   Decision decision;
-  for (const ContactItem* item = items; item != items + count;)
-    if (decide_group(item, items + count, joints, half, decision, next)) break;
+  decision.tightest = first;
+  const bool tightest_only =
+      parent.all_decided && decide_tightest(parent, items, joints, half, decision, next);
+  if (!tightest_only) {
+    const ContactItem* end = items + parent.count;
+    for (const ContactItem* item = items; item != end;)
+      if (decide_group(item, end, joints, half, decision, next)) break;
+  }
   if (next.items.size() > first && !decision.in_contact) {
     const std::size_t kept = next.items.size() - first, region_kept = next.region_items.size() - region_first;
     next.open.push_back({cell, side,
                          should_split_opening(joints, half, decision.by_opening, decision.by_bearing),
                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(kept),
+                         static_cast<std::uint32_t>(decision.tightest - first), !tightest_only,
                          static_cast<std::uint32_t>(region_first), static_cast<std::uint32_t>(region_kept)});
-    open_area_ += grid_.area(cell);
+    open_area_ += cell_area;
     return;
   }
   const auto meeting = region_point(cell, side, next.region_items.data() + region_first,
@@ -148,65 +183,95 @@ void Subdivision::classify(const GridCell& cell, const OpeningJoints& over, Regi
     if (meeting && !region_in_contact_) region_in_contact_ = {contact_.back(), *meeting};
   } else {
     free_.push_back({cell, meeting.has_value()});
-    free_area_ += grid_.area(cell);
+    free_area_ += cell_area;
   }
 }
 
-/// Decides the items of one piece and obstacle and moves `item` past them; true if they are in contact all
-/// over the cell.
+Subdivision::Meeting Subdivision::meeting_of(const Encounter& between, const MovingJoints& joints,
+                                             const HalfSides& half) const {
+  const SceneObstacle& obstacle = scene_.obstacles[between.obstacle];
+  const ScenePiece& piece = scene_.pieces[between.piece];
+  const double needed = piece.half_width + clearance_;
+  const double contact_below = mode_.contacts_stay_open ? 0 : needed - obstacle.slack;
+  return {between, {joints, piece.hull, half}, obstacle, needed, {contact_below, needed + obstacle.slack}};
+}
+
+/// Decides the item that was tightest in the parent: true if that is enough, because it is in contact all over
+/// the cell or leaves it open. Others that end in contact here are seen a cut later; what is gained is that
+/// most cells along a boundary look at one item only.
+bool Subdivision::decide_tightest(const OpenCell& parent, const ContactItem* items,
+                                  const MovingJoints& joints, const HalfSides& half, Decision& decision,
+                                  Lists& next) const {
+  const ContactItem* tightest = items + parent.tightest;
+  const std::size_t first = next.items.size(), before = first + parent.tightest;
+  next.items.insert(next.items.end(), items, tightest);
+  decide_node(tightest->node, meeting_of(tightest->between, joints, half), decision, next);
+  if (decision.in_contact) return true;
+  if (next.items.size() == before) {
+    next.items.resize(first);
+    decision.apart = tightest;
+    return false;
+  }
+  next.items.insert(next.items.end(), tightest + 1, items + parent.count);
+  return true;
+}
+
+/// Decides the items of one piece and obstacle and moves `item` past them, or stops at one that is in contact
+/// all over the cell: true then.
 bool Subdivision::decide_group(const ContactItem*& item, const ContactItem* end, const MovingJoints& joints,
                                const HalfSides& half, Decision& decision, Lists& next) const {
   const Encounter between = item->between;
+  const Meeting meeting = meeting_of(between, joints, half);
   const std::size_t first = next.items.size();
   for (; item != end && item->between.piece == between.piece && item->between.obstacle == between.obstacle;
-       ++item)
-    decide_node(item->node, between, joints, half, decision, next);
-  if (decision.in_contact) return true;
+       ++item) {
+    if (item != decision.apart) decide_node(item->node, meeting, decision, next);
+    if (decision.in_contact) return true;
+  }
   if (next.items.size() > first) return false;
   // No edge comes near, so the piece is inside or outside all over the cell; outside the box it cannot be
   // inside.
-  const SceneObstacle& obstacle = scene_.obstacles[between.obstacle];
-  const Point& at = joints[static_cast<std::size_t>(scene_.pieces[between.piece].hull.joints[0])].at;
-  if (distance(obstacle.edges.node(0).box, {at, at}) > 0 || !obstacle.edges.winds_around(at)) return false;
+  const EdgeTree& edges = meeting.obstacle.edges;
+  const Point& at = meeting.hull[0].at;
+  if (distance(edges.node(0).box, {at, at}) > 0 || !edges.winds_around(at)) return false;
   // A distance is never below 0: where that is enough, contact tells nothing new.
-  if (mode_.contacts_stay_open && scene_.pieces[between.piece].half_width + clearance_ <= 0) return false;
+  if (mode_.contacts_stay_open && meeting.needed <= 0) return false;
   if (mode_.contacts_stay_open) next.items.push_back({0, between});
   decision.in_contact = !mode_.contacts_stay_open;
   decision.between = between;
   return decision.in_contact;
 }
 
-void Subdivision::decide_node(std::uint32_t node, const Encounter& between, const MovingJoints& joints,
-                              const HalfSides& half, Decision& decision, Lists& next) const {
-  const SceneObstacle& obstacle = scene_.obstacles[between.obstacle];
-  const ScenePiece& piece = scene_.pieces[between.piece];
+void Subdivision::decide_node(std::uint32_t node, const Meeting& meeting, Decision& decision,
+                              Lists& next) const {
+  const auto& [between, hull, obstacle, needed, question] = meeting;
   const EdgeTree::Node& here = obstacle.edges.node(node);
-  const double needed = piece.half_width + clearance_;
+  GapQuestion asked = question;
   if (here.edges > 1) {
-    const double reach = reach_of(joints, piece.hull);
-    if (distance_from_box(joints, piece.hull, here.box) - reach >= needed + obstacle.slack) return;
-    if (diagonal(here.box) > reach) {
-      decide_node(EdgeTree::left(node), between, joints, half, decision, next);
-      if (!decision.in_contact)
-        decide_node(obstacle.edges.right(node), between, joints, half, decision, next);
+    if (distance_from_box(hull, here.box) - hull.reach() >= question.lower_from) return;
+    if (diagonal(here.box) > hull.reach()) {
+      decide_node(EdgeTree::left(node), meeting, decision, next);
+      if (!decision.in_contact) decide_node(obstacle.edges.right(node), meeting, decision, next);
       return;
     }
+    // Of a node that is small against the motion one edge is as good as all to prove contact, but none proves
+    // the others apart.
+    asked.lower_from = std::numeric_limits<double>::infinity();
   }
-  // Of a node that is small against the motion one edge is as good as all to prove contact.
-  const GapBounds bounds =
-      bounds_to_edge(joints, piece.hull, obstacle.edges.edge(here.first_edge), half, needed - obstacle.slack);
-  if (bounds.upper < needed - obstacle.slack && !mode_.contacts_stay_open) {
+  const GapBounds bounds = bounds_to_edge(hull, obstacle.edges.edge(here.first_edge), asked);
+  if (bounds.upper < asked.upper_below) {
     decision.in_contact = true;
     decision.between = between;
     return;
   }
-  if (here.edges == 1 && bounds.lower >= needed + obstacle.slack) return;
-  next.items.push_back({node, between});
-  if (bounds.lower - needed < decision.tightest) {
-    decision.tightest = bounds.lower - needed;
+  if (bounds.lower >= asked.lower_from) return;
+  if (bounds.lower - needed < decision.least) {
+    decision.least = bounds.lower - needed;
+    decision.tightest = next.items.size();
     decision.by_opening = bounds.by_opening;
     decision.by_bearing = bounds.by_bearing;
   }
+  next.items.push_back({node, between});
 }
 
 RegionSide Subdivision::side_of(const MovingJoint& tracer, const std::uint32_t* items, std::size_t count,
@@ -265,13 +330,14 @@ std::optional<Point> Subdivision::region_point(const GridCell& cell, RegionSide 
 
 void Subdivision::look_at_region_only() {
   mode_.region_only = true;
-  std::erase_if(open_, [&](const OpenCell& open) { return !region_point_in(open); });
+  std::erase_if(lists_.open, [&](const OpenCell& open) { return !region_point_in(open); });
   open_area_ = 0;
-  for (const OpenCell& open : open_) open_area_ += grid_.area(open.cell);
+  for (const OpenCell& open : lists_.open) open_area_ += grid_.area(open.cell);
 }
 
 std::optional<Point> Subdivision::region_point_in(const OpenCell& open) const {
-  return region_point(open.cell, open.side, region_items_.data() + open.region_first, open.region_count);
+  return region_point(open.cell, open.side, lists_.region_items.data() + open.region_first,
+                      open.region_count);
 }
 
 }  // namespace kempe

@@ -34,6 +34,8 @@ struct OpenCell {
   RegionSide side;
   bool split_opening;          ///< across which side the next cut should go
   std::uint32_t first, count;  ///< its items
+  std::uint32_t tightest;      ///< the item, counted from `first`, whose gap came out smallest
+  bool all_decided;            ///< false: only the tightest was looked at, the others are the parent's
   std::uint32_t region_first, region_count;
 };
 
@@ -53,7 +55,7 @@ class Subdivision {
 
   const std::vector<FreeCell>& free() const { return free_; }
   const std::vector<ContactCell>& contact() const { return contact_; }
-  const std::vector<OpenCell>& open() const { return open_; }
+  const std::vector<OpenCell>& open() const { return lists_.open; }
   const AngleGrid& grid() const { return grid_; }
   double free_area() const { return free_area_; }  ///< mm^2
   double open_area() const { return open_area_; }  ///< mm^2
@@ -74,21 +76,37 @@ class Subdivision {
   const std::optional<std::pair<ContactCell, Point>>& region_in_contact() const { return region_in_contact_; }
 
  private:
+  /// Open cells with their items.
   struct Lists {
     std::vector<OpenCell> open;
     std::vector<ContactItem> items;
     std::vector<std::uint32_t> region_items;
   };
   struct Decision;
+  struct Meeting;
+  /// What cells with the same openings share.
+  struct Row {
+    std::uint32_t y, height;  ///< 0 high: none yet
+    OpeningJoints over;
+    double area_per_bearing;  ///< mm^2/rad
+  };
+  /// What cells with the same bearings share.
+  struct Column {
+    double middle = -1;  ///< in grid units
+    Complex turn;        ///< exp(i bearing) of the middle
+  };
 
   void add_roots();
-  OpeningJoints over_openings_of(const GridCell& cell) const;
-  void classify(const GridCell& cell, const OpeningJoints& over, RegionSide side, const ContactItem* items,
-                std::size_t count, const std::uint32_t* region_items, std::size_t region_count, Lists& next);
+  const Row& row_of(const GridCell& cell);
+  Complex turn_of(const GridCell& cell);
+  void classify(const GridCell& cell, const OpenCell& parent, const ContactItem* items,
+                const std::uint32_t* region_items, Lists& next);
+  Meeting meeting_of(const Encounter& between, const MovingJoints& joints, const HalfSides& half) const;
+  bool decide_tightest(const OpenCell& parent, const ContactItem* items, const MovingJoints& joints,
+                       const HalfSides& half, Decision& decision, Lists& next) const;
   bool decide_group(const ContactItem*& item, const ContactItem* end, const MovingJoints& joints,
                     const HalfSides& half, Decision& decision, Lists& next) const;
-  void decide_node(std::uint32_t node, const Encounter& between, const MovingJoints& joints,
-                   const HalfSides& half, Decision& decision, Lists& next) const;
+  void decide_node(std::uint32_t node, const Meeting& meeting, Decision& decision, Lists& next) const;
   RegionSide side_of(const MovingJoint& tracer, const std::uint32_t* items, std::size_t count,
                      Lists& next) const;
   std::optional<Point> region_point(const GridCell& cell, RegionSide side, const std::uint32_t* items,
@@ -101,10 +119,11 @@ class Subdivision {
   SubdivisionMode mode_;
   std::vector<FreeCell> free_;
   std::vector<ContactCell> contact_;
-  std::vector<OpenCell> open_;
-  std::vector<ContactItem> items_;
-  std::vector<std::uint32_t> region_items_;
+  Lists lists_, spare_;  // spare_: the last cut's, for its memory
   double free_area_ = 0, open_area_ = 0;
+  // Those used last, each at its own place: most cells find theirs.
+  std::vector<Row> rows_;
+  std::vector<Column> columns_;
   std::optional<std::pair<ContactCell, Point>> region_in_contact_;
 };
 

@@ -51,39 +51,44 @@ void add_cells(WorkspaceMap& map, const MapTask& task, const ContactScene& scene
   for (const OpenCell& one : chart.open()) open.push_back(one.cell);
   append(map.collision_free, polygons_of(chart.grid(), free, Corners::part));
   append(map.uncertain, polygons_of(chart.grid(), open, Corners::join));
-  std::map<std::pair<std::size_t, std::string>, std::vector<GridCell>> lost;
+  std::vector<std::string> names;
+  for (const ScenePiece& piece : scene.pieces) names.push_back(name(piece.part));
+  std::map<std::pair<std::size_t, std::string_view>, std::vector<GridCell>> lost;
   for (const ContactCell& one : chart.contact())
-    lost[{scene.obstacles[one.between.obstacle].number, name(scene.pieces[one.between.piece].part)}]
-        .push_back(one.cell);
+    lost[{scene.obstacles[one.between.obstacle].number, names[one.between.piece]}].push_back(one.cell);
   for (const auto& [between, cells] : lost)
     map.lost.push_back({Cause::obstacle_contact,
-                        {between.second, obstacle_name(task, between.first)},
+                        {std::string(between.second), obstacle_name(task, between.first)},
                         polygons_of(chart.grid(), cells, Corners::join)});
 }
 
-/// The openings of `within` that are not in `free`, each with a pair in contact there.
+/// The openings of `within` that are not in `free`, which rises, each with a pair in contact there.
 std::vector<ContactOpenings> lost_openings(const MapTask& task, const std::vector<FreeOpenings>& free,
                                            const OpeningInterval& within) {
+  std::vector<OpeningInterval> gaps;
+  double decided = within.lower;
+  const auto add_gap = [&](double to) {
+    if (decided < to) gaps.push_back({decided, to});
+  };
+  for (const FreeOpenings& one : free) {
+    add_gap(one.interval.lower);
+    decided = one.interval.upper;
+  }
+  add_gap(within.upper);
+  if (gaps.empty()) return {};
   const auto contacts = contact_openings(task.linkage, task.style, task.layers, task.clearance, within);
   std::vector<ContactOpenings> lost;
-  const auto cover = [&](double from, double to) {  // by as few contacts as the sorted list needs
+  for (auto [from, to] : gaps)  // each by as few contacts as the sorted list needs
     while (from < to) {
       const ContactOpenings* best = nullptr;
       for (const ContactOpenings& one : contacts)
         if (one.interval.lower <= from + 1e-8 && (!best || one.interval.upper > best->interval.upper))
           best = &one;
-      if (!best) return;
+      if (!best) break;
       const double end = best->interval.upper > from ? std::min(best->interval.upper, to) : to;
       lost.push_back({{from, to - end < 1e-8 ? to : end}, best->pair});
       from = lost.back().interval.upper;
     }
-  };
-  double decided = within.lower;
-  for (const FreeOpenings& one : free) {
-    cover(decided, one.interval.lower);
-    decided = one.interval.upper;
-  }
-  cover(decided, within.upper);
   return lost;
 }
 

@@ -93,15 +93,17 @@ TEST(GapBounds, HoldTheDistanceAllOverTheRectangle) {
     const EdgeTree::Edge edge{near(), near()};
     const MovingJoints joints =
         LinkageMotion(linkage).over(patch.opening, patch.half_opening, patch.bearing, patch.half_bearing);
-    const GapBounds bounds = bounds_to_edge(joints, hull, edge, {patch.half_opening, patch.half_bearing});
-    const double asked = bounds.middle + dice.between(-20, 20);
-    const GapBounds looser =
-        bounds_to_edge(joints, hull, edge, {patch.half_opening, patch.half_bearing}, asked);
-    EXPECT_EQ(looser.upper < asked, bounds.upper < asked) << i;
+    const MovingHull moving(joints, hull, {patch.half_opening, patch.half_bearing});
+    const GapBounds bounds = bounds_to_edge(moving, edge);
+    EXPECT_EQ(distance_to_edge(moving, edge), bounds.middle);
+    const double below = bounds.middle + dice.between(-20, 20), from = below + dice.between(0, 10);
+    const GapBounds looser = bounds_to_edge(moving, edge, {below, from});
+    EXPECT_EQ(looser.upper < below, bounds.upper < below) << i;
+    EXPECT_EQ(looser.lower >= from, bounds.lower >= from) << i;
     EXPECT_GE(looser.upper, bounds.upper) << i;
-    EXPECT_EQ(looser.lower, bounds.lower) << i;
+    EXPECT_LE(looser.lower, bounds.lower) << i;
     const Box box{edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)};
-    EXPECT_LE(distance_from_box(joints, hull, box), bounds.middle + 1e-9);
+    EXPECT_LE(distance_from_box(moving, box), bounds.middle + 1e-9);
     for (int sample = 0; sample < 10; ++sample) {
       const Pose pose = linkage.pose_at(patch.opening + patch.half_opening * dice.between(-1, 1),
                                         patch.bearing + patch.half_bearing * dice.between(-1, 1));
@@ -120,7 +122,7 @@ TEST(GapBounds, CloseOnTheDistanceAsTheRectangleShrinks) {
   const JointHull hull{{Joint::A, Joint::X, Joint::X}, 2};
   for (const double half : {1e-2, 1e-3, 1e-4}) {
     const MovingJoints joints = LinkageMotion(linkage).over(0.8, half, 0.3, half);
-    const GapBounds bounds = bounds_to_edge(joints, hull, {{80, 10}, {80, 40}}, {half, half});
+    const GapBounds bounds = bounds_to_edge({joints, hull, {half, half}}, {{80, 10}, {80, 40}});
     EXPECT_LT(bounds.upper - bounds.lower, 400 * half);
   }
 }
