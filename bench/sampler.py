@@ -10,7 +10,7 @@ TARGET = 50
 def rows(context):
     for obstacles in (10, 50) if context.quick else (1, 10, 50, 200):
         result = json_of(context.program("sampler"), obstacles)
-        on = f"{obstacles} obstacles; {result['samples']:.2g} samples, band {result['uncertain_mm2'] / result['free_mm2']:.2%}"
+        on = f"{obstacles} obstacle{'s' * (obstacles > 1)}; {result['samples']:.2g} samples, band {result['uncertain_mm2'] / result['free_mm2']:.2%}"
         ratio = result["sampler_s"] / result["map_s"]
         yield Row("map beside a grid sampler in C++", on, shown(result["map_s"]), shown(result["sampler_s"]), f"{ratio:.0f}",
                   str(TARGET), ratio >= TARGET)

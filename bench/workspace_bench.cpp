@@ -1,5 +1,4 @@
-// How long the map takes: by number of obstacles, beside a plain grid of samples of equal accuracy, and its
-// parts.
+// How long the map takes by number of obstacles and by tolerance, and its parts.
 //
 // What is mapped stands in map_task.hpp.
 
@@ -8,12 +7,9 @@
 #include <cmath>
 
 #include "map_task.hpp"
-#include "workspace/angle_grid.hpp"
 #include "workspace/clearance.hpp"
-#include "workspace/contact_scene.hpp"
 #include "workspace/layer_choice.hpp"
 #include "workspace/reach.hpp"
-#include "workspace/subdivision.hpp"
 
 namespace kempe {
 namespace {
@@ -50,30 +46,6 @@ void map_by_tolerance(benchmark::State& state) {
     benchmark::DoNotOptimize(map_workspace(task, {.map_tolerance = tolerance, .largest_sheets = false}));
 }
 BENCHMARK(map_by_tolerance)->Arg(20)->Arg(100)->Arg(200)->Arg(1000)->Unit(benchmark::kMillisecond);
-
-/// A grid over the same two angles with cells as small as the map's uncertain ones would leave the same band
-/// in doubt, and without proof. Its time is that of a sample times the number of its cells.
-void plain_grid(benchmark::State& state) {
-  const MapTask task = task_with(static_cast<int>(state.range(0)));
-  const auto free = contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                                          task.linkage.openings_with_transmission(task.transmission));
-  const ContactScene scene(task);
-  const EdgeTree nothing;
-  Subdivision cells(scene, nothing, AngleGrid(task.linkage, free.at(0).interval), task.clearance);
-  while (cells.open_area() > 0.005 * cells.free_area() && cells.split([](const OpenCell&) { return true; })) {
-  }
-  const AngleGrid& grid = cells.grid();
-  const double cell = cells.open_area() / static_cast<double>(cells.open().size());
-  const double count = grid.area({0, 0, AngleGrid::turn, AngleGrid::rise}) / cell;
-  Dice dice;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        tightest_obstacle(scene, grid.opening(dice.between(0, 1) * AngleGrid::rise), dice.between(-pi, pi)));
-  state.counters["samples_needed"] = count;
-  state.counters["s_for_all"] = benchmark::Counter(
-      1 / count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-BENCHMARK(plain_grid)->Arg(1)->Arg(10)->Arg(50)->Unit(benchmark::kMicrosecond);
 
 void free_openings(benchmark::State& state) {
   const MapTask task = report_task();
