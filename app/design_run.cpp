@@ -12,6 +12,10 @@
 #include "specs/text_file.hpp"
 #include "synthesis/verification.hpp"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace kempe::app {
 
 std::string shown_name(const std::string& file) {
@@ -157,8 +161,8 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
 
 std::string summary_json(const Design& design, const std::filesystem::path& folder,
                          const std::vector<std::string>& files) {
-  auto object = nlohmann::ordered_json::parse(design_json(design));
-  object.erase("region");  // up to a million corners: design.json has it
+  nlohmann::ordered_json object = design_values(design);
+  object.erase("region");
   object["coverage"] = {{"covered", design.map.coverage.covered}, {"why_not", design.map.coverage.why_not}};
   object["folder"] = folder.string();
   object["files"] = files;
@@ -188,6 +192,18 @@ int tell_no_design(const Session& session, const NoDesign& none) {
   return fail(no_design, message);
 }
 
+namespace {
+
+/// What a search over a million corners and the texts of its files took is freed in small pieces, a hundred megabytes
+/// that glibc would keep beside what comes next.
+void give_memory_back() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
 int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,
                           const std::filesystem::path& folder) {
   design.verification = verify(verification_task(design));
@@ -199,13 +215,17 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
   const CuttingSpec& cutting = spec.spec.cutting;
-  const auto package = design_package(design, cutting, extras);
-  if (const auto faults = recheck(package, design, cutting); !faults.empty())
+  give_memory_back();
+  FolderDraft draft(folder);
+  const auto drafted =
+      make_design_package(design, cutting, extras, [&](const OutputFile& file) { return draft.add(file); });
+  if (!drafted) return fail(cannot_write, drafted.error());
+  give_memory_back();
+  if (const auto faults = recheck(draft, design, cutting); !faults.empty())
     return fail(verification_failed,
                 "the drawings, read again, are not the design; nothing is written: " + faults.front());
-  if (const auto written = write_whole(folder, package); !written) return fail(cannot_write, written.error());
-  std::vector<std::string> files;
-  for (const OutputFile& file : package) files.push_back(file.name.string());
+  const std::vector<std::string> files = draft.names();
+  if (const auto written = draft.put_in_place(); !written) return fail(cannot_write, written.error());
   print(session.json ? summary_json(design, folder, files) : summary_text(design, folder, files));
   if (const auto fault = nesting_fault(design, cutting)) return fail(done, "no nested.dxf: " + *fault);
   return done;

@@ -41,6 +41,8 @@ class Draft {
     return {};
   }
 
+  const fs::path& place() const { return draft_; }
+
   tl::expected<void, std::string> put_in_place() {
     if (::rename(draft_.c_str(), target_.c_str()) != 0) return tl::unexpected(cannot(target_, errno));
     draft_.clear();
@@ -94,22 +96,68 @@ tl::expected<void, std::string> write_whole(const fs::path& path, std::string_vi
   return draft.fill(contents).and_then([&] { return draft.put_in_place(); });
 }
 
-tl::expected<void, std::string> write_whole(const fs::path& folder, const std::vector<OutputFile>& files) {
-  std::error_code error;
+struct FolderDraft::State {
+  fs::path folder;
+  std::vector<std::string> names;
   std::vector<Draft> drafts;
-  drafts.reserve(files.size());
-  for (const OutputFile& file : files) {
-    const fs::path target = folder / file.name;
-    fs::create_directories(target.parent_path(), error);
-    if (error)
-      return tl::unexpected("cannot make the folder " + target.parent_path().string() + ": " +
-                            error.message());
-    if (auto filled = drafts.emplace_back(target).fill(file.contents); !filled) return filled;
+  std::vector<fs::path> made;  ///< folders, outer ones first
+
+  /// Makes a folder and those around it.
+  tl::expected<void, std::string> make(const fs::path& wanted) {
+    std::error_code error;
+    std::vector<fs::path> missing;
+    for (fs::path one = wanted; !one.empty() && !fs::exists(one, error); one = one.parent_path())
+      missing.push_back(one);
+    fs::create_directories(wanted, error);
+    if (error) return tl::unexpected("cannot make the folder " + wanted.string() + ": " + error.message());
+    made.insert(made.end(), missing.rbegin(), missing.rend());
+    return {};
   }
-  const FolderTurn turn(folder);
-  for (Draft& draft : drafts)
-    if (auto placed = draft.put_in_place(); !placed) return placed;
+};
+
+FolderDraft::FolderDraft(fs::path folder) : state_(std::make_unique<State>()) {
+  state_->folder = std::move(folder);
+}
+
+FolderDraft::FolderDraft(FolderDraft&&) noexcept = default;
+
+FolderDraft::~FolderDraft() {
+  if (!state_) return;
+  state_->drafts.clear();
+  std::error_code ignored;  // a folder that holds something stays
+  for (auto one = state_->made.rbegin(); one != state_->made.rend(); ++one) fs::remove(*one, ignored);
+}
+
+tl::expected<void, std::string> FolderDraft::add(const OutputFile& file) {
+  const fs::path target = state_->folder / file.name;
+  if (auto made = state_->make(target.parent_path()); !made) return made;
+  if (auto filled = state_->drafts.emplace_back(target).fill(file.contents); !filled) return filled;
+  state_->names.push_back(file.name.string());
   return {};
+}
+
+tl::expected<void, std::string> FolderDraft::put_in_place() {
+  const FolderTurn turn(state_->folder);
+  for (Draft& draft : state_->drafts)
+    if (auto placed = draft.put_in_place(); !placed) return placed;
+  state_->drafts.clear();
+  state_->made.clear();
+  return {};
+}
+
+std::vector<std::string> FolderDraft::names() const { return state_->names; }
+
+std::optional<fs::path> FolderDraft::draft_of(const std::string& name) const {
+  for (std::size_t i = 0; i < state_->names.size(); ++i)
+    if (state_->names[i] == name && i < state_->drafts.size()) return state_->drafts[i].place();
+  return std::nullopt;
+}
+
+tl::expected<void, std::string> write_whole(const fs::path& folder, const std::vector<OutputFile>& files) {
+  FolderDraft draft(folder);
+  for (const OutputFile& file : files)
+    if (auto added = draft.add(file); !added) return added;
+  return draft.put_in_place();
 }
 
 }  // namespace kempe

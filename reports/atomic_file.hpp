@@ -2,6 +2,8 @@
 // Files that appear whole or not at all.
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -19,8 +21,32 @@ struct OutputFile {
 /// error is a sentence that names the path.
 tl::expected<void, std::string> write_whole(const std::filesystem::path& path, std::string_view contents);
 
-/// Writes all files into `folder` (made if absent): first every file beside its place, then the renames, so that a
-/// failure before the first rename leaves the folder as it was.
+/// Files of one folder that appear together: each is written beside its place as it comes, so that their contents need
+/// not wait in memory, and all are renamed at the end. What was not put in place is taken away with the object, and so
+/// are the folders that were made for it.
+class FolderDraft {
+ public:
+  explicit FolderDraft(std::filesystem::path folder);  ///< made if absent, with the first file
+  FolderDraft(FolderDraft&&) noexcept;
+  FolderDraft& operator=(FolderDraft&&) = delete;
+  ~FolderDraft();
+
+  /// The error is a sentence that names the path.
+  tl::expected<void, std::string> add(const OutputFile& file);
+  /// Renames all files; a failure before the first rename leaves the folder as it was.
+  tl::expected<void, std::string> put_in_place();
+
+  /// The names of the files added, in order.
+  std::vector<std::string> names() const;
+  /// Where a file that was added lies until it is put in place; nothing if there is none of that name.
+  std::optional<std::filesystem::path> draft_of(const std::string& name) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Writes all files into `folder` (made if absent) or none.
 tl::expected<void, std::string> write_whole(const std::filesystem::path& folder,
                                             const std::vector<OutputFile>& files);
 

@@ -182,23 +182,31 @@ Json tool_json(const std::optional<ToolAdvice>& tool) {
 
 }  // namespace
 
+nlohmann::ordered_json design_values(const Design& design) {
+  return {{"format", "kempe-design/1"},
+          {"copy", copy_json(design)},
+          {"region", nullptr},
+          {"mechanism", mechanism_json(design)},
+          {"quality", quality_json(design)},
+          {"workspace", workspace_json(design.map)},
+          {"verification", verification_json(design.verification)},
+          {"search", search_json(design.search)},
+          {"limits", limits_json(design.limits)},
+          {"tolerance", tolerance_json(design.tolerance)},
+          {"obstacles", obstacles_json(design.obstacles)},
+          {"why_not_fewer_layers", design.why_not_fewer_layers},
+          {"tool", tool_json(design.tool)}};
+}
+
 std::string design_json(const Design& design) {
-  Json json{{"format", "kempe-design/1"},
-            {"copy", copy_json(design)},
-            {"region", multi_polygon(design.region)},
-            {"mechanism", mechanism_json(design)},
-            {"quality", quality_json(design)},
-            {"workspace", workspace_json(design.map)},
-            {"verification", verification_json(design.verification)},
-            {"search", search_json(design.search)},
-            {"limits", limits_json(design.limits)},
-            {"tolerance", tolerance_json(design.tolerance)},
-            {"obstacles", obstacles_json(design.obstacles)},
-            {"why_not_fewer_layers", design.why_not_fewer_layers},
-            {"tool", tool_json(design.tool)}};
-  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  json = nullptr;        // a region of a million corners is large: neither it nor spare room
-  text.shrink_to_fit();  // may stay while the other files are made
+  constexpr int indent = 1;
+  constexpr std::string_view key = "\"region\": ", nothing = "null";
+  const std::string rest =
+      design_values(design).dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::size_t place = rest.find(key) + key.size();  // what stands before is numbers
+  std::string text = rest.substr(0, place);
+  append_multi_polygon(text, design.region, indent, 1);
+  text.append(rest, place + nothing.size());
   return text;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // design.json: a design as a file, and the file read back without trusting a word of it.
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ namespace kempe {
 /// newline at the end; what is absent or infinite is null. The text depends on the design alone, not on the
 /// locale.
 std::string design_json(const Design& design);
+
+/// What design.json says, with null for the region, which may have a million corners.
+nlohmann::ordered_json design_values(const Design& design);
 
 /// What a design file says, checked for form but not believed: `mechanism.lengths` are those of the file even
 /// if they no longer close or copy, so that verification can see it.

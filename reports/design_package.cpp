@@ -1,6 +1,6 @@
 #include "reports/design_package.hpp"
 
-#include <iterator>
+#include <utility>
 
 #include "reports/design_drawing.hpp"
 #include "reports/design_json.hpp"
@@ -12,18 +12,22 @@
 
 namespace kempe {
 
-std::vector<OutputFile> design_package(const Design& design, const CuttingSpec& cutting,
-                                       const ReportExtras& extras) {
-  const Drawing drawing = design_drawing(design, cutting);
-  std::vector<OutputFile> files{{"design.json", design_json(design)},
-                                {"links.csv", links_csv(design)},
-                                {"drawing.dxf", dxf_text(drawing)},
-                                {"drawing.svg", svg_text(drawing, drawing_title(design))},
-                                {"workspace.geojson", workspace_geojson(design)},
-                                {"report.html", html_report(design, extras)}};
-  std::vector<OutputFile> parts = part_files(design, cutting);
-  files.insert(files.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
-  return files;
+tl::expected<void, std::string> make_design_package(
+    const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
+    const std::function<tl::expected<void, std::string>(const OutputFile&)>& take) {
+  // One text after the other: those of a region of a million corners are large.
+  const std::pair<const char*, std::function<std::string()>> files[] = {
+      {"design.json", [&] { return design_json(design); }},
+      {"links.csv", [&] { return links_csv(design); }},
+      {"drawing.dxf", [&] { return dxf_text(design_drawing(design, cutting)); }},
+      {"drawing.svg", [&] { return svg_text(design_drawing(design, cutting), drawing_title(design)); }},
+      {"workspace.geojson", [&] { return workspace_geojson(design); }},
+      {"report.html", [&] { return html_report(design, extras); }}};
+  for (const auto& [name, text] : files)
+    if (auto taken = take({name, text()}); !taken) return taken;
+  for (const OutputFile& file : part_files(design, cutting))
+    if (auto taken = take(file); !taken) return taken;
+  return {};
 }
 
 }  // namespace kempe

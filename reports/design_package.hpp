@@ -1,8 +1,8 @@
 #pragma once
 // Everything a person takes away from a design, as files by name. To add an output: its function, and its line here.
 
+#include <functional>
 #include <string>
-#include <vector>
 
 #include "reports/atomic_file.hpp"
 #include "reports/html_report.hpp"
@@ -10,9 +10,11 @@
 
 namespace kempe {
 
-/// The files of a design's folder: design.json first, map, drawings and report, then those of the parts
-/// (part_files.hpp). Depends on its arguments alone.
-std::vector<OutputFile> design_package(const Design& design, const CuttingSpec& cutting,
-                                       const ReportExtras& extras);
+/// Gives the files of a design's folder to `take`, one after the other: design.json first, map, drawings and report,
+/// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it. What is given depends
+/// on the other arguments alone.
+tl::expected<void, std::string> make_design_package(
+    const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
+    const std::function<tl::expected<void, std::string>(const OutputFile&)>& take);
 
 }  // namespace kempe

@@ -47,19 +47,18 @@ std::optional<JsonField> JsonField::find(std::string_view key) const {
   return (*this)[key];
 }
 
-std::vector<JsonField> JsonField::elements(std::size_t least, std::size_t most) const {
-  std::vector<JsonField> result;
-  if (value_ == nullptr) return result;
+JsonField::Elements JsonField::elements(std::size_t least, std::size_t most) const {
+  if (value_ == nullptr) return {*this, 0};
   if (!value_->is_array() || value_->size() < least || value_->size() > most) {
     refuse(least == most ? fmt::format("an array of {}", least)
                          : fmt::format("an array of at least {}", least));
-    return result;
+    return {*this, 0};
   }
-  result.reserve(value_->size());
-  std::size_t index = 0;
-  for (const auto& element : *value_)
-    result.push_back({&element, fmt::format("{}[{}]", path_, index++), *log_});
-  return result;
+  return {*this, value_->size()};
+}
+
+JsonField JsonField::Elements::operator[](std::size_t index) const {
+  return {&(*array_.value_)[index], fmt::format("{}[{}]", array_.path_, index), *array_.log_};
 }
 
 double JsonField::number(double lower, double upper) const {

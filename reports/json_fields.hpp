@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "specs/input_error.hpp"
 
@@ -27,8 +26,9 @@ class JsonField {
   JsonField operator[](std::string_view key) const;
   /// The member `key` if it is there and not null.
   std::optional<JsonField> find(std::string_view key) const;
-  /// The elements of an array of `least` to `most` entries.
-  std::vector<JsonField> elements(std::size_t least, std::size_t most) const;
+  /// The elements of an array of `least` to `most` entries, none after an error.
+  class Elements;
+  Elements elements(std::size_t least, std::size_t most) const;
 
   bool is_null() const { return value_ != nullptr && value_->is_null(); }
   /// A finite number in [lower, upper].
@@ -55,6 +55,35 @@ class JsonField {
   const nlohmann::json* value_;  ///< null after an error
   std::string path_;
   Log* log_;
+};
+
+/// Elements by place, made as they are asked for: a million at once would take more memory than the file.
+class JsonField::Elements {
+ public:
+  class Iterator {
+   public:
+    Iterator(const Elements& elements, std::size_t index) : elements_(&elements), index_(index) {}
+    JsonField operator*() const { return (*elements_)[index_]; }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return index_ != other.index_; }
+
+   private:
+    const Elements* elements_;
+    std::size_t index_;
+  };
+
+  Elements(JsonField array, std::size_t size) : array_(std::move(array)), size_(size) {}
+  std::size_t size() const { return size_; }
+  JsonField operator[](std::size_t index) const;
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size_}; }
+
+ private:
+  JsonField array_;
+  std::size_t size_;
 };
 
 }  // namespace kempe

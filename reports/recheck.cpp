@@ -39,6 +39,14 @@ double flattening_slack(const CutPart& part, double tolerance) {
 using Contents =
     std::function<tl::expected<std::optional<std::string>, std::string>(const std::string& file)>;
 
+tl::expected<std::optional<std::string>, std::string> contents_of(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return std::nullopt;
+  auto text = read_text_file(file);
+  if (!text) return tl::unexpected(text.error().message());
+  return std::optional(std::move(*text));
+}
+
 class Recheck {
  public:
   Recheck(Contents contents, const Design& design, const CuttingSpec& cutting)
@@ -183,26 +191,17 @@ class Recheck {
 }  // namespace
 
 std::vector<std::string> recheck(const fs::path& folder, const Design& design, const CuttingSpec& cutting) {
-  const Contents on_disk =
-      [&](const std::string& file) -> tl::expected<std::optional<std::string>, std::string> {
-    std::error_code error;
-    if (!fs::exists(folder / file, error)) return std::nullopt;
-    auto text = read_text_file(folder / file);
-    if (!text) return tl::unexpected(text.error().message());
-    return std::optional(std::move(*text));
-  };
-  return Recheck(on_disk, design, cutting).run();
+  return Recheck([&](const std::string& file) { return contents_of(folder / file); }, design, cutting).run();
 }
 
-std::vector<std::string> recheck(const std::vector<OutputFile>& files, const Design& design,
-                                 const CuttingSpec& cutting) {
-  const Contents in_memory =
-      [&](const std::string& name) -> tl::expected<std::optional<std::string>, std::string> {
-    for (const OutputFile& file : files)
-      if (file.name == name) return std::optional(file.contents);
-    return std::nullopt;
+std::vector<std::string> recheck(const FolderDraft& draft, const Design& design, const CuttingSpec& cutting) {
+  const Contents drafted =
+      [&](const std::string& file) -> tl::expected<std::optional<std::string>, std::string> {
+    const auto place = draft.draft_of(file);
+    if (!place) return std::nullopt;
+    return contents_of(*place);
   };
-  return Recheck(in_memory, design, cutting).run();
+  return Recheck(drafted, design, cutting).run();
 }
 
 }  // namespace kempe

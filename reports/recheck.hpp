@@ -20,8 +20,7 @@ namespace kempe {
 /// Files that are not there are passed over.
 std::vector<std::string> recheck(const std::filesystem::path& folder, const Design& design,
                                  const CuttingSpec& cutting);
-/// The same before anything is written.
-std::vector<std::string> recheck(const std::vector<OutputFile>& files, const Design& design,
-                                 const CuttingSpec& cutting);
+/// The same before the files are put in place.
+std::vector<std::string> recheck(const FolderDraft& draft, const Design& design, const CuttingSpec& cutting);
 
 }  // namespace kempe

@@ -15,44 +15,57 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A feature becomes text when the next one comes: regions may have a million corners, whose JSON is large.
+/// Features become text as they come: regions may have a million corners, whose JSON values are large.
 class Features {
  public:
-  explicit Features(double tolerance) : tolerance_(tolerance) {}
+  explicit Features(double tolerance)
+      : tolerance_(tolerance),
+        text_(fmt::format(R"({{"type":"FeatureCollection","units":"mm","tolerance_mm":{},"features":[)",
+                          Json(tolerance).dump())) {}
 
   /// Adds a feature; returns its properties for more, until the next is added.
-  Json& add(std::string_view layer, Json geometry) {
-    write_last();
-    last_ = {{"type", "Feature"},
-             {"properties", {{"layer", layer}, {"tolerance_mm", tolerance_}}},
-             {"geometry", std::move(geometry)}};
-    return last_["properties"];
+  Json& add(std::string_view layer, const Json& geometry) {
+    begin(layer);
+    geometry_ = geometry.dump();
+    return properties_;
   }
   Json& add(std::string_view layer, const Region& region) {
-    Json& properties = add(layer, multi_polygon(region));
-    properties["area_mm2"] = area(region);
-    return properties;
+    begin(layer);
+    append_multi_polygon(geometry_, region, -1, 0);
+    properties_["area_mm2"] = area(region);
+    return properties_;
   }
   Json& add(std::string_view layer, const ArcRegion& region, Flatten side) {
     return add(layer, flattened(region, tolerance_, side));
   }
-  /// The features' texts with commas between them; nothing is left here.
+  /// The whole collection's text; nothing is left here.
   std::string take() {
     write_last();
+    text_ += "]}\n";
     return std::move(text_);
   }
 
  private:
+  void begin(std::string_view layer) {
+    write_last();
+    properties_ = {{"layer", layer}, {"tolerance_mm", tolerance_}};
+  }
   void write_last() {
-    if (last_.is_null()) return;
-    if (!text_.empty()) text_ += ',';
-    text_ += last_.dump(-1, ' ', false, Json::error_handler_t::replace);
-    last_ = nullptr;
+    if (properties_.is_null()) return;
+    if (text_.back() == '}') text_ += ',';
+    text_ += R"({"type":"Feature","properties":)";
+    text_ += properties_.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text_ += R"(,"geometry":)";
+    text_ += geometry_;
+    text_ += '}';
+    properties_ = nullptr;
+    geometry_.clear();
+    geometry_.shrink_to_fit();
   }
 
   double tolerance_;
-  Json last_;
-  std::string text_;
+  Json properties_;
+  std::string geometry_, text_;
 };
 
 /// A circle about the pole as a line whose points lie on it, within the tolerance of it between them.
@@ -149,10 +162,7 @@ std::string workspace_geojson(const Design& design, double tolerance) {
   add_sheets(features, map.largest_sheets);
   add_tightest(features, map);
   add_contours(features, design, tolerance);
-  std::string text = features.take();
-  text.insert(0, fmt::format(R"({{"type":"FeatureCollection","units":"mm","tolerance_mm":{},"features":[)",
-                             Json(tolerance).dump()));
-  return text += "]}\n";
+  return features.take();
 }
 
 }  // namespace kempe
