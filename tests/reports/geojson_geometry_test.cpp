@@ -33,7 +33,8 @@ TEST(GeojsonGeometry, TextIsThatOfTheValues) {
       append_multi_polygon(alone, region, indent, 0);
       append_multi_polygon(inside, region, indent, 1);
       EXPECT_EQ(alone, multi_polygon(region).dump(indent));
-      const std::string line = indent < 0 ? "" : "\n", space(static_cast<std::size_t>(std::max(indent, 0)), ' ');
+      const std::string line = indent < 0 ? "" : "\n",
+                        space(static_cast<std::size_t>(std::max(indent, 0)), ' ');
       EXPECT_EQ("[" + line + space + inside + line + "]",
                 nlohmann::ordered_json::array({multi_polygon(region)}).dump(indent));
     }
