@@ -298,12 +298,20 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
                                 .stop = stop_};
     if (tasks[i].relaxed.feasible) tasks[i].result = search_choice(*tasks[i].problem, options);
   });
-  const SearchTask* chosen = nullptr;
+  // The estimate that steers the search errs by a percent or so: the footprint itself decides, and the small designs that the
+  // search began with are candidates too.
+  const auto consider = [&](SearchTask& task) {
+    if (!certify(task, limits)) return;
+    const auto design = design_of(task, limits, Goal::footprint);
+    if (design && (!result.design || is_better(Goal::footprint, *design, *result.design)))
+      result.design = design;
+  };
   for (SearchTask& task : tasks) {
     result.evaluations += task.result.evaluations;
-    if (certify(task, limits) && (!chosen || better(task.result, chosen->result))) chosen = &task;
+    consider(task);
+    task.result = task.relaxed;
+    consider(task);
   }
-  if (chosen) result.design = design_of(*chosen, limits, Goal::footprint);
   result.stopped = stop_();
   return result;
 }

@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -233,6 +234,19 @@ class BadInput(Case):
     def test_region_out_of_reach(self):
         text = TEN_LINES.replace("at = [60, -5]", "at = [6000, -5]")
         self.assertRefused(self.synthesize(text), 3, "longest")
+
+    def test_no_design_in_json_names_each_limit_and_what_would_do(self):
+        def asking(degrees):
+            return TEN_LINES + f"[limits]\ntransmission_deg = {degrees}\n"
+
+        run = self.synthesize(asking(80), "--json")
+        self.assertRefused(run, 3, "no design exists")
+        said = json.loads(run.stdout)
+        self.assertTrue(said["proven"])
+        self.assertEqual(said["requirement"], "limits.transmission_deg")
+        self.assertEqual([one["limit"] for one in said["relaxations"]], ["transmission"])
+        enough = re.search(r"([0-9.]+) would do", said["relaxations"][0]["sentence"])
+        self.assertEqual(self.synthesize(asking(enough[1])).returncode, 0)
 
     def test_plate_longer_than_allowed(self):
         text = TEN_LINES.replace("scale = 1.4", "scale = 90")

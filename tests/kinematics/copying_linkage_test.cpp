@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
+#include <string_view>
 
 namespace kempe {
 namespace {
@@ -336,6 +338,16 @@ TEST(CopyingLinkage, RefusesWhatIsNoLinkage) {
   EXPECT_EQ(fault(2, 1, INFINITY, 0), LinkageFault::length_not_positive);
   EXPECT_EQ(fault(2, 1, 1, 2), LinkageFault::no_such_assembly);
   EXPECT_EQ(fault(2, 1, 1, -1), LinkageFault::no_such_assembly);
+}
+
+TEST(CopyingLinkage, FaultsAndPlacesOutOfReachHaveSentencesOfTheirOwn) {
+  const std::set<std::string_view> sentences{
+      name(LinkageFault::ratio_zero),       name(LinkageFault::ratio_one),
+      name(LinkageFault::ratio_not_finite), name(LinkageFault::length_not_positive),
+      name(LinkageFault::no_such_assembly), name(Unreachable::too_far),
+      name(Unreachable::too_near),          name(Unreachable::beyond_change_point)};
+  EXPECT_EQ(sentences.size(), 8U);
+  EXPECT_FALSE(sentences.contains(""));
 }
 
 TEST(CopyingLinkage, SaysWhyATracerIsOutOfReach) {
