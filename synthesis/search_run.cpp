@@ -298,8 +298,8 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
                                 .stop = stop_};
     if (tasks[i].relaxed.feasible) tasks[i].result = search_choice(*tasks[i].problem, options);
   });
-  // The estimate that steers the search errs by a percent or so: the footprint itself decides, and the small designs that the
-  // search began with are candidates too.
+  // The estimate that steers the search lies 2 to 11 % below the footprint (57 random designs), on some designs more than on
+  // others: the footprint itself decides, and the small designs that the search began with are candidates too.
   const auto consider = [&](SearchTask& task) {
     if (!certify(task, limits)) return;
     const auto design = design_of(task, limits, Goal::footprint);
