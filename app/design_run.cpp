@@ -215,6 +215,8 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
   const CuttingSpec& cutting = spec.spec.cutting;
+  if (const auto fault = holes_fault(design, cutting))
+    return fail(no_design, "this cannot be cut, nothing is written: " + *fault);
   give_memory_back();
   FolderDraft draft(folder);
   const auto drafted =

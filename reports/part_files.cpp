@@ -1,5 +1,9 @@
 #include "reports/part_files.hpp"
 
+#include <fmt/format.h>
+
+#include <iterator>
+
 #include "reports/bom.hpp"
 #include "reports/dxf_writer.hpp"
 #include "reports/nesting.hpp"
@@ -17,6 +21,22 @@ std::vector<CutPart> parts_of_design(const Design& design, const CuttingSpec& cu
 }
 
 }  // namespace
+
+std::optional<std::string> holes_fault(const Design& design, const CuttingSpec& cutting) {
+  for (const CutPart& part : cut_parts(design, cutting))
+    for (auto one = part.holes.begin(); one != part.holes.end(); ++one)
+      for (auto other = std::next(one); other != part.holes.end(); ++other) {
+        const double apart = (one->centre - other->centre).norm();
+        if (apart < part.hole_diameter)
+          return fmt::format(
+              "link {} has its holes {} and {}, {:.6g} mm wide, {:.6g} mm apart; links.shortest_mm above "
+              "{:.6g} "
+              "keeps them apart, or thinner pins",
+              part.name, letter(one->joint), letter(other->joint), part.hole_diameter, apart,
+              part.hole_diameter);
+      }
+  return std::nullopt;
+}
 
 std::vector<OutputFile> part_files(const Design& design, const CuttingSpec& cutting) {
   const std::vector<CutPart> parts = parts_of_design(design, cutting);

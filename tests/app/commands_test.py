@@ -248,6 +248,13 @@ class BadInput(Case):
         enough = re.search(r"([0-9.]+) would do", said["relaxations"][0]["sentence"])
         self.assertEqual(self.synthesize(asking(enough[1])).returncode, 0)
 
+    def test_holes_that_run_into_each_other(self):
+        text = ("[copy]\nscale = 3.5\n[region]\npolygon_mm = [[-190, 34], [-202, 17], [-180, -1]]\n[links]\n"
+                "width_mm = 24.5\npin_diameter_mm = 20.5\nshortest_mm = 2\nlongest_mm = 950\n[limits]\n"
+                "transmission_deg = 16\nsheets_gap_mm = 4.1\n")
+        self.assertRefused(self.synthesize(text), 3, "holes", "shortest_mm above 20.5")
+        self.assertEqual(self.synthesize(text.replace("= 2\n", "= 21\n")).returncode, 0)
+
     def test_plate_longer_than_allowed(self):
         text = TEN_LINES.replace("scale = 1.4", "scale = 90")
         self.assertRefused(self.synthesize(text), 3, "longest")
