@@ -16,8 +16,7 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 using Solid = std::vector<Triangle>;
 
 /// The part's outline with its holes, standing from z = 0 to its thickness; arcs become chords within
-/// `tolerance` (mm, > 0) whose corners lie on them. Closed: every edge belongs to two triangles. (Faces by
-/// CGAL's constrained Delaunay triangulation.)
+/// `tolerance` (mm, > 0) whose corners lie on them. Closed: every edge belongs to two triangles.
 Solid part_solid(const CutPart& part, double tolerance = 0.01);
 
 /// Volume enclosed, mm^3; positive if the triangles look outward.

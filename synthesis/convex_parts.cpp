@@ -1,120 +1,106 @@
 #include "synthesis/convex_parts.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
+
+#include "specs/orientation.hpp"
+#include "workspace/triangulation.hpp"
 
 namespace kempe {
 namespace {
 
-bool turns_left(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a) > 0; }
-
 bool is_convex(const Ring& ring) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
-    if (cross(ring[(i + 1) % n] - ring[i], ring[(i + 2) % n] - ring[(i + 1) % n]) < 0) return false;
+    if (orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) < 0) return false;
   return true;
 }
 
-/// An edge that rises, whichever way it was drawn.
-struct RisingEdge {
-  Point lower, upper;
-
-  double x_at(double y) const {
-    if (y == lower.y()) return lower.x();
-    if (y == upper.y()) return upper.x();
-    return lower.x() + (y - lower.y()) / (upper.y() - lower.y()) * (upper.x() - lower.x());
+/// Triangles joined across their common edges (Hertel and Mehlhorn 1983: at most four times as many parts as the fewest).
+class JoinedTriangles {
+ public:
+  explicit JoinedTriangles(Triangulation triangulation) : corners_(std::move(triangulation.corners)) {
+    for (const auto& triangle : triangulation.triangles) add({triangle.begin(), triangle.end()});
+    for (const auto& triangle : triangulation.triangles)
+      for (std::size_t i = 0; i < 3; ++i) join_across({triangle[i], triangle[(i + 1) % 3]});
   }
+
+  std::vector<ConvexPart> parts() const {
+    std::vector<ConvexPart> result;
+    for (const Corners& part : parts_)
+      if (!part.empty()) result.push_back(without_flat_corners(part));
+    return result;
+  }
+
+ private:
+  using Corners = std::vector<std::size_t>;
+  using Edge = std::pair<std::size_t, std::size_t>;  // with its part on the left
+
+  void add(Corners part) {
+    for (std::size_t i = 0; i < part.size(); ++i)
+      part_of_[{part[i], part[(i + 1) % part.size()]}] = parts_.size();
+    parts_.push_back(std::move(part));
+  }
+
+  bool turns_right(std::size_t a, std::size_t b, std::size_t c) const {
+    return orientation(corners_[a], corners_[b], corners_[c]) < 0;
+  }
+
+  /// The part's corners, the edge's end first and its start last.
+  Corners opened_at(const Edge& edge, std::size_t part) const {
+    Corners corners = parts_[part];
+    std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), edge.second), corners.end());
+    return corners;
+  }
+
+  void join_across(const Edge& edge) {
+    const Edge other_way{edge.second, edge.first};
+    const auto left = part_of_.find(edge), right = part_of_.find(other_way);
+    if (left == part_of_.end() || right == part_of_.end()) return;
+    const std::size_t kept = left->second, taken = right->second;
+    Corners corners = opened_at(edge, kept);
+    const Corners more = opened_at(other_way, taken);
+    if (turns_right(corners[corners.size() - 2], edge.first, more[1]) ||
+        turns_right(more[more.size() - 2], edge.second, corners[1]))
+      return;
+    corners.insert(corners.end(), more.begin() + 1, more.end() - 1);
+    for (std::size_t i = 0; i + 1 < more.size(); ++i) part_of_[{more[i], more[i + 1]}] = kept;
+    part_of_.erase(edge);
+    part_of_.erase(other_way);
+    parts_[kept] = std::move(corners);
+    parts_[taken].clear();
+  }
+
+  ConvexPart without_flat_corners(const Corners& part) const {
+    ConvexPart result;
+    const std::size_t n = part.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point& corner = corners_[part[i]];
+      if (orientation(corners_[part[(i + n - 1) % n]], corner, corners_[part[(i + 1) % n]]) != 0)
+        result.push_back(as_complex(corner));
+    }
+    return result;
+  }
+
+  std::vector<Point> corners_;
+  std::vector<Corners> parts_;
+  std::map<Edge, std::size_t> part_of_;
 };
 
-std::vector<RisingEdge> rising_edges(const Polygon& polygon) {
-  std::vector<RisingEdge> edges;
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if (a.y() < b.y()) edges.push_back({a, b});
-      if (a.y() > b.y()) edges.push_back({b, a});
-    }
-  };
-  add(polygon.outer);
-  for (const Ring& hole : polygon.holes) add(hole);
-  return edges;
-}
-
-/// What lies between two edges from one height to another, without corners that stand twice.
-ConvexPart trapezoid(const RisingEdge& left, const RisingEdge& right, double bottom, double top) {
-  ConvexPart part;
-  for (const Complex corner : {Complex(left.x_at(bottom), bottom), Complex(right.x_at(bottom), bottom),
-                               Complex(right.x_at(top), top), Complex(left.x_at(top), top)})
-    if (part.empty() || (part.back() != corner && part.front() != corner)) part.push_back(corner);
-  return part;
-}
-
-/// A polygon with holes as trapezoids: between the heights of neighbouring corners the edges do not meet, and every second
-/// space between them is inside. Spaces between the same two edges above each other are one part.
-std::vector<ConvexPart> trapezoids(const Polygon& polygon) {
-  const std::vector<RisingEdge> edges = rising_edges(polygon);
-  std::vector<double> heights;
-  for (const RisingEdge& edge : edges) heights.insert(heights.end(), {edge.lower.y(), edge.upper.y()});
-  std::sort(heights.begin(), heights.end());
-  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-  std::vector<ConvexPart> parts;
-  using Sides = std::pair<const RisingEdge*, const RisingEdge*>;
-  std::vector<std::pair<Sides, double>> open;  // and from which height on
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    std::vector<std::pair<double, const RisingEdge*>> across;
-    if (i + 1 < heights.size())
-      for (const RisingEdge& edge : edges)
-        if (edge.lower.y() <= heights[i] && edge.upper.y() >= heights[i + 1])
-          across.emplace_back(edge.x_at(0.5 * (heights[i] + heights[i + 1])), &edge);
-    std::sort(across.begin(), across.end());
-    std::vector<std::pair<Sides, double>> next;
-    for (std::size_t j = 0; j + 1 < across.size(); j += 2)
-      next.push_back({{across[j].second, across[j + 1].second}, heights[i]});
-    for (const auto& [sides, since] : open) {
-      const Sides here = sides;
-      const auto same =
-          std::find_if(next.begin(), next.end(), [here](const auto& other) { return other.first == here; });
-      if (same != next.end())
-        same->second = since;
-      else
-        parts.push_back(trapezoid(*sides.first, *sides.second, since, heights[i]));
-    }
-    open = std::move(next);
-  }
-  return parts;
-}
-
-bool is_ear(const Ring& ring, std::size_t i) {
-  const std::size_t n = ring.size();
-  const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
-  if (!turns_left(a, b, c)) return false;
-  return std::none_of(ring.begin(), ring.end(), [&](const Point& other) {
-    return other != a && other != b && other != c && turns_left(a, b, other) && turns_left(b, c, other) &&
-           turns_left(c, a, other);
-  });
+ConvexPart as_part(const Ring& ring) {
+  ConvexPart whole;
+  for (const Point& corner : ring) whole.push_back(as_complex(corner));
+  return whole;
 }
 
 }  // namespace
 
 std::vector<ConvexPart> convex_parts(const Polygon& polygon) {
-  if (!polygon.holes.empty()) return trapezoids(polygon);
-  if (is_convex(polygon.outer)) {
-    ConvexPart whole;
-    for (const Point& corner : polygon.outer) whole.push_back(as_complex(corner));
-    return {whole};
-  }
-  std::vector<ConvexPart> parts;
-  Ring ring = polygon.outer;
-  while (ring.size() >= 3) {
-    std::size_t ear = 0;
-    while (ear < ring.size() && !is_ear(ring, ear)) ++ear;
-    if (ear == ring.size()) ear = 0;  // only corners without area are left to clip
-    const std::size_t n = ring.size();
-    const Point a = ring[(ear + n - 1) % n], b = ring[ear], c = ring[(ear + 1) % n];
-    if (turns_left(a, b, c)) parts.push_back({as_complex(a), as_complex(b), as_complex(c)});
-    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  return parts;
+  if (polygon.holes.empty() && is_convex(polygon.outer)) return {as_part(polygon.outer)};
+  std::vector<Ring> rings{polygon.outer};
+  rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+  return JoinedTriangles(triangulated(rings)).parts();
 }
 
 }  // namespace kempe

@@ -1,25 +1,14 @@
-// Triangulation of a part's faces by CGAL.
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+// part_solid() of part_solid.hpp: two faces of triangles, and walls between them.
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
 #include "reports/part_solid.hpp"
+#include "workspace/triangulation.hpp"
 
 namespace kempe {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_2<Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
-                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
 /// What a float holds of it.
 double single(double value) { return static_cast<double>(static_cast<float>(value)); }
@@ -46,30 +35,6 @@ Ring chords(const ArcRing& ring, double tolerance) {
   return result;
 }
 
-void insert(Triangulation& triangulation, const Ring& ring) {
-  std::vector<Triangulation::Vertex_handle> vertices;
-  for (const Point& point : ring) vertices.push_back(triangulation.insert({point.x(), point.y()}));
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    triangulation.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
-}
-
-/// The faces reached from outside across an odd number of constraints: the outline's inside less its holes.
-std::vector<Triangulation::Face_handle> inside(Triangulation& triangulation) {
-  std::map<Triangulation::Face_handle, int> level;
-  std::vector<Triangulation::Face_handle> here{triangulation.infinite_face()}, beyond, result;
-  for (int depth = 0; !here.empty(); ++depth, here.swap(beyond), beyond.clear())
-    while (!here.empty()) {
-      const auto face = here.back();
-      here.pop_back();
-      if (!level.emplace(face, depth).second) continue;
-      if (depth % 2 == 1) result.push_back(face);
-      for (int i = 0; i < 3; ++i)
-        if (!level.count(face->neighbor(i)))
-          (face->is_constrained(i) ? beyond : here).push_back(face->neighbor(i));
-    }
-  return result;
-}
-
 Eigen::Vector3d raised(const Point& point, double z) { return {point.x(), point.y(), z}; }
 
 /// The two triangles of a wall over each edge; the outline runs counter-clockwise, holes clockwise.
@@ -88,11 +53,10 @@ Solid part_solid(const CutPart& part, double tolerance) {
   for (const CutPart::Hole& hole : part.holes)
     rings.push_back(chords(reversed(circle(hole.centre, 0.5 * part.hole_diameter)), tolerance));
   const double height = single(part.thickness);
-  Triangulation triangulation;
-  for (const Ring& ring : rings) insert(triangulation, ring);
+  const Triangulation faces = triangulated(rings);
   Solid solid;
-  for (const auto& face : inside(triangulation)) {
-    const auto at = [&](int i) { return Point(face->vertex(i)->point().x(), face->vertex(i)->point().y()); };
+  for (const auto& triangle : faces.triangles) {
+    const auto at = [&](std::size_t i) { return faces.corners[triangle[i]]; };
     solid.push_back({raised(at(0), height), raised(at(1), height), raised(at(2), height)});
     solid.push_back({raised(at(2), 0), raised(at(1), 0), raised(at(0), 0)});
   }
