@@ -3,44 +3,50 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
-#include "reports/design_json.hpp"
+#include "reports/design_audit.hpp"
 #include "specs/text_file.hpp"
-#include "synthesis/verification.hpp"
 
 namespace kempe::app {
 namespace {
 
-int run(const std::string& file) {
-  const auto text = read_text_file(file);
+struct VerifyArguments {
+  std::string file;
+  bool in_words = false;
+};
+
+/// What is broken, a line each.
+std::string complaint(const DesignAudit& found, const std::string& file) {
+  std::string text = file + ":";
+  for (const BrokenLimit& breach : found.broken)
+    text += fmt::format("\n  {}: {}", breach.limit, breach.sentence);
+  return text;
+}
+
+int run(const VerifyArguments& arguments, bool json) {
+  const auto text = read_text_file(arguments.file);
   if (!text) return fail(text.error());
-  const auto design = read_design(*text, file);
+  const auto design = read_design(*text, arguments.file);
   if (!design) return fail(design.error());
-  const Verification found = verify(verification_task(*design));
-  nlohmann::ordered_json object{{"file", file},
-                                {"certified", found.certified},
-                                {"samples", found.samples},
-                                {"copy_error_max_mm", found.copy_error_max},
-                                {"loop_residual_max_mm", found.loop_residual_max},
-                                {"scale", found.scale},
-                                {"rotation_deg", degrees(found.rotation)},
-                                {"flips", found.flips}};
-  if (!found.certified) object["failure"] = found.failure;
-  print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-  return found.certified ? done : fail(verification_failed, file + ": " + found.failure);
+  const auto found = audit(*design, arguments.file);
+  if (!found) return fail(found.error());
+  print(arguments.in_words && !json ? audit_text(*found) : audit_json(*found, arguments.file));
+  return found->certified() ? done : fail(verification_failed, complaint(*found, arguments.file));
 }
 
 }  // namespace
 
 void add_verify_command(CLI::App& program, Session& session) {
-  CLI::App* command =
-      add_command(program, session, "verify", "Check a design from its file alone, by closing the loops",
-                  "kempe verify out/plagiograph/design.json");
-  auto file = std::make_shared<std::string>();
-  command->add_option("DESIGN", *file, "A design.json")->required();
-  command->callback([&session, file] { session.chosen = [file] { return run(*file); }; });
+  CLI::App* command = add_command(program, session, "verify",
+                                  "Check everything that a design's file states, from the file alone",
+                                  "kempe verify out/plagiograph/design.json --text");
+  auto arguments = std::make_shared<VerifyArguments>();
+  command->add_option("DESIGN", arguments->file, "A design.json")->required();
+  command->add_flag("--text", arguments->in_words, "Say it in words instead of JSON");
+  command->callback([&session, arguments] {
+    session.chosen = [&session, arguments] { return run(*arguments, session.json); };
+  });
 }
 
 }  // namespace kempe::app

@@ -109,7 +109,8 @@ Json workspace_json(const WorkspaceMap& map) {
           {"why_not_covered", map.coverage.why_not},
           {"largest_sheet", largest != nullptr ? sheet_json(*largest) : Json::object()},
           {"sheets", std::move(sheets)},
-          {"tightest_parts", map.clearance_min_parts}};
+          {"tightest_parts", map.clearance_min_parts},
+          {"map_tolerance", map.map_tolerance}};
 }
 
 Json verification_json(const Verification& verification) {
@@ -180,6 +181,39 @@ Json tool_json(const std::optional<ToolAdvice>& tool) {
           {"template_offset_mm", finite_or_null(tool->template_offset)}};
 }
 
+Json pole_json(const std::optional<Allowed>& allowed) {
+  if (!allowed) return nullptr;
+  if (allowed->pole.is_fixed()) return {{"at_mm", position(std::get<Point>(allowed->pole.place))}};
+  return {{"within_mm", multi_polygon(std::get<Region>(allowed->pole.place))}};
+}
+
+Json links_limits_json(const std::optional<Allowed>& allowed) {
+  if (!allowed) return nullptr;
+  Json json{{"layers", allowed->layers},
+            {"shortest_mm", allowed->shortest},
+            {"longest_mm", allowed->longest},
+            {"grid_mm", finite_or_null(allowed->workshop.grid)},
+            {"stock_mm", allowed->workshop.stock}};
+  for (std::size_t i = 0; i < allowed->workshop.locked.size(); ++i)
+    if (allowed->workshop.locked[i])
+      json[std::string(LinkLengths::names[i]) + "_mm"] = *allowed->workshop.locked[i];
+  return json;
+}
+
+Json objective_json(const std::optional<Allowed>& allowed) {
+  if (!allowed) return nullptr;
+  Json groundings = Json::array();
+  for (const Vertex vertex : allowed->groundings) groundings.push_back(name(vertex));
+  return {{"groundings", std::move(groundings)}};
+}
+
+Json cutting_json(const CuttingSpec& cutting) {
+  return {{"hole_fit_mm", cutting.hole_fit},
+          {"kerf_mm", cutting.kerf},
+          {"sheet_mm", cutting.sheet ? position(*cutting.sheet) : Json(nullptr)},
+          {"gap_mm", cutting.gap}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json design_values(const Design& design) {
@@ -195,7 +229,11 @@ nlohmann::ordered_json design_values(const Design& design) {
           {"tolerance", tolerance_json(design.tolerance)},
           {"obstacles", obstacles_json(design.obstacles)},
           {"why_not_fewer_layers", design.why_not_fewer_layers},
-          {"tool", tool_json(design.tool)}};
+          {"tool", tool_json(design.tool)},
+          {"pole", pole_json(design.allowed)},
+          {"links", links_limits_json(design.allowed)},
+          {"objective", objective_json(design.allowed)},
+          {"cutting", cutting_json(design.cutting)}};
 }
 
 std::string design_json(const Design& design) {

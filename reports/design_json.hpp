@@ -14,14 +14,20 @@
 
 namespace kempe {
 
-/// The file's text: the keys of the contract, in its order, and beside them what `kempe verify` and `kempe
-/// trace` need (limits, tolerance, obstacles). Lengths mm and angles degrees with full double precision, a
+/// The file's text: the keys of docs/design-file.md, in its order. Lengths mm and angles degrees with full double precision, a
 /// newline at the end; what is absent or infinite is null. The text depends on the design alone, not on the
 /// locale.
 std::string design_json(const Design& design);
 
 /// What design.json says, with null for the region, which may have a million corners.
 nlohmann::ordered_json design_values(const Design& design);
+
+/// What the file states of the map; absent where it says nothing.
+struct StoredMap {
+  std::optional<double> reachable, usable, collision_free, uncertain;  ///< mm^2
+  std::optional<double> map_tolerance;                                 ///< share, of MapOptions
+  std::vector<FittingSheet> sheets;                                    ///< the largest one among them
+};
 
 /// What a design file says, checked for form but not believed: `mechanism.lengths` are those of the file even
 /// if they no longer close or copy, so that verification can see it.
@@ -39,9 +45,19 @@ struct StoredDesign {
   std::optional<Limits> limits;        ///< absent in a file of the contract's minimal form
   std::optional<Tolerance> tolerance;  ///< absent: the spec gave none
   std::vector<Obstacle> obstacles;
-  Quality quality;              ///< as claimed
-  bool region_covered = false;  ///< as claimed
-  Verification verification;    ///< as claimed; not yet believed
+  std::optional<Allowed> allowed;  ///< absent: the file says nothing, or that the mechanism was given
+  std::optional<CuttingSpec> cutting;
+  Quality quality;                  ///< as claimed
+  std::optional<double> footprint;  ///< mm^2, as claimed
+  bool region_covered = false;      ///< as claimed
+  StoredMap map;                    ///< as claimed
+  Verification verification;        ///< as claimed; not yet believed
+  std::optional<WantedCopy> wanted;
+  std::optional<ToolAdvice> tool;
+  std::optional<Objective> objective;  ///< that was searched for
+  std::optional<double> value;         ///< its value, as claimed, in the file's unit (mm, degrees, mm^2)
+  /// Tables of the top level that the file has, null or not; and keys that this version does not know.
+  std::vector<std::string> tables, unknown_keys;
 };
 
 /// Reads a design file's text. `file` is its name for messages. Refused, with the key, what stands there and

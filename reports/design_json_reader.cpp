@@ -5,6 +5,7 @@
 #include <map>
 
 #include "reports/design_json.hpp"
+#include "reports/design_json_keys.hpp"
 #include "reports/json_fields.hpp"
 #include "specs/json_text.hpp"
 
@@ -138,9 +139,13 @@ void read_link(const JsonField& field, Link expected, StoredDesign& design) {
       stored[i].refuse(fmt::format("\"{}\"", letter(joints.joints[i])));
   design.layers.of[static_cast<std::size_t>(expected)] = static_cast<int>(field["layer"].integer(1, 100));
   if (joints.count == 2 && field["shape"].text() != "bar") field["shape"].refuse("\"bar\"");
-  if (joints.count == 3)
-    design.style.plate =
+  if (joints.count == 3) {
+    const PlateStyle plate =
         one_of<PlateStyle>(field["shape"], {{"bent", PlateStyle::bent}, {"triangle", PlateStyle::triangle}});
+    if (expected == Link::BCY && plate != design.style.plate)
+      field["shape"].refuse("the shape of plate ACX: both are made alike");
+    design.style.plate = plate;
+  }
 }
 
 void read_links(const JsonField& field, StoredDesign& design) {
@@ -168,6 +173,10 @@ void read_copy(const JsonField& field, StoredDesign& design) {
   design.k = copy_ratio(design.scale, design.rotation);
   if (std::abs(design.k - 1.0) < 1e-12)
     field.refuse("a ratio other than 1 without rotation, which is no similarity with a pole");
+  if (!field.find("wanted_scale") && !field.find("wanted_rotation_deg")) return;
+  design.wanted =
+      WantedCopy{field["wanted_scale"].positive(), radians(field["wanted_rotation_deg"].number(-3600, 3600)),
+                 field["ratio_error"].number(0, largest_coordinate)};
 }
 
 Quality quality(const JsonField& field) {
@@ -194,6 +203,33 @@ Verification verification(const JsonField& field) {
   result.flips = static_cast<int>(field["flips"].integer(0, most));
   result.certified = field["certified"].boolean();
   if (const auto failure = field.find("failure")) result.failure = failure->text();
+  return result;
+}
+
+FittingSheet sheet(const JsonField& field) {
+  return {.name = field["name"].text(),
+          .width = length(field["width_mm"]),
+          .height = length(field["height_mm"]),
+          .centre = point(field["centre_mm"]),
+          .turn = radians(field["turn_deg"].number(-360, 360))};
+}
+
+StoredMap stored_map(const JsonField& field) {
+  const auto number = [&](std::string_view key) {
+    const auto one = field.find(key);
+    return one ? std::optional(one->number()) : std::nullopt;
+  };
+  StoredMap result{.reachable = number("reachable_mm2"),
+                   .usable = number("usable_mm2"),
+                   .collision_free = number("collision_free_mm2"),
+                   .uncertain = number("uncertain_mm2"),
+                   .map_tolerance = number("map_tolerance"),
+                   .sheets = {}};
+  if (result.map_tolerance) field["map_tolerance"].number(1e-5, 0.5);
+  if (const auto sheets = field.find("sheets"))
+    for (const JsonField& one : sheets->elements(0, 100)) result.sheets.push_back(sheet(one));
+  if (const auto largest = field.find("largest_sheet"); largest && largest->find("width_mm"))
+    result.sheets.push_back(sheet(*largest));
   return result;
 }
 
@@ -224,11 +260,85 @@ Obstacle obstacle(const JsonField& field) {
   return result;
 }
 
+/// A length that may be absent.
+std::optional<double> perhaps_length(const JsonField& field, std::string_view key) {
+  const auto one = field.find(key);
+  return one ? std::optional(length(*one)) : std::nullopt;
+}
+
+PoleSpec pole(const JsonField& field) {
+  PoleSpec result;
+  if (const auto at = field.find("at_mm"))
+    result.place = point(*at);
+  else
+    result.place = region(field["within_mm"]);
+  return result;
+}
+
+void read_links_limits(const JsonField& field, Allowed& allowed) {
+  allowed.layers = static_cast<int>(field["layers"].integer(2, 100));
+  allowed.shortest = length(field["shortest_mm"]);
+  allowed.longest = length(field["longest_mm"]);
+  allowed.workshop.grid = perhaps_length(field, "grid_mm");
+  if (const auto stock = field.find("stock_mm"))
+    for (const JsonField& one : stock->elements(0, many)) allowed.workshop.stock.push_back(length(one));
+  for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
+    allowed.workshop.locked[i] = perhaps_length(field, std::string(LinkLengths::names[i]) + "_mm");
+}
+
+std::vector<Vertex> groundings(const JsonField& field) {
+  std::vector<Vertex> result;
+  for (const JsonField& one : field.elements(1, 3))
+    result.push_back(
+        one_of<Vertex>(one, {{"pole", Vertex::pole}, {"tracer", Vertex::tracer}, {"pen", Vertex::pen}}));
+  return result;
+}
+
+CuttingSpec cutting(const JsonField& field) {
+  CuttingSpec result{.hole_fit = field["hole_fit_mm"].number(-1000, 1000),
+                     .kerf = field["kerf_mm"].number(0, 1000)};
+  if (const auto sheet = field.find("sheet_mm")) result.sheet = point(*sheet);
+  result.gap = field["gap_mm"].number(0, largest_coordinate);
+  return result;
+}
+
+ToolAdvice tool(const JsonField& field) {
+  return {.follower_radius = field["follower_radius_mm"].number_or_null(),
+          .cutter_radius = field["cutter_radius_mm"].number_or_null(),
+          .exact_follower_radius = field["exact_follower_radius_mm"].number_or_null(),
+          .exact_cutter_radius = field["exact_cutter_radius_mm"].number_or_null(),
+          .cut_outside = field["cut_outside_mm"].number_or_null(),
+          .template_offset = field["template_offset_mm"].number_or_null()};
+}
+
+void read_search(const JsonField& field, StoredDesign& design) {
+  if (const auto objective = field.find("objective")) {
+    std::vector<std::pair<std::string, Objective>> choices;
+    for (const Objective one :
+         {Objective::size, Objective::transmission, Objective::copy_error, Objective::footprint})
+      choices.emplace_back(name(one), one);
+    design.objective = one_of(*objective, choices);
+  }
+  if (const auto value = field.find("value")) design.value = value->number();
+}
+
 void read_extras(const JsonField& root, StoredDesign& design) {
   if (const auto field = root.find("limits")) design.limits = limits(*field);
   if (const auto field = root.find("tolerance")) design.tolerance = tolerance(*field);
   if (const auto field = root.find("obstacles"))
     for (const JsonField& one : field->elements(0, many)) design.obstacles.push_back(obstacle(one));
+  if (const auto field = root.find("cutting")) design.cutting = cutting(*field);
+  if (const auto field = root.find("tool")) design.tool = tool(*field);
+  if (const auto field = root.find("search")) read_search(*field, design);
+}
+
+/// pole, links and objective come together: what the spec of a searched design allows.
+void read_allowed(const JsonField& root, StoredDesign& design) {
+  if (!root.find("pole") && !root.find("links") && !root.find("objective")) return;
+  Allowed& allowed = design.allowed.emplace();
+  allowed.pole = pole(root["pole"]);
+  read_links_limits(root["links"], allowed);
+  allowed.groundings = groundings(root["objective"]["groundings"]);
 }
 
 StoredDesign read_fields(const JsonField& root) {
@@ -239,9 +349,13 @@ StoredDesign read_fields(const JsonField& root) {
   design.region = region(root["region"]);
   read_mechanism(root["mechanism"], design);
   design.quality = quality(root["quality"]);
+  design.footprint = root["quality"]["footprint_mm2"].number_or_null();
   design.region_covered = root["workspace"]["region_covered"].boolean();
+  design.map = stored_map(root["workspace"]);
   design.verification = verification(root["verification"]);
   read_extras(root, design);
+  read_allowed(root, design);
+  note_keys(root, design);
   return design;
 }
 
@@ -267,6 +381,7 @@ VerificationTask verification_task(const StoredDesign& design) {
   if (design.limits) {
     task.transmission = design.limits->transmission;
     task.clearance = design.limits->clearance;
+    task.obstacles = design.obstacles;
   }
   return task;
 }

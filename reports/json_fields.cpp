@@ -47,6 +47,15 @@ std::optional<JsonField> JsonField::find(std::string_view key) const {
   return (*this)[key];
 }
 
+std::vector<std::string> JsonField::unknown_keys(std::initializer_list<std::string_view> known) const {
+  std::vector<std::string> keys;
+  if (value_ == nullptr || !value_->is_object()) return keys;
+  for (const auto& [key, value] : value_->items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      keys.push_back(path_.empty() ? key : path_ + "." + key);
+  return keys;
+}
+
 JsonField::Elements JsonField::elements(std::size_t least, std::size_t most) const {
   if (value_ == nullptr) return {*this, 0};
   if (!value_->is_array() || value_->size() < least || value_->size() > most) {

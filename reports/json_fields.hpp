@@ -2,10 +2,12 @@
 // Hostile JSON as values: every field is asked for by key and type, the first thing wrong is remembered.
 
 #include <cstdint>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "specs/input_error.hpp"
 
@@ -29,6 +31,9 @@ class JsonField {
   /// The elements of an array of `least` to `most` entries, none after an error.
   class Elements;
   Elements elements(std::size_t least, std::size_t most) const;
+
+  /// The members of an object that are not among `known`, dotted, in the order of the alphabet.
+  std::vector<std::string> unknown_keys(std::initializer_list<std::string_view> known) const;
 
   bool is_null() const { return value_ != nullptr && value_->is_null(); }
   /// A finite number in [lower, upper].

@@ -56,7 +56,8 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
                 .limits = spec.limits,
                 .tolerance = spec.tolerance,
                 .obstacles = spec.obstacles,
-                .tool = tool_advice(spec.tool, std::abs(linkage.k()))};
+                .tool = tool_advice(spec.tool, std::abs(linkage.k())),
+                .cutting = spec.cutting};
   note_ratio(design, spec.copy);
   design.map = map_workspace(map_task(design), options);
   design.opening = design.map.certified_opening;
@@ -85,6 +86,11 @@ LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int mo
 
 }  // namespace
 
+Allowed allowed_by(const Spec& spec) {
+  return {spec.pole,          spec.links.layers,   spec.links.shortest,
+          spec.links.longest, spec.links.workshop, spec.objective.groundings};
+}
+
 MapTask map_task(const Design& design) {
   return {.linkage = design.linkage,
           .style = design.style,
@@ -107,6 +113,7 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
                                .seed = found.seed,
                                .complete = found.complete};
   design.quality.lower_bound = found.lower_bound;
+  design.allowed = allowed_by(spec);
   return design;
 }
 

@@ -23,6 +23,14 @@ struct Quality {
   std::optional<double> lower_bound;
 };
 
+/// Something that a design or its file states and that does not hold.
+struct BrokenLimit {
+  std::string limit;                            ///< its key: "limits.clearance_mm", "obstacles", "region"
+  std::optional<double> attained{}, allowed{};  ///< in the key's unit; absent where no number says it
+  std::optional<Point> where{};                 ///< the tracer's place, mm; absent where it is no one place
+  std::string sentence;                         ///< for a person
+};
+
 /// What the independent verification found (verification.hpp).
 struct Verification {
   std::size_t samples = 0;
@@ -31,7 +39,8 @@ struct Verification {
   double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
   int flips = 0;                   ///< changes of assembly seen
   bool certified = false;
-  std::string failure{};  ///< a sentence; empty if certified
+  std::string failure{};              ///< a sentence; empty if certified
+  std::vector<BrokenLimit> broken{};  ///< the first breach of each limit
 };
 
 struct SearchRecord {
@@ -48,6 +57,16 @@ struct WantedCopy {
   double scale = 1, rotation = 0;  ///< rotation rad
   double error = 0;                ///< |k attained - k wanted|: mm of error per mm of distance from the pole
 };
+
+/// What the spec allows beside its limits: with it a design can be judged from its file alone.
+struct Allowed {
+  PoleSpec pole{};
+  int layers = 2;                    ///< at most
+  double shortest = 0, longest = 0;  ///< mm, of every length
+  WorkshopSpec workshop{};
+  std::vector<Vertex> groundings{};
+};
+Allowed allowed_by(const Spec& spec);
 
 struct Design {
   CopyingLinkage linkage;
@@ -68,6 +87,8 @@ struct Design {
   Region footprint{};  ///< outer bound of what all links sweep; empty if it was not asked for
   Verification verification{};
   std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
+  std::optional<Allowed> allowed{};      ///< absent for `kempe workspace`, whose mechanism is given
+  CuttingSpec cutting{};
 };
 
 }  // namespace kempe

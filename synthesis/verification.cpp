@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "synthesis/verification_drive.hpp"
+#include "synthesis/verification_obstacles.hpp"
 
 namespace kempe {
 namespace {
@@ -57,6 +58,7 @@ class Checks {
     if (roles) {
       pairs_ = contact_pairs(*roles, task.layers);
       shape_ = roles->shape();
+      watch_.emplace(*roles, task);
     }
     check_lengths();
   }
@@ -71,30 +73,41 @@ class Checks {
     result_.loop_residual_max = std::max(result_.loop_residual_max, residual);
     fit_.add(reach, as_complex(pen - task_.mechanism.pole_position));
     if (!(residual <= loop_residual_share * size_))
-      fail(fmt::format("the loops stay open by {:.3g} mm", residual), tracer);
+      fail({"mechanism.lengths_mm", residual, loop_residual_share * size_, tracer,
+            fmt::format("the loops stay open by {:.3g} mm", residual)});
     if (!(copy_error <= copy_error_allowed_))
-      fail(fmt::format("the pen is {:.3g} mm from where the ratio puts it", copy_error), tracer);
+      fail({"copy", copy_error, copy_error_allowed_, tracer,
+            fmt::format("the pen is {:.3g} mm from where the ratio puts it", copy_error)});
     check_assembly(pose, tracer);
     check_transmission(pose, tracer);
     check_clearance(pose, tracer);
+    check_obstacles(pose, tracer);
   }
 
-  void fail(const std::string& what, const Point& tracer) {
-    if (result_.failure.empty())
-      result_.failure = fmt::format("{} with the tracer at ({:.3f}, {:.3f})", what, tracer.x(), tracer.y());
-  }
-  void fail(const std::string& what) {
-    if (result_.failure.empty()) result_.failure = what;
+  /// Remembers the first breach of each limit, and the first of all as the failure.
+  void fail(BrokenLimit breach) {
+    if (breach.where)
+      breach.sentence +=
+          fmt::format(" with the tracer at ({:.3f}, {:.3f})", breach.where->x(), breach.where->y());
+    if (result_.failure.empty()) result_.failure = breach.sentence;
+    const bool known = std::any_of(result_.broken.begin(), result_.broken.end(),
+                                   [&](const BrokenLimit& one) { return one.limit == breach.limit; });
+    if (!known) result_.broken.push_back(std::move(breach));
   }
 
   Verification result() {
     const Complex ratio = fit_.ratio();
     result_.scale = std::abs(ratio);
     result_.rotation = std::arg(ratio);
-    if (result_.samples < 3) fail("the tracer could not be driven over the region");
-    if (result_.samples >= 3 && std::abs(ratio - task_.k) > 1e-8 * (1 + std::abs(task_.k)))
-      fail(fmt::format("the driven pairs fit scale {:.9g} and rotation {:.9g} degrees", result_.scale,
-                       degrees(result_.rotation)));
+    if (result_.samples < 3)
+      fail({.limit = "region", .sentence = "the tracer could not be driven over the region"});
+    const double ratio_allowed = 1e-8 * (1 + std::abs(task_.k));
+    if (result_.samples >= 3 && std::abs(ratio - task_.k) > ratio_allowed)
+      fail({.limit = "copy",
+            .attained = std::abs(ratio - task_.k),
+            .allowed = ratio_allowed,
+            .sentence = fmt::format("the driven pairs fit scale {:.9g} and rotation {:.9g} degrees",
+                                    result_.scale, degrees(result_.rotation))});
     result_.certified = result_.failure.empty();
     return result_;
   }
@@ -103,9 +116,13 @@ class Checks {
   void check_lengths() {
     const auto values = task_.mechanism.lengths.values();
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] < task_.shortest * (1 - length_slack) || values[i] > task_.longest * (1 + length_slack))
-        fail(fmt::format("{} = {:.6g} mm lies outside {:.6g} .. {:.6g} mm", LinkLengths::names[i], values[i],
-                         task_.shortest, task_.longest));
+      if (const bool short_ = values[i] < task_.shortest * (1 - length_slack);
+          short_ || values[i] > task_.longest * (1 + length_slack))
+        fail({.limit = short_ ? "links.shortest_mm" : "links.longest_mm",
+              .attained = values[i],
+              .allowed = short_ ? task_.shortest : task_.longest,
+              .sentence = fmt::format("{} = {:.6g} mm lies outside {:.6g} .. {:.6g} mm",
+                                      LinkLengths::names[i], values[i], task_.shortest, task_.longest)});
   }
 
   void check_assembly(const Pose& pose, const Point& tracer) {
@@ -114,16 +131,17 @@ class Checks {
                                    side(pose.A - pose.V, pose.X - pose.A)};
     if (result_.samples > 1 && sides != sides_) {
       ++result_.flips;
-      fail("the linkage changed its assembly", tracer);
+      fail({"mechanism.assembly", std::nullopt, std::nullopt, tracer, "the linkage changed its assembly"});
     }
     sides_ = sides;
     const OpeningInterval& allowed = task_.mechanism.opening;
     double opening = std::arg(as_complex(pose.B - pose.V) / as_complex(pose.A - pose.V));
     opening -= 2 * pi * std::round((opening - allowed.middle()) / (2 * pi));
     if (opening < allowed.lower - opening_slack || opening > allowed.upper + opening_slack)
-      fail(fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening),
-                       degrees(allowed.lower), degrees(allowed.upper)),
-           tracer);
+      fail({"mechanism.opening_deg", degrees(opening),
+            degrees(opening < allowed.lower ? allowed.lower : allowed.upper), tracer,
+            fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening),
+                        degrees(allowed.lower), degrees(allowed.upper))});
   }
 
   void check_transmission(const Pose& pose, const Point& tracer) {
@@ -133,9 +151,9 @@ class Checks {
     const double seen =
         std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
     if (seen < task_.transmission - transmission_slack)
-      fail(fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
-                       degrees(task_.transmission)),
-           tracer);
+      fail({"limits.transmission_deg", degrees(seen), degrees(task_.transmission), tracer,
+            fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
+                        degrees(task_.transmission))});
   }
 
   void check_clearance(const Pose& pose, const Point& tracer) {
@@ -143,9 +161,18 @@ class Checks {
     for (const ContactPair& pair : pairs_) {
       const double free = gap(pair, pose, shape_, task_.style);
       if (free < *task_.clearance - 1e-6)
-        fail(fmt::format("{} are {:.4f} mm apart, less than {:.4f}", name(pair), free, *task_.clearance),
-             tracer);
+        fail({"limits.clearance_mm", free, *task_.clearance, tracer,
+              fmt::format("{} are {:.4f} mm apart, less than {:.4f}", name(pair), free, *task_.clearance)});
     }
+  }
+
+  void check_obstacles(const Pose& pose, const Point& tracer) {
+    if (!task_.clearance || !watch_) return;
+    const auto near = watch_->nearest(pose, *task_.clearance - 1e-6);
+    if (near)
+      fail({"obstacles", near->gap, *task_.clearance, tracer,
+            fmt::format("{} and {} are {:.4f} mm apart, less than {:.4f}", near->part, near->obstacle,
+                        near->gap, *task_.clearance)});
   }
 
   const VerificationTask& task_;
@@ -153,6 +180,7 @@ class Checks {
   std::vector<ContactPair> pairs_;
   Complex shape_{};
   std::array<int, 2> sides_{};
+  std::optional<ObstacleWatch> watch_;
   SimilarityFit fit_;
   Verification result_;
 };
@@ -178,6 +206,7 @@ VerificationTask verification_task(const Design& design) {
   if (task.region_covered) {
     task.transmission = design.limits.transmission;
     task.clearance = design.limits.clearance;
+    task.obstacles = design.obstacles;
   }
   return task;
 }
@@ -187,19 +216,19 @@ Verification verify(const VerificationTask& task, const VerificationOptions& opt
   Checks checks(task, size, options.copy_error_share * size);
   const auto stations = stations_over(task.region, task.mechanism.pole_position, options);
   if (stations.empty()) {
-    checks.fail("there is no region to drive over");
+    checks.fail({.limit = "region", .sentence = "there is no region to drive over"});
     return checks.result();
   }
   auto drive = Drive::make(task.mechanism, stations.front());
   if (!drive) {
-    checks.fail(drive.error());
+    checks.fail({.limit = "mechanism.lengths_mm", .sentence = drive.error()});
     return checks.result();
   }
   for (const Point& station : stations) {
     if (const auto arrived = drive->go_to(station)) {
       checks.see(drive->pose(), drive->residual());
     } else if (task.region_covered) {
-      checks.fail(arrived.error(), station);
+      checks.fail({"region", std::nullopt, std::nullopt, station, arrived.error()});
       break;
     }
   }

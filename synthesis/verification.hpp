@@ -29,7 +29,8 @@ struct VerificationTask {
   LinkStyle style;
   LayerAssignment layers;
   double transmission = 0;          ///< rad, limit kept over the region; 0: not checked
-  std::optional<double> clearance;  ///< mm, limit kept between the linkage's own parts; absent: not checked
+  std::optional<double> clearance;  ///< mm, limit kept between parts, and to obstacles; absent: not checked
+  std::vector<Obstacle> obstacles{};
   double shortest = 0, longest = 1e300;  ///< mm, limits of every length
 };
 

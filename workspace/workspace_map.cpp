@@ -186,6 +186,7 @@ void add_sheet_overlap(WorkspaceMap& map, const MapTask& task) {
 
 WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   WorkspaceMap map;
+  map.map_tolerance = options.map_tolerance;
   map.reachable = as_region(reachable_annulus(task.linkage));
   map.usable = as_region(usable_annulus(task.linkage, task.transmission));
   const auto free = contact_free_openings(task.linkage, task.style, task.layers, task.clearance,

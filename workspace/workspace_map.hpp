@@ -91,6 +91,7 @@ struct WorkspaceMap {
   double clearance_min = 0;                ///< mm, smallest gap while the tracer covers the region
   std::string clearance_min_parts;         ///< "link VA and link BCY"
   Point clearance_min_at = Point::Zero();  ///< tracer's place
+  double map_tolerance = 0.005;            ///< of the options it was made with
 };
 
 /// Maps a linkage. Deterministic.

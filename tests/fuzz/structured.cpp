@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "reports/design_audit.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/search.hpp"
 #include "synthesis/verification.hpp"
@@ -145,8 +146,14 @@ Outcome design_from_choices(std::string_view input, const std::string& name) {
   VerificationTask task = verification_task(design);
   task.shortest = spec.links.shortest;
   task.longest = spec.links.longest;
-  const Verification verification = verify(task);
-  require(verification.certified, name, verification.failure);
+  design.verification = verify(task);
+  require(design.verification.certified, name, design.verification.failure);
+  const auto stored = read_design(design_json(design), name);
+  require(stored.has_value(), name, stored ? "" : stored.error().message());
+  const auto audited = audit(*stored, name);
+  require(audited.has_value(), name, audited ? "" : audited.error().message());
+  require(audited->certified(), name,
+          audited->certified() ? "" : audited->broken[0].limit + ": " + audited->broken[0].sentence);
   return Outcome::design;
 }
 

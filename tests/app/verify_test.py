@@ -1,0 +1,426 @@
+#!/usr/bin/env python3
+"""`kempe verify` from outside: every statement of a design's file is falsified alone, and must be found; whatever stays
+true must stay certified.
+
+usage: verify_test.py KEMPE SOURCE_DIR [unittest arguments]
+"""
+import copy
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KEMPE = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+EXAMPLES = SOURCE / "specs" / "examples"
+
+# What the examples do not have: a pole area, all limits at once, a stock, a grid that moves k, locks, tools.
+SPECS = {
+    "everything": """
+[copy]
+scale = 0.5
+rotation_deg = 150
+[region]
+rectangle_mm = {at = [120, -30], size = [60, 40]}
+[pole]
+within_mm = [[-20, -20], [20, -20], [20, 20], [-20, 20]]
+[links]
+width_mm = 10
+pin_diameter_mm = 5
+layers = 3
+shortest_mm = 20
+longest_mm = 300
+[limits]
+sheets_gap_mm = 5
+copy_error_mm = 0.9
+[tolerance]
+length_mm = 0.05
+play_mm = 0.02
+[tool]
+follower_radius_mm = 3
+cutter_radius_mm = 1
+[[obstacles]]
+name = "vice"
+rectangle_mm = {at = [-60, 120], size = [120, 30]}
+layers = [1, 4]
+[objective]
+groundings = ["pole", "pen"]
+""",
+    "grid": """
+[copy]
+scale = 1.37
+rotation_deg = 60
+[region]
+rectangle_mm = {at = [80, -20], size = [40, 30]}
+[links]
+grid_mm = 5
+width_mm = 8
+pin_diameter_mm = 4
+""",
+    "locked": """
+[copy]
+scale = 2
+rotation_deg = 90
+[region]
+rectangle_mm = {at = [40, -10], size = [20, 15]}
+[links]
+VA_mm = 60
+width_mm = 6
+pin_diameter_mm = 3
+[objective]
+maximize = "transmission"
+""",
+}
+
+
+def kempe(*arguments):
+    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=600)
+
+
+def corners(design):
+    return [corner for rings in design["region"]["coordinates"] for ring in rings for corner in ring]
+
+
+def middle(design):
+    points = corners(design)
+    return [(min(p[i] for p in points) + max(p[i] for p in points)) / 2 for i in (0, 1)]
+
+
+def extent(design):
+    points = corners(design)
+    return max(max(p[i] for p in points) - min(p[i] for p in points) for i in (0, 1))
+
+
+def square(centre, half):
+    x, y = centre
+    return {"type": "MultiPolygon", "coordinates": [[[[x - half, y - half], [x + half, y - half], [x + half, y + half],
+                                                      [x - half, y + half], [x - half, y - half]]]]}
+
+
+
+def falsehoods(design):
+    """(key that must be found broken, a function that makes the file state it)."""
+    mechanism, quality, workspace = design["mechanism"], design["quality"], design["workspace"]
+    made = []
+
+    def add(key, change):
+        made.append((key, change))
+
+    def scaled(table, key, factor=1.02, name=None):
+        def change(d):
+            d[table][key] *= factor
+        value = design[table].get(key)
+        if value:
+            add(name or f"{table}.{key}", change)
+
+    for name in mechanism["lengths_mm"]:
+        add(f"mechanism.lengths_mm.{name}", lambda d, n=name: d["mechanism"]["lengths_mm"].update(
+            {n: d["mechanism"]["lengths_mm"][n] * 1.02}))
+    add("mechanism.shape", lambda d: d["mechanism"].update(shape=[d["mechanism"]["shape"][0] + 0.01, d["mechanism"]["shape"][1]]))
+    add("mechanism.assembly", lambda d: d["mechanism"].update(assembly=(d["mechanism"]["assembly"] + 1) % 2))
+    add("mechanism.orientation", lambda d: d["mechanism"]["orientation"].update(
+        parallelogram=-d["mechanism"]["orientation"]["parallelogram"]))
+    lower, upper = mechanism["opening_deg"]
+    add("mechanism.opening_deg", lambda d: d["mechanism"].update(opening_deg=[max(lower - 2, -180), upper]))
+    add("mechanism.opening_deg", lambda d: d["mechanism"].update(opening_deg=[lower, min(upper + 2, 180)]))
+    add("mechanism.opening_deg", lambda d: d["mechanism"].update(opening_deg=[lower, lower + 1e-3]))
+    add("mechanism.links", lambda d: d["mechanism"]["links"][0].update(layer=d["mechanism"]["links"][1]["layer"]))
+    add("mechanism.pin_diameter_mm", lambda d: d["mechanism"].update(pin_diameter_mm=d["mechanism"]["link_width_mm"] * 1.02))
+    add("mechanism.shape", lambda d: d["copy"].update(scale=d["copy"]["scale"] * 1.02))
+    add("mechanism.shape", lambda d: d["copy"].update(rotation_deg=d["copy"]["rotation_deg"] + 2))
+
+    def obstacle(d, size, at):
+        d["obstacles"] = d.get("obstacles", []) + [{"name": "vice", "shape": square(at, size / 2), "layers": [1, 8]}]
+
+    for size in (0.3 * extent(design), 60):
+        add("obstacles", lambda d, s=size: obstacle(d, s, middle(d)))
+        add("region", lambda d, s=size: obstacle(d, s, middle(d)))
+    add("obstacles", lambda d: obstacle(d, 1, d["mechanism"]["pole_position_mm"]))
+
+    def enlarge(d):
+        x, y = middle(d)
+        for corner in corners(d):
+            corner[0], corner[1] = x + 20 * (corner[0] - x), y + 20 * (corner[1] - y)
+    add("region", enlarge)
+
+    def move_corner(d):
+        ring = d["region"]["coordinates"][0][0]
+        far = max(range(len(ring)), key=lambda i: math.dist(ring[i], d["mechanism"]["pole_position_mm"]))
+        moved = [ring[far][0] + 1e4 * (ring[far][0] - middle(d)[0]), ring[far][1] + 1e4 * (ring[far][1] - middle(d)[1])]
+        d["region"]["coordinates"][0][0] = [moved if p == ring[far] else p for p in ring]
+    add("region", move_corner)
+
+    add("limits.transmission_deg", lambda d: d["limits"].update(transmission_deg=quality["transmission_min_deg"] + 0.5))
+    if quality["clearance_min_mm"] is not None:
+        add("limits.clearance_mm", lambda d: d["limits"].update(clearance_mm=quality["clearance_min_mm"] + 0.05))
+    add("limits.sheets_gap_mm", lambda d: d["limits"].update(sheets_gap_mm=1e4))
+    if design["tolerance"]:
+        add("limits.copy_error_mm", lambda d: d["limits"].update(copy_error_mm=1e-9))
+        add("limits.copy_error_mm", lambda d: d["limits"].update(copy_error_mm=0.98 * quality["copy_error_worst_mm"]))
+        add("quality.copy_error_worst_mm", lambda d: d["tolerance"].update(length_mm=1.1 * d["tolerance"]["length_mm"]))
+    else:
+        def tolerance(d):
+            d["tolerance"] = {"length_mm": 0.05, "play_mm": 0.02}
+            d["limits"]["copy_error_mm"] = 1e-9
+        add("limits.copy_error_mm", tolerance)
+
+    if design["links"]:
+        lengths = mechanism["lengths_mm"].values()
+        add("links.shortest_mm", lambda d: d["links"].update(shortest_mm=1.02 * min(lengths)))
+        add("links.longest_mm", lambda d: d["links"].update(longest_mm=0.98 * max(lengths)))
+        add("links.layers", lambda d: d["mechanism"]["links"][0].update(layer=9))
+        add("links.grid_mm", lambda d: d["links"].update(grid_mm=0.9973 * mechanism["lengths_mm"]["VA"]))
+        add("links.stock_mm", lambda d: d["links"].update(stock_mm=[0.98 * x for x in lengths]))
+        for name in mechanism["lengths_mm"]:
+            add(f"links.{name}_mm", lambda d, n=name: d["links"].update({n + "_mm": 1.02 * mechanism["lengths_mm"][n]}))
+        at = mechanism["pole_position_mm"]
+        add("pole.at_mm", lambda d: d.update(pole={"at_mm": [at[0] + 1, at[1]]}))
+        add("pole.within_mm", lambda d: d.update(pole={"within_mm": square([at[0] + 5, at[1]], 4)}))
+        other = next(v for v in ("pole", "tracer", "pen") if v != mechanism["vertex"])
+        add("objective.groundings", lambda d: d.update(objective={"groundings": [other]}))
+        add("cutting.hole_fit_mm", lambda d: d["cutting"].update(hole_fit_mm=min(lengths)))
+
+    for key in ("size_mm", "clearance_min_mm", "copy_error_worst_mm", "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2"):
+        if key != "clearance_min_mm" or not design["obstacles"]:  # among obstacles it is certain to 0.01 mm only
+            scaled("quality", key)
+    add("quality.clearance_min_mm", lambda d: d["quality"].update(clearance_min_mm=(quality["clearance_min_mm"] or 0) + 0.05))
+    add("quality.transmission_min_deg", lambda d: d["quality"].update(transmission_min_deg=0.98 * quality["transmission_min_deg"]))
+    for key in ("reachable_mm2", "usable_mm2", "collision_free_mm2"):
+        scaled("workspace", key)
+    add("workspace.uncertain_mm2", lambda d: d["workspace"].update(uncertain_mm2=workspace["uncertain_mm2"] + 0.01 * workspace["usable_mm2"]))
+    add("workspace.region_covered", lambda d: d["workspace"].update(region_covered=False))
+    if workspace["sheets"]:
+        add("workspace.sheets", lambda d: d["workspace"]["sheets"][0].update(centre_mm=d["mechanism"]["pole_position_mm"]))
+        add("workspace.sheets", lambda d: d["workspace"]["largest_sheet"].update(width_mm=1e5))
+    scaled("search", "value")
+    if quality["lower_bound"] is not None:
+        wrong = 0.95 if design["search"]["objective"] == "transmission" else 1.05
+        add("quality.lower_bound", lambda d: d["quality"].update(lower_bound=wrong * design["search"]["value"]))
+    add("verification.flips", lambda d: d["verification"].update(flips=1))
+    scaled("verification", "scale")
+    add("verification.rotation_deg", lambda d: d["verification"].update(rotation_deg=d["verification"]["rotation_deg"] + 1))
+    add("verification.copy_error_max_mm", lambda d: d["verification"].update(copy_error_max_mm=1))
+    add("verification.loop_residual_max_mm", lambda d: d["verification"].update(loop_residual_max_mm=1))
+    if "ratio_error" in design["copy"]:
+        add("copy.ratio_error", lambda d: d["copy"].update(wanted_scale=1.02 * d["copy"]["wanted_scale"]))
+        scaled("copy", "ratio_error")
+    if design["tool"]:
+        for key in ("exact_follower_radius_mm", "exact_cutter_radius_mm", "cut_outside_mm", "template_offset_mm"):
+            scaled("tool", key)
+    return made
+
+
+def truths(design, rng):
+    """Changes after which the file still states nothing but the truth."""
+    far = 1e5
+    links = design["links"]
+
+    def start_elsewhere(d):
+        ring = d["region"]["coordinates"][0][0]
+        start = rng.randrange(len(ring) - 1)
+        d["region"]["coordinates"][0][0] = ring[start:-1] + ring[:start] + [ring[start]]
+
+    def obstacle_out_of_reach(d):
+        turn = rng.uniform(-math.pi, math.pi)
+        at = [d["mechanism"]["pole_position_mm"][0] + far * math.cos(turn), d["mechanism"]["pole_position_mm"][1] + far * math.sin(turn)]
+        d["obstacles"].append({"name": "wall", "shape": square(at, rng.uniform(1, 1000)), "layers": [1, rng.randint(1, 8)]})
+
+    def obstacle_above(d):
+        lowest = 1 + max(link["layer"] for link in d["mechanism"]["links"])
+        d["obstacles"].append({"name": "lamp", "shape": square(middle(d), rng.uniform(1, 500)), "layers": [lowest, 20]})
+
+    def rounding(d):
+        for key in ("size_mm", "footprint_mm2", "copy_error_worst_mm"):
+            if d["quality"][key]:
+                d["quality"][key] *= 1 + rng.uniform(-1, 1) * 1e-13
+
+    def narrower_opening(d):
+        lower, upper = d["mechanism"]["opening_deg"]
+        d["mechanism"]["opening_deg"] = [lower + 1e-9 * rng.random(), upper - 1e-9 * rng.random()]
+
+    def other_order(d):
+        items = list(d.items())
+        rng.shuffle(items)
+        d.clear()
+        d.update(items)
+
+    def note(d):
+        d["note_" + str(rng.randint(0, 999))] = "cut on Monday"
+
+    changes = [start_elsewhere, obstacle_out_of_reach, obstacle_above, rounding, narrower_opening, other_order, note,
+               lambda d: d["search"].update(evaluations=rng.randint(0, 10**6), seed=rng.randint(0, 99)),
+               lambda d: d["workspace"].update(largest_sheet={}, sheets=[]),
+               lambda d: d["cutting"].update(gap_mm=rng.uniform(0, 50)),
+               lambda d: d.update(why_not_fewer_layers=[])]
+    if design["quality"]["lower_bound"] is not None:
+        share = rng.uniform(0.5, 1)
+        changes.append(lambda d: d["quality"].update(lower_bound=(
+            d["quality"]["lower_bound"] * (1 / share if d["search"]["objective"] == "transmission" else share))))
+    if links:
+        changes += [lambda d: d["links"].update(shortest_mm=d["links"]["shortest_mm"] * rng.uniform(0.1, 1)),
+                    lambda d: d["links"].update(longest_mm=d["links"]["longest_mm"] * rng.uniform(1, 10)),
+                    lambda d: d["links"].update(layers=d["links"]["layers"] + rng.randint(0, 3)),
+                    lambda d: d["objective"].update(groundings=["pole", "tracer", "pen"]),
+                    lambda d: d.update(pole={"within_mm": square(d["mechanism"]["pole_position_mm"], rng.uniform(1e-3, 1e3))})]
+        if links["grid_mm"]:
+            changes.append(lambda d: d["links"].update(grid_mm=d["links"]["grid_mm"] / rng.randint(1, 5)))
+        if links["stock_mm"]:
+            changes.append(lambda d: d["links"]["stock_mm"].append(rng.uniform(1, 1e3)))
+    return changes
+
+
+class Verify(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(__import__("shutil").rmtree, cls.scratch)
+        specs = sorted(EXAMPLES.glob("*.toml"))
+        for name, text in SPECS.items():
+            specs.append(cls.scratch / f"{name}.toml")
+            specs[-1].write_text(text)
+        cls.designs = {}
+        for spec in specs:
+            command = "workspace" if "[mechanism]" in spec.read_text() else "synthesize"
+            out = cls.scratch / spec.stem
+            run = kempe(command, spec, "-o", out, "--quiet")
+            assert run.returncode == 0, f"{spec.name}: {run.stderr}"
+            cls.designs[spec.stem] = json.loads((out / "design.json").read_text())
+
+    def verify(self, design, *arguments):
+        path = self.scratch / "stated.json"
+        path.write_text(json.dumps(design))
+        return kempe("verify", path, *arguments)
+
+    def assertCertified(self, run, message=""):
+        self.assertEqual(run.returncode, 0, f"{message}: {run.stderr}")
+        found = json.loads(run.stdout)
+        self.assertTrue(found["certified"])
+        self.assertEqual(found["broken"], [])
+        return found
+
+    def assertBroken(self, run, key):
+        self.assertEqual(run.returncode, 4, f"{key}: {run.stdout} {run.stderr}")
+        found = json.loads(run.stdout)
+        self.assertFalse(found["certified"])
+        broken = {one["limit"]: one for one in found["broken"]}
+        self.assertIn(key, broken)
+        self.assertIn(key, found["checked"])
+        self.assertIn(key, run.stderr)
+        self.assertEqual(set(broken[key]), {"limit", "attained", "allowed", "where_mm", "sentence"})
+        return broken[key]
+
+    def test_every_design_written_is_certified_and_every_limit_named(self):
+        for name, design in self.designs.items():
+            with self.subTest(name):
+                found = self.assertCertified(self.verify(design), name)
+                said = set(found["checked"]) | {one["key"] for one in found["not_checked"]}
+                for table in ("limits", "links"):
+                    for key, value in (design[table] or {}).items():
+                        if value not in (None, []):
+                            self.assertIn(f"{table}.{key}", said)
+                for key, value in {**{f"quality.{k}": v for k, v in design["quality"].items()},
+                                   **{f"workspace.{k}": v for k, v in design["workspace"].items() if k.endswith("mm2")}}.items():
+                    if value is not None:
+                        self.assertIn(key, said)
+                for key in ["region", "copy", "mechanism.opening_deg"] + ["obstacles"] * bool(design["obstacles"]):
+                    self.assertIn(key, found["checked"])
+
+    def test_every_falsehood_is_found(self):
+        for name, design in self.designs.items():
+            for key, change in falsehoods(design):
+                with self.subTest(f"{name}: {key}"):
+                    stated = copy.deepcopy(design)
+                    change(stated)
+                    self.assertBroken(self.verify(stated), key)
+
+    def test_figures_of_a_breach_are_those_of_the_plane(self):
+        """Attained, allowed and place, computed here by the plainest means."""
+        for name, design in self.designs.items():
+            with self.subTest(name):
+                stated = copy.deepcopy(design)
+                stated["limits"]["sheets_gap_mm"] = 1e4
+                breach = self.assertBroken(self.verify(stated), "limits.sheets_gap_mm")
+                pole = complex(*design["mechanism"]["pole_position_mm"])
+                k = complex(*(design["copy"]["scale"] * f(math.radians(design["copy"]["rotation_deg"])) for f in (math.cos, math.sin)))
+                points = [complex(*p) for p in corners(design)]
+                most = min(abs(p - (pole + k * (q - pole))) for p in points for q in points)
+                self.assertLessEqual(breach["attained"], most + 1e-6)
+                self.assertEqual(breach["allowed"], 1e4)
+                stated = copy.deepcopy(design)
+                at = middle(design)
+                stated["obstacles"].append({"shape": square(at, 1), "layers": [1, 8]})
+                breach = self.assertBroken(self.verify(stated), "obstacles")
+                self.assertLess(breach["attained"], breach["allowed"])
+                reach = max(abs(p - pole) for p in points)
+                self.assertLessEqual(abs(complex(*breach["where_mm"]) - pole), reach * (1 + 1e-9))
+
+    def test_what_stays_true_stays_certified(self):
+        rng = random.Random(1)
+        names = sorted(self.designs)
+        for i in range(200):
+            name = names[i % len(names)]
+            stated = copy.deepcopy(self.designs[name])
+            for change in rng.sample(truths(stated, rng), 3):
+                change(stated)
+            with self.subTest(f"{name}, {i}"):
+                self.assertCertified(self.verify(stated), f"{name}, {i}")
+
+    def test_what_an_older_file_does_not_state_is_named(self):
+        for name, design in self.designs.items():
+            with self.subTest(name):
+                stated = copy.deepcopy(design)
+                for key in ("limits", "tolerance", "links", "pole", "objective", "cutting", "obstacles", "tool", "search"):
+                    stated.pop(key)
+                for key in ("copy_error_worst_mm", "copy_error_rss_mm", "distortion_worst_mm"):
+                    stated["quality"][key] = None
+                if design["obstacles"]:
+                    stated["quality"]["clearance_min_mm"] = None
+                    continue  # its clearance is that to obstacles which are no longer there
+                found = self.assertCertified(self.verify(stated), name)
+                said = {one["key"] for one in found["not_checked"]}
+                self.assertLessEqual({"limits", "links", "pole", "objective", "obstacles"}, said)
+
+    def test_limits_of_another_version_are_refused_and_other_keys_named(self):
+        for table, key in (("limits", "load_error_mm"), ("limits", "transmision_deg"), ("tolerance", "length_um"),
+                           ("links", "widest_mm"), ("pole", "near_mm"), ("objective", "forbidden")):
+            stated = copy.deepcopy(self.designs["everything"])
+            stated[table][key] = 1
+            run = self.verify(stated)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(f"{table}.{key}", run.stderr)
+        stated = copy.deepcopy(self.designs["everything"])
+        stated["obstacles"][0]["height_mm"] = 3
+        self.assertEqual(self.verify(stated).returncode, 2)
+        stated = copy.deepcopy(self.designs["everything"])
+        stated["title"], stated["quality"]["mass_kg"] = "shop sign", 1.2
+        found = self.assertCertified(self.verify(stated))
+        self.assertLessEqual({"title", "quality.mass_kg"}, {one["key"] for one in found["not_checked"]})
+
+    def test_rings_that_are_no_region_are_refused(self):
+        stated = copy.deepcopy(self.designs["plagiograph"])
+        (x, y), size = middle(stated), 3
+        stated["region"]["coordinates"] = [[[[x, y], [x + size, y + size], [x + size, y], [x, y + size], [x, y]]]]
+        run = self.verify(stated)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("region", run.stderr)
+
+    def test_the_words_say_the_same(self):
+        design = copy.deepcopy(self.designs["clamped-plate"])
+        run = self.verify(design, "--text")
+        self.assertEqual(run.returncode, 0)
+        self.assertTrue(run.stdout.startswith("certified"))
+        design["obstacles"].append({"name": "block", "shape": square(middle(design), 30), "layers": [1, 8]})
+        run = self.verify(design, "--text")
+        self.assertEqual(run.returncode, 4)
+        self.assertTrue(run.stdout.startswith("NOT CERTIFIED"))
+        for word in ("broken       obstacles: ", "block", "limits.transmission_deg", "not checked  search: "):
+            self.assertIn(word, run.stdout)
+        self.assertEqual(json.loads(self.verify(design, "--text", "--json").stdout)["certified"], False)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=1)
