@@ -270,8 +270,10 @@ PoleSpec pole(const JsonField& field) {
   PoleSpec result;
   if (const auto at = field.find("at_mm"))
     result.place = point(*at);
+  else if (Region area = region(field["within_mm"]); !area.empty())
+    result.place = std::move(area);
   else
-    result.place = region(field["within_mm"]);
+    field["within_mm"].refuse("an area of at least one polygon");
   return result;
 }
 

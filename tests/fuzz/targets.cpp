@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "reports/design_json.hpp"
+#include "reports/design_audit.hpp"
 #include "specs/dxf_reader.hpp"
 #include "specs/generator_spec.hpp"
 #include "specs/geojson_reader.hpp"
@@ -27,7 +27,9 @@ void measurements(std::string_view input) { (void)read_measurements(input, file)
 
 void design(std::string_view input) {
   const auto stored = read_design(input, file);
-  if (stored) (void)verify(verification_task(*stored), {.outline_samples = 20, .hatch_lines = 1});
+  if (!stored) return;
+  (void)verify(verification_task(*stored), {.outline_samples = 20, .hatch_lines = 1});
+  (void)audit(*stored, file);
 }
 
 void generators(std::string_view input) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "reports/design_audit.hpp"
 #include "reports/stated_angle.hpp"
 #include "tests/reports/sample_designs.hpp"
 
@@ -118,6 +119,52 @@ TEST(DesignJson, KeepsTheLimitsTheTolerancesAndTheObstacles) {
   ASSERT_EQ(read->obstacles.size(), 1U);
   EXPECT_EQ(read->obstacles[0].shape, design.obstacles[0].shape);
   EXPECT_EQ(read->obstacles[0].highest_layer, 4);
+}
+
+TEST(DesignJson, KeepsWhatTheSpecAllowed) {
+  Design design = plagiograph();
+  Allowed& allowed = design.allowed.emplace();
+  allowed.pole.place = Region{{Polygon{{{-1, -2}, {3, -2}, {3, 4}}, {}}}};
+  allowed.layers = 4;
+  allowed.shortest = 12.5;
+  allowed.longest = 600;
+  allowed.workshop = {.grid = std::nullopt, .stock = {35, 50, 100}, .locked = {}};
+  allowed.workshop.locked[1] = 35;
+  allowed.groundings = {Vertex::pen, Vertex::pole};
+  design.cutting = {.hole_fit = -0.1, .kerf = 0.2, .sheet = Point(600, 300), .gap = 7};
+  design.map.map_tolerance = 0.02;
+  const auto read = read_design(design_json(design), "d.json");
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_TRUE(read->allowed);
+  EXPECT_EQ(std::get<Region>(read->allowed->pole.place), std::get<Region>(allowed.pole.place));
+  EXPECT_EQ(read->allowed->layers, 4);
+  EXPECT_EQ(read->allowed->shortest, 12.5);
+  EXPECT_EQ(read->allowed->longest, 600);
+  EXPECT_FALSE(read->allowed->workshop.grid);
+  EXPECT_EQ(read->allowed->workshop.stock, allowed.workshop.stock);
+  EXPECT_EQ(read->allowed->workshop.locked, allowed.workshop.locked);
+  EXPECT_EQ(read->allowed->groundings, allowed.groundings);
+  ASSERT_TRUE(read->cutting);
+  EXPECT_EQ(read->cutting->hole_fit, -0.1);
+  EXPECT_EQ(read->cutting->kerf, 0.2);
+  EXPECT_EQ(read->cutting->sheet, design.cutting.sheet);
+  EXPECT_EQ(read->cutting->gap, 7);
+  EXPECT_EQ(read->map.map_tolerance, 0.02);
+  EXPECT_TRUE(read->unknown_keys.empty());
+  design.allowed->pole.place = Point(3, -4);
+  EXPECT_EQ(std::get<Point>(read_design(design_json(design), "d.json")->allowed->pole.place), Point(3, -4));
+}
+
+TEST(DesignJson, NamesEveryKeyItDoesNotKnow) {
+  Json json = written();
+  for (const char* pointer :
+       {"/title", "/copy/skew", "/mechanism/links/2/colour", "/quality/mass_kg", "/limits/sag_mm"})
+    json[Json::json_pointer(pointer)] = 1;
+  const auto read = read_design(json.dump(), "d.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->unknown_keys, (std::vector<std::string>{"title", "copy.skew", "mechanism.links[2].colour",
+                                                          "quality.mass_kg", "limits.sag_mm"}));
+  EXPECT_EQ(audit(*read, "d.json").error().key, "limits.sag_mm");
 }
 
 TEST(DesignJson, KeepsAHandEditedLengthForTheVerificationToSee) {
