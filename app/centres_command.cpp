@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 
 #include "app/all_commands.hpp"
@@ -21,24 +20,11 @@ struct CentresArguments {
 
 /// The moment at a step, whole or not, reached along the motion.
 tl::expected<RunFrame, int> frame_at(const LoadedLinkage& loaded, const PlanarPosition& start, double step) {
-  const double whole = std::floor(step);
-  LoadedLinkage here = loaded;
-  if (step == whole) {
-    auto run = drive_linkage(here, start, loaded.file.steps);
-    if (!run) return tl::unexpected(run.error());
-    const auto number = static_cast<std::size_t>(whole);
-    if (number < run->frames.size() && run->frames[number].rate.size() > 0) return run->frames[number];
-    return tl::unexpected(
-        fail(no_design, fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
-                                    stop_sentence(loaded, *run, loaded.file.steps))));
-  }
-  const int fine = loaded.file.steps * 1000;
-  auto run = drive_linkage(here, start, fine);
+  auto run = drive_to(loaded, start, step);
   if (!run) return tl::unexpected(run.error());
-  const auto number = static_cast<std::size_t>(std::lround(step * 1000));
-  if (number < run->frames.size() && run->frames[number].rate.size() > 0) return run->frames[number];
-  return tl::unexpected(
-      fail(no_design, fmt::format("{}: the motion ends before step {:g}", loaded.file.file, step)));
+  if (!run->stop) return run->frames.back();
+  return tl::unexpected(fail(no_design, fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
+                                                    stop_sentence(loaded, *run, loaded.file.steps))));
 }
 
 int run(const Session& session, const CentresArguments& arguments) {

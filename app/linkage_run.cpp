@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/interrupt.hpp"
 #include "kinematics/mobility.hpp"
 #include "kinematics/planar_singularity.hpp"
 #include "reports/atomic_file.hpp"
@@ -31,9 +32,11 @@ std::string driver_text(const LoadedLinkage& loaded, std::size_t driver, double 
   return fmt::format("{} = {}", label, length_text(loaded, value));
 }
 
-std::string opening_text(const LoadedLinkage& loaded, const NotAssembled& open) {
-  return fmt::format("{} stays open by {}", constraint_label(loaded.model, open.constraint),
-                     length_text(loaded, open.closure_error));
+/// What is missing, in its own unit.
+std::string opening_text(const LoadedLinkage& loaded, const Missing& missing) {
+  const std::string label = constraint_label(loaded.model, missing.constraint);
+  if (missing.gap.is_angle) return fmt::format("{}: off by {:.6g} degrees", label, degrees(missing.gap.amount));
+  return fmt::format("{} stays open by {}", label, length_text(loaded, missing.gap.amount));
 }
 
 int tell_wrong_drivers(const LoadedLinkage& loaded, const Mobility& mobility) {
@@ -44,19 +47,23 @@ int tell_wrong_drivers(const LoadedLinkage& loaded, const Mobility& mobility) {
                "as many driven values as the mobility"});
 }
 
+int tell_stopped() { return fail(interrupted, "stopped; nothing is written"); }
+
 /// Nothing closes with the drivers at their start: too many drivers, values out of reach, or no linkage at
 /// all.
-int tell_not_assembled(const LoadedLinkage& loaded, const NotAssembled& open, std::uint64_t seed) {
+int tell_not_assembled(const LoadedLinkage& loaded, const Missing& missing, std::uint64_t seed) {
   LoadedLinkage free = loaded;
   free.model.linkage = loaded.model.linkage.undriven();
   free.model.schedule = {};
   free.file.bounds.clear();
   AssemblySearch search;
   search.seed = seed;
+  search.stop = wish_to_stop();
   const auto found = start_assemblies(free.file, free.model, search);
+  if (!found && search.stop()) return tell_stopped();
   if (!found)
     return fail(no_design,
-                fmt::format("{}: does not assemble: {}", loaded.file.file, opening_text(loaded, open)));
+                fmt::format("{}: does not assemble: {}", loaded.file.file, opening_text(loaded, missing)));
   const Mobility mobility = mobility_of(free.model.linkage, found->front());
   if (mobility.mobility < static_cast<int>(loaded.model.linkage.drivers().size()))
     return tell_wrong_drivers(loaded, mobility);
@@ -64,11 +71,13 @@ int tell_not_assembled(const LoadedLinkage& loaded, const NotAssembled& open, st
       no_design,
       fmt::format(
           "{}: does not assemble at the start of the motion, where the drivers begin out of reach: {}",
-          loaded.file.file, opening_text(loaded, open)));
+          loaded.file.file, opening_text(loaded, missing)));
 }
 
 int tell_no_path(const LoadedLinkage& loaded, const NoPathHere& none) {
-  if (none.why == NoPath::does_not_assemble) return tell_not_assembled(loaded, none.assembly, 1);
+  if (none.why == NoPath::does_not_assemble)
+    return tell_not_assembled(
+        loaded, missing_at(loaded.model.linkage, none.assembly, loaded.model.schedule.values_at(0)), 1);
   const Mobility mobility = mobility_of(loaded.model.linkage, none.position);
   if (mobility.mobility != static_cast<int>(loaded.model.linkage.drivers().size()))
     return tell_wrong_drivers(loaded, mobility);
@@ -81,7 +90,24 @@ int tell_no_path(const LoadedLinkage& loaded, const NoPathHere& none) {
   return fail(no_design, fmt::format("{}: the motion starts at {}", loaded.file.file, why));
 }
 
+/// A run, if the linkage has drivers and a path from the start, and nobody stops it.
+template <class Run>
+tl::expected<PlanarRun, int> driven(const LoadedLinkage& loaded, const Run& run_it) {
+  if (loaded.model.linkage.drivers().empty())
+    return refuse(loaded, bad_input,
+                  "drivers: found nothing; allowed: [[drivers]], as many as the linkage has freedoms");
+  tl::expected<PlanarRun, NoPathHere> run = run_it();
+  if (!run) return tl::unexpected(tell_no_path(loaded, run.error()));
+  if (run->stop && run->stop->end == PathEnd::interrupted) return tl::unexpected(tell_stopped());
+  return std::move(*run);
+}
+
 }  // namespace
+
+std::function<bool()> wish_to_stop() {
+  static const Interrupt interrupt;
+  return [] { return interrupt.requested().load(); };
+}
 
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& path) {
   auto file = read_linkage_file(path);
@@ -98,6 +124,7 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLink
                                                                 std::uint64_t seed) {
   AssemblySearch search;
   search.seed = seed;
+  search.stop = wish_to_stop();
   auto found = start_assemblies(loaded.file, loaded.model, search);
   if (found) return std::move(*found);
   const NoAssembly& none = found.error();
@@ -105,17 +132,21 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLink
     return refuse(
         loaded, no_design,
         fmt::format("no closing of the linkage lies within the bounds of {}", fmt::join(none.unmet, ", ")));
-  return tl::unexpected(tell_not_assembled(loaded, none.nearest, seed));
+  if (search.stop()) return tl::unexpected(tell_stopped());
+  return tl::unexpected(tell_not_assembled(loaded, none.missing.value(), seed));
 }
 
 tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const PlanarPosition& start,
                                            int steps) {
-  if (loaded.model.linkage.drivers().empty())
-    return refuse(loaded, bad_input,
-                  "drivers: found nothing; allowed: [[drivers]], as many as the linkage has freedoms");
-  auto run = run_motion(loaded.model.linkage, start, loaded.model.schedule, steps);
-  if (!run) return tl::unexpected(tell_no_path(loaded, run.error()));
-  return std::move(*run);
+  return driven(loaded, [&] {
+    return run_motion(loaded.model.linkage, start, loaded.model.schedule, steps, {wish_to_stop()});
+  });
+}
+
+tl::expected<PlanarRun, int> drive_to(const LoadedLinkage& loaded, const PlanarPosition& start, double step) {
+  return driven(loaded, [&] {
+    return run_to(loaded.model.linkage, start, loaded.model.schedule, step / loaded.file.steps, {wish_to_stop()});
+  });
 }
 
 std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps) {

@@ -3,6 +3,7 @@
 // code with its message already told.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -17,6 +18,9 @@ struct LoadedLinkage {
   LinkageModel model;
 };
 
+/// Whether the user asked to stop, for the solver's own looking.
+std::function<bool()> wish_to_stop();
+
 /// Reads the file, builds its model and tells the reader's notes on stderr (unless quiet).
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& file);
 
@@ -25,9 +29,12 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLink
                                                                 std::uint64_t seed);
 
 /// Drives the linkage from a closed position over `steps` parts. A motion that stops early is a run, not a
-/// failure.
+/// failure; one that the user stops is.
 tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const PlanarPosition& start,
                                            int steps);
+
+/// The same to one step of the motion, whole or not, which alone is shown.
+tl::expected<PlanarRun, int> drive_to(const LoadedLinkage& loaded, const PlanarPosition& start, double step);
 
 /// "dead point at step 17.33 of 36 (...): A, B and C in line (crank, rod)"
 std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps);

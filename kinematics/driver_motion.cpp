@@ -108,31 +108,30 @@ PathPlace PathPiece::on_cubic(double way) const {
   return {cubic_at(points_, u), ahead, (second - second.dot(ahead) * ahead) / (speed * speed)};
 }
 
-double DriverPath::length() const {
-  double sum = 0;
-  for (const PathPiece& piece : pieces) sum += piece.length();
-  return sum;
+DriverPath::DriverPath(std::vector<PathPiece> pieces, std::optional<double> even_speed)
+    : speed(even_speed), pieces_(std::move(pieces)) {
+  for (const PathPiece& piece : pieces_) ends_.push_back(length_ += piece.length());
+  for (double& end : ends_) end /= length_;
+  if (!ends_.empty()) ends_.back() = 1;
 }
 
-std::vector<double> DriverPath::ends() const {
-  const double whole = length();
-  std::vector<double> result;
-  double sum = 0;
-  for (const PathPiece& piece : pieces) result.push_back((sum += piece.length()) / whole);
-  result.back() = 1;
+double DriverPath::extent() const {
+  const Point start = pieces_.front().begin();
+  double result = 0;
+  for (const PathPiece& piece : pieces_)
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+      result = std::max(result, (piece.at(share * piece.length()).at - start).norm());
   return result;
 }
 
 std::size_t DriverPath::piece_at(double share) const {
-  const std::vector<double> all = ends();
-  return static_cast<std::size_t>(std::upper_bound(all.begin(), all.end() - 1, share) - all.begin());
+  return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end() - 1, share) - ends_.begin());
 }
 
 PathPlace DriverPath::at(double share) const {
-  const std::vector<double> all = ends();
   const std::size_t number = piece_at(share);
-  const double begin = number == 0 ? 0 : all[number - 1];
-  return pieces[number].at((share - begin) * length());
+  const double begin = number == 0 ? 0 : ends_[number - 1];
+  return pieces_[number].at((share - begin) * length_);
 }
 
 }  // namespace kempe

@@ -51,18 +51,28 @@ class PathPiece {
 
 /// A path of such pieces, run through at even speed.
 /// Invariant: at least one piece, each longer than 0; a piece starts where the last one ended.
-struct DriverPath {
-  std::vector<PathPiece> pieces;
-  std::optional<double> speed;  ///< mm/s, instead of length / duration
+class DriverPath {
+ public:
+  /// `even_speed` mm/s, instead of length / duration.
+  explicit DriverPath(std::vector<PathPiece> pieces, std::optional<double> even_speed = {});
 
-  double length() const;
+  std::optional<double> speed;
+
+  const std::vector<PathPiece>& pieces() const { return pieces_; }
+  double length() const { return length_; }  ///< mm
+  double extent() const;                     ///< mm, about the largest distance from its start
   /// The place at a share 0..1 of the length; at a corner that of the piece that starts there.
   PathPlace at(double share) const;
   /// The piece that is under way at a share, by number.
   std::size_t piece_at(double share) const;
   /// Shares at which pieces end, the last one 1.
-  std::vector<double> ends() const;
+  const std::vector<double>& ends() const { return ends_; }
   bool operator==(const DriverPath&) const = default;
+
+ private:
+  std::vector<PathPiece> pieces_;
+  std::vector<double> ends_;
+  double length_ = 0;
 };
 
 }  // namespace kempe

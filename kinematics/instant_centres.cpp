@@ -91,10 +91,6 @@ class Centres {
     return linkage_.constraints()[static_cast<std::size_t>(number)].constraint;
   }
 
-  Point turned(int body, const Point& local) const {
-    return place(position_, {body, local}) - place(position_, {body, Point::Zero()});
-  }
-
   static KnownLine known_line(const Projective& line, CentreLine::From from, int via, int number) {
     const Point along(-line.y(), line.x());
     const bool finite = along.norm() > distinct * line.norm();
@@ -113,7 +109,7 @@ class Centres {
     } else if (const auto* slot = std::get_if<Coordinate>(&constraint(number))) {
       if (!is_link(slot->point.body) || !is_link(slot->origin.body)) return;
       const Projective pin = frame_.finite(place(position_, slot->point));
-      const Projective normal = Frame::at_infinity(turned(slot->origin.body, slot->direction));
+      const Projective normal = Frame::at_infinity(turned(position_, slot->origin.body, slot->direction));
       lines_[pair_of(slot->point.body, slot->origin.body)].push_back(
           known_line(pin.cross(normal), CentreLine::From::slider, -1, number));
     } else if (const auto* angle = std::get_if<RelativeAngle>(&constraint(number))) {
@@ -154,7 +150,7 @@ class Centres {
             Projective(weighted.x() / frame_.size, weighted.y() / frame_.size, a + b).normalized();
         set(pair_of(gears->first, gears->second), at, InstantCentre::Source::primary, i);
       } else if (const auto* rack = std::get_if<RackAndPinion>(&constraint(i))) {
-        const Point along = turned(rack->rack_origin.body, rack->direction);
+        const Point along = turned(position_, rack->rack_origin.body, rack->direction);
         const Point contact = place(position_, rack->centre) - rack->radius * left_of(along);
         set(pair_of(rack->centre.body, rack->rack_origin.body), frame_.finite(contact),
             InstantCentre::Source::primary, i);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -19,14 +20,13 @@ constexpr double followed = 3e-2;        ///< share of the second motion that co
 
 double uniform(std::mt19937_64& random) { return 2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1; }
 
-/// The equations with every unknown and every row a length.
+/// The derivatives of the equations, without units.
 Eigen::MatrixXd scaled_jacobian(const PlanarLinkage& linkage, const Eigen::VectorXd& q) {
   PlanarEquations equations(linkage);
   Eigen::VectorXd f;
   Eigen::MatrixXd jacobian;
   equations.residual_and_jacobian(q, f, jacobian);
-  for (Eigen::Index angle = 2; angle < q.size(); angle += 3) jacobian.col(angle) /= equations.size();
-  return jacobian;
+  return equations.dimensionless(std::move(jacobian));
 }
 
 int rank_of(const Eigen::MatrixXd& matrix) {
@@ -91,28 +91,51 @@ std::vector<int> constraint_of_row(const PlanarLinkage& driven) {
   return result;
 }
 
-/// The left null space in echelon form: each vector as the set of constraints that it combines. Later rows
-/// are eliminated first, so that each set is small and ends with the constraint that closed it.
+/// Rows that no row before them implies: an orthonormal basis of them, and for a row that is implied the weights.
+class IndependentRows {
+ public:
+  explicit IndependentRows(const Eigen::MatrixXd& rows)
+      : basis_(rows.cols(), std::min(rows.rows(), rows.cols())), weights_(basis_.cols(), basis_.cols()) {}
+
+  /// Takes the row in and returns nothing; or how the rows taken add up to it.
+  std::optional<Eigen::VectorXd> take(const Eigen::VectorXd& row) {
+    Eigen::VectorXd rest = row, along = Eigen::VectorXd::Zero(count_);
+    for (int twice = 0; twice < 2 && count_ > 0; ++twice) {
+      const Eigen::VectorXd more = basis_.leftCols(count_).transpose() * rest;
+      rest -= basis_.leftCols(count_) * more;
+      along += more;
+    }
+    if (count_ == basis_.cols() || rest.norm() <= rank_threshold * row.norm())
+      return weights_.topLeftCorner(count_, count_).triangularView<Eigen::Upper>().solve(along);
+    basis_.col(count_) = rest.normalized();
+    weights_.col(count_).head(count_) = along;
+    weights_(count_, count_) = rest.norm();
+    ++count_;
+    return std::nullopt;
+  }
+
+ private:
+  Eigen::MatrixXd basis_, weights_;  ///< row k taken = basis * column k of weights
+  Eigen::Index count_ = 0;
+};
+
+/// The left null space in echelon form: each vector as the set of constraints that it combines. Each set is small
+/// and ends with the constraint that closed it.
 std::vector<std::vector<int>> dependent_sets(const Eigen::MatrixXd& jacobian,
                                              const std::vector<int>& constraint_of) {
   std::vector<std::vector<int>> result;
-  std::vector<int> independent;
-  for (int row = 0; row < jacobian.rows(); ++row) {
-    std::vector<int> with = independent;
-    with.push_back(row);
-    if (rank_of(jacobian(with, Eigen::all)) == static_cast<int>(with.size())) {
-      independent = with;
+  std::vector<int> taken;  // constraint of each independent row
+  IndependentRows independent(jacobian);
+  for (Eigen::Index row = 0; row < jacobian.rows(); ++row) {
+    const int constraint = constraint_of[static_cast<std::size_t>(row)];
+    const auto weights = independent.take(jacobian.row(row).transpose());
+    if (!weights) {
+      taken.push_back(constraint);
       continue;
     }
-    const Eigen::MatrixXd columns = jacobian(independent, Eigen::all).transpose();
-    const Eigen::VectorXd weights =
-        independent.empty()
-            ? Eigen::VectorXd()
-            : Eigen::VectorXd(columns.colPivHouseholderQr().solve(jacobian.row(row).transpose()));
-    std::set<int> constraints{constraint_of[static_cast<std::size_t>(row)]};
-    for (Eigen::Index i = 0; i < weights.size(); ++i)
-      if (std::abs(weights[i]) > 1e-5)
-        constraints.insert(constraint_of[static_cast<std::size_t>(independent[static_cast<std::size_t>(i)])]);
+    std::set<int> constraints{constraint};
+    for (Eigen::Index i = 0; i < weights->size(); ++i)
+      if (std::abs((*weights)[i]) > 1e-5) constraints.insert(taken[static_cast<std::size_t>(i)]);
     result.emplace_back(constraints.begin(), constraints.end());
   }
   return result;
@@ -132,6 +155,21 @@ void choose(int order, int links, int excess, std::vector<int>& count, std::vect
     choose(order - 1, links - n, excess - n * beyond, count, result);
   }
   count[static_cast<std::size_t>(beyond)] = 0;
+}
+
+/// True if some chain of these links has no stiff part. With F > 0 that is so whenever no link is too large. A stiff
+/// chain (F = 0) falls into at most 3 (k - 1) pieces without its k largest links, which therefore have no more than
+/// L + 4 (k - 1) joints together.
+bool stays_movable(const LinkAssortment& assortment, int loops, int freedoms) {
+  if (freedoms > 0) return true;
+  int links = 0, joints = 0;
+  for (int i = static_cast<int>(assortment.count.size()) - 1; i > 0; --i)
+    for (int each = 0; each < assortment.count[static_cast<std::size_t>(i)]; ++each) {
+      joints += i + 2;
+      ++links;
+      if (links > 1 && joints > loops + 4 * (links - 1)) return false;
+    }
+  return true;
 }
 
 }  // namespace
@@ -164,16 +202,20 @@ NumberSynthesis number_synthesis(int links, int freedoms) {
   const int twice_joints = 3 * (links - 1) - freedoms;
   if (links < 2 || freedoms < 0 || twice_joints <= 0 || twice_joints % 2 != 0) return result;
   result.joints = twice_joints / 2;
-  result.largest_link = links / 2;
+  if (result.joints < links) return result;
+  result.loops = result.joints - links + 1;
+  result.largest_link = result.loops + std::min(result.loops, std::max(1, freedoms));
   std::vector<LinkAssortment> all;
   const int excess = twice_joints - 2 * links;
-  if (excess < 0) return result;
   std::vector<int> count(static_cast<std::size_t>(excess) + 1, 0);
   choose(excess + 2, links, excess, count, all);
   for (LinkAssortment& assortment : all) {
     while (assortment.count.size() > 1 && assortment.count.back() == 0) assortment.count.pop_back();
-    const bool fits = static_cast<int>(assortment.count.size()) + 1 <= std::max(2, result.largest_link);
-    (fits ? result.assortments : result.too_large).push_back(assortment);
+    if (static_cast<int>(assortment.count.size()) + 1 > result.largest_link)
+      result.too_large.push_back(assortment);
+    else
+      (stays_movable(assortment, result.loops, freedoms) ? result.assortments : result.stiff)
+          .push_back(assortment);
   }
   return result;
 }

@@ -48,14 +48,17 @@ struct LinkAssortment {
 
 struct NumberSynthesis {
   int joints = 0;        ///< j = (3 (n - 1) - F) / 2
-  int largest_link = 0;  ///< n / 2, rounded down: no link has more joints
-  std::vector<LinkAssortment>
-      assortments;  ///< with at most largest_link joints a link; fewest binary links first
-  std::vector<LinkAssortment> too_large;  ///< those that meet both sums, but only with a larger link
+  int loops = 0;         ///< L = j - n + 1 = (n - 1 - F) / 2, independent ones
+  int largest_link = 0;  ///< most joints that a link can have: L + min(L, max(1, F))
+  std::vector<LinkAssortment> assortments;  ///< of which a chain can be made; fewest binary links first
+  std::vector<LinkAssortment> too_large;    ///< those that meet both sums, but only with a larger link
+  std::vector<LinkAssortment> stiff;        ///< every chain of them holds a stiff part, though no link is too large
 };
 
 /// Every assortment of n links with single revolute joints and mobility F: n2 + n3 + ... = n, 2 n2 + 3 n3 +
-/// ... = 2 j. No joints and no assortments if 3 (n - 1) - F is odd or not positive.
+/// ... = 2 j. A chain is connected, each link has two joints or more, and no part of it is stiff: any m of its links,
+/// 1 < m < n, keep a freedom against each other, 3 (m - 1) - 2 j_m >= 1. No joints and no assortments if 3 (n - 1) - F
+/// is odd or not positive; no assortments if there are fewer joints than links, too few for a loop.
 NumberSynthesis number_synthesis(int links, int freedoms);
 
 }  // namespace kempe

@@ -7,6 +7,9 @@
 namespace kempe {
 namespace {
 
+/// Work of a search, in iterations times the cube of the unknowns: some seconds.
+constexpr double most_work = 4e9;
+
 /// Uniform numbers whose bytes do not depend on the standard library.
 class Uniform {
  public:
@@ -74,14 +77,28 @@ bool same_assembly(const PlanarLinkage& linkage, const PlanarPosition& a, const 
 std::vector<PlanarPosition> find_assemblies(const PlanarLinkage& linkage, const PlanarPosition& guess,
                                             const std::vector<double>& driver_values,
                                             const AssemblySearch& search) {
+  return search_assemblies(linkage, guess, driver_values, search).assemblies;
+}
+
+AssembliesFound search_assemblies(const PlanarLinkage& linkage, const PlanarPosition& guess,
+                                  const std::vector<double>& driver_values, const AssemblySearch& search) {
   const Surroundings about = surroundings_of(linkage);
   const std::vector<bool> turns_dropped = free_of_turns(linkage);
   Uniform uniform(search.seed);
-  std::vector<PlanarPosition> found;
+  AssembliesFound result;
+  std::vector<PlanarPosition>& found = result.assemblies;
+  const double work_a_step = std::pow(linkage.unknown_count(), 3);
+  double work = 0;
   for (int start = 0; start <= search.starts && static_cast<int>(found.size()) < search.enough; ++start) {
+    if (work > most_work || (search.stop && search.stop())) break;
     auto closed = solve_from(
         linkage, start == 0 ? guess : random_position(linkage.body_count(), about, uniform), driver_values);
-    if (!closed) continue;
+    work += work_a_step * (closed ? closed->iterations : closed.error().iterations);
+    if (!closed) {
+      if (!result.nearest || closed.error().closure_error < result.nearest->closure_error)
+        result.nearest = std::move(closed.error());
+      continue;
+    }
     for (std::size_t body = 1; body < closed->position.size(); ++body)
       if (turns_dropped[body])
         closed->position[body].angle = std::remainder(closed->position[body].angle, 2 * pi);
@@ -90,7 +107,7 @@ std::vector<PlanarPosition> find_assemblies(const PlanarLinkage& linkage, const 
     });
     if (!known) found.push_back(std::move(closed->position));
   }
-  return found;
+  return result;
 }
 
 }  // namespace kempe

@@ -26,20 +26,51 @@ double value_of(const Constraint& constraint) { return *value_in(const_cast<Cons
 
 constexpr bool moves(int body) { return body != PlanarLinkage::ground; }
 
-/// How far the places of two bodies may part within the step control's ball of radius 1/2, in sizes.
+/// How far the places of two bodies may part within the step control's ball of radius 1/2, in reaches.
 constexpr double drift = 1.0;
+
+/// The factor that makes a row a length: of a distance its inverse; see Entry.
+double scale_of(const Constraint& constraint, double size) {
+  if (const auto* distance = std::get_if<Distance>(&constraint)) return distance->value;
+  if (const auto* gears = std::get_if<GearPair>(&constraint))
+    return size / std::max(std::abs(gears->first_radius), std::abs(gears->second_radius));
+  return 0;
+}
+
+/// The arm of each body: how far its angle moves the points that constraints hold; the size where lines on it or other
+/// angles hold the angle.
+std::vector<double> arms_of(const PlanarLinkage& linkage) {
+  std::vector<double> arms(static_cast<std::size_t>(linkage.body_count()), 0);
+  const auto reach = [&](int body, double arm) {
+    double& longest = arms[static_cast<std::size_t>(body)];
+    longest = std::max(longest, arm);
+  };
+  for (const auto& [name, constraint] : linkage.constraints()) {
+    for (const BodyPoint& point : points_of(constraint)) reach(point.body, point.local.norm());
+    if (const auto* line = std::get_if<Coordinate>(&constraint)) reach(line->origin.body, linkage.size());
+    if (const auto* rack = std::get_if<RackAndPinion>(&constraint)) {
+      reach(rack->centre.body, std::abs(rack->radius));
+      reach(rack->rack_origin.body, linkage.size());
+    }
+    if (points_of(constraint).empty())
+      for (const int body : bodies_of(constraint)) reach(body, linkage.size());
+  }
+  for (double& arm : arms)
+    if (!(arm > 0)) arm = linkage.size();
+  return arms;
+}
 
 }  // namespace
 
 PlanarEquations::PlanarEquations(const PlanarLinkage& linkage)
     : values_(linkage.driver_values()), angle_bends_(static_cast<std::size_t>(linkage.body_count()), false),
       place_bends_(static_cast<std::size_t>(linkage.body_count()), false),
-      directions_(static_cast<std::size_t>(linkage.body_count()), Point(1, 0)),
-      unknowns_(linkage.unknown_count()), rows_(0), size_(linkage.size()) {
+      arms_(arms_of(linkage)), directions_(static_cast<std::size_t>(linkage.body_count()), Point(1, 0)),
+      unknowns_(linkage.unknown_count()), rows_(0), size_(linkage.size()),
+      reach_(linkage.reach()) {
   for (const auto& [name, constraint] : linkage.constraints()) {
     const bool two = equation_count(constraint) == 2;
-    const auto* distance = std::get_if<Distance>(&constraint);
-    entries_.push_back({constraint, rows_, two ? rows_ + 1 : -1, distance ? distance->value : 0});
+    entries_.push_back({constraint, rows_, two ? rows_ + 1 : -1, scale_of(constraint, size_)});
     rows_ += two ? 2 : 1;
     mark_bends(constraint);
   }
@@ -92,12 +123,34 @@ int PlanarEquations::driver_row(int driver) const {
 double PlanarEquations::driver_slope(int driver) const {
   const Entry& entry = entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])];
   if (std::holds_alternative<Distance>(entry.constraint)) return value_of(entry.constraint) / entry.scale;
+  if (std::holds_alternative<GearPair>(entry.constraint)) return entry.scale;
   return std::holds_alternative<RelativeAngle>(entry.constraint) ? size_ : 1;
 }
 
 double PlanarEquations::driver_bend(int driver, double speed) const {
   const Entry& entry = entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])];
   return std::holds_alternative<Distance>(entry.constraint) ? speed * speed / entry.scale : 0;
+}
+
+bool PlanarEquations::rescale_distances() {
+  bool rescaled = false;
+  for (const int driver : driver_entries_) {
+    Entry& entry = entries_[static_cast<std::size_t>(driver)];
+    const auto* distance = std::get_if<Distance>(&entry.constraint);
+    if (!distance || (distance->value < 2 * entry.scale && entry.scale < 2 * distance->value)) continue;
+    entry.scale = distance->value;
+    rescaled = true;
+  }
+  return rescaled;
+}
+
+Eigen::MatrixXd PlanarEquations::dimensionless(Eigen::MatrixXd jacobian) const {
+  for (std::size_t body = 1; body < arms_.size(); ++body)
+    jacobian.col(3 * static_cast<Eigen::Index>(body) - 1) /= arms_[body];
+  for (Eigen::Index row = 0; row < jacobian.rows(); ++row)
+    if (const double largest = jacobian.row(row).lpNorm<Eigen::Infinity>(); largest > 0)
+      jacobian.row(row) /= largest;
+  return jacobian;
 }
 
 void PlanarEquations::turn_bodies(const Eigen::VectorXd& q) {
@@ -189,9 +242,9 @@ void PlanarEquations::evaluate(const Eigen::VectorXd& q, Eigen::VectorXd& f, Eig
                             add_angle(*jacobian, row, c.reference, -size_);
                           },
                           [&](const GearPair& c) {
-                            const double a = c.first_radius, b = c.second_radius;
+                            const double a = entry.scale * c.first_radius, b = entry.scale * c.second_radius;
                             f[row] = a * (angle(c.first) - angle(c.carrier)) +
-                                     b * (angle(c.second) - angle(c.carrier)) - c.value;
+                                     b * (angle(c.second) - angle(c.carrier)) - entry.scale * c.value;
                             if (!jacobian) return;
                             add_angle(*jacobian, row, c.first, a);
                             add_angle(*jacobian, row, c.second, b);
@@ -266,7 +319,7 @@ void PlanarEquations::bends(const Eigen::VectorXd& q, std::vector<Bend>& result)
     const Point between = other - q.segment<2>(3 * origin.body - 3);
     const double bodies = moves(point.body) ? 2 : 1;
     const double local = point.local.norm() * (moves(point.body) ? 4 : 0);
-    return between.norm() + drift * size_ + 2 * bodies * size_ + local;
+    return between.norm() + drift * reach_ + 2 * bodies * reach_ + local;
   };
   for (const Entry& entry : entries_) {
     const auto add = [&](double bound, int body = 0) {
@@ -278,7 +331,7 @@ void PlanarEquations::bends(const Eigen::VectorXd& q, std::vector<Bend>& result)
                           },
                           [&](const Distance& c) {
                             const auto speed = [&](const BodyPoint& p) {
-                              return moves(p.body) ? size_ + reach(p) : 0.0;
+                              return moves(p.body) ? reach_ + reach(p) : 0.0;
                             };
                             const double s = speed(c.a) + speed(c.b);
                             const double d = (arm(q, c.a).at - arm(q, c.b).at).norm() + 0.5 * s;
@@ -336,36 +389,61 @@ PlanarPosition position_of(const Eigen::VectorXd& q) {
   return position;
 }
 
+double magnitude_of(const Eigen::VectorXd& q, double size) {
+  constexpr double turns_per_rad = 1 / (2 * pi);
+  double magnitude = size;
+  for (Eigen::Index i = 0; i + 2 < q.size(); i += 3)
+    magnitude =
+        std::max({magnitude, std::abs(q[i]), std::abs(q[i + 1]), turns_per_rad * size * std::abs(q[i + 2])});
+  return magnitude;
+}
+
+ConstraintGap gap_of(const Constraint& constraint, const PlanarPosition& position) {
+  const auto along_line = [&](const BodyPoint& point, const BodyPoint& origin, const Point& direction) {
+    return turned(position, origin.body, direction).dot(place(position, point) - place(position, origin));
+  };
+  const auto apart = [&](const BodyPoint& a, const BodyPoint& b) {
+    return (place(position, a) - place(position, b)).norm();
+  };
+  const auto angle = [&](int a, int b) {
+    return position[static_cast<std::size_t>(a)].angle - position[static_cast<std::size_t>(b)].angle;
+  };
+  const auto length = [](double error) { return ConstraintGap{std::abs(error), false}; };
+  const auto turn = [](double error) { return ConstraintGap{std::abs(error), true}; };
+  return std::visit(
+      Overloaded{[&](const Revolute& c) { return length(apart(c.a, c.b)); },
+                 [&](const Coordinate& c) {
+                   return length(along_line(c.point, c.origin, c.direction) - c.value);
+                 },
+                 [&](const Distance& c) { return length(apart(c.a, c.b) - c.value); },
+                 [&](const RelativeAngle& c) { return turn(angle(c.body, c.reference) - c.value); },
+                 [&](const GearPair& c) {
+                   const double larger = std::max(std::abs(c.first_radius), std::abs(c.second_radius));
+                   return turn((c.first_radius * angle(c.first, c.carrier) +
+                                c.second_radius * angle(c.second, c.carrier) - c.value) /
+                               larger);
+                 },
+                 [&](const RackAndPinion& c) {
+                   return length(along_line(c.centre, c.rack_origin, c.direction) +
+                                 c.radius * angle(c.centre.body, c.rack_origin.body) - c.value);
+                 }},
+      constraint);
+}
+
+ConstraintGap gap_of(const PlanarLinkage& linkage, int number, const PlanarPosition& position,
+                     const std::vector<double>& driver_values) {
+  Constraint constraint = linkage.constraints()[static_cast<std::size_t>(number)].constraint;
+  for (std::size_t i = 0; i < driver_values.size(); ++i)
+    if (linkage.drivers()[i] == number) *value_in(constraint) = driver_values[i];
+  return gap_of(constraint, position);
+}
+
 ClosureError closure_error(const PlanarLinkage& linkage, const PlanarPosition& position,
                            const std::vector<double>& driver_values) {
-  const double size = linkage.size();
-  const auto along_line = [&](const BodyPoint& point, const BodyPoint& origin, const Point& direction) {
-    const Point from = place(position, origin), to = place(position, {origin.body, origin.local + direction});
-    return (to - from).dot(place(position, point) - from);
-  };
-  const auto angle = [&](int body) { return position[static_cast<std::size_t>(body)].angle; };
   ClosureError result;
-  std::vector<Constraint> constraints;
-  for (const auto& each : linkage.constraints()) constraints.push_back(each.constraint);
-  for (std::size_t i = 0; i < driver_values.size(); ++i)
-    *value_in(constraints[static_cast<std::size_t>(linkage.drivers()[i])]) = driver_values[i];
-  for (std::size_t i = 0; i < constraints.size(); ++i) {
-    const double error = std::visit(
-        Overloaded{
-            [&](const Revolute& c) { return (place(position, c.a) - place(position, c.b)).norm(); },
-            [&](const Coordinate& c) { return along_line(c.point, c.origin, c.direction) - c.value; },
-            [&](const Distance& c) { return (place(position, c.a) - place(position, c.b)).norm() - c.value; },
-            [&](const RelativeAngle& c) { return size * (angle(c.body) - angle(c.reference) - c.value); },
-            [&](const GearPair& c) {
-              return c.first_radius * (angle(c.first) - angle(c.carrier)) +
-                     c.second_radius * (angle(c.second) - angle(c.carrier)) - c.value;
-            },
-            [&](const RackAndPinion& c) {
-              return along_line(c.centre, c.rack_origin, c.direction) +
-                     c.radius * (angle(c.centre.body) - angle(c.rack_origin.body)) - c.value;
-            }},
-        constraints[i]);
-    if (!(std::abs(error) <= result.largest)) result = {std::abs(error), static_cast<int>(i)};
+  for (int i = 0; i < static_cast<int>(linkage.constraints().size()); ++i) {
+    const double error = gap_of(linkage, i, position, driver_values).as_length(linkage.size());
+    if (!(error <= result.largest)) result = {error, i};
   }
   return result;
 }

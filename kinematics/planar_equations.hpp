@@ -7,9 +7,10 @@
 //   Coordinate      F = u . (P - O) - value
 //   Distance        F = (|A - B|^2 - value^2) / (2 scale)
 //   RelativeAngle   F = size (angle - angle' - value)
-//   GearPair        F = a (angle1 - angle3) + b (angle2 - angle3) - value
+//   GearPair        F = size (a (angle1 - angle3) + b (angle2 - angle3) - value) / max(|a|, |b|)
 //   RackAndPinion   F = u . (C - O) + radius (angle - angle') - value
-// All rows are lengths (mm). A revolute joint is linear in the places and bends only in the angles, which is
+// All rows are lengths (mm), and every one grows with the linkage alone: drawn larger or in another unit, F, q and all
+// that is made from them are the same numbers times a power of the scale, to the last bit for a power of two. A revolute joint is linear in the places and bends only in the angles, which is
 // what the step control lives on.
 
 #include <Eigen/Dense>
@@ -28,6 +29,7 @@ class PlanarEquations {
   int unknown_count() const { return unknowns_; }
   int row_count() const { return rows_; }
   double size() const { return size_; }
+  double reach() const { return reach_; }  ///< the linkage's, mm
 
   /// Puts the rows in this order (a permutation of all rows, new place by old row): the first of them are
   /// then the top rows of every result.
@@ -54,7 +56,15 @@ class PlanarEquations {
   double driver_slope(int driver) const;
   double driver_bend(int driver, double speed) const;
 
-  /// How strongly F bends: with |v| the largest over bodies of |angle| and |place|/size, within |v| <= 1/2 of
+  /// The Jacobian without units: each row over its largest entry, each angle's column over the body's own arm, so that
+  /// neither the unit nor a link much smaller than the others changes its rank.
+  Eigen::MatrixXd dimensionless(Eigen::MatrixXd jacobian) const;
+
+  /// Measures rows of driven distances in their present value again, if it has changed much; true if any was. J changes
+  /// by that factor in these rows.
+  bool rescale_distances();
+
+  /// How strongly F bends: with |v| the largest over bodies of |angle| and |place|/reach, within |v| <= 1/2 of
   /// q, the sum over the entries of a row (or of two rows together) bounds |D^2F(v, w)|; an entry adds
   ///   bound |v_b| |w_b|   with the angle of its body b alone,
   ///   bound |v| |w|       without a body.
@@ -92,7 +102,7 @@ class PlanarEquations {
     Constraint constraint;
     int row;         ///< first row
     int second_row;  ///< of a revolute joint; else -1
-    double scale;    ///< of a distance, mm
+    double scale;    ///< of a distance, mm; mm a unit of pitch circle of gears
   };
   void mark_bends(const Constraint& constraint);
   void turn_bodies(const Eigen::VectorXd& q);
@@ -107,19 +117,35 @@ class PlanarEquations {
   std::vector<int> driver_entries_;
   std::vector<double> values_;
   std::vector<bool> angle_bends_, place_bends_;
+  std::vector<double> arms_;  ///< of each body, mm: a length that its angle moves points by
   bool has_distance_driver_ = false;
   std::vector<Point> directions_;  ///< (cos, sin) of each body's angle
   int unknowns_, rows_;
-  double size_;
+  double size_, reach_;
 };
 
 /// The unknowns of a position, and back.
 Eigen::VectorXd unknowns_of(const PlanarPosition& position);
 PlanarPosition position_of(const Eigen::VectorXd& unknowns);
 
-/// The largest error over all constraints, each measured as a length in mm without the equations above: the
-/// distance between the two points of a joint, the error of a distance, an angle's error times the linkage's
-/// size.
+/// What a constraint is off by, measured without the equations above: the distance between the two points of a joint,
+/// the error of a distance, or of an angle (of gears: that of the larger wheel).
+struct ConstraintGap {
+  double amount = 0;      ///< mm, or rad
+  bool is_angle = false;  ///< the amount is an angle
+  double as_length(double size) const { return is_angle ? amount * size : amount; }
+};
+ConstraintGap gap_of(const Constraint& constraint, const PlanarPosition& position);
+
+/// The same of one of the linkage's constraints, the drivers at these values.
+ConstraintGap gap_of(const PlanarLinkage& linkage, int constraint, const PlanarPosition& position,
+                     const std::vector<double>& driver_values);
+
+/// What rounding leaves of a position is a share of this, mm: the linkage's size, the places' distance from the origin,
+/// the size times the turns an angle counts.
+double magnitude_of(const Eigen::VectorXd& unknowns, double size);
+
+/// The largest error over all constraints as a length, angles times the linkage's size.
 struct ClosureError {
   double largest = 0;
   int constraint = 0;  ///< whose it is

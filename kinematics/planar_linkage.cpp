@@ -81,16 +81,19 @@ std::vector<int> bodies_of(const Constraint& constraint) {
   return bodies;
 }
 
+Point turned(const PlanarPosition& position, int body, const Point& local) {
+  const double angle = position[static_cast<std::size_t>(body)].angle, c = std::cos(angle), s = std::sin(angle);
+  return {c * local.x() - s * local.y(), s * local.x() + c * local.y()};
+}
+
 Point place(const PlanarPosition& position, const BodyPoint& point) {
-  const BodyPlacement& body = position[static_cast<std::size_t>(point.body)];
-  const double c = std::cos(body.angle), s = std::sin(body.angle);
-  return body.at +
-         Point(c * point.local.x() - s * point.local.y(), s * point.local.x() + c * point.local.y());
+  return position[static_cast<std::size_t>(point.body)].at + turned(position, point.body, point.local);
 }
 
 int PlanarLinkage::add_body(std::string name) {
   bodies_.push_back(std::move(name));
   is_particle_.push_back(false);
+  jointed_.emplace_back();
   return body_count() - 1;
 }
 
@@ -101,13 +104,28 @@ int PlanarLinkage::add_particle(const std::string& name) {
   return body;
 }
 
-int PlanarLinkage::add(const Constraint& constraint, std::string name) {
+int PlanarLinkage::append(const Constraint& constraint, std::string name) {
   constraints_.push_back({std::move(name), constraint});
   return static_cast<int>(constraints_.size()) - 1;
 }
 
+int PlanarLinkage::add(const Constraint& constraint, std::string name) {
+  measure(constraint);
+  return append(constraint, std::move(name));
+}
+
+void PlanarLinkage::measure(const Constraint& constraint) {
+  for (const BodyPoint& point : points_of(constraint)) {
+    std::vector<Point>& known = jointed_[static_cast<std::size_t>(point.body)];
+    if (std::find(known.begin(), known.end(), point.local) != known.end()) continue;
+    for (const Point& other : known) size_ = std::max(size_, (point.local - other).norm());
+    known.push_back(point.local);
+  }
+  if (const auto* distance = std::get_if<Distance>(&constraint)) size_ = std::max(size_, distance->value);
+}
+
 int PlanarLinkage::drive(const Constraint& constraint, std::string name) {
-  drivers_.push_back(add(constraint, std::move(name)));
+  drivers_.push_back(append(constraint, std::move(name)));
   return static_cast<int>(drivers_.size()) - 1;
 }
 
@@ -139,25 +157,13 @@ int PlanarLinkage::equation_count() const {
   return count;
 }
 
-double PlanarLinkage::size() const {
-  std::vector<BodyPoint> points;
-  double size = 0;
-  for (std::size_t i = 0; i < constraints_.size(); ++i) {
-    if (is_driver(static_cast<int>(i))) continue;
-    const Constraint& constraint = constraints_[i].constraint;
-    for (const BodyPoint& point : points_of(constraint)) points.push_back(point);
-    if (const auto* distance = std::get_if<Distance>(&constraint)) size = std::max(size, distance->value);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (points[i].body == points[j].body) size = std::max(size, (points[i].local - points[j].local).norm());
-  return size > 0 ? size : 1;
-}
-
 PlanarLinkage PlanarLinkage::undriven() const {
   PlanarLinkage result;
   result.bodies_ = bodies_;
   result.is_particle_ = is_particle_;
+  result.jointed_ = jointed_;
+  result.travel_ = travel_;
+  result.size_ = size_;
   for (std::size_t i = 0; i < constraints_.size(); ++i)
     if (!is_driver(static_cast<int>(i))) result.constraints_.push_back(constraints_[i]);
   return result;

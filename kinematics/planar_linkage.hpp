@@ -54,8 +54,8 @@ struct RelativeAngle {
 /// negative. One equation.
 struct GearPair {
   int first = 0, second = 0, carrier = 0;
-  double first_radius = 1, second_radius = 1;  ///< mm
-  double value = 0;                            ///< mm of pitch circle
+  double first_radius = 1, second_radius = 1;  ///< in any unit (teeth will do): only their ratio counts
+  double value = 0;                            ///< in that unit, of pitch circle
   bool operator==(const GearPair&) const = default;
 };
 
@@ -91,6 +91,9 @@ struct BodyPlacement {
 
 /// A position of a whole linkage: one placement a body, the ground (always at rest) first.
 using PlanarPosition = std::vector<BodyPlacement>;
+
+/// A vector of a body's frame as it lies in the table's frame: turned, not shifted.
+Point turned(const PlanarPosition& position, int body, const Point& local);
 
 /// Where a body's point is, table frame, mm.
 Point place(const PlanarPosition& position, const BodyPoint& point);
@@ -138,9 +141,16 @@ class PlanarLinkage {
   int unknown_count() const { return 3 * (body_count() - 1); }
   int equation_count() const;
 
-  /// The largest distance between two jointed points of one body, or held between two bodies (drivers aside),
-  /// mm: what residuals are compared with. 1 if there is none.
-  double size() const;
+  /// The linkage's characteristic length, mm: what residuals and steps are compared with, so that no answer depends on
+  /// the unit. The largest distance between two jointed points of one body, or held between two bodies (drivers
+  /// aside). Where there is none, the drivers' travel, else 1.
+  double size() const { return size_ > 0 ? size_ : travel_ > 0 ? travel_ : 1; }
+
+  /// How far the drivers move points, mm; 0 if that is not known.
+  void set_travel(double travel) { travel_ = travel; }
+
+  /// How far places are apart that a motion leads to, mm, about: the size or the travel.
+  double reach() const { return travel_ > size() ? travel_ : size(); }
 
   /// The linkage without its drivers: what mobility is about.
   PlanarLinkage undriven() const;
@@ -152,10 +162,15 @@ class PlanarLinkage {
   bool operator==(const PlanarLinkage&) const = default;
 
  private:
+  int append(const Constraint& constraint, std::string name);
+  void measure(const Constraint& constraint);
+
   std::vector<std::string> bodies_{"ground"};
   std::vector<bool> is_particle_{false};
   std::vector<NamedConstraint> constraints_;
   std::vector<int> drivers_;
+  std::vector<std::vector<Point>> jointed_{1};  ///< points of each body that constraints hold, drivers aside
+  double travel_ = 0, size_ = 0;                ///< mm
 };
 
 }  // namespace kempe

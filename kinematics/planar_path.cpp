@@ -11,13 +11,7 @@ constexpr double nearby = 0.01;          ///< omega times the distance at which 
 constexpr double rounding_turn = 1e-8;   ///< rad, that rounding may add to a step; no other position is near
 constexpr int most_corrections = 24;
 constexpr double rounding = 2.220446049250313e-16;
-
-double magnitude_of(const Eigen::VectorXd& q, double size) {
-  double magnitude = size;
-  for (Eigen::Index i = 0; i + 2 < q.size(); i += 3)
-    magnitude = std::max({magnitude, std::abs(q[i]), std::abs(q[i + 1])});
-  return magnitude;
-}
+constexpr std::size_t looks_every = 64;  ///< steps between two looks at the caller's wish to stop
 
 /// Which rows to solve for: as many independent ones as can be, constraints before drivers, drivers all. The
 /// new place of each row, or nothing if constraints and drivers together are not regular.
@@ -61,6 +55,8 @@ std::string_view name(PathEnd end) {
     case PathEnd::dead_point: return "dead point";
     case PathEnd::change_point: return "change point";
     case PathEnd::over_constrained: return "over-constrained";
+    case PathEnd::gave_up: return "limit of work";
+    case PathEnd::interrupted: return "wish to stop";
   }
   return {};
 }
@@ -74,6 +70,11 @@ std::string_view name(NoPath why) {
   return {};
 }
 
+std::size_t plenty_of_steps(int unknowns) {
+  const auto n = static_cast<std::size_t>(std::max(unknowns, 1));
+  return std::max<std::size_t>(5000, 60000000 / (n * n));
+}
+
 tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linkage,
                                                       const PlanarPosition& guess,
                                                       const std::vector<double>& driver_values) {
@@ -84,11 +85,10 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
   Eigen::VectorXd q = unknowns_of(closed->position), f;
   Eigen::MatrixXd jacobian;
   equations.residual_and_jacobian(q, f, jacobian);
-  for (Eigen::Index angle = 2; angle < q.size(); angle += 3) jacobian.col(angle) /= equations.size();
   std::vector<int> driver_rows;
   for (int driver = 0; driver < static_cast<int>(driver_values.size()); ++driver)
     driver_rows.push_back(equations.driver_row(driver));
-  const RowChoice choice = choose_rows(jacobian, driver_rows);
+  const RowChoice choice = choose_rows(equations.dimensionless(std::move(jacobian)), driver_rows);
   const bool too_few = choice.freedoms > static_cast<int>(driver_values.size());
   if (too_few || !choice.regular)
     return tl::unexpected(NoPathHere{too_few ? NoPath::freedom_left : NoPath::drivers_dependent,
@@ -101,6 +101,7 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
 
 PlanarPath::PlanarPath(PlanarEquations equations, Eigen::VectorXd q)
     : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_), certificate_(equations_) {
+  limits_.steps = plenty_of_steps(equations_.unknown_count());
   linearise();
   orientation_ = factors_.sign();
 }
@@ -325,11 +326,19 @@ PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) {
   return std::abs(along) <= crossing_share * std::sqrt(all) ? PathEnd::change_point : PathEnd::dead_point;
 }
 
+/// Driven distances are measured in what they are now: where one has grown much the factors are made anew.
+void PlanarPath::keep_scales() {
+  if (!equations_.has_distance_driver() || !equations_.rescale_distances()) return;
+  base_.resize(0);
+  curvature_.resize(0);
+}
+
 void PlanarPath::accept() {
   q_.swap(trial_);
   f_.swap(trial_f_);
   certificate_.stand_at(q_);
   ++steps_;
+  keep_scales();
 }
 
 /// The loop of all motion. `certified_share(covered)` is how much further the next step may go,
@@ -337,6 +346,7 @@ void PlanarPath::accept() {
 template <class Share, class Values>
 tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, const Values& values_at) {
   double covered = 0, trust = 1;
+  const std::size_t most_tried = tried_ + limits_.steps;
   std::vector<double> before, next;
   const auto stopped = [&](PathEnd end) {
     return tl::unexpected(PathStop{end, covered, equations_.values()});
@@ -346,6 +356,8 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
     return stopped(kind_of_singularity(next));
   };
   while (covered < 1) {
+    if (tried_ >= most_tried) return stopped(PathEnd::gave_up);
+    if (++tried_ % looks_every == 0 && limits_.stop && limits_.stop()) return stopped(PathEnd::interrupted);
     // The factors of the last correction will do where they are near enough.
     if ((base_.size() == 0 || factors_.sign() == 0) && !linearise()) return singular();
     double share = certified_share(covered);

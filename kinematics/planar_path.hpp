@@ -21,9 +21,20 @@ namespace kempe {
 enum class PathEnd {
   dead_point,       ///< the drivers cannot go on in this direction: the linkage can only turn back
   change_point,     ///< another assembly touches here: the linkage may leave either way
-  over_constrained  ///< a constraint that was redundant at the start is violated: the linkage locks
+  over_constrained,  ///< a constraint that was redundant at the start is violated: the linkage locks
+  gave_up,           ///< the way on takes more certified steps than were allowed
+  interrupted        ///< the caller asked to stop
 };
 std::string_view name(PathEnd end);
+
+/// What motions may cost before they give up: work, not time, so that the answer is the same on every machine.
+struct PathLimits {
+  std::size_t steps = 0;       ///< certified steps tried in one motion (advance or follow)
+  std::function<bool()> stop;  ///< looked at every so often, if there is one: true ends the motion
+};
+
+/// Steps that are plenty for any motion of a linkage with so many unknowns: fewer where each costs more.
+std::size_t plenty_of_steps(int unknowns);
 
 struct PathStop {
   PathEnd end = PathEnd::dead_point;
@@ -72,6 +83,9 @@ class PlanarPath {
   /// the path stays at the last good position before the singular one, within about 1e-8 rad of it.
   tl::expected<void, PathStop> advance(const std::vector<double>& target);
 
+  /// What each motion from here on may cost; plenty_of_steps unless said.
+  void set_limits(PathLimits limits) { limits_ = std::move(limits); }
+
   /// Moves the drivers along a curve, with the same certificate for the curve itself (not for its chords).
   tl::expected<void, PathStop> follow(const DriverCurve& curve);
 
@@ -96,8 +110,9 @@ class PlanarPath {
   /// path.
   int orientation() const { return orientation_; }
 
-  /// Certified steps taken so far.
+  /// Certified steps taken so far, and those tried.
   std::size_t steps() const { return steps_; }
+  std::size_t steps_tried() const { return tried_; }
 
   /// The equations, square part first, at the last good position.
   const PlanarEquations& equations() const { return equations_; }
@@ -118,6 +133,7 @@ class PlanarPath {
   double reach_of(int driver, double way);
   double straight_share(const std::vector<double>& target);
   double curve_share(const DriverCurve& curve, double covered);
+  void keep_scales();
   void accept();
   double closing_limit() const;
   double predict(double share);
@@ -125,6 +141,8 @@ class PlanarPath {
   bool correct(const std::vector<double>& values, double share);
   PathEnd kind_of_singularity(const std::vector<double>& target);
 
+  PathLimits limits_;
+  std::size_t tried_ = 0;  ///< steps, taken or not
   PlanarEquations equations_;
   Eigen::VectorXd q_, f_, change_, trial_, trial_f_, step_;
   Eigen::MatrixXd jacobian_;

@@ -1,7 +1,9 @@
 #include "kinematics/planar_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "kinematics/planar_singularity.hpp"
@@ -26,8 +28,8 @@ std::vector<double> legs_between(const DriveSchedule& schedule, double from, dou
   each_motion(
       schedule, [](const DriverRange&) {},
       [&](const DriverPath& path) {
-        for (const double end : path.ends())
-          if (end > from && end < to) ends.insert(end);
+        const auto first = std::upper_bound(path.ends().begin(), path.ends().end(), from);
+        for (auto end = first; end != path.ends().end() && *end < to; ++end) ends.insert(*end);
       });
   return {ends.begin(), ends.end()};
 }
@@ -38,7 +40,7 @@ bool is_straight(const DriveSchedule& schedule, double from, double to) {
   each_motion(
       schedule, [](const DriverRange&) {},
       [&](const DriverPath& path) {
-        straight &= path.pieces[path.piece_at(0.5 * (from + to))].is_straight();
+        straight &= path.pieces()[path.piece_at(0.5 * (from + to))].is_straight();
       });
   return straight;
 }
@@ -59,7 +61,7 @@ DriverCurve curve_of(const DriveSchedule& schedule, double from, double to) {
       },
       [&](const DriverPath& path) {
         const double way = path.length() * part;
-        const auto curved = path.pieces[path.piece_at(0.5 * (from + to))].most_curved();
+        const auto curved = path.pieces()[path.piece_at(0.5 * (from + to))].most_curved();
         bends_known &= curved.has_value();
         curve.fastest.insert(curve.fastest.end(), 2, way);
         curve.most_bent.insert(curve.most_bent.end(), 2, curved.value_or(0) * way * way);
@@ -78,23 +80,78 @@ DriverCurve curve_of(const DriveSchedule& schedule, double from, double to) {
   return curve;
 }
 
-tl::expected<void, PathStop> move_leg(PlanarPath& path, const DriveSchedule& schedule, double from,
-                                      double to) {
-  if (is_straight(schedule, from, to)) return path.advance(schedule.values_at(to));
-  return path.follow(curve_of(schedule, from, to));
+/// How far from the linkage, in sizes, a place counts as run away.
+constexpr double far_away = 100;
+
+/// What can be said where the work was not enough: what runs off, or that the steps have become small.
+std::vector<std::string> describe_giving_up(const PlanarLinkage& linkage, const PlanarPath& path) {
+  std::vector<std::string> sentences{std::to_string(path.steps_tried()) + " certified steps were not enough"};
+  const PlanarPosition position = path.position();
+  for (int body = 1; body < linkage.body_count(); ++body) {
+    const double away = position[static_cast<std::size_t>(body)].at.norm() / linkage.size();
+    if (away < far_away) continue;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", away);
+    sentences.push_back(linkage.body_name(body) + " runs off: it is " + text.data() +
+                        " sizes of the linkage away");
+  }
+  return sentences;
 }
 
-/// Moves to a share of the motion; on a stop, the share reached.
-tl::expected<void, std::pair<PathEnd, double>> move_to(PlanarPath& path, const DriveSchedule& schedule,
-                                                       double from, double to) {
-  for (const double end : legs_between(schedule, from, to)) {
-    const auto moved = move_leg(path, schedule, from, end);
-    if (!moved)
-      return tl::unexpected(std::pair{moved.error().end, from + moved.error().share * (end - from)});
-    from = end;
+/// A linkage on its way along a schedule, with a budget of work.
+class ScheduledMotion {
+ public:
+  ScheduledMotion(const PlanarLinkage& linkage, const DriveSchedule& schedule, PlanarPath path,
+                  const RunLimits& limits)
+      : linkage_(linkage), schedule_(schedule), path_(std::move(path)), limits_(limits) {}
+
+  /// Moves to a share of the motion, with `more` steps on top of what is left.
+  std::optional<RunStop> go_to(double to, std::size_t more) {
+    allowed_ += more;
+    for (const double end : legs_between(schedule_, share_, to)) {
+      path_.set_limits({allowed_ - std::min(allowed_, path_.steps_tried()), limits_.stop});
+      const auto moved = move_leg(end);
+      if (!moved) {
+        share_ += moved.error().share * (end - share_);
+        return RunStop{moved.error().end, share_, sentences(moved.error().end)};
+      }
+      share_ = end;
+    }
+    return std::nullopt;
   }
-  return {};
-}
+
+  RunFrame frame() {
+    const std::vector<double> speeds = schedule_.speeds_at(share_);
+    const Eigen::VectorXd rate = path_.velocity(speeds);
+    return {share_, path_.values(), path_.position(), rate,
+            path_.acceleration(rate, speeds, schedule_.accelerations_at(share_))};
+  }
+
+  /// At a stop, where rates need not exist.
+  RunFrame frame_without_rates() const { return {share_, path_.values(), path_.position(), {}, {}}; }
+
+ private:
+  tl::expected<void, PathStop> move_leg(double to) {
+    if (is_straight(schedule_, share_, to)) return path_.advance(schedule_.values_at(to));
+    return path_.follow(curve_of(schedule_, share_, to));
+  }
+
+  std::vector<std::string> sentences(PathEnd end) const {
+    if (end == PathEnd::interrupted) return {};
+    if (end == PathEnd::gave_up) return describe_giving_up(linkage_, path_);
+    return describe_singularity(linkage_, path_.position());
+  }
+
+  const PlanarLinkage& linkage_;
+  const DriveSchedule& schedule_;
+  PlanarPath path_;
+  RunLimits limits_;
+  double share_ = 0;
+  std::size_t allowed_ = 0;
+};
+
+/// Steps that every row of a table may take on top of what is plenty for the whole motion.
+constexpr std::size_t steps_a_row = 20;
 
 }  // namespace
 
@@ -139,28 +196,32 @@ std::vector<double> DriveSchedule::accelerations_at(double share) const {
 }
 
 tl::expected<PlanarRun, NoPathHere> run_motion(const PlanarLinkage& linkage, const PlanarPosition& start,
-                                               const DriveSchedule& schedule, int steps) {
+                                               const DriveSchedule& schedule, int steps,
+                                               const RunLimits& limits) {
   auto path = PlanarPath::from(linkage, start, schedule.values_at(0));
   if (!path) return tl::unexpected(path.error());
+  ScheduledMotion motion(linkage, schedule, std::move(*path), limits);
   PlanarRun run;
-  const auto record = [&](double share) {
-    const std::vector<double> speeds = schedule.speeds_at(share);
-    const Eigen::VectorXd rate = path->velocity(speeds);
-    run.frames.push_back({share, path->values(), path->position(), rate,
-                          path->acceleration(rate, speeds, schedule.accelerations_at(share))});
-  };
-  record(0);
+  run.frames.push_back(motion.frame());
+  std::size_t more = plenty_of_steps(linkage.unknown_count());
   for (int step = 1; step <= steps; ++step) {
-    const double from = run.frames.back().share, to = static_cast<double>(step) / steps;
-    const auto moved = move_to(*path, schedule, from, to);
-    if (!moved) {
-      const auto [end, share] = moved.error();
-      run.stop = RunStop{end, share, describe_singularity(linkage, path->position())};
-      run.frames.push_back({share, path->values(), path->position(), {}, {}});
-      return run;
-    }
-    record(to);
+    run.stop = motion.go_to(static_cast<double>(step) / steps, more + steps_a_row);
+    run.frames.push_back(run.stop ? motion.frame_without_rates() : motion.frame());
+    if (run.stop) return run;
+    more = 0;
   }
+  return run;
+}
+
+tl::expected<PlanarRun, NoPathHere> run_to(const PlanarLinkage& linkage, const PlanarPosition& start,
+                                           const DriveSchedule& schedule, double share,
+                                           const RunLimits& limits) {
+  auto path = PlanarPath::from(linkage, start, schedule.values_at(0));
+  if (!path) return tl::unexpected(path.error());
+  ScheduledMotion motion(linkage, schedule, std::move(*path), limits);
+  PlanarRun run;
+  if (share > 0) run.stop = motion.go_to(share, plenty_of_steps(linkage.unknown_count()));
+  run.frames.push_back(run.stop ? motion.frame_without_rates() : motion.frame());
   return run;
 }
 

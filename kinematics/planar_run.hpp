@@ -1,6 +1,7 @@
 #pragma once
 // A linkage driven over a whole motion: the positions, velocities and accelerations at even steps.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -45,9 +46,20 @@ struct PlanarRun {
   std::optional<RunStop> stop;
 };
 
+/// What a run may do besides: its work is bounded by itself (plenty_of_steps, and some for every part).
+struct RunLimits {
+  std::function<bool()> stop;  ///< true ends the run as interrupted; looked at every so often, if there is one
+};
+
 /// Runs the motion from a closed position at its start, in `steps` equal parts. Rates are left empty at a
 /// stop, where they do not exist.
 tl::expected<PlanarRun, NoPathHere> run_motion(const PlanarLinkage& linkage, const PlanarPosition& start,
-                                               const DriveSchedule& schedule, int steps);
+                                               const DriveSchedule& schedule, int steps,
+                                               const RunLimits& limits = {});
+
+/// Moves to one share of the motion, 0..1, and shows that place alone; or where it stopped before.
+tl::expected<PlanarRun, NoPathHere> run_to(const PlanarLinkage& linkage, const PlanarPosition& start,
+                                           const DriveSchedule& schedule, double share,
+                                           const RunLimits& limits = {});
 
 }  // namespace kempe

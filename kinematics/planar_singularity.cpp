@@ -100,9 +100,8 @@ class Singularity {
     for (const auto& [name, constraint] : linkage_.constraints()) {
       const auto* line = std::get_if<Coordinate>(&constraint);
       if (!line || !moves(line->point.body)) continue;
-      const Point at = place(position_, line->point), origin = place(position_, line->origin);
-      const Point normal =
-          place(position_, {line->origin.body, line->origin.local + line->direction}) - origin;
+      const Point at = place(position_, line->point);
+      const Point normal = linkage_.size() * turned(position_, line->origin.body, line->direction);
       for (const Hold& hold : holds_)
         if (hold.body == line->point.body && sine(hold.at, at, at + normal) < tolerance_)
           add(hold.name + " and " + name + " square to the guide of " + name);

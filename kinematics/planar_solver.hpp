@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "kinematics/planar_linkage.hpp"
+#include "kinematics/planar_equations.hpp"
 
 namespace kempe {
 
@@ -20,13 +20,26 @@ struct Assembled {
 /// The loops do not close near the guess: where the search ended, an outcome and not an error.
 struct NotAssembled {
   PlanarPosition nearest;
-  double closure_error = 0;  ///< mm, left there
+  double closure_error = 0;  ///< mm, left there; of an angle times the linkage's size
   std::string worst;         ///< name of the constraint that is violated most
   int constraint = 0;        ///< its number
+  int iterations = 0;
 };
 
-/// Largest closure error that counts as closed, mm: 1e-13 of the linkage's size and of the coordinates'
-/// magnitude.
+/// What is missing where a linkage does not close: everything else closed, one constraint is open by this and, near the
+/// position, can be by no less.
+struct Missing {
+  int constraint = 0;
+  std::string name;   ///< the constraint's
+  ConstraintGap gap;  ///< mm or rad
+};
+
+/// Opens the constraint that is violated most at `open`, closes all others as far as they go and tells what it is then off
+/// by. Of several violated alike the first is opened, so that rounding does not choose.
+Missing missing_at(const PlanarLinkage& linkage, const NotAssembled& open, const std::vector<double>& driver_values);
+
+/// Largest closure error that counts as closed, mm: 1e-13 of the linkage's size, of the coordinates' magnitude, and of
+/// the size for every turn that an angle counts.
 double closing_tolerance(const PlanarLinkage& linkage, const PlanarPosition& position);
 
 /// Closes the loops near `guess` with the drivers at `driver_values` (as many as the linkage has drivers; the

@@ -15,7 +15,7 @@ constexpr double least_weight = 0.02;      ///< of a body that does not turn at 
 }  // namespace
 
 StepCertificate::StepCertificate(const PlanarEquations& equations)
-    : angle_bends_(equations.angle_bends()), place_bends_(equations.place_bends()), size_(equations.size()),
+    : angle_bends_(equations.angle_bends()), place_bends_(equations.place_bends()), size_(equations.reach()),
       weights_(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(angle_bends_.size()))), load_(weights_) {}
 
 void StepCertificate::measure(PlanarEquations& equations, PlanarFactors& factors,

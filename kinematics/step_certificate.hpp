@@ -45,7 +45,7 @@ class StepCertificate {
   void weigh_by(const Eigen::VectorXd& step);
 
   /// The norm under the weights, rad: the largest turn of a body whose angle bends something, over its weight, and the
-  /// largest shift (in sizes) of a body whose place does.
+  /// largest shift (in reaches) of a body whose place does.
   double length(const Eigen::VectorXd& change) const;
 
   /// omega here under the weights, 1/rad; negative where the gains are none or too far away.
@@ -63,7 +63,7 @@ class StepCertificate {
   void weigh();
 
   std::vector<bool> angle_bends_, place_bends_;  ///< bodies that count in the norm
-  double size_ = 1;                              ///< of the linkage, mm
+  double size_ = 1;                              ///< reach of the linkage, mm
   /// g, 1/rad: a row a body (its angle, then its place), a column a bend's body (0: of several together)
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> gains_;
   Eigen::VectorXd weights_;  ///< w of each body; 1 for the ground, which stands for bends of several

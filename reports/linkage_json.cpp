@@ -162,12 +162,16 @@ std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis
   Json object{{"links", links},
               {"freedoms", freedoms},
               {"joints", synthesis.joints},
+              {"loops", synthesis.loops},
               {"largest_link", synthesis.largest_link},
               {"assortments", list(synthesis.assortments)},
-              {"with_too_large_a_link", list(synthesis.too_large)}};
+              {"with_too_large_a_link", list(synthesis.too_large)},
+              {"with_a_stiff_part", list(synthesis.stiff)}};
   if (synthesis.joints == 0)
     object["sentence"] =
         fmt::format("3 ({} - 1) - {} is not a positive even number: no joints fit", links, freedoms);
+  else if (synthesis.loops == 0)
+    object["sentence"] = fmt::format("{} joints are fewer than {} links: no loop closes", synthesis.joints, links);
   return object.dump(1) + "\n";
 }
 

@@ -150,11 +150,11 @@ class DriverReader {
                     "one of polyline, circle, svg");
       return false;
     }
-    DriverPath path;
-    path.pieces = table_.has("polyline") ? read_polyline()
-                  : table_.has("circle") ? read_circle()
-                                         : read_svg();
-    if (path.pieces.empty()) return false;
+    std::vector<PathPiece> pieces = table_.has("polyline") ? read_polyline()
+                                    : table_.has("circle") ? read_circle()
+                                                           : read_svg();
+    if (pieces.empty()) return false;
+    DriverPath path(std::move(pieces));
     if (const auto rate = table_.number("rate")) path.speed = *rate * unit();
     driver.what = DrivenPoint{*point};
     driver.motion = std::move(path);

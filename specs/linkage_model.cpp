@@ -24,8 +24,8 @@ class ModelBuilder {
       for (const auto& [name, place] : link.joints) add_joint(name, {model_.body(link.name), place});
     for (const FileSlider& slider : file_.sliders) add_slider(slider);
     for (const FileAngle& angle : file_.angles)
-      model_.linkage.add(RelativeAngle{model_.body(angle.to), model_.body(angle.from), angle.angle},
-                         fmt::format("angle from {} to {}", angle.from, angle.to));
+      fix_angle(model_.body(angle.to), model_.body(angle.from), angle.angle,
+                fmt::format("angle from {} to {}", angle.from, angle.to));
     for (const FileBar& bar : file_.bars)
       model_.linkage.add(Distance{model_.point(bar.a), model_.point(bar.b), bar.length},
                          fmt::format("bar {}-{}", bar.a, bar.b));
@@ -37,10 +37,46 @@ class ModelBuilder {
     for (const FileRack& rack : file_.racks) add_rack(rack);
     for (const FileDriver& driver : file_.drivers) add_driver(driver);
     model_.schedule.duration = file_.duration;
+    model_.linkage.set_travel(travel());
     return std::move(model_);
   }
 
  private:
+  /// angle(body) - angle(reference) = angle, for good. Where fixed angles close a loop, whole turns do not count: the
+  /// same direction may be said as 350 and as -10 degrees.
+  void fix_angle(int body, int reference, double angle, std::string name) {
+    const auto [root, at] = fixed_to(body);
+    const auto [other_root, other_at] = fixed_to(reference);
+    if (root == other_root)
+      angle = at - other_at + std::remainder(angle - (at - other_at), 2 * pi);
+    else
+      fixed_[root] = {other_root, angle + other_at - at};
+    model_.linkage.add(RelativeAngle{body, reference, angle}, std::move(name));
+  }
+
+  /// The body that this one's angle is fixed to, and the angle against it.
+  std::pair<int, double> fixed_to(int body) const {
+    double angle = 0;
+    for (auto found = fixed_.find(body); found != fixed_.end(); found = fixed_.find(body)) {
+      angle += found->second.second;
+      body = found->second.first;
+    }
+    return {body, angle};
+  }
+
+  /// How far the drivers move a point.
+  double travel() const {
+    double farthest = 0;
+    for (const FileDriver& driver : file_.drivers) {
+      if (const auto* path = std::get_if<DriverPath>(&driver.motion))
+        farthest = std::max(farthest, path->extent());
+      else if (const auto& range = std::get<DriverRange>(driver.motion);
+               !std::holds_alternative<DrivenAngle>(driver.what))
+        farthest = std::max(farthest, std::abs(range.to - range.from));
+    }
+    return farthest;
+  }
+
   void define_point(const std::string& name, const BodyPoint& place) {
     if (model_.point_numbers.try_emplace(name, model_.points.size()).second)
       model_.points.push_back({name, place});
@@ -71,8 +107,7 @@ class ModelBuilder {
     if (slider.point.empty()) {
       const int body = model_.body(slider.link);
       model_.linkage.add(Coordinate{{body, Point::Zero()}, line_point(slider.line), normal, 0}, slider.link);
-      model_.linkage.add(RelativeAngle{body, model_.body(slider.line.link), slider.line.direction},
-                         slider.link + " does not turn");
+      fix_angle(body, model_.body(slider.line.link), slider.line.direction, slider.link + " does not turn");
     } else {
       model_.linkage.add(Coordinate{model_.point(slider.point), line_point(slider.line), normal, 0},
                          slider.point);
@@ -132,6 +167,7 @@ class ModelBuilder {
 
   const LinkageFile& file_;
   LinkageModel model_;
+  std::map<int, std::pair<int, double>> fixed_;  ///< of a body: one that its angle is fixed against, and the angle
 };
 
 using KnownPlaces = std::map<std::string, Point>;
@@ -216,10 +252,12 @@ tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assemblies(const Lin
                                                                        const AssemblySearch& search) {
   const PlanarPosition guess = guessed_position(file, model);
   const std::vector<double> values = model.schedule.values_at(0);
-  std::vector<PlanarPosition> found = find_assemblies(model.linkage, guess, values, search);
+  AssembliesFound all = search_assemblies(model.linkage, guess, values, search);
+  std::vector<PlanarPosition>& found = all.assemblies;
   if (found.empty()) {
-    const auto closed = solve_from(model.linkage, guess, values);
-    return tl::unexpected(NoAssembly{closed ? NotAssembled{} : closed.error(), {}});
+    NoAssembly none;
+    if (all.nearest) none.missing = missing_at(model.linkage, *all.nearest, values);
+    return tl::unexpected(none);
   }
   const auto misses = [&](const PlanarPosition& position) {
     return std::count_if(file.bounds.begin(), file.bounds.end(),
@@ -230,7 +268,7 @@ tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assemblies(const Lin
     if (missed_a != missed_b) return missed_a < missed_b;
     return distance_to_guess(file, model, a) < distance_to_guess(file, model, b);
   });
-  if (misses(found.front()) == 0) return found;
+  if (misses(found.front()) == 0) return std::move(found);
   NoAssembly none;
   for (const FileBound& bound : file.bounds)
     if (!meets(bound, model, found.front())) none.unmet.push_back(bound.name);

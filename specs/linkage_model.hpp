@@ -2,6 +2,7 @@
 // A linkage file as the general solver's bodies and constraints, with its names.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -47,7 +48,7 @@ PlanarPosition guessed_position(const LinkageFile& file, const LinkageModel& mod
 
 /// Why no assembly was taken.
 struct NoAssembly {
-  NotAssembled nearest;            ///< what remained open, if nothing closes
+  std::optional<Missing> missing;  ///< what remained open, if nothing closes; nothing if the search was stopped
   std::vector<std::string> unmet;  ///< bounds that no closing meets, as sentences; empty if nothing closes
 };
 

@@ -24,7 +24,7 @@ PlanarPosition arm_position(const Point& X) {
   return {{}, {Point(0, 0), std::atan2(A.y(), A.x())}, {A, std::atan2((X - A).y(), (X - A).x())}};
 }
 
-DriveSchedule along(std::vector<PathPiece> pieces) { return {{DriverPath{std::move(pieces), {}}}, 2.0}; }
+DriveSchedule along(std::vector<PathPiece> pieces) { return {{DriverPath(std::move(pieces))}, 2.0}; }
 
 TEST(PlanarRun, RatesAreTheDerivativesOfPositions) {
   const DriveSchedule schedule = along({PathPiece::arc(Point(2.5, 1), 1, 0.3, 4),
@@ -124,19 +124,17 @@ TEST(PlanarRun, AMotionInManyPiecesEndsWhereOneDoes) {
 }
 
 TEST(DriverPath, RunsAtEvenSpeedOverLinesArcsAndCubics) {
-  const DriverPath path{
-      {PathPiece::line(Point(0, 0), Point(3, 4)), PathPiece::arc(Point(3, 5), 1, -pi / 2, -pi),
-       PathPiece::cubic(Point(3, 6), Point(5, 9), Point(6, 2), Point(9, 6))},
-      {}};
+  const DriverPath path({PathPiece::line(Point(0, 0), Point(3, 4)), PathPiece::arc(Point(3, 5), 1, -pi / 2, -pi),
+                         PathPiece::cubic(Point(3, 6), Point(5, 9), Point(6, 2), Point(9, 6))});
   const double length = path.length();
-  EXPECT_NEAR(path.pieces[0].length(), 5, 1e-15);
-  EXPECT_NEAR(path.pieces[1].length(), pi, 1e-15);
+  EXPECT_NEAR(path.pieces()[0].length(), 5, 1e-15);
+  EXPECT_NEAR(path.pieces()[1].length(), pi, 1e-15);
   double polygon = 0;  // of the cubic, by 20000 chords
   for (int i = 0; i < 20000; ++i)
-    polygon += (path.pieces[2].at(path.pieces[2].length() * (i + 1) / 20000).at -
-                path.pieces[2].at(path.pieces[2].length() * i / 20000).at)
+    polygon += (path.pieces()[2].at(path.pieces()[2].length() * (i + 1) / 20000).at -
+                path.pieces()[2].at(path.pieces()[2].length() * i / 20000).at)
                    .norm();
-  EXPECT_NEAR(polygon, path.pieces[2].length(), 1e-7);
+  EXPECT_NEAR(polygon, path.pieces()[2].length(), 1e-7);
   const double h = 1e-5;
   for (double share = 0.01; share < 0.99; share += 0.0137) {
     if (path.piece_at(share - h) != path.piece_at(share + h)) continue;
@@ -146,7 +144,7 @@ TEST(DriverPath, RunsAtEvenSpeedOverLinesArcsAndCubics) {
     const Point bend = (path.at(share + h).tangent - path.at(share - h).tangent) / (2 * h * length);
     EXPECT_LT((bend - path.at(share).bend).norm(), 1e-5);
   }
-  EXPECT_EQ(path.at(1).at, path.pieces[2].end());
+  EXPECT_EQ(path.at(1).at, path.pieces()[2].end());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(LinkageExamples, ShearPressGivesTheSourcesNineRows) {
 TEST(LinkageExamples, PantographGivesTheMatlabRows) {
   Example pantograph("pantograph");
   auto& path = std::get<DriverPath>(pantograph.model.schedule.motions[0]);
-  path.pieces = {PathPiece::arc(Point(50, 50), 10, 0, 0.3)};  // the source steps its angle by 0.1
+  path = DriverPath({PathPiece::arc(Point(50, 50), 10, 0, 0.3)}, path.speed);  // the source steps its angle by 0.1
   pantograph.rerun(3);
   const struct {
     std::size_t row;
@@ -144,8 +144,7 @@ TEST(LinkageExamples, PlagiographCopiesPlacesVelocitiesAndAccelerations) {
     EXPECT_LT(std::abs(plagiograph.acceleration(frame, "Y") - k * plagiograph.acceleration(frame, "X")),
               1e-9);
   }
-  std::get<DriverPath>(plagiograph.model.schedule.motions[0]).pieces = {
-      PathPiece::line(Point(70, 10), Point(65, 10))};
+  plagiograph.model.schedule.motions[0] = DriverPath({PathPiece::line(Point(70, 10), Point(65, 10))});
   plagiograph.rerun(1);
   const RunFrame& first = plagiograph.run.frames[0];
   expect_near(plagiograph.at(first, "A"), Point(4.64714054, 1.8450162), 1e-7, "A");
