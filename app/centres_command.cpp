@@ -23,8 +23,9 @@ tl::expected<RunFrame, int> frame_at(const LoadedLinkage& loaded, const PlanarPo
   auto run = drive_to(loaded, start, step);
   if (!run) return tl::unexpected(run.error());
   if (!run->stop) return run->frames.back();
-  return tl::unexpected(fail(no_design, fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
-                                                    stop_sentence(loaded, *run, loaded.file.steps))));
+  return tl::unexpected(
+      fail(no_design, fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
+                                  stop_sentence(loaded, *run, loaded.file.steps))));
 }
 
 int run(const Session& session, const CentresArguments& arguments) {

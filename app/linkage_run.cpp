@@ -35,7 +35,8 @@ std::string driver_text(const LoadedLinkage& loaded, std::size_t driver, double 
 /// What is missing, in its own unit.
 std::string opening_text(const LoadedLinkage& loaded, const Missing& missing) {
   const std::string label = constraint_label(loaded.model, missing.constraint);
-  if (missing.gap.is_angle) return fmt::format("{}: off by {:.6g} degrees", label, degrees(missing.gap.amount));
+  if (missing.gap.is_angle)
+    return fmt::format("{}: off by {:.6g} degrees", label, degrees(missing.gap.amount));
   return fmt::format("{} stays open by {}", label, length_text(loaded, missing.gap.amount));
 }
 
@@ -145,7 +146,8 @@ tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const Pl
 
 tl::expected<PlanarRun, int> drive_to(const LoadedLinkage& loaded, const PlanarPosition& start, double step) {
   return driven(loaded, [&] {
-    return run_to(loaded.model.linkage, start, loaded.model.schedule, step / loaded.file.steps, {wish_to_stop()});
+    return run_to(loaded.model.linkage, start, loaded.model.schedule, step / loaded.file.steps,
+                  {wish_to_stop()});
   });
 }
 

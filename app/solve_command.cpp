@@ -129,6 +129,9 @@ int run(const Session& session, const SolveArguments& arguments) {
   auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
   if (const int code = check_links(*loaded, arguments); code != done) return code;
+  if (arguments.steps > loaded->file.most_steps())
+    return fail({"", 0, "--steps", fmt::format("{}", arguments.steps),
+                 fmt::format("at most {} with so many links", loaded->file.most_steps())});
   apply(arguments, loaded->file);
   const auto assemblies = assemble_linkage(*loaded, arguments.seed);
   if (!assemblies) return assemblies.error();

@@ -47,12 +47,12 @@ struct LinkAssortment {
 };
 
 struct NumberSynthesis {
-  int joints = 0;        ///< j = (3 (n - 1) - F) / 2
-  int loops = 0;         ///< L = j - n + 1 = (n - 1 - F) / 2, independent ones
-  int largest_link = 0;  ///< most joints that a link can have: L + min(L, max(1, F))
+  int joints = 0;                           ///< j = (3 (n - 1) - F) / 2
+  int loops = 0;                            ///< L = j - n + 1 = (n - 1 - F) / 2, independent ones
+  int largest_link = 0;                     ///< most joints that a link can have: L + min(L, max(1, F))
   std::vector<LinkAssortment> assortments;  ///< of which a chain can be made; fewest binary links first
   std::vector<LinkAssortment> too_large;    ///< those that meet both sums, but only with a larger link
-  std::vector<LinkAssortment> stiff;        ///< every chain of them holds a stiff part, though no link is too large
+  std::vector<LinkAssortment> stiff;  ///< every chain of them holds a stiff part, though no link is too large
 };
 
 /// Every assortment of n links with single revolute joints and mobility F: n2 + n3 + ... = n, 2 n2 + 3 n3 +

@@ -11,9 +11,9 @@
 namespace kempe {
 
 struct AssemblySearch {
-  int starts = 200;        ///< random first guesses after the given one
-  std::uint64_t seed = 1;  ///< same seed, same result
-  int enough = 64;         ///< ends once so many assemblies are known
+  int starts = 200;                 ///< random first guesses after the given one
+  std::uint64_t seed = 1;           ///< same seed, same result
+  int enough = 64;                  ///< ends once so many assemblies are known
   std::function<bool()> stop = {};  ///< looked at before every start, if there is one: true ends the search
 };
 
@@ -24,7 +24,8 @@ struct AssembliesFound {
 
 /// find_assemblies below, with what was nearest where nothing closes.
 AssembliesFound search_assemblies(const PlanarLinkage& linkage, const PlanarPosition& guess,
-                                  const std::vector<double>& driver_values, const AssemblySearch& search = {});
+                                  const std::vector<double>& driver_values,
+                                  const AssemblySearch& search = {});
 
 /// Distinct closed positions, that nearest to no guess in particular: first the one that the guess leads to
 /// (if it does), then those that random guesses lead to, in the order of finding. Two are the same if every

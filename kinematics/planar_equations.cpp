@@ -64,10 +64,9 @@ std::vector<double> arms_of(const PlanarLinkage& linkage) {
 
 PlanarEquations::PlanarEquations(const PlanarLinkage& linkage)
     : values_(linkage.driver_values()), angle_bends_(static_cast<std::size_t>(linkage.body_count()), false),
-      place_bends_(static_cast<std::size_t>(linkage.body_count()), false),
-      arms_(arms_of(linkage)), directions_(static_cast<std::size_t>(linkage.body_count()), Point(1, 0)),
-      unknowns_(linkage.unknown_count()), rows_(0), size_(linkage.size()),
-      reach_(linkage.reach()) {
+      place_bends_(static_cast<std::size_t>(linkage.body_count()), false), arms_(arms_of(linkage)),
+      directions_(static_cast<std::size_t>(linkage.body_count()), Point(1, 0)),
+      unknowns_(linkage.unknown_count()), rows_(0), size_(linkage.size()), reach_(linkage.reach()) {
   for (const auto& [name, constraint] : linkage.constraints()) {
     const bool two = equation_count(constraint) == 2;
     entries_.push_back({constraint, rows_, two ? rows_ + 1 : -1, scale_of(constraint, size_)});
@@ -411,22 +410,21 @@ ConstraintGap gap_of(const Constraint& constraint, const PlanarPosition& positio
   const auto length = [](double error) { return ConstraintGap{std::abs(error), false}; };
   const auto turn = [](double error) { return ConstraintGap{std::abs(error), true}; };
   return std::visit(
-      Overloaded{[&](const Revolute& c) { return length(apart(c.a, c.b)); },
-                 [&](const Coordinate& c) {
-                   return length(along_line(c.point, c.origin, c.direction) - c.value);
-                 },
-                 [&](const Distance& c) { return length(apart(c.a, c.b) - c.value); },
-                 [&](const RelativeAngle& c) { return turn(angle(c.body, c.reference) - c.value); },
-                 [&](const GearPair& c) {
-                   const double larger = std::max(std::abs(c.first_radius), std::abs(c.second_radius));
-                   return turn((c.first_radius * angle(c.first, c.carrier) +
-                                c.second_radius * angle(c.second, c.carrier) - c.value) /
-                               larger);
-                 },
-                 [&](const RackAndPinion& c) {
-                   return length(along_line(c.centre, c.rack_origin, c.direction) +
-                                 c.radius * angle(c.centre.body, c.rack_origin.body) - c.value);
-                 }},
+      Overloaded{
+          [&](const Revolute& c) { return length(apart(c.a, c.b)); },
+          [&](const Coordinate& c) { return length(along_line(c.point, c.origin, c.direction) - c.value); },
+          [&](const Distance& c) { return length(apart(c.a, c.b) - c.value); },
+          [&](const RelativeAngle& c) { return turn(angle(c.body, c.reference) - c.value); },
+          [&](const GearPair& c) {
+            const double larger = std::max(std::abs(c.first_radius), std::abs(c.second_radius));
+            return turn((c.first_radius * angle(c.first, c.carrier) +
+                         c.second_radius * angle(c.second, c.carrier) - c.value) /
+                        larger);
+          },
+          [&](const RackAndPinion& c) {
+            return length(along_line(c.centre, c.rack_origin, c.direction) +
+                          c.radius * angle(c.centre.body, c.rack_origin.body) - c.value);
+          }},
       constraint);
 }
 

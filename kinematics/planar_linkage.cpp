@@ -82,7 +82,8 @@ std::vector<int> bodies_of(const Constraint& constraint) {
 }
 
 Point turned(const PlanarPosition& position, int body, const Point& local) {
-  const double angle = position[static_cast<std::size_t>(body)].angle, c = std::cos(angle), s = std::sin(angle);
+  const double angle = position[static_cast<std::size_t>(body)].angle, c = std::cos(angle),
+               s = std::sin(angle);
   return {c * local.x() - s * local.y(), s * local.x() + c * local.y()};
 }
 

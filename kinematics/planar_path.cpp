@@ -72,7 +72,7 @@ std::string_view name(NoPath why) {
 
 std::size_t plenty_of_steps(int unknowns) {
   const auto n = static_cast<std::size_t>(std::max(unknowns, 1));
-  return std::max<std::size_t>(5000, 60000000 / (n * n));
+  return std::clamp<std::size_t>(40000000 / (n * n), 5000, 300000);
 }
 
 tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linkage,

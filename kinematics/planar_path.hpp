@@ -19,8 +19,8 @@ namespace kempe {
 
 /// Why a path ends before its target. Outcomes of the domain.
 enum class PathEnd {
-  dead_point,       ///< the drivers cannot go on in this direction: the linkage can only turn back
-  change_point,     ///< another assembly touches here: the linkage may leave either way
+  dead_point,        ///< the drivers cannot go on in this direction: the linkage can only turn back
+  change_point,      ///< another assembly touches here: the linkage may leave either way
   over_constrained,  ///< a constraint that was redundant at the start is violated: the linkage locks
   gave_up,           ///< the way on takes more certified steps than were allowed
   interrupted        ///< the caller asked to stop

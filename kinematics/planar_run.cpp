@@ -81,7 +81,7 @@ DriverCurve curve_of(const DriveSchedule& schedule, double from, double to) {
 }
 
 /// How far from the linkage, in sizes, a place counts as run away.
-constexpr double far_away = 100;
+constexpr double far_away = 10;
 
 /// What can be said where the work was not enough: what runs off, or that the steps have become small.
 std::vector<std::string> describe_giving_up(const PlanarLinkage& linkage, const PlanarPath& path) {

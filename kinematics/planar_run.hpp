@@ -48,7 +48,8 @@ struct PlanarRun {
 
 /// What a run may do besides: its work is bounded by itself (plenty_of_steps, and some for every part).
 struct RunLimits {
-  std::function<bool()> stop;  ///< true ends the run as interrupted; looked at every so often, if there is one
+  std::function<bool()>
+      stop;  ///< true ends the run as interrupted; looked at every so often, if there is one
 };
 
 /// Runs the motion from a closed position at its start, in `steps` equal parts. Rates are left empty at a

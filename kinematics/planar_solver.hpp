@@ -36,7 +36,8 @@ struct Missing {
 
 /// Opens the constraint that is violated most at `open`, closes all others as far as they go and tells what it is then off
 /// by. Of several violated alike the first is opened, so that rounding does not choose.
-Missing missing_at(const PlanarLinkage& linkage, const NotAssembled& open, const std::vector<double>& driver_values);
+Missing missing_at(const PlanarLinkage& linkage, const NotAssembled& open,
+                   const std::vector<double>& driver_values);
 
 /// Largest closure error that counts as closed, mm: 1e-13 of the linkage's size, of the coordinates' magnitude, and of
 /// the size for every turn that an angle counts.

@@ -171,7 +171,8 @@ std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis
     object["sentence"] =
         fmt::format("3 ({} - 1) - {} is not a positive even number: no joints fit", links, freedoms);
   else if (synthesis.loops == 0)
-    object["sentence"] = fmt::format("{} joints are fewer than {} links: no loop closes", synthesis.joints, links);
+    object["sentence"] =
+        fmt::format("{} joints are fewer than {} links: no loop closes", synthesis.joints, links);
   return object.dump(1) + "\n";
 }
 

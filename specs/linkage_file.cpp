@@ -18,6 +18,9 @@
 namespace kempe {
 namespace {
 
+constexpr std::size_t most_links = 200, most_conditions = 1000;
+constexpr std::size_t most_places = 10000000;  ///< of links over a whole motion: about a gigabyte and a half
+
 LengthUnit unit_named(const std::string& name) {
   static constexpr std::pair<const char*, double> known[] = {
       {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
@@ -61,8 +64,7 @@ class LinkageReader {
     read_guess();
     read_bounds();
     read_output();
-    if (complaints_.none() && result_.links.empty() && result_.free_points.empty())
-      complaints_.add(0, "links", "nothing", "at least one link");
+    if (complaints_.none()) check_extent();
     if (!complaints_.none()) return tl::unexpected(complaints_.first());
     return std::move(result_);
   }
@@ -70,6 +72,24 @@ class LinkageReader {
  private:
   double length(double value) const { return value * result_.unit.in_mm; }
   Point place(const Point& value) const { return value * result_.unit.in_mm; }
+
+  /// What is there must be something, and no more than can be solved in some seconds and kept in memory.
+  void check_extent() {
+    const std::size_t bodies = result_.links.size() + result_.free_points.size();
+    if (bodies == 0) complaints_.add(0, "links", "nothing", "at least one link");
+    if (bodies > most_links)
+      complaints_.add(0, "links", fmt::format("{} links and points without a link", bodies),
+                      fmt::format("at most {}", most_links));
+    const std::size_t conditions = result_.bars.size() + result_.sliders.size() + result_.angles.size() +
+                                   result_.gears.size() + result_.racks.size() + result_.drivers.size();
+    if (conditions > most_conditions)
+      complaints_.add(0, "links",
+                      fmt::format("{} bars, sliders, angles, gears, racks and drivers", conditions),
+                      fmt::format("at most {}", most_conditions));
+    if (complaints_.none() && result_.steps > result_.most_steps())
+      complaints_.add(0, "motion.steps", fmt::format("{}", result_.steps),
+                      fmt::format("at most {} with {} links", result_.most_steps(), bodies));
+  }
 
   template <class Visit>
   void each_in_table(std::string_view key, const Visit& visit) {
@@ -451,6 +471,11 @@ std::vector<std::string> LinkageFile::point_names() const {
     for (const auto& [point, at] : link.joints) add(point);
   for (const std::string& point : free_points) add(point);
   return result;
+}
+
+int LinkageFile::most_steps() const {
+  return static_cast<int>(std::min<std::size_t>(
+      1000000, most_places / std::max<std::size_t>(1, links.size() + free_points.size())));
 }
 
 tl::expected<LinkageFile, InputError> parse_linkage_file(std::string_view text,

@@ -135,6 +135,9 @@ struct LinkageFile {
   OutputWishes output;
   std::vector<std::string> notes;  ///< what the reader understood otherwise than it was written, for people
 
+  /// The largest number of steps that a table of this linkage can be kept for.
+  int most_steps() const;
+
   /// Every point's name: ground, links' joints in order, free points.
   std::vector<std::string> point_names() const;
 };

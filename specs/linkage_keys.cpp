@@ -80,7 +80,7 @@ constexpr LinkageKey keys[] = {
     {"drivers.circle", "from_deg", "an angle"},
     {"drivers.circle", "sweep_deg", "an angle, not 0, at most 100 turns"},
 
-    {"motion", "steps", "a whole number, 1 to 1000000"},
+    {"motion", "steps", "a whole number, 1 to 1000000, and 10000000 over the number of links"},
     {"motion", "duration_s", "seconds, > 0"},
 
     {"guess", "*", "a place [x, y]"},

@@ -167,7 +167,8 @@ class ModelBuilder {
 
   const LinkageFile& file_;
   LinkageModel model_;
-  std::map<int, std::pair<int, double>> fixed_;  ///< of a body: one that its angle is fixed against, and the angle
+  std::map<int, std::pair<int, double>>
+      fixed_;  ///< of a body: one that its angle is fixed against, and the angle
 };
 
 using KnownPlaces = std::map<std::string, Point>;

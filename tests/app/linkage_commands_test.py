@@ -9,9 +9,11 @@ import io
 import json
 import math
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -184,6 +186,190 @@ class Solve(Case):
         last = list(csv.DictReader(io.StringIO(run.stdout)))[-1]
         self.assertAlmostEqual(float(last["E_x_cm"]), 9, places=12)
         self.assertAlmostEqual(float(last["E_y_cm"]), 7.5, places=12)
+
+
+SLOT = """
+[ground]
+O = [0, 0]
+D = [2, 0]
+[links]
+crank = { joints = ["O", "A"], O-A = 1 }
+slot = { at = { D = [0, 0] } }
+[[sliders]]
+point = "A"
+on = "slot"
+through = [0, 0.2]
+direction_deg = 0
+[[drivers]]
+angle = "crank"
+from_deg = 10
+to_deg = 370
+"""
+SCALED = """
+[ground]
+O = [0, 0]
+D = [{D!r}, 0]
+[links]
+first = {{ joints = ["O", "A"], O-A = {a!r} }}
+second = {{ joints = ["D", "B"], D-B = {b!r} }}
+AP = {{ joints = ["A", "P"], A-P = {c!r} }}
+PB = {{ joints = ["P", "B"], P-B = {c!r} }}
+[[gears]]
+wheels = ["first", "second"]
+teeth = [{teeth!r}, {half!r}]
+mesh_deg = [0, 90]
+[[drivers]]
+angle = "first"
+from_deg = 0
+to_deg = 360
+[bounds]
+P = {{ y = [0, {c!r}] }}
+"""
+
+
+class Units(Case):
+    """What a linkage does depends neither on the unit nor on its size."""
+
+    def answer(self, text):
+        linkage = self.linkage(text)
+        solved = kempe("solve", linkage, "--json", "--velocities", "--accelerations", "--quiet")
+        table = json.loads(solved.stdout) if solved.stdout else None
+        mobility = json.loads(kempe("mobility", linkage, "--quiet").stdout)
+        centres = kempe("centres", linkage, "--at", 1, "--quiet")
+        kinds = [(c["links"], c["kind"], c["source"]) for c in json.loads(centres.stdout)["centres"]]
+        return solved.returncode, table, {key: mobility[key] for key in ("mobility", "rank", "gruebler", "redundant")}, kinds
+
+    def assertSame(self, one, other, scale=1.0):
+        self.assertEqual(one[0], other[0])
+        self.assertEqual(one[2:], other[2:])
+        self.assertEqual(len(one[1]["rows"]), len(other[1]["rows"]))
+        self.assertEqual((one[1]["stop"] or {}).get("kind"), (other[1]["stop"] or {}).get("kind"))
+        for number, column in enumerate(zip(zip(*one[1]["rows"]), zip(*other[1]["rows"]))):
+            name = one[1]["columns"][number]
+            by = scale if "_x_" in name or "_y_" in name or "_vx" in name or "_vy" in name or "_ax" in name or "_ay" in name else 1
+            here, there = ([v for v in values if v is not None] for values in column)
+            most = max(map(abs, there), default=0)
+            speed = max((abs(v) for row in other[1]["rows"] for v in row if v is not None), default=1)
+            for a, b in zip(here, there):
+                self.assertAlmostEqual(a / by, b, delta=1e-9 * max(most, 1e-3 * speed), msg=name)
+
+    def test_every_example_in_every_unit(self):
+        for linkage in sorted(LINKAGES.glob("*.toml")):
+            text = linkage.read_text()
+            lines = [line for line in text.splitlines() if not line.startswith("unit")]
+            answers = [self.answer("\n".join([f'unit = "{unit}"', *lines])) for unit in ("mm", "cm", "m", "in")]
+            for answer in answers[1:]:
+                with self.subTest(linkage.name):
+                    self.assertSame(answer, answers[0])
+
+    def test_a_turning_slot_of_any_size(self):
+        def scaled(by):
+            return SLOT.replace("[2, 0]", f"[{2 * by!r}, 0]").replace("O-A = 1", f"O-A = {by!r}").replace("0.2", repr(0.2 * by))
+        one = self.answer(scaled(1.0))
+        self.assertEqual((one[0], one[2]["mobility"]), (0, 1))
+        for size in (1e-6, 1e-3, 8e3, 1e4, 1e6):
+            with self.subTest(size):
+                self.assertSame(self.answer(scaled(size)), one, size)
+
+    def test_gears_of_any_size_and_number_of_teeth(self):
+        def geared(by, teeth):
+            return SCALED.format(D=90 * by, a=25 * by, b=20 * by, c=80 * by, teeth=2 * teeth, half=teeth)
+        one = self.answer(geared(1.0, 1))
+        self.assertEqual(one[0], 0)
+        for by, teeth in ((1e-6, 20), (1e-3, 200), (1e4, 1), (1e6, 20), (1.0, 20), (1.0, 200), (1.0, 20000)):
+            with self.subTest((by, teeth)):
+                self.assertSame(self.answer(geared(by, teeth)), one, by)
+
+    def test_where_a_dead_point_lies_does_not_depend_on_unit_or_steps(self):
+        dead = BARS.replace("A-B = 20", "A-B = 45") + TURN
+        places = set()
+        for unit, steps in (("mm", 36), ("m", 36), ("in", 7), ("cm", 1000)):
+            stop = json.loads(kempe("solve", self.linkage(f'unit = "{unit}"' + dead), "--json", "--steps", steps).stdout)["stop"]
+            self.assertEqual(stop["kind"], "dead point")
+            places.add(round(stop["step"] / steps, 9))
+        self.assertEqual(len(places), 1)
+
+
+class Missing(Case):
+    def test_what_is_missing_is_told_in_its_own_unit(self):
+        wedge = """
+sliders = [
+  { link = "b1", on = "ground", through = "O", direction_deg = 0 },
+  { link = "b2", on = "ground", through = "O", direction_deg = 90 },
+  { link = "b2", on = "b1", through = [0, 3], direction_deg = 45 },
+]
+[ground]
+O = [0, 0]
+[links]
+b1 = { at = { P = [0, 0] } }
+b2 = { at = { Q = [0, 0] } }
+"""
+        for unit in ("mm", "m", "in"):
+            run = kempe("solve", self.linkage(f'unit = "{unit}"' + wedge))
+            self.assertRefused(run, 3, "does not turn: off by 45 degrees")
+            self.assertNotIn("0.78", run.stderr)
+
+    def test_whole_turns_of_fixed_angles_do_not_count(self):
+        same = """
+sliders = [
+  { link = "block", on = "ground", through = "O", direction_deg = 350 },
+  { link = "block", on = "ground", through = "O", direction_deg = -10 },
+]
+drivers = [{ slide = "block", from = 0, to = 5 }]
+[ground]
+O = [0, 0]
+[links]
+block = { at = { P = [0, 0] } }
+"""
+        run = kempe("solve", self.linkage(same))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        last = list(csv.DictReader(io.StringIO(run.stdout)))[-1]
+        self.assertAlmostEqual(float(last["P_x_mm"]), 5 * math.cos(math.radians(-10)), places=12)
+
+    def test_a_gap_is_the_distance_that_is_missing(self):
+        arm = """
+[ground]
+O = [0, 0]
+[links]
+a = { joints = ["O", "A"], O-A = 3 }
+b = { joints = ["A", "P"], A-P = 2 }
+[[drivers]]
+path = "P"
+circle = { centre = [0, 0], radius = RADIUS }
+"""
+        for unit in ("mm", "cm", "m", "in"):
+            for radius, missing in ((0.99999, 1e-5), (5.25, 0.25), (0.5, 0.5)):
+                run = kempe("solve", self.linkage(f'unit = "{unit}"' + arm.replace("RADIUS", str(radius))))
+                self.assertRefused(run, 3, f"stays open by {missing:g} {unit}", "joint O")
+
+
+class WorkIsBounded(Case):
+    def test_slides_that_nearly_coincide_end_with_the_place(self):
+        text = (LINKAGES / "right-angle-inversor.toml").read_text()
+        for bearing in ("[5.9999999999999995e-05, -10]", "[0, -10]", "[-1e-3, -10]"):
+            self.assertIn("R = [60, -10]", text)
+            linkage = self.linkage(text.replace("R = [60, -10]", f"R = {bearing}"))
+            run = kempe("solve", linkage)
+            self.assertRefused(run, 3, "limit of work at step 16.", "angle of pinion = ", "Image runs off")
+            self.assertEqual(kempe("centres", linkage).returncode, 0)  # step 0 is not beyond it
+            self.assertRefused(kempe("centres", linkage, "--at", 30), 3, "ends before step 30", "Image runs off")
+
+    def test_one_step_of_many_costs_no_table(self):
+        linkage = self.linkage(BARS + TURN + "[motion]\nsteps = 1000000\n")
+        run = kempe("centres", linkage, "--at", 999999.5)
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_a_long_motion_obeys_ctrl_c(self):
+        table = self.scratch / "t.csv"
+        process = subprocess.Popen([KEMPE, "solve", self.linkage(BARS + TURN), "--steps", "1000000", "-o", table],
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        _, words = process.communicate(timeout=60)
+        self.assertIn(process.returncode, (0, 130))  # 0: it was done before
+        if process.returncode == 130:
+            self.assertIn("stopped", words)
+            self.assertEqual(list(self.scratch.glob("t.csv*")), [])
 
 
 class Mobility(Case):

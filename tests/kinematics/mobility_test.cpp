@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <utility>
+
 #include "kinematics/planar_solver.hpp"
 #include "random_linkages.hpp"
 
@@ -79,6 +82,20 @@ TEST(Mobility, StraightRowOfDistancesIsShakyNotMovable) {
   EXPECT_EQ(m.shaky_freedoms(), 1);
 }
 
+TEST(Mobility, LinksMuchSmallerThanTheOthersCountAsLinks) {
+  // A crank of a millionth of the ground turns all the same.
+  for (const double crank : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    const Point C = test::meet(Point(crank, 0), 2, Point(2, 0), 2, 1);
+    const Mobility m =
+        mobility_near(test::four_bar(2, crank, 2, 2), {{},
+                                                       {Point(0, 0), 0},
+                                                       {Point(crank, 0), std::atan2(C.y(), C.x())},
+                                                       {Point(2, 0), std::atan2(C.y(), C.x() - 2)}});
+    EXPECT_EQ(m.mobility, 1) << crank;
+    EXPECT_EQ(m.rank, 8) << crank;
+  }
+}
+
 TEST(Mobility, TriangleOfBarsIsRigidOnTheGround) {
   PlanarLinkage linkage;
   const int a = linkage.add_body("a"), b = linkage.add_body("b");
@@ -100,6 +117,108 @@ TEST(NumberSynthesis, SixLinksWithOneFreedomAreTheReportsFour2AndTwo3) {
   EXPECT_EQ(six.too_large[0].count, (std::vector<int>{5, 0, 1}));
 }
 
+/// Looks through simple graphs with given numbers of joints at the links for one without a stiff part. Shares no formula
+/// with the synthesis: it builds graphs and counts each subset of links.
+class ChainSearch {
+ public:
+  explicit ChainSearch(std::vector<int> joints) : left_(std::move(joints)), neighbours_(left_.size(), 0) {}
+
+  bool finds_one(std::size_t link = 0) {
+    if (link == left_.size()) return is_connected() && no_part_is_stiff();
+    if (left_[link] == 0) return finds_one(link + 1);
+    const int joints = std::exchange(left_[link], 0);
+    const bool found = join(link, link + 1, joints);
+    left_[link] = joints;
+    return found;
+  }
+
+ private:
+  /// Joins `link` to `more` of the links from `next` on.
+  bool join(std::size_t link, std::size_t next, int more) {
+    if (more == 0) return finds_one(link + 1);
+    for (std::size_t other = next; other < left_.size(); ++other) {
+      const bool triangle = (neighbours_[link] & neighbours_[other]) != 0 && left_.size() > 3;
+      if (left_[other] == 0 || triangle) continue;
+      connect(link, other, -1);
+      const bool found = join(link, other + 1, more - 1);
+      connect(link, other, 1);
+      if (found) return true;
+    }
+    return false;
+  }
+
+  void connect(std::size_t a, std::size_t b, int change) {
+    left_[b] += change;
+    neighbours_[a] ^= 1U << b;
+    neighbours_[b] ^= 1U << a;
+  }
+
+  bool is_connected() const {
+    unsigned reached = 1, before = 0;
+    while (reached != before) {
+      before = reached;
+      for (std::size_t link = 0; link < left_.size(); ++link)
+        if (before >> link & 1) reached |= neighbours_[link];
+    }
+    return reached == (1U << left_.size()) - 1;
+  }
+
+  bool no_part_is_stiff() const {
+    const unsigned all = (1U << left_.size()) - 1;
+    for (unsigned part = 1; part < all; ++part) {
+      int ends = 0;
+      for (std::size_t link = 0; link < left_.size(); ++link)
+        if (part >> link & 1) ends += std::popcount(neighbours_[link] & part);
+      if (const int links = std::popcount(part); links > 1 && 3 * (links - 1) - ends < 1) return false;
+    }
+    return true;
+  }
+
+  std::vector<int> left_;
+  std::vector<unsigned> neighbours_;
+};
+
+std::vector<int> joints_of(const LinkAssortment& assortment) {
+  std::vector<int> joints;
+  for (std::size_t i = assortment.count.size(); i-- > 0;)
+    joints.insert(joints.end(), static_cast<std::size_t>(assortment.count[i]), static_cast<int>(i) + 2);
+  return joints;
+}
+
+TEST(NumberSynthesis, ListsExactlyTheAssortmentsOfWhichAGraphCanBeDrawn) {
+  int chains = 0, none = 0;
+  for (int links = 3; links <= 9; ++links)
+    for (int freedoms = 0; freedoms <= links - 3; ++freedoms) {
+      const NumberSynthesis s = number_synthesis(links, freedoms);
+      SCOPED_TRACE(std::to_string(links) + " links, mobility " + std::to_string(freedoms));
+      for (const LinkAssortment& assortment : s.assortments) {
+        EXPECT_TRUE(ChainSearch(joints_of(assortment)).finds_one());
+        ++chains;
+      }
+      for (const auto* list : {&s.too_large, &s.stiff})
+        for (const LinkAssortment& assortment : *list) {
+          EXPECT_FALSE(ChainSearch(joints_of(assortment)).finds_one());
+          ++none;
+        }
+    }
+  EXPECT_GT(chains, 25);
+  EXPECT_GT(none, 10);
+}
+
+TEST(NumberSynthesis, StiffAndManifoldChains) {
+  const NumberSynthesis truss = number_synthesis(5, 0);  // Baranov's truss of five links
+  EXPECT_EQ(truss.largest_link, 3);
+  EXPECT_EQ(truss.assortments, (std::vector<LinkAssortment>{{{3, 2}}}));
+  const NumberSynthesis seven = number_synthesis(7, 0);
+  EXPECT_EQ(seven.assortments, (std::vector<LinkAssortment>{{{3, 4}}, {{4, 2, 1}}}));
+  EXPECT_EQ(seven.stiff, (std::vector<LinkAssortment>{{{5, 0, 2}}}));
+  const NumberSynthesis two = number_synthesis(7, 2);  // two four-bars may share a quaternary link
+  EXPECT_EQ(two.largest_link, 4);
+  EXPECT_EQ(two.assortments, (std::vector<LinkAssortment>{{{5, 2}}, {{6, 0, 1}}}));
+  EXPECT_EQ(number_synthesis(10, 1).assortments.size(), 7U);  // as in the atlas of 230 chains
+  EXPECT_EQ(number_synthesis(12, 1).largest_link, 6);
+}
+
 TEST(NumberSynthesis, KnownAtlasOfEightAndTenLinks) {
   // 8 links: joints 10; (4,4), (5,2,1), (6,0,2) and no larger link than n/2 = 4.
   const NumberSynthesis eight = number_synthesis(8, 1);
@@ -113,7 +232,7 @@ TEST(NumberSynthesis, KnownAtlasOfEightAndTenLinks) {
   for (int links = 3; links <= 14; ++links)
     for (int freedoms = 0; freedoms < links; ++freedoms) {
       const NumberSynthesis s = number_synthesis(links, freedoms);
-      for (const auto* list : {&s.assortments, &s.too_large})
+      for (const auto* list : {&s.assortments, &s.too_large, &s.stiff})
         for (const LinkAssortment& assortment : *list) {
           int n = 0, ends = 0;
           for (std::size_t i = 0; i < assortment.count.size(); ++i) {

@@ -104,6 +104,55 @@ TEST(PlanarRun, DeadPointsAreNamedByTheJointsInLine) {
   EXPECT_EQ(run->frames.back().rate.size(), 0);
 }
 
+TEST(PlanarRun, APointThatRunsOffEndsTheWorkAndIsNamed) {
+  // An arm that turns into the line it cuts: the cut runs off to infinity and never arrives.
+  PlanarLinkage linkage;
+  const int arm = linkage.add_body("arm"), cut = linkage.add_particle("cut");
+  linkage.add(Revolute{{0, Point(0, 1)}, {arm, Point(0, 0)}}, "F");
+  linkage.add(Coordinate{{cut, Point(0, 0)}, {arm, Point(0, 0)}, Point(0, 1), 0}, "on the arm");
+  linkage.add(Coordinate{{cut, Point(0, 0)}, {0, Point(0, 0)}, Point(0, 1), 0}, "on the line");
+  linkage.drive(RelativeAngle{arm, 0, 0}, "arm");
+  const DriveSchedule schedule{{DriverRange{-1, 0.5, {}}}, 1};
+  const auto run =
+      run_motion(linkage, {{}, {Point(0, 1), -1}, {Point(1 / std::tan(1.0), 0), 0}}, schedule, 36);
+  ASSERT_TRUE(run);
+  ASSERT_TRUE(run->stop);
+  EXPECT_EQ(run->stop->end, PathEnd::gave_up);
+  EXPECT_LT(run->stop->share, 2.0 / 3);
+  EXPECT_GT(run->stop->share, 0.6);
+  ASSERT_EQ(run->stop->sentences.size(), 2U);
+  EXPECT_NE(run->stop->sentences[1].find("cut runs off"), std::string::npos);
+  const RunFrame& last = run->frames.back();
+  EXPECT_NEAR(last.position[2].at.x(), -1 / std::tan(last.values[0]),
+              1e-7 * std::abs(last.position[2].at.x()));
+}
+
+TEST(PlanarRun, AWishToStopIsObeyed) {
+  int looked = 0;
+  const auto stop = [&] { return ++looked > 3; };
+  const DriveSchedule schedule = along({PathPiece::arc(Point(2.5, 1), 1, 0.3, 4)});
+  const auto run = run_motion(arm(), arm_position(std::get<DriverPath>(schedule.motions[0]).at(0).at),
+                              schedule, 100000, {stop});
+  ASSERT_TRUE(run);
+  ASSERT_TRUE(run->stop);
+  EXPECT_EQ(run->stop->end, PathEnd::interrupted);
+  EXPECT_LT(run->frames.size(), 1000U);
+}
+
+TEST(PlanarRun, OnePlaceIsThatOfTheWholeMotion) {
+  const DriveSchedule schedule = along({PathPiece::arc(Point(2.5, 1), 1, 0.3, 4)});
+  const PlanarPosition start = arm_position(std::get<DriverPath>(schedule.motions[0]).at(0).at);
+  const auto run = run_motion(arm(), start, schedule, 8);
+  for (const int step : {0, 3, 8}) {
+    const auto there = run_to(arm(), start, schedule, step / 8.0);
+    ASSERT_TRUE(run && there && !there->stop);
+    const RunFrame &one = there->frames.back(), &other = run->frames[static_cast<std::size_t>(step)];
+    for (std::size_t body = 1; body < 3; ++body)
+      EXPECT_NEAR(one.position[body].angle, other.position[body].angle, 1e-12);
+    EXPECT_LT((one.rate - other.rate).norm(), 1e-11);
+  }
+}
+
 TEST(PlanarRun, AMotionInManyPiecesEndsWhereOneDoes) {
   const auto turn = [&](int steps) {
     const DriveSchedule schedule{{DriverRange{0.2, 0.2 + 4 * pi, {}}}, 1};
@@ -124,7 +173,8 @@ TEST(PlanarRun, AMotionInManyPiecesEndsWhereOneDoes) {
 }
 
 TEST(DriverPath, RunsAtEvenSpeedOverLinesArcsAndCubics) {
-  const DriverPath path({PathPiece::line(Point(0, 0), Point(3, 4)), PathPiece::arc(Point(3, 5), 1, -pi / 2, -pi),
+  const DriverPath path({PathPiece::line(Point(0, 0), Point(3, 4)),
+                         PathPiece::arc(Point(3, 5), 1, -pi / 2, -pi),
                          PathPiece::cubic(Point(3, 6), Point(5, 9), Point(6, 2), Point(9, 6))});
   const double length = path.length();
   EXPECT_NEAR(path.pieces()[0].length(), 5, 1e-15);

@@ -112,6 +112,42 @@ TEST(PlanarSolver, SizesFromOneToAThousandCloseToTheSameShareOfTheSize) {
     }
 }
 
+TEST(PlanarSolver, WhatIsMissingIsTheRealDistance) {
+  // A four-bar that cannot reach: coupler and rocker in line leave exactly this gap, wherever it is opened.
+  Random random(24);
+  int tried = 0;
+  while (tried < test::samples(200)) {
+    const double d = random.uniform(0.5, 5), a = random.uniform(0.5, 5), b = random.uniform(0.5, 2),
+                 c = random.uniform(0.5, 2), crank = random.uniform(-pi, pi);
+    const double between = (Point(a * std::cos(crank), a * std::sin(crank)) - Point(d, 0)).norm();
+    const double gap = std::max(between - b - c, std::abs(b - c) - between);
+    if (gap < 1e-6) continue;
+    ++tried;
+    const PlanarLinkage linkage = test::four_bar(d, a, b, c);
+    const auto found =
+        search_assemblies(linkage, test::random_position(random, 4, 3), {crank}, {40, 1, 64, {}});
+    ASSERT_TRUE(found.assemblies.empty());
+    const Missing missing = missing_at(linkage, found.nearest.value(), {crank});
+    if (missing.gap.is_angle) continue;  // then the crank's angle is off, by what closes the gap
+    EXPECT_NEAR(missing.gap.amount, gap, 1e-5 * linkage.size()) << d << " " << a << " " << b << " " << c;
+  }
+}
+
+TEST(PlanarSolver, AnAngleIsMissingInRadians) {
+  // Three slides at 0, 90 and 45 degrees that shall not turn: one of them is off by 45 degrees.
+  PlanarLinkage linkage;
+  const int a = linkage.add_body("a"), b = linkage.add_body("b");
+  linkage.add(RelativeAngle{a, 0, 0}, "first");
+  linkage.add(RelativeAngle{b, 0, pi / 2}, "second");
+  linkage.add(RelativeAngle{b, a, pi / 4}, "third");
+  const auto open = solve_from(linkage, PlanarPosition(3), {});
+  ASSERT_FALSE(open);
+  const Missing missing = missing_at(linkage, open.error(), {});
+  EXPECT_TRUE(missing.gap.is_angle);
+  EXPECT_NEAR(missing.gap.amount, pi / 4, 1e-6);
+  EXPECT_EQ(missing.name, "first");
+}
+
 TEST(PlanarAssemblies, AFourBarHasTwoAndTheyAreMirrored) {
   const PlanarLinkage linkage = test::four_bar(2, 1, 2, 2);
   const auto found = find_assemblies(linkage, PlanarPosition(4), {0.7});

@@ -102,7 +102,8 @@ TEST(LinkageExamples, ShearPressGivesTheSourcesNineRows) {
 TEST(LinkageExamples, PantographGivesTheMatlabRows) {
   Example pantograph("pantograph");
   auto& path = std::get<DriverPath>(pantograph.model.schedule.motions[0]);
-  path = DriverPath({PathPiece::arc(Point(50, 50), 10, 0, 0.3)}, path.speed);  // the source steps its angle by 0.1
+  path = DriverPath({PathPiece::arc(Point(50, 50), 10, 0, 0.3)},
+                    path.speed);  // the source steps its angle by 0.1
   pantograph.rerun(3);
   const struct {
     std::size_t row;
