@@ -36,10 +36,20 @@ ExactRing exact(const Ring& ring) {
   return result;
 }
 
-ExactPolygon exact(const Polygon& polygon) {
-  ExactPolygon result(exact(polygon.outer));
-  for (const Ring& hole : polygon.holes) result.add_hole(exact(hole));
-  return result;
+/// Whether the disc is higher or wider than the hole, which growth then fills.
+bool is_filled(const ExactRing& hole, const ExactRing& disc) {
+  const CGAL::Bbox_2 of_hole = hole.bbox(), of_disc = disc.bbox();
+  return of_hole.ymax() - of_hole.ymin() < of_disc.ymax() - of_disc.ymin() ||
+         of_hole.xmax() - of_hole.xmin() < of_disc.xmax() - of_disc.xmin();
+}
+
+/// The polygon grown by the disc. Holes that it fills are left out beforehand: CGAL 5.5 erases them one by one through
+/// iterators that the first erasure has made invalid (Hole_filter_2.h), and with two of them memory is wrong.
+ExactPolygon grown(const Polygon& polygon, const ExactRing& disc) {
+  ExactPolygon open(exact(polygon.outer));
+  for (const Ring& hole : polygon.holes)
+    if (ExactRing ring = exact(hole); !is_filled(ring, disc)) open.add_hole(std::move(ring));
+  return CGAL::minkowski_sum_2(open, disc);
 }
 
 Ring rounded(const ExactRing& ring) {
@@ -111,7 +121,7 @@ tl::expected<Region, std::string> grown(const Region& region, double margin) {
   const std::vector<ExactPoint> disc_ring = around_disc(Point::Zero(), margin);
   const ExactRing disc(disc_ring.begin(), disc_ring.end());
   std::vector<ExactPolygon> parts;
-  for (const Polygon& polygon : region.polygons) parts.push_back(CGAL::minkowski_sum_2(exact(polygon), disc));
+  for (const Polygon& polygon : region.polygons) parts.push_back(grown(polygon, disc));
   ExactRegion sum;
   sum.join(parts.begin(), parts.end());
   return rounded(sum);

@@ -52,6 +52,31 @@ TEST(Grown, ClosesHolesNarrowerThanTwiceTheMargin) {
   EXPECT_EQ(grown(frame, 1.6)->polygons[0].holes.size(), 0u);
 }
 
+TEST(Grown, OfScribblesWithManySmallHolesContainsAllPointsWithinTheMargin) {
+  std::mt19937_64 random(4);
+  for (const int corners : {60, 120, 200, 350, 350, 500}) {
+    Ring scribble = tangled_ring(random, corners, 0);
+    for (Point& corner : scribble) corner *= 90;
+    const auto drawn = united({scribble});
+    if (!drawn) continue;
+    const double margin = uniform(random, 0.2, 2);
+    const auto larger = grown(*drawn, margin);
+    ASSERT_TRUE(larger) << larger.error();
+    EXPECT_TRUE(keeps_invariant(*larger));
+    EXPECT_GE(area(*larger), area(*drawn));
+    for (int probe = 0; probe < 300; ++probe) {
+      const double x = uniform(random, -5, 95);
+      const Point point(x, uniform(random, -5, 95));
+      const double away = distance(*drawn, point);
+      if (away <= margin) {
+        EXPECT_TRUE(contains(*larger, point)) << away << " of " << margin;
+      } else if (away > 1.005 * margin) {
+        EXPECT_FALSE(contains(*larger, point)) << away << " of " << margin;
+      }
+    }
+  }
+}
+
 TEST(Grown, StrokesCoverTheirNeighbourhood) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 30; ++i) {
