@@ -6,7 +6,7 @@
 namespace kempe {
 
 void CurveFlattener::add(const Point& mapped) {
-  if (!stroke_.points.empty() && stroke_.points.back() == mapped) return;
+  if (is_full() || (!stroke_.points.empty() && stroke_.points.back() == mapped)) return;
   stroke_.points.push_back(mapped);
   ++points_;
 }
@@ -40,7 +40,7 @@ void CurveFlattener::quadratic_to(const Point& control, const Point& to) {
   const Point a = map_ * pen_, b = map_ * control, c = map_ * to;
   const int steps = steps_for(2 * (a - 2 * b + c).norm());
   add(a);
-  for (int i = 1; i < steps; ++i) {
+  for (int i = 1; i < steps && !is_full(); ++i) {
     const double t = static_cast<double>(i) / steps, u = 1 - t;
     add(u * u * a + 2 * u * t * b + t * t * c);
   }
@@ -52,7 +52,7 @@ void CurveFlattener::cubic_to(const Point& control1, const Point& control2, cons
   const Point a = map_ * pen_, b = map_ * control1, c = map_ * control2, d = map_ * to;
   const int steps = steps_for(6 * std::max((a - 2 * b + c).norm(), (b - 2 * c + d).norm()));
   add(a);
-  for (int i = 1; i < steps; ++i) {
+  for (int i = 1; i < steps && !is_full(); ++i) {
     const double t = static_cast<double>(i) / steps, u = 1 - t;
     add(u * u * u * a + 3 * u * u * t * b + 3 * u * t * t * c + t * t * t * d);
   }
@@ -80,7 +80,7 @@ void CurveFlattener::elliptic_to(const Point& centre, const Point& a, const Poin
   const int steps = std::max(steps_for(farthest(u, v) * sweep * sweep),
                              static_cast<int>(std::ceil(std::abs(sweep) / (pi / 4))));
   add(map_ * pen_);
-  for (int i = 1; i < steps; ++i) {
+  for (int i = 1; i < steps && !is_full(); ++i) {
     const double t = from + sweep * i / steps;
     add(middle + u * std::cos(t) + v * std::sin(t));
   }

@@ -20,11 +20,19 @@ struct DrawnStroke {
 /// Guarantees, for curves that are finite:
 ///  1. every point of a polyline lies on its curve (up to rounding), in the order of drawing;
 ///  2. no point of a curve is farther than the tolerance from its polyline;
-///  3. straight parts come back as they are.
+///  3. straight parts come back as they are;
+///  4. it makes no more than `room` points and one: who asks for more finds is_full(), and what has come until then.
 class CurveFlattener {
  public:
+  /// How many points a drawing may have.
+  static constexpr std::size_t most_points = 5'000'000;
+
   /// `map` takes the curves' coordinates to mm; `tolerance` mm, > 0.
-  CurveFlattener(const Eigen::Affine2d& map, double tolerance) : map_(map), tolerance_(tolerance) {}
+  CurveFlattener(const Eigen::Affine2d& map, double tolerance, std::size_t room = most_points)
+      : map_(map), tolerance_(tolerance), room_(room) {}
+
+  /// Whether there were more points than room.
+  bool is_full() const { return points_ > room_; }
 
   /// Where the pen is, in the curves' own coordinates.
   const Point& pen() const { return pen_; }
@@ -57,6 +65,7 @@ class CurveFlattener {
 
   Eigen::Affine2d map_;
   double tolerance_;
+  std::size_t room_;
   Point pen_ = Point::Zero(), start_ = Point::Zero();
   DrawnStroke stroke_;
   std::vector<DrawnStroke> strokes_;

@@ -14,7 +14,6 @@ namespace {
 using Eigen::Affine2d;
 
 constexpr int deepest = 32;
-constexpr std::size_t most_points = 5'000'000;
 constexpr int most_copies = 100'000;
 
 /// The polar form of a B-spline: its value for `degree` parameters, in homogeneous coordinates. With knots u
@@ -80,7 +79,7 @@ class DxfStrokes {
     if (depth > deepest) fault_ = "blocks nested deeper than 32, or in a circle";
     for (const DxfEntity& entity : entities) {
       if (!fault_.empty()) return;
-      CurveFlattener curves(map, tolerance_);
+      CurveFlattener curves(map, tolerance_, CurveFlattener::most_points - points_);
       if (const auto* insert = std::get_if<DxfInsert>(&entity))
         draw_insert(*insert, map, depth);
       else
@@ -90,8 +89,8 @@ class DxfStrokes {
   }
 
   void keep(CurveFlattener& curves) {
+    if (curves.is_full()) fault_ = "more than 5 million points";
     points_ += curves.points();
-    if (points_ > most_points) fault_ = "more than 5 million points";
     for (DrawnStroke& stroke : curves.take()) {
       const bool sound = std::all_of(stroke.points.begin(), stroke.points.end(), [](const Point& point) {
         return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e7;

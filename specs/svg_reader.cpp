@@ -16,7 +16,6 @@ namespace {
 using Eigen::Affine2d;
 
 constexpr int deepest = 256;
-constexpr std::size_t most_points = 5'000'000;
 constexpr std::size_t most_elements = 2'000'000;  ///< drawn, those of `use` counted each time
 
 /// "svg:path" and "path" are the same here: files with prefixes for SVG's own namespace are met.
@@ -197,7 +196,7 @@ class SvgWalk {
   }
 
   void draw_shape(const pugi::xml_node& node, std::string_view name, const Affine2d& map) {
-    CurveFlattener curves(map, tolerance_);
+    CurveFlattener curves(map, tolerance_, CurveFlattener::most_points - points_);
     if (name == "path")
       draw_path(node, curves);
     else if (name == "polyline" || name == "polygon")
@@ -214,8 +213,8 @@ class SvgWalk {
   }
 
   void keep(const pugi::xml_node& node, CurveFlattener& curves) {
+    if (curves.is_full()) return refuse(node, "", "more than 5 million points", "a smaller drawing");
     points_ += curves.points();
-    if (points_ > most_points) return refuse(node, "", "more than 5 million points", "a smaller drawing");
     for (DrawnStroke& stroke : curves.take()) {
       const bool sound = std::all_of(stroke.points.begin(), stroke.points.end(), [](const Point& point) {
         return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e7;

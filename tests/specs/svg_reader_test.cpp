@@ -268,6 +268,9 @@ TEST(SvgReader, RefusesEntityBombsAndOtherHostileFiles) {
     laughs += "<g id='u" + std::to_string(i) + "'>" + use + use + use + "</g>";
   }
   EXPECT_THAT(refusal(page(laughs + "</defs><use href='#u29'/>")), HasSubstr("million elements"));
+  std::string arcs;
+  for (int i = 0; i < 20'000; ++i) arcs += "a1e6 1e6 0 1 1 1 1";
+  EXPECT_THAT(refusal(page("<path d='M0 0" + arcs + "'/>")), HasSubstr("million points"));
   EXPECT_THAT(refusal(page("<path d='M0 0L1e9 0'/>")), HasSubstr("ten kilometres"));
   EXPECT_THAT(refusal("<svg width='wide'/>"), HasSubstr("width"));
   EXPECT_THAT(refusal("<svg viewBox='0 0 0 1'/>"), HasSubstr("viewBox"));
