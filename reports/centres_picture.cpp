@@ -36,13 +36,12 @@ class CentresPicture {
                  height = scale_.upper.y() - scale_.lower.y();
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"1100\" role=\"img\">\n"
-        "<title>Instant centres of {}</title>\n<style>{}{}</style>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
+        "<title>Instant centres of {}</title>\n<style>{}</style>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
         "height=\"{}\" "
         "fill=\"#fff\"/>\n",
         scale_.number(scale_.lower.x()), scale_.number(scale_.lower.y()), scale_.number(width),
-        scale_.number(height), html_escaped(scene_.title), picture_style(scale_), own_style(),
-        scale_.number(scale_.lower.x()), scale_.number(scale_.lower.y()), scale_.number(width),
-        scale_.number(height));
+        scale_.number(height), html_escaped(scene_.title), own_style(), scale_.number(scale_.lower.x()),
+        scale_.number(scale_.lower.y()), scale_.number(width), scale_.number(height));
     for (const InstantCentre& centre : centres_)
       if (centre.lines && is_near(centre)) text += draw_lines(centre);
     text += draw_linkage();
@@ -103,13 +102,13 @@ class CentresPicture {
 
   std::string draw_linkage() const {
     const auto& moment = scene_.moments.front();
-    std::string text = fmt::format("<g style=\"color:{}\">{}</g>\n", link_colour(0),
-                                   body_shape(scene_.bodies[0], 0, scale_));
+    std::string text =
+        fmt::format("<g color=\"{}\">{}</g>\n", link_colour(0), body_shape(scene_.bodies[0], 0, scale_));
     for (const ScenePoint& point : scene_.points)
       if (point.fixed) text += ground_sign(point, scale_);
     for (std::size_t body = 1; body < scene_.bodies.size(); ++body)
       text += fmt::format(
-          "<g style=\"color:{}\" opacity=\".7\" transform=\"translate({}) rotate({:.5f})\">{}</g>\n",
+          "<g color=\"{}\" opacity=\".7\" transform=\"translate({}) rotate({:.5f})\">{}</g>\n",
           link_colour(static_cast<int>(body)), scale_.pair(moment.at[body]), degrees(moment.angle[body]),
           body_shape(scene_.bodies[body], static_cast<int>(body), scale_));
     return text;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "reports/html_text.hpp"
-#include "reports/web_assets.hpp"
 
 namespace kempe {
 namespace {
@@ -16,21 +15,40 @@ std::string bytes_of_hex(std::string_view hex) {
   return bytes;
 }
 
+/// How the policy names inline elements that it allows.
+std::string sources_of(const PageAssets& assets) {
+  std::string text;
+  for (const web_assets::Asset& asset : assets)
+    if (!asset.text.empty()) text += fmt::format(" 'sha256-{}'", base64(bytes_of_hex(asset.sha256)));
+  return text.empty() ? " 'none'" : text;
+}
+
 }  // namespace
 
+std::string page_element(std::string_view tag, const web_assets::Asset& asset) {
+  return asset.text.empty() ? std::string() : fmt::format("<{0}>{1}</{0}>\n", tag, asset.text);
+}
+
+std::string page_head(std::string_view title, const PageAssets& styles, const PageAssets& scripts,
+                      std::string_view program_version) {
+  std::string head = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
+      "form-action 'none'; "
+      "img-src data:; style-src{}; script-src{}\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n",
+      sources_of(styles), sources_of(scripts));
+  if (!program_version.empty())
+    head += fmt::format("<meta name=\"generator\" content=\"Kempe {}\">\n", html_escaped(program_version));
+  head += fmt::format("<title>{}</title>\n", html_escaped(title));
+  for (const web_assets::Asset& style : styles) head += page_element("style", style);
+  return head + "</head>\n";
+}
+
 std::string html_page(std::string_view title, std::string_view program_version, const std::string& body) {
-  const web_assets::Asset& style = web_assets::style;
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "http-equiv=\"Content-Security-Policy\" "
-      "content=\"default-src 'none'; base-uri 'none'; form-action 'none'; style-src 'sha256-{}'\">\n<meta "
-      "name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
-      "dark\">\n<meta "
-      "name=\"generator\" content=\"Kempe "
-      "{}\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      base64(bytes_of_hex(style.sha256)), html_escaped(program_version), html_escaped(title), style.text,
-      body);
+  return page_head(title, {web_assets::style}, {}, program_version) + "<body>\n" + body +
+         "</body>\n</html>\n";
 }
 
 std::string html_key_figure(std::string_view name, const std::string& value, const std::string& note) {

@@ -14,6 +14,28 @@ namespace {
 constexpr std::array<const char*, 8> colours{"#0b6e99", "#c05621", "#2f7d32", "#8e3b8f",
                                              "#b7312c", "#5a6b00", "#3f51b5", "#7a4b2a"};
 
+/// Widths and dashes in thin lines.
+struct Look {
+  std::string_view kind;
+  const char *fill, *stroke;
+  double width, dash;
+  const char* further;
+};
+constexpr std::array<Look, 10> looks{{
+    {"link", "currentColor", "currentColor", 3.2, 0,
+     " fill-opacity=\".16\" stroke-linejoin=\"round\" stroke-linecap=\"round\""},
+    {"pin", "#fff", "currentColor", 1.4, 0, ""},
+    {"block", "#fff", "#555", 1.2, 0, " fill-opacity=\".75\""},
+    {"guide", "none", "#999", 1, 5, ""},
+    {"wheel", "currentColor", "currentColor", 1.2, 0, " fill-opacity=\".08\""},
+    {"spoke", "none", "currentColor", 1, 0, ""},
+    {"ground", "#fff", "#555", 1.2, 0, ""},
+    {"hatch", "none", "#555", 1, 0, ""},
+    {"trace", "none", nullptr, 0, 0, " stroke-opacity=\".75\" stroke-linejoin=\"round\""},
+    {"name", "#222", "#fff", 2.5, 0,
+     " font-style=\"italic\" font-family=\"Georgia, serif\" paint-order=\"stroke\""},
+}};
+
 }  // namespace
 
 PictureScale PictureScale::of(const Point& lower, const Point& upper) {
@@ -42,27 +64,27 @@ std::string link_colour(int body) {
 
 std::string body_shape(const SceneBody& body, int number, const PictureScale& scale) {
   if (body.is_block)
-    return fmt::format("<rect class=\"block\" x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/>",
+    return fmt::format("<rect {0} x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{4}\"/>", look("block", scale),
                        scale.number(-2.6 * scale.pin), scale.number(-1.7 * scale.pin),
                        scale.number(5.2 * scale.pin), scale.number(3.4 * scale.pin));
   std::string shape;
   for (const auto& guide : body.guides)
-    shape +=
-        fmt::format("<path class=\"guide\" d=\"M{} L{}\"/>", scale.pair(guide.from), scale.pair(guide.to));
+    shape += fmt::format("<path {} d=\"M{} L{}\"/>", look("guide", scale), scale.pair(guide.from),
+                         scale.pair(guide.to));
   for (const auto& wheel : body.wheels)
-    shape += fmt::format(
-        "<circle class=\"wheel\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><path class=\"spoke\" d=\"M{} L{}\"/>",
-        scale.number(wheel.centre.x()), scale.number(wheel.centre.y()), scale.number(wheel.radius),
-        scale.pair(wheel.centre), scale.pair(wheel.centre + Point(wheel.radius, 0)));
+    shape += fmt::format("<circle {} cx=\"{}\" cy=\"{}\" r=\"{}\"/><path {} d=\"M{} L{}\"/>",
+                         look("wheel", scale), scale.number(wheel.centre.x()), scale.number(wheel.centre.y()),
+                         scale.number(wheel.radius), look("spoke", scale), scale.pair(wheel.centre),
+                         scale.pair(wheel.centre + Point(wheel.radius, 0)));
   if (number > 0 && body.hull.size() > 1) {
-    shape += "<path class=\"link\" d=\"M";
+    shape += "<path " + look("link", scale) + " d=\"M";
     for (std::size_t i = 0; i < body.hull.size(); ++i) shape += (i ? " L" : "") + scale.pair(body.hull[i]);
     shape += body.hull.size() > 2 ? " Z\"/>" : "\"/>";
   }
   if (number > 0)
     for (const Point& pin : body.pins)
-      shape += fmt::format("<circle class=\"pin\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", scale.number(pin.x()),
-                           scale.number(pin.y()), scale.number(scale.pin));
+      shape += fmt::format("<circle {} cx=\"{}\" cy=\"{}\" r=\"{}\"/>", look("pin", scale),
+                           scale.number(pin.x()), scale.number(pin.y()), scale.number(scale.pin));
   return shape;
 }
 
@@ -70,17 +92,17 @@ std::string ground_sign(const ScenePoint& point, const PictureScale& scale) {
   const Point& at = point.local;
   const double s = 2.4 * scale.pin;
   if (!point.pivot)
-    return fmt::format("<path class=\"hatch\" d=\"M{} l{} M{} l{}\"/>", scale.pair(at - Point(0.4, 0.4) * s),
-                       scale.pair(Point(0.8, 0.8) * s), scale.pair(at + Point(-0.4, 0.4) * s),
-                       scale.pair(Point(0.8, -0.8) * s));
+    return fmt::format("<path {} d=\"M{} l{} M{} l{}\"/>", look("hatch", scale),
+                       scale.pair(at - Point(0.4, 0.4) * s), scale.pair(Point(0.8, 0.8) * s),
+                       scale.pair(at + Point(-0.4, 0.4) * s), scale.pair(Point(0.8, -0.8) * s));
   std::string hatch;
   for (int i = -2; i <= 2; ++i)
     hatch += fmt::format("M{} l{} ", scale.pair(at + Point(i * 0.5 * s + 0.3 * s, 1.4 * s)),
                          scale.pair(Point(-0.45 * s, 0.45 * s)));
-  return fmt::format("<path class=\"ground\" d=\"M{} L{} L{} Z\"/><path class=\"hatch\" d=\"M{} H{} {}\"/>",
+  return fmt::format("<path {} d=\"M{} L{} L{} Z\"/><path {} d=\"M{} H{} {}\"/>", look("ground", scale),
                      scale.pair(at), scale.pair(at + Point(-0.8 * s, 1.4 * s)),
-                     scale.pair(at + Point(0.8 * s, 1.4 * s)), scale.pair(at + Point(-1.3 * s, 1.4 * s)),
-                     scale.number(at.x() + 1.3 * s), hatch);
+                     scale.pair(at + Point(0.8 * s, 1.4 * s)), look("hatch", scale),
+                     scale.pair(at + Point(-1.3 * s, 1.4 * s)), scale.number(at.x() + 1.3 * s), hatch);
 }
 
 std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale) {
@@ -88,27 +110,23 @@ std::string trace_curve(const LinkageScene& scene, std::size_t traced, const Pic
   std::string data;
   for (const auto& moment : scene.moments)
     data += (data.empty() ? "M" : " L") + scale.pair(scene.place(point, moment));
-  return fmt::format("<path class=\"trace\" stroke=\"{}\" d=\"{}\"><title>{}</title></path>",
-                     link_colour(point.body), data, html_escaped(point.name));
+  return fmt::format("<path {} stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"><title>{}</title></path>",
+                     look("trace", scale), link_colour(point.body), scale.number(1.4 * scale.stroke), data,
+                     html_escaped(point.name));
 }
 
-std::string picture_style(const PictureScale& scale) {
-  std::string style = R"(
-.link{fill:currentColor;fill-opacity:.16;stroke:currentColor;stroke-width:W3.2;stroke-linejoin:round;stroke-linecap:round}
-.pin{fill:#fff;stroke:currentColor;stroke-width:W1.4}
-.block{fill:#fff;fill-opacity:.75;stroke:#555;stroke-width:W1.2}
-.guide{stroke:#999;stroke-width:W1.0;stroke-dasharray:W5.0 W4.0}
-.wheel{fill:currentColor;fill-opacity:.08;stroke:currentColor;stroke-width:W1.2}
-.spoke{stroke:currentColor;stroke-width:W1.0}
-.ground{fill:#fff;stroke:#555;stroke-width:W1.2}
-.hatch{fill:none;stroke:#555;stroke-width:W1.0}
-.trace{fill:none;stroke-width:W1.4;stroke-opacity:.75;stroke-linejoin:round}
-.name{font:italic )" + scale.number(scale.letter) +
-                      R"(px Georgia,serif;fill:#222;paint-order:stroke;stroke:#fff;stroke-width:W2.5}
-)";
-  for (std::size_t at = style.find('W'); at != std::string::npos; at = style.find('W', at))
-    style.replace(at, 4, scale.number(scale.stroke * (style[at + 1] - '0' + 0.1 * (style[at + 3] - '0'))));
-  return style;
+std::string look(std::string_view kind, const PictureScale& scale) {
+  const auto found =
+      std::find_if(looks.begin(), looks.end(), [&](const Look& one) { return one.kind == kind; });
+  std::string text = fmt::format("class=\"{}\" fill=\"{}\"", found->kind, found->fill);
+  if (found->stroke != nullptr)
+    text += fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", found->stroke,
+                        scale.number(found->width * scale.stroke));
+  if (found->dash > 0)
+    text += fmt::format(" stroke-dasharray=\"{} {}\"", scale.number(found->dash * scale.stroke),
+                        scale.number(0.8 * found->dash * scale.stroke));
+  if (kind == "name") text += fmt::format(" font-size=\"{}\"", scale.number(scale.letter));
+  return text + found->further;
 }
 
 }  // namespace kempe

@@ -2,6 +2,7 @@
 // The parts of a linkage's picture that page, animation and the picture of centres share.
 
 #include <string>
+#include <string_view>
 
 #include "reports/linkage_scene.hpp"
 
@@ -33,7 +34,8 @@ std::string ground_sign(const ScenePoint& point, const PictureScale& scale);
 /// The curve of a traced point as an SVG element.
 std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);
 
-/// The style sheet that these elements expect.
-std::string picture_style(const PictureScale& scale);
+/// How a kind of element looks (link, pin, block, guide, wheel, spoke, ground, hatch, trace, name), as its class and
+/// attributes: a page needs no style sheet for it, which its security policy would have to allow.
+std::string look(std::string_view kind, const PictureScale& scale);
 
 }  // namespace kempe

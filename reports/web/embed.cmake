@@ -30,6 +30,8 @@ endfunction()
 
 set(sources "")
 asset(style "${WEB}/report.css")
+asset(animation "${WEB}/animation.js")
+asset(animation_style "${WEB}/animation.css")
 if(WITH_LIVE)
   asset(geometry "${geometry_package}/distrib/jsxgraphcore.js")
   asset(live ${WEB}/kinematics.js ${WEB}/contact.js ${WEB}/places.js ${WEB}/frame.js ${WEB}/stage.js

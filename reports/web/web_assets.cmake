@@ -11,7 +11,7 @@ if(KEMPE_WITH_LIVE_REPORT AND NOT EXISTS ${geometry})
 endif()
 set(KEMPE_REPORT_IS_LIVE ${KEMPE_REPORT_IS_LIVE} CACHE INTERNAL "report.html can be moved")
 
-set(parts ${web}/report.css ${web}/embed.cmake)
+set(parts ${web}/report.css ${web}/animation.css ${web}/animation.js ${web}/embed.cmake)
 if(KEMPE_REPORT_IS_LIVE)
   list(APPEND parts ${web}/kinematics.js ${web}/contact.js ${web}/places.js ${web}/frame.js ${web}/stage.js ${web}/live.js
        ${geometry})
