@@ -35,7 +35,13 @@ CLI::App* add_command(CLI::App& program, Session& session, const std::string& na
 int fail(ExitCode code, const std::string& message);
 int fail(const InputError& error);
 
-/// Prints to stdout; a closed stdout makes the program end with `cannot_write`.
+/// The same as a note, which changes nothing of the outcome.
+void say(const std::string& message);
+
+/// A number of an option: finite and from `lowest` to `highest`.
+CLI::Validator number_between(double lowest, double highest);
+
+/// Prints to stdout, what could mislead on a terminal written out; a closed stdout makes the program end with `cannot_write`.
 void print(const std::string& text);
 
 }  // namespace kempe::app

@@ -10,6 +10,7 @@
 #include "kinematics/planar_singularity.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/linkage_json.hpp"
+#include "specs/printable.hpp"
 
 namespace kempe::app {
 namespace {
@@ -117,7 +118,7 @@ tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std:
     for (const std::string& note : file->notes) std::fprintf(stderr, "kempe: note: %s\n", note.c_str());
   LinkageModel model = linkage_model(*file);
   if (const std::string fault = model.linkage.fault(); !fault.empty())
-    return tl::unexpected(fail(bad_input, path + ": " + fault));
+    return tl::unexpected(fail(bad_input, printable(path) + ": " + fault));
   return LoadedLinkage{std::move(*file), std::move(model)};
 }
 

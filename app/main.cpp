@@ -3,11 +3,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "app/all_commands.hpp"
 #include "app/command.hpp"
+#include "specs/printable.hpp"
 
 namespace {
 
@@ -34,6 +37,7 @@ int told(int code) {
 int main(int argc, char** argv) {
   using namespace kempe::app;
   keep_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows is an error of writing, not the end
   CLI::App program{"Kempe designs copying linkages: pantographs, plagiographs and their kin.", "kempe"};
   program.set_version_flag("--version", KEMPE_VERSION);
   program.require_subcommand(1);
@@ -43,7 +47,11 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return told(program.exit(error) == 0 ? done : bad_input);
+    std::ostringstream help, complaint;
+    const int code = program.exit(error, help, complaint);
+    print(help.str());
+    std::fputs(kempe::printable_lines(complaint.str()).c_str(), stderr);
+    return told(code == 0 ? done : bad_input);
   }
   int code = failed;
   try {

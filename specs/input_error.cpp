@@ -1,13 +1,15 @@
 #include "specs/input_error.hpp"
 
+#include "specs/printable.hpp"
+
 namespace kempe {
 
 std::string InputError::message() const {
-  std::string text = file;
+  std::string text = printable(file);
   const auto add = [&text](const char* separator, const char* label, const std::string& part) {
     if (part.empty()) return;
     if (!text.empty()) text.append(separator);
-    text.append(label).append(part);
+    text.append(label).append(printable(part));
   };
   if (line > 0) text.append(":").append(std::to_string(line));
   add(": ", "", key);

@@ -12,7 +12,8 @@ struct InputError {
   std::string found;    ///< what stands there
   std::string allowed;  ///< what may stand there
 
-  /// "FILE:LINE: KEY: found FOUND; allowed: ALLOWED" without the parts that are empty.
+  /// "FILE:LINE: KEY: found FOUND; allowed: ALLOWED" without the parts that are empty; what could
+  /// mislead on a terminal is written out (printable.hpp).
   std::string message() const;
 };
 

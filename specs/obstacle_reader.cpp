@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "specs/printable.hpp"
 #include "specs/region_checks.hpp"
 #include "specs/region_reader.hpp"
 #include "specs/ring_loops.hpp"
@@ -18,6 +19,7 @@ class ObstacleReader {
       : table_(table), complaints_(complaints) {
     common_.name = fmt::format("obstacle {}", number);
     table_.set("name", common_.name);
+    common_.name = printable(common_.name);  // it stands in sentences
     read_layers();
   }
 

@@ -81,15 +81,6 @@ tl::expected<toml::table, InputError> parse_toml(std::string_view text, const st
   }
 }
 
-std::string printable(std::string_view text, std::size_t most) {
-  std::string shown;
-  for (const char c : text.substr(0, most))
-    shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-  if (text.size() <= most) return shown;
-  while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80) != 0) shown.pop_back();
-  return shown + "...";
-}
-
 std::string describe(const toml::node& node) {
   if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());

@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "specs/input_error.hpp"
+#include "specs/printable.hpp"
 #include "specs/region.hpp"
 
 namespace kempe {
@@ -20,9 +21,6 @@ tl::expected<toml::table, InputError> parse_toml(std::string_view text, const st
 
 /// The line where a value stands, from 1; 0 if unknown.
 inline int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-
-/// At most `most` bytes of a text, on one line, whole characters only.
-std::string printable(std::string_view text, std::size_t most);
 
 /// A value for an error message: `3.5`, `text "abc"`, `a list of 4`, `a table`.
 std::string describe(const toml::node& node);
