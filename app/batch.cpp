@@ -9,15 +9,20 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 
 #include "app/batch_journal.hpp"
 #include "app/interrupt.hpp"
+#include "app/output_check.hpp"
 #include "app/ranks.hpp"
 #include "reports/atomic_file.hpp"
+#include "reports/csv_text.hpp"
+#include "specs/json_spec.hpp"
+#include "specs/json_text.hpp"
+#include "specs/printable.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text_file.hpp"
 #include "synthesis/assemble.hpp"
+#include "synthesis/parallel.hpp"
 #include "synthesis/search.hpp"
 #include "synthesis/verification.hpp"
 
@@ -30,18 +35,12 @@ using Json = nlohmann::ordered_json;
 /// JSON on one line; bytes that are no UTF-8, as a file's name may have, become U+FFFD.
 std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// A file that cannot be read is that spec's failure, not the batch's: it becomes a text the reader refuses.
-std::string spec_text(const fs::path& path) {
-  auto text = read_text_file(path);
-  return text ? std::move(*text) : "# " + text.error().message() + "\n";
-}
-
 std::vector<BatchTask> folder_tasks(const fs::path& folder) {
   std::vector<BatchTask> tasks;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".toml")
-      tasks.push_back({entry.path().filename().string(), spec_text(entry.path()), folder.string()});
+      tasks.push_back({entry.path().filename().string(), read_text_file(entry.path()), folder.string()});
   std::sort(tasks.begin(), tasks.end(),
             [](const BatchTask& a, const BatchTask& b) { return a.name < b.name; });
   return tasks;
@@ -54,40 +53,10 @@ tl::expected<std::vector<BatchTask>, InputError> line_tasks(const std::string& f
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const auto text = toml_from_json(line);
-    // A line that is no spec is that spec's failure, not the batch's: it becomes a text the reader refuses.
-    tasks.push_back({fmt::format("line-{}", number), text ? *text : "# " + text.error() + "\n",
-                     fs::path(file).parent_path().string()});
+    const std::string name = fmt::format("line-{}", number);
+    tasks.push_back({name, toml_from_json(line, name), fs::path(file).parent_path().string()});
   }
   return tasks;
-}
-
-tl::expected<void, std::string> append_toml(std::string& text, const Json& value) {
-  if (value.is_boolean() || value.is_number()) {
-    text += value.dump();
-  } else if (value.is_string()) {
-    text += value.dump(-1, ' ', true);  // JSON's escapes are TOML's
-  } else if (value.is_array()) {
-    text += "[";
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      if (i > 0) text += ", ";
-      if (auto done = append_toml(text, value[i]); !done) return done;
-    }
-    text += "]";
-  } else if (value.is_object()) {
-    text += "{";
-    bool first = true;
-    for (const auto& [key, entry] : value.items()) {
-      text += first ? "" : ", ";
-      first = false;
-      text += Json(key).dump(-1, ' ', true) + " = ";
-      if (auto done = append_toml(text, entry); !done) return done;
-    }
-    text += "}";
-  } else {
-    return tl::unexpected(std::string("null, which a spec cannot hold"));
-  }
-  return {};
 }
 
 Json figures(const Design& design) {
@@ -121,17 +90,36 @@ std::string csv_of(const std::vector<std::string>& lines) {
     for (const char* column : columns) {
       std::string cell;
       if (object.contains(column))
-        cell = object[column].is_string() ? object[column].get<std::string>() : object[column].dump();
-      if (cell.find_first_of(",\"\n\r") != std::string::npos) {
-        std::string quoted = "\"";
-        for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
-        cell = quoted + "\"";
-      }
+        cell =
+            object[column].is_string() ? csv_cell(object[column].get<std::string>()) : object[column].dump();
       row += (column == columns[0] ? "" : ",") + cell;
     }
     csv += row + "\n";
   }
   return csv;
+}
+
+/// Whether a text from a journal is a line that batch_result() writes: what follows relies on it.
+bool is_batch_result(const std::string& line) {
+  const auto object = parse_json(line, "journal");
+  const auto holds = [&](const char* name, auto is_kind) {
+    const auto found = object->find(name);
+    return found != object->end() && is_kind(*found);
+  };
+  const auto text = [](const nlohmann::json& value) { return value.is_string(); };
+  const auto number = [](const nlohmann::json& value) { return value.is_number(); };
+  if (!object || !object->is_object() || !holds("name", text) || !holds("status", text)) return false;
+  const std::string status = object->at("status");
+  if (status == "bad input" || status == "no design") return holds("message", text);
+  if (status != "design" && status != "verification failed") return false;
+  return holds("vertex", text) && holds("VA_mm", number) && holds("VB_mm", number) &&
+         holds("size_mm", number);
+}
+
+/// By what a task is known to later runs: its name, the seed, and its text or why there is none.
+std::string key_of(const BatchTask& task, std::uint64_t seed) {
+  const std::string text = task.text ? *task.text : "no text: " + task.text.error().message();
+  return text_key(fmt::format("{}\n{}\n{}", task.name, seed, text));
 }
 
 /// One run over the tasks, on all threads of this process.
@@ -140,16 +128,14 @@ class BatchRun {
   BatchRun(const Session& session, const BatchArguments& arguments, const std::vector<BatchTask>& tasks,
            Ranks& ranks, BatchJournal& journal)
       : session_(session), arguments_(arguments), tasks_(tasks), ranks_(ranks), journal_(journal) {
-    for (const BatchTask& task : tasks)
-      keys_.push_back(text_key(fmt::format("{}\n{}\n{}", task.name, arguments.seed, task.text)));
+    for (const BatchTask& task : tasks) keys_.push_back(key_of(task, arguments.seed));
     for (const std::string& key : keys_) finished_before_.push_back(journal.result(key) != nullptr);
   }
 
   /// An error sentence if the journal cannot be written.
   std::optional<std::string> work() {
-    std::vector<std::thread> threads;
-    for (int i = 0; i < arguments_.jobs; ++i) threads.emplace_back([this] { take_tasks(); });
-    for (std::thread& thread : threads) thread.join();
+    run_parallel(static_cast<std::size_t>(arguments_.jobs), arguments_.jobs,
+                 [this](std::size_t) { take_tasks(); });
     return failure_;
   }
 
@@ -185,7 +171,7 @@ class BatchRun {
   void tell(std::size_t i, const std::string& line) const {
     if (session_.quiet) return;
     const Json object = Json::parse(line);
-    const std::string text = fmt::format("[{}/{}] {}: {}\n", i + 1, tasks_.size(), tasks_[i].name,
+    const std::string text = fmt::format("[{}/{}] {}: {}\n", i + 1, tasks_.size(), printable(tasks_[i].name),
                                          object["status"].get<std::string>());
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
@@ -202,19 +188,24 @@ class BatchRun {
   std::optional<std::string> failure_;
 };
 
-}  // namespace
-
-tl::expected<std::string, std::string> toml_from_json(const std::string& json) {
-  const Json object = Json::parse(json, nullptr, false);
-  if (!object.is_object()) return tl::unexpected(std::string("the line is no JSON object"));
-  std::string text;
-  for (const auto& [key, value] : object.items()) {
-    text += Json(key).dump(-1, ' ', true) + " = ";
-    if (const auto done = append_toml(text, value); !done) return tl::unexpected(key + ": " + done.error());
-    text += "\n";
-  }
-  return text;
+/// The batch's own file, or the folder's specs.
+std::vector<fs::path> inputs_of(const std::string& source, const std::vector<BatchTask>& tasks) {
+  std::error_code error;
+  if (!fs::is_directory(source, error)) return {source};
+  std::vector<fs::path> files;
+  for (const BatchTask& task : tasks) files.push_back(fs::path(source) / task.name);
+  return files;
 }
+
+void tell_passed_over(const BatchJournal& journal) {
+  const auto& lines = journal.passed_over();
+  if (lines.empty()) return;
+  say(fmt::format(
+      "note: {} is no record of a finished spec{}; what it stood for is done again", lines.front(),
+      lines.size() > 1 ? fmt::format(", nor are {} other lines of the journals", lines.size() - 1) : ""));
+}
+
+}  // namespace
 
 tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& source) {
   std::error_code error;
@@ -226,7 +217,8 @@ tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& 
 
 std::string batch_result(const BatchTask& task, std::uint64_t seed) {
   Json line{{"name", task.name}};
-  const auto spec = read_spec(task.text, task.name, task.folder);
+  const auto spec =
+      task.text.and_then([&](const std::string& text) { return read_spec(text, task.name, task.folder); });
   if (!spec) {
     line["status"] = "bad input";
     line["message"] = spec.error().message();
@@ -263,11 +255,15 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
 int run_batch(const Session& session, const BatchArguments& arguments) {
   const auto tasks = batch_tasks(arguments.source);
   if (!tasks) return fail(tasks.error());
+  if (const auto clash = output_clash(inputs_of(arguments.source, *tasks), arguments.folder,
+                                      {"results.jsonl", "results.csv"}))
+    return fail(*clash);
   auto ranks = Ranks::join();
   if (!ranks) return fail(failed, ranks.error());
-  auto journal = BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()));
+  auto journal = BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()), is_batch_result);
   // Either all processes go on or none: one that left alone would keep the others waiting.
   if (ranks->anyone(!journal)) return journal ? cannot_write : fail(cannot_write, journal.error());
+  if (ranks->rank() == 0) tell_passed_over(*journal);
   BatchRun run(session, arguments, *tasks, *ranks, *journal);
   ranks->wait_for_all();  // nobody writes before everybody has read what earlier runs finished
   const auto failure = run.work();
@@ -290,7 +286,7 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
   const Json summary{{"specs", lines->size()}, {"designs", designs}, {"folder", arguments.folder}};
   print(session.json ? line_of(summary) + "\n"
                      : fmt::format("{} specs, {} designs: {}/results.jsonl, results.csv\n", lines->size(),
-                                   designs, arguments.folder));
+                                   designs, printable(arguments.folder)));
   return done;
 }
 

@@ -18,16 +18,14 @@ struct BatchArguments {
 };
 
 struct BatchTask {
-  std::string name;    ///< the file's name, or line-N
-  std::string text;    ///< TOML
+  std::string name;  ///< the file's name, or line-N
+  tl::expected<std::string, InputError>
+      text;            ///< TOML, or why there is none: that task's failure, not the batch's
   std::string folder;  ///< where the files that it names are looked for
 };
 
 /// The tasks of a source, in the order of their names or lines.
 tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& source);
-
-/// A spec given as a JSON object, as the TOML text that means the same. The error says what TOML cannot hold.
-tl::expected<std::string, std::string> toml_from_json(const std::string& json);
 
 /// One line of JSON: name, status ("design", "no design", "bad input", "verification failed"), and for a design its
 /// figures. Depends on the task and the seed alone.

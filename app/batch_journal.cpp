@@ -2,13 +2,20 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
+
+#include "specs/json_text.hpp"
+#include "specs/printable.hpp"
 
 namespace kempe::app {
 namespace {
@@ -20,17 +27,50 @@ std::vector<fs::path> journals_of(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("journal-") && name.ends_with(".jsonl")) found.push_back(entry.path());
+    const bool regular = fs::is_regular_file(entry.symlink_status(error));
+    if (regular && name.starts_with("journal-") && name.ends_with(".jsonl")) found.push_back(entry.path());
   }
+  std::sort(found.begin(), found.end());
   return found;
 }
 
+/// Opens a journal to append to it, made if absent. The number, or an error sentence.
+tl::expected<int, std::string> open_journal(const fs::path& path) {
+  // A pipe nobody reads must not be waited for; a link leads to somebody else's file.
+  const int file =
+      ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  const int error = errno;
+  if (file < 0)
+    return tl::unexpected("cannot write " + printable(path.string()) + ": " +
+                          (error == ELOOP ? "a link" : std::strerror(error)));
+  struct stat status {};
+  if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode)) return file;
+  ::close(file);
+  return tl::unexpected("cannot write " + printable(path.string()) + ": no regular file");
+}
+
 /// A journal that ends in the middle of a line gets a line end, so that the next record stands alone.
-bool ends_whole(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream || stream.tellg() == 0) return true;
-  stream.seekg(-1, std::ios::end);
-  return stream.get() == '\n';
+bool ends_whole(int file) {
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  char last = '\n';
+  return size <= 0 || (::pread(file, &last, 1, size - 1) == 1 && last == '\n');
+}
+
+std::string checksum(const std::string& key, const std::string& result) {
+  return text_key(key + "\n" + result);
+}
+
+/// A journal's line as it was recorded; nothing if it is anything else.
+std::optional<std::pair<std::string, std::string>> record_of(const std::string& line) {
+  const auto sound = parse_json(line, "journal");
+  if (!sound || !sound->is_object()) return std::nullopt;
+  const auto text_at = [&](const char* name) {
+    const auto found = sound->find(name);
+    return found != sound->end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  std::pair<std::string, std::string> record{text_at("key"), text_at("result")};
+  if (text_at("check") != checksum(record.first, record.second)) return std::nullopt;
+  return record;
 }
 
 bool write_all(int file, std::string_view text) {
@@ -45,23 +85,25 @@ bool write_all(int file, std::string_view text) {
 
 }  // namespace
 
-tl::expected<BatchJournal, std::string> BatchJournal::open(const fs::path& folder, const std::string& name) {
+tl::expected<BatchJournal, std::string> BatchJournal::open(const fs::path& folder, const std::string& name,
+                                                           IsResult is_result) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return tl::unexpected("cannot make the folder " + folder.string() + ": " + error.message());
+  if (error)
+    return tl::unexpected("cannot make the folder " + printable(folder.string()) + ": " + error.message());
   const fs::path path = folder / ("journal-" + name + ".jsonl");
-  const bool whole = ends_whole(path);
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file < 0) return tl::unexpected("cannot write " + path.string() + ": " + std::strerror(errno));
-  BatchJournal journal(folder, file);
-  if (!whole && !write_all(file, "\n"))
-    return tl::unexpected("cannot write " + path.string() + ": " + std::strerror(errno));
+  const auto file = open_journal(path);
+  if (!file) return tl::unexpected(file.error());
+  BatchJournal journal(folder, *file, is_result);
+  if (!ends_whole(*file) && !write_all(*file, "\n"))
+    return tl::unexpected("cannot write " + printable(path.string()) + ": " + std::strerror(errno));
   journal.read_all();
   return journal;
 }
 
 BatchJournal::BatchJournal(BatchJournal&& other) noexcept
-    : folder_(std::move(other.folder_)), file_(other.file_), results_(std::move(other.results_)) {
+    : folder_(std::move(other.folder_)), file_(other.file_), is_result_(other.is_result_),
+      passed_over_(std::move(other.passed_over_)), results_(std::move(other.results_)) {
   other.file_ = -1;
 }
 
@@ -75,22 +117,27 @@ const std::string* BatchJournal::result(const std::string& key) const {
 }
 
 tl::expected<void, std::string> BatchJournal::record(const std::string& key, const std::string& result) {
-  const nlohmann::ordered_json line{{"key", key}, {"result", result}};
+  const nlohmann::ordered_json line{{"key", key}, {"result", result}, {"check", checksum(key, result)}};
   const std::lock_guard lock(mutex_);
   if (!write_all(file_, line.dump() + "\n") || ::fdatasync(file_) != 0)
-    return tl::unexpected("cannot write the journal in " + folder_.string() + ": " + std::strerror(errno));
+    return tl::unexpected("cannot write the journal in " + printable(folder_.string()) + ": " +
+                          std::strerror(errno));
   results_[key] = result;
   return {};
 }
 
 void BatchJournal::read_all() {
+  passed_over_.clear();
   for (const fs::path& path : journals_of(folder_)) {
     std::ifstream stream(path, std::ios::binary);
+    int number = 0;
     for (std::string line; std::getline(stream, line);) {
-      const auto object = nlohmann::json::parse(line, nullptr, false);
-      if (!object.is_object() || !object.contains("key") || !object.contains("result")) continue;
-      if (!object["key"].is_string() || !object["result"].is_string()) continue;
-      results_[object["key"].get<std::string>()] = object["result"].get<std::string>();
+      ++number;
+      if (line.empty()) continue;
+      if (auto record = record_of(line); record && is_result_(record->second))
+        results_[std::move(record->first)] = std::move(record->second);
+      else
+        passed_over_.push_back(fmt::format("{}:{}", path.string(), number));
     }
   }
 }

@@ -6,18 +6,25 @@
 #include <mutex>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 namespace kempe::app {
 
-/// A journal of finished specs. Each line holds a spec's key and its result; a line counts only if it is whole.
+/// A journal of finished specs. Each line holds a spec's key, its result and a checksum of both.
 ///
-/// Guarantees: a result recorded is on disk when record() returns; a line cut short by a crash is ignored and done again;
-/// several journals in one folder (one a process) are read together.
+/// Guarantees:
+///  1. a result recorded is on disk when record() returns;
+///  2. a line counts only if it is whole, its checksum is right and its result is one that `is_result` accepts: what else
+///     stands there, cut short by a crash, damaged or written by somebody else, is passed over and done again;
+///  3. several journals in one folder (one a process) are read together; only regular files are journals, links are not.
 class BatchJournal {
  public:
+  /// Whether a text is what record() would be given.
+  using IsResult = bool (*)(const std::string& result);
+
   /// Opens `folder/journal-NAME.jsonl` for appending and reads every journal of the folder.
   static tl::expected<BatchJournal, std::string> open(const std::filesystem::path& folder,
-                                                      const std::string& name);
+                                                      const std::string& name, IsResult is_result);
 
   BatchJournal(BatchJournal&& other) noexcept;
   BatchJournal& operator=(BatchJournal&&) = delete;
@@ -32,14 +39,20 @@ class BatchJournal {
   /// All results by key, those recorded since opening included.
   const std::map<std::string, std::string>& results() const { return results_; }
 
+  /// Lines that were passed over, as "FILE:LINE".
+  const std::vector<std::string>& passed_over() const { return passed_over_; }
+
   /// Reads the folder's journals again: what other processes have finished meanwhile.
   void read_all();
 
  private:
-  BatchJournal(std::filesystem::path folder, int file) : folder_(std::move(folder)), file_(file) {}
+  BatchJournal(std::filesystem::path folder, int file, IsResult is_result)
+      : folder_(std::move(folder)), file_(file), is_result_(is_result) {}
 
   std::filesystem::path folder_;
   int file_ = -1;
+  IsResult is_result_;
+  std::vector<std::string> passed_over_;
   std::map<std::string, std::string> results_;
   std::mutex mutex_;
 };
