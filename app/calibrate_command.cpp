@@ -5,6 +5,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/output_check.hpp"
 #include "app/progress.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/calibration_report.hpp"
@@ -60,11 +61,16 @@ tl::expected<std::optional<DrawnDesign>, InputError> design_for(const Measuremen
 
 int write_report(const CalibrateArguments& arguments, const CalibrationRecord& record,
                  const std::optional<SimulationRecord>& simulation, const std::string& json,
-                 const std::string& text) {
+                 const std::string& text, const std::string& design) {
   std::vector<OutputFile> files{{"calibration.json", json}};
   const CalibrationPage page{KEMPE_VERSION, std::filesystem::path(arguments.file).filename().string(), text};
   files.push_back({"report.html", calibration_html(record, simulation, page)});
   if (simulation) files.push_back({"simulated.toml", simulated_measurements(record, *simulation)});
+  std::vector<std::string> names;
+  for (const OutputFile& file : files) names.push_back(file.name.string());
+  std::vector<std::filesystem::path> inputs{arguments.file};
+  if (!design.empty()) inputs.push_back(std::filesystem::path(arguments.file).parent_path() / design);
+  if (const auto clash = output_clash(inputs, arguments.folder, names)) return fail(*clash);
   const auto written = write_whole(std::filesystem::path(arguments.folder), files);
   return written ? done : fail(cannot_write, written.error());
 }
@@ -91,7 +97,9 @@ int run(const CalibrateArguments& arguments, bool quiet) {
   }
   const std::string json = calibration_json(*record, simulation);
   if (!arguments.folder.empty())
-    if (const int code = write_report(arguments, *record, simulation, json, *text); code != done) return code;
+    if (const int code = write_report(arguments, *record, simulation, json, *text, measurements->design);
+        code != done)
+      return code;
   print(json);
   return done;
 }
@@ -109,7 +117,7 @@ void add_calibrate_command(CLI::App& program, Session& session) {
   command->add_option("-o,--output", arguments->folder,
                       "Write calibration.json and report.html into this folder");
   command->add_option("--target-mm", arguments->target, "Departure that is good enough")
-      ->check(CLI::Range(1e-6, 1000.0));
+      ->check(number_between(1e-6, 1000));
   command
       ->add_option("--method", arguments->method,
                    "knight or least_squares; otherwise knight for two readings a round")

@@ -6,6 +6,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
+#include "app/output_check.hpp"
 #include "reports/centres_picture.hpp"
 #include "reports/linkage_json.hpp"
 
@@ -29,6 +30,7 @@ tl::expected<RunFrame, int> frame_at(const LoadedLinkage& loaded, const PlanarPo
 }
 
 int run(const Session& session, const CentresArguments& arguments) {
+  if (const auto clash = output_clash({arguments.linkage}, {arguments.picture})) return fail(*clash);
   const auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
   if (!(arguments.step >= 0 && arguments.step <= loaded->file.steps))

@@ -4,10 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/output_check.hpp"
 #include "reports/design_json.hpp"
 #include "reports/design_package.hpp"
 #include "reports/part_files.hpp"
 #include "reports/recheck.hpp"
+#include "specs/printable.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text_file.hpp"
 #include "synthesis/verification.hpp"
@@ -30,6 +32,13 @@ tl::expected<LoadedSpec, InputError> load_spec(const std::string& file) {
   auto spec = read_spec(*text, file, std::filesystem::path(file).parent_path());
   if (!spec) return tl::unexpected(spec.error());
   return LoadedSpec{file, std::move(*text), std::move(*spec)};
+}
+
+std::vector<std::filesystem::path> LoadedSpec::inputs() const {
+  std::vector<std::filesystem::path> all{file};
+  if (const auto drawing = region_file_of(text))
+    all.push_back(std::filesystem::path(file).parent_path() / *drawing);
+  return all;
 }
 
 namespace {
@@ -149,7 +158,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
       "{} changes of assembly\n",
       design.verification.samples, design.verification.copy_error_max, design.verification.loop_residual_max,
       design.verification.flips);
-  text += fmt::format("written      {}:", folder.string());
+  text += fmt::format("written      {}:", printable(folder.string()));
   bool has_parts = false;
   for (const std::string& file : files) {
     const bool is_part = file.starts_with("parts/");
@@ -227,6 +236,7 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
     return fail(verification_failed,
                 "the drawings, read again, are not the design; nothing is written: " + faults.front());
   const std::vector<std::string> files = draft.names();
+  if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(*clash);
   if (const auto written = draft.put_in_place(); !written) return fail(cannot_write, written.error());
   print(session.json ? summary_json(design, folder, files) : summary_text(design, folder, files));
   if (const auto fault = nesting_fault(design, cutting)) return fail(done, "no nested.dxf: " + *fault);

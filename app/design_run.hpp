@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "app/command.hpp"
 #include "specs/spec.hpp"
@@ -16,6 +17,8 @@ namespace kempe::app {
 struct LoadedSpec {
   std::string file, text;
   Spec spec;
+  /// The files that the run reads: the spec, and the drawing that it names.
+  std::vector<std::filesystem::path> inputs() const;
 };
 tl::expected<LoadedSpec, InputError> load_spec(const std::string& file);
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/output_check.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/error_plot.hpp"
 #include "specs/expression.hpp"
@@ -95,6 +96,7 @@ std::string plot_of(const FunctionDesign& design, const std::string& title) {
 }
 
 int run(const FunctionArguments& arguments) {
+  if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file})) return fail(*clash);
   const auto text = read_text_file(arguments.spec_file);
   if (!text) return fail(text.error());
   const auto spec = read_function_spec(*text, arguments.spec_file);

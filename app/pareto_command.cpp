@@ -10,9 +10,11 @@
 #include "app/all_commands.hpp"
 #include "app/design_run.hpp"
 #include "app/interrupt.hpp"
+#include "app/output_check.hpp"
 #include "app/progress.hpp"
 #include "reports/design_json.hpp"
 #include "reports/design_package.hpp"
+#include "specs/printable.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/pareto.hpp"
 #include "synthesis/verification.hpp"
@@ -119,11 +121,14 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (front->empty()) return fail(no_design, "no design was found");
   const auto files = files_of(*front, *loaded, *first, *second);
   if (!files) return fail(verification_failed, files.error());
+  std::vector<std::string> names;
+  for (const OutputFile& file : files->files) names.push_back(file.name.string());
+  if (const auto clash = output_clash(loaded->inputs(), arguments.folder, names)) return fail(*clash);
   if (const auto written = write_whole(arguments.folder, files->files); !written)
     return fail(cannot_write, written.error());
   nlohmann::ordered_json object{{"points", front->size()}, {"folder", arguments.folder}};
   print(session.json ? object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                     : files->csv + fmt::format("written {}\n", arguments.folder));
+                     : files->csv + fmt::format("written {}\n", printable(arguments.folder)));
   return done;
 }
 

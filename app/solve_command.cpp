@@ -9,8 +9,10 @@
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
+#include "app/output_check.hpp"
 #include "reports/linkage_animation.hpp"
 #include "reports/solve_table.hpp"
+#include "specs/printable.hpp"
 
 namespace kempe::app {
 namespace {
@@ -118,7 +120,8 @@ int tell(const Session& session, const SolveArguments& arguments, const LoadedLi
   else if (arguments.table_file.empty())
     print(csv_text(table));
   else
-    print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(), arguments.table_file));
+    print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(),
+                      printable(arguments.table_file)));
   return done;
 }
 
@@ -126,6 +129,9 @@ int run(const Session& session, const SolveArguments& arguments) {
   for (const std::string& file : arguments.animations)
     if (const auto kind = std::filesystem::path(file).extension(); kind != ".html" && kind != ".svg")
       return fail({"", 0, "--animate", file, "a file that ends in .html or .svg"});
+  std::vector<std::filesystem::path> outputs{arguments.table_file};
+  outputs.insert(outputs.end(), arguments.animations.begin(), arguments.animations.end());
+  if (const auto clash = output_clash({arguments.linkage}, outputs)) return fail(*clash);
   auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
   if (const int code = check_links(*loaded, arguments); code != done) return code;
@@ -146,7 +152,8 @@ int run(const Session& session, const SolveArguments& arguments) {
   if (!arguments.animations.empty())
     if (const int code = write_animations(*loaded, start, arguments.animations); code != done) return code;
   if (!motion->stop) return done;
-  return fail(no_design, arguments.linkage + ": " + stop_sentence(*loaded, *motion, loaded->file.steps));
+  return fail(no_design,
+              printable(arguments.linkage) + ": " + stop_sentence(*loaded, *motion, loaded->file.steps));
 }
 
 }  // namespace

@@ -71,9 +71,9 @@ void add_synthesize_command(CLI::App& program, Session& session) {
   command->add_option("-j,--threads", arguments->threads, "The design does not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_option("--time-limit", arguments->time_limit, "Seconds; then the best so far, marked as such")
-      ->check(CLI::PositiveNumber);
+      ->check(number_between(1e-3, 1e9));
   command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
-      ->check(CLI::Range(1e-5, 0.5))
+      ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
   command->callback([&session, arguments, spec, batch] {
     if (spec->empty() && batch->empty()) throw CLI::RequiredError("SPEC or --batch");

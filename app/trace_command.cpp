@@ -8,9 +8,12 @@
 #include <optional>
 
 #include "app/all_commands.hpp"
+#include "app/output_check.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/design_json.hpp"
 #include "reports/trace_files.hpp"
+#include "specs/printable.hpp"
+#include "specs/region_checks.hpp"
 #include "specs/svg_reader.hpp"
 #include "specs/text_file.hpp"
 #include "synthesis/drawing_trace.hpp"
@@ -106,7 +109,8 @@ std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const
     text += fmt::format("left out     {} positions in {} lines, {:.1f} mm: {}\n", trace.poses_missed,
                         trace.missing.size(), trace.missing_length, causes(trace));
   if (!drawing.remark().empty()) text += "remark       " + drawing.remark() + "\n";
-  return text + "written      " + arguments.copy + (arguments.csv.empty() ? "" : ", " + arguments.csv) + "\n";
+  return text + "written      " + printable(arguments.copy) +
+         (arguments.csv.empty() ? "" : ", " + printable(arguments.csv)) + "\n";
 }
 
 std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
@@ -140,6 +144,8 @@ tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& 
 }
 
 int run(const Session& session, const TraceArguments& arguments) {
+  if (const auto clash = output_clash({arguments.design, arguments.drawing}, {arguments.copy, arguments.csv}))
+    return fail(*clash);
   const auto design = load_design(arguments.design);
   if (!design) return fail(design.error());
   const auto linkage = linkage_of(*design, arguments.design);
@@ -161,7 +167,8 @@ int run(const Session& session, const TraceArguments& arguments) {
   if (trace.poses_missed == 0) return done;
   return fail(verification_failed,
               fmt::format("{}: {} positions cannot be reached and are left out ({}); they are red in {}",
-                          arguments.drawing, trace.poses_missed, causes(trace), arguments.copy));
+                          printable(arguments.drawing), trace.poses_missed, causes(trace),
+                          printable(arguments.copy)));
 }
 
 }  // namespace
@@ -179,9 +186,10 @@ void add_trace_command(CLI::App& program, Session& session) {
   command->add_option("-o,--output", arguments->copy, "The copy, an SVG")->required();
   command->add_option("--csv", arguments->csv, "Also write every joint's place at every pose");
   auto* at = command->add_option("--at", arguments->at, "Where the page's lower left corner lies instead, mm")
+                 ->check(number_between(-largest_coordinate, largest_coordinate))
                  ->expected(2);
   auto* scale = command->add_option("--scale", arguments->scale, "Enlarge the drawing before it is traced")
-                    ->check(CLI::Range(1e-6, 1e6));
+                    ->check(number_between(1e-6, 1e6));
   command
       ->add_flag("--fit", arguments->fit,
                  "Place the drawing in the middle of the design's region, as large as fits its box")
@@ -190,10 +198,10 @@ void add_trace_command(CLI::App& program, Session& session) {
   command->add_option("--instrument", arguments->instrument,
                       "Draw with an instrument made within the design's tolerances, chosen by this seed");
   command->add_option("--tolerance", arguments->tolerance, "Curves are followed to this, mm")
-      ->check(CLI::Range(1e-7, 10.0))
+      ->check(number_between(1e-7, 10))
       ->capture_default_str();
   command->add_option("--step", arguments->step, "Poses are at most this far apart, mm")
-      ->check(CLI::Range(1e-4, 1e3))
+      ->check(number_between(1e-4, 1e3))
       ->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });

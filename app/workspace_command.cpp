@@ -7,6 +7,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/design_run.hpp"
+#include "specs/region_checks.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/diagnosis.hpp"
 
@@ -78,9 +79,10 @@ void add_workspace_command(CLI::App& program, Session& session) {
   auto* why =
       command->add_option("--why", arguments->why, "Say why the tracer can or cannot stand at X,Y (mm)")
           ->delimiter(',')
+          ->check(number_between(-largest_coordinate, largest_coordinate))
           ->expected(2);
   command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
-      ->check(CLI::Range(1e-5, 0.5))
+      ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
   command->callback([&session, arguments, folder, why] {
     if (folder->empty() && why->empty()) throw CLI::RequiredError("--output or --why");

@@ -1,5 +1,13 @@
 #pragma once
 // Files that appear whole or not at all.
+//
+//  1. A file is written beside its place, under a short name of its own that ends in .tmp, and renamed. On failure nothing
+//     is left behind.
+//  2. A file that is replaced keeps its mode, and its owner where the system allows it. A link stays a link: what it leads
+//     to is replaced.
+//  3. What is no regular file is never replaced: devices and pipes are written to (a pipe must have a reader), and folders,
+//     sockets and disks are refused. /dev/stdout and other names of an open file are written to as that file.
+//  4. Nobody waits for ever: another program that keeps a folder locked is waited for some ten seconds.
 
 #include <filesystem>
 #include <memory>
@@ -17,8 +25,7 @@ struct OutputFile {
   std::string contents;
 };
 
-/// Writes `contents` beside `path` under a name of its own and renames it. On failure nothing is left behind and the
-/// error is a sentence that names the path.
+/// Writes one file. The error is a sentence that names the path.
 tl::expected<void, std::string> write_whole(const std::filesystem::path& path, std::string_view contents);
 
 /// Files of one folder that appear together: each is written beside its place as it comes, so that their contents need

@@ -94,4 +94,10 @@ tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path)
   return read_spec(*text, path.string(), path.parent_path());
 }
 
+std::optional<std::filesystem::path> region_file_of(std::string_view text) {
+  const auto root = parse_toml(text, "");
+  const auto name = root ? (*root)["region"]["file"].value<std::string>() : std::nullopt;
+  return name ? std::optional(std::filesystem::path(*name)) : std::nullopt;
+}
+
 }  // namespace kempe

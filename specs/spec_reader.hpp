@@ -2,6 +2,7 @@
 // The spec from TOML: docs/spec.md says what may stand in it, spec_keys.hpp holds the table of its keys.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -22,5 +23,8 @@ tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path)
 /// The same from text. `file_name` is for error messages, region.file is looked for in `folder`.
 tl::expected<Spec, InputError> read_spec(std::string_view text, const std::string& file_name,
                                          const std::filesystem::path& folder);
+
+/// The drawing that a spec's text names as region.file; nothing if it names none, or is no TOML.
+std::optional<std::filesystem::path> region_file_of(std::string_view text);
 
 }  // namespace kempe
