@@ -5,10 +5,12 @@
 //   KEMPE_FAULT_COUNT=FILE                 at the end the number of such calls is written to FILE
 //   KEMPE_FAULT_SLOW_RENAME_MS=N           every rename waits so long: two runs are sure to meet
 //   KEMPE_FAULT_CLOCK=jumps|leaps          the calendar jumps by years, or the steady clock leaps ahead by hours
+//   KEMPE_FAULT_THREADS=N                  no more than N threads can be made
 //   KEMPE_FAULT_LOCALE=1                   the program obeys the environment's locale, as a host program might ask for
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -141,6 +143,14 @@ int fdatasync(int file) {
 int fchmod(int file, mode_t mode) {
   static const auto next = real<int(int, mode_t)>("fchmod");
   return struck() ? failure(fault()) : next(file, mode);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) {
+  static const auto next =
+      real<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
+  static std::atomic<long> made{0};
+  if (!setting("KEMPE_FAULT_THREADS").empty() && made++ >= number("KEMPE_FAULT_THREADS")) return EAGAIN;
+  return next(thread, attributes, run, argument);
 }
 
 int clock_gettime(clockid_t clock, timespec* now) {

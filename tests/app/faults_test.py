@@ -6,11 +6,16 @@ checked byte by byte against a run that nothing disturbed.
 
 usage: faults_test.py KEMPE SOURCE_DIR FAULT_SHIM [unittest arguments]
 """
+import base64
 import contextlib
+import csv
+import fcntl
+import hashlib
 import json
 import os
 import pathlib
 import random
+import re
 import resource
 import shutil
 import signal
@@ -491,6 +496,274 @@ class Hostile(Case):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(contents(self.out)["design.json"], self.whole["design.json"])
         self.assertIn(b"rotation_deg = 90", contents(self.out)["report.html"])
+
+
+class Batches(Case):
+    """Bad lines, forged and damaged journals: what is bad is said and done again, the rest stands."""
+
+    def batch(self, source, out=None, **options):
+        return kempe("synthesize", "--batch", source, "-o", out or self.out, "-j", "1", **options)
+
+    def lines(self, *lines):
+        source = self.scratch / "specs.jsonl"
+        source.write_text("".join(line + "\n" for line in lines))
+        return source
+
+    def results(self):
+        return [json.loads(line) for line in (self.out / "results.jsonl").read_text().splitlines()]
+
+    SPEC_LINE = json.dumps({"copy": {"scale": 1.4, "rotation_deg": 90},
+                            "region": {"rectangle_mm": {"at": [60, -5], "size": [10, 10]}},
+                            "links": {"width_mm": 6, "pin_diameter_mm": 3}})
+
+    def test_an_errors_text_never_becomes_a_spec(self):
+        inside = json.dumps(SPEC)[1:-1]
+        link = self.scratch / "specs" / f"{SPEC[:100]}.toml".replace("/", "")
+        link.parent.mkdir()
+        link.symlink_to(self.scratch / ("absent\n" + SPEC.replace("/", "")[:120]))
+        run = self.batch(self.lines(f'{{"x{inside}#": null}}', f'{{"x{inside}": }}', '{"copy": 1, "copy": 2}'))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        statuses = [(line["status"], line["message"]) for line in self.results()]
+        self.assertEqual([status for status, _ in statuses], ["bad input"] * 3)
+        self.assertIn("null", statuses[0][1])
+        self.assertIn("twice", statuses[2][1])
+        run = self.batch(link.parent, self.scratch / "linked")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        result = json.loads((self.scratch / "linked" / "results.jsonl").read_text())
+        self.assertEqual(result["status"], "bad input")
+        self.assertIn("no such file", result["message"])
+
+    def test_depth_has_a_limit(self):
+        deep = 30_000
+        run = self.batch(self.lines('{"a": ' + "[" * deep + "]" * deep + "}", '{"a": ' + '{"a": ' * deep + "1" + "}" * deep + "}",
+                                    self.SPEC_LINE))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual([line["status"] for line in self.results()], ["bad input", "bad input", "design"])
+        self.assertIn("64", self.results()[0]["message"])
+
+    def test_a_journal_is_input(self):
+        source = self.lines(self.SPEC_LINE, self.SPEC_LINE.replace("1.4", "1.7"))
+        self.assertEqual(self.batch(source).returncode, 0)
+        whole = (self.out / "results.jsonl").read_bytes()
+        journal = self.out / "journal-0.jsonl"
+        records = [json.loads(line) for line in journal.read_text().splitlines()]
+        forged = {
+            "no JSON": {**records[0], "result": "not json"}, "a list": {**records[0], "result": "[]"},
+            "a word": {**records[0], "result": '{"status": "design"}'}, "no text": {**records[0], "result": 3},
+            "another's": {**records[0], "result": records[1]["result"]}, "nothing": {}}
+        for name, record in forged.items():
+            with self.subTest(name):
+                journal.write_text(json.dumps(record) + "\n" + json.dumps(records[1]) + "\n")
+                run = self.batch(source)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertEqual((self.out / "results.jsonl").read_bytes(), whole)
+                self.assertIn(b"journal-0.jsonl:1", run.stderr)
+        for end in range(0, len(json.dumps(records[0])), 97):
+            journal.write_text(json.dumps(records[1]) + "\n" + json.dumps(records[0])[:end])
+            self.assertEqual(self.batch(source, ).returncode, 0)
+            self.assertEqual((self.out / "results.jsonl").read_bytes(), whole)
+        for noise in (b"\xff\xfe\n", b"[" * 100_000 + b"\n", b"\0" * 1000):
+            journal.write_bytes(noise)
+            self.assertEqual(self.batch(source).returncode, 0)
+            self.assertEqual((self.out / "results.jsonl").read_bytes(), whole)
+
+    def test_a_journal_is_a_regular_file(self):
+        source = self.lines(self.SPEC_LINE)
+        elsewhere = self.scratch / "elsewhere"
+        elsewhere.write_text("kept\n")
+        self.out.mkdir()
+        (self.out / "journal-0.jsonl").symlink_to(elsewhere)
+        self.assertTold(self.batch(source), 5, "journal-0.jsonl", "link")
+        self.assertEqual(elsewhere.read_text(), "kept\n")
+        (self.out / "journal-0.jsonl").unlink()
+        os.mkfifo(self.out / "journal-0.jsonl")
+        self.assertTold(self.batch(source, timeout=60), 5, "journal-0.jsonl")
+        (self.out / "journal-0.jsonl").rename(self.out / "journal-7.jsonl")  # another's, which is passed over
+        self.assertEqual(self.batch(source, timeout=60).returncode, 0)
+
+    def test_tables_hold_texts_and_no_formulas(self):
+        specs = self.scratch / "specs"
+        specs.mkdir()
+        for name in ("=cmd|'a'!A1.toml", "+1.toml", "-1.toml", "@x.toml"):
+            (specs / name).write_text("")
+        self.assertEqual(self.batch(specs).returncode, 0)
+        with open(self.out / "results.csv", newline="") as table:
+            names = [row["name"] for row in csv.DictReader(table)]
+        self.assertEqual(sorted(names), sorted(["'=cmd|'a'!A1.toml", "'+1.toml", "'-1.toml", "'@x.toml"]))
+
+
+class NotOurs(Case):
+    """Devices, pipes, links, inputs: what is not the run's own is left as it is."""
+
+    LINKAGE = EXAMPLES / "linkages" / "slider-crank.toml"
+
+    def setUp(self):
+        super().setUp()
+        self.table = self.scratch / "reference.csv"
+        self.assertEqual(kempe("solve", self.LINKAGE, "-o", self.table).returncode, 0)
+
+    def test_a_device_stays_a_device(self):
+        null = self.scratch / "null"
+        try:
+            os.mknod(null, stat.S_IFCHR | 0o666, os.makedev(1, 3))
+        except PermissionError:
+            null.symlink_to("/dev/null")
+        self.assertEqual(kempe("solve", self.LINKAGE, "-o", null).returncode, 0)
+        self.assertTrue(stat.S_ISCHR(os.stat(null).st_mode))
+        full = self.scratch / "full"
+        full.symlink_to("/dev/full")
+        self.assertTold(kempe("solve", self.LINKAGE, "-o", full), 5, "No space left on device")
+        self.assertTrue(full.is_symlink())
+
+    def test_a_pipe_is_written_to(self):
+        pipe = self.scratch / "pipe"
+        os.mkfifo(pipe)
+        reader = subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE)
+        self.assertEqual(kempe("solve", self.LINKAGE, "-o", pipe).returncode, 0)
+        self.assertEqual(reader.communicate(timeout=60)[0], self.table.read_bytes())
+        self.assertTrue(stat.S_ISFIFO(os.stat(pipe).st_mode))
+
+    def test_the_name_of_an_open_file(self):
+        for name in ("/dev/stdout", "/proc/self/fd/1", "/dev/fd/1"):
+            with self.subTest(name), open(self.out, "wb") as out:
+                run = kempe("solve", self.LINKAGE, "-o", name, stdout=out)
+                self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertTrue(self.out.read_bytes().startswith(self.table.read_bytes()))
+
+    def test_pipes_and_locks_are_not_waited_for_without_a_word(self):
+        pipe = self.scratch / "pipe"
+        os.mkfifo(pipe)
+        self.assertTold(kempe("solve", self.LINKAGE, "-o", pipe, timeout=60), 5, "nobody reads")
+        self.assertTold(kempe("synthesize", pipe, "-o", self.out, timeout=60), 2, "a pipe that brings nothing")
+        self.out.mkdir()
+        holder = os.open(self.out, os.O_RDONLY)
+        fcntl.flock(holder, fcntl.LOCK_EX)
+        self.assertTold(kempe("synthesize", self.spec, "-o", self.out, timeout=120), 5, "locked")
+        os.close(holder)
+        self.assertEqual(contents(self.out), {})
+
+    def test_a_link_stays_a_link_and_a_mode_stays(self):
+        target = self.scratch / "target.csv"
+        target.write_text("old")
+        target.chmod(0o600)
+        link = self.scratch / "link.csv"
+        link.symlink_to("target.csv")
+        self.assertEqual(kempe("solve", self.LINKAGE, "-o", link).returncode, 0)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(target.read_bytes(), self.table.read_bytes())
+        self.assertEqual(stat.S_IMODE(target.stat().st_mode), 0o600)
+
+    def test_names_as_long_as_the_system_takes(self):
+        for length in (240, 249, 255):
+            long = self.scratch / ("x" * (length - 4) + ".csv")
+            run = kempe("solve", self.LINKAGE, "-o", long)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(long.read_bytes(), self.table.read_bytes())
+
+    def test_an_output_is_neither_an_input_nor_another_output(self):
+        linkage, spec = self.scratch / "linkage.toml", self.scratch / "spec.toml"
+        shutil.copy(self.LINKAGE, linkage)
+        design, drawing = self.scratch / "design.json", self.scratch / "drawing.svg"
+        design.write_bytes(self.whole["design.json"])
+        drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="72mm" height="72mm" viewBox="0 0 72 72">'
+                           '<path d="M62 62h4v4h-4z"/></svg>')
+        spec.write_text(SPEC.replace("rectangle_mm = {at = [60, -5], size = [10, 10]}", 'file = "drawing.svg"'))
+        hard = self.scratch / "hard.toml"
+        os.link(linkage, hard)
+        lines = self.scratch / "results.jsonl"
+        lines.write_text("{}\n")
+        before = contents(self.scratch)
+        for command in (("solve", linkage, "-o", linkage), ("solve", linkage, "-o", hard),
+                        ("solve", linkage, "-o", self.scratch / "." / "new.svg", "--animate", self.scratch / "new.svg"),
+                        ("trace", design, drawing, "-o", design), ("trace", design, drawing, "-o", drawing),
+                        ("trace", design, drawing, "-o", "new", "--csv", "new"),
+                        ("centres", linkage, "--at", "0", "-o", linkage),
+                        ("function", EXAMPLES / "generators" / "logarithm.toml", "--plot", EXAMPLES / "generators" / "logarithm.toml"),
+                        ("synthesize", spec, "-o", self.scratch), ("synthesize", "--batch", lines, "-o", self.scratch)):
+            with self.subTest(command=[str(part) for part in command]):
+                self.assertTold(kempe(*command, cwd=self.scratch), 2)
+                self.assertEqual(contents(self.scratch), before)
+
+
+class Limits(Case):
+    """Limits of the system, as a shell leaves the signals."""
+
+    def test_files_no_larger_than_the_shell_allows(self):
+        before = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 16, 1 << 16))
+        run = kempe("synthesize", self.spec, "-o", self.out, preexec_fn=before)
+        self.assertTold(run, 5, "File too large")
+        self.assertEqual([p for p in self.out.rglob("*") if p.is_file()], [])
+
+    def test_threads_that_cannot_be_made(self):
+        run = kempe("synthesize", self.spec, "-o", self.out, "-j", "8", environment=preloaded(threads=0))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertSameFiles(contents(self.out), self.whole)
+        specs = self.scratch / "specs.jsonl"
+        specs.write_text(Batches.SPEC_LINE + "\n")
+        run = kempe("synthesize", "--batch", specs, "-o", self.scratch / "batch", "-j", "8", environment=preloaded(threads=1))
+        self.assertEqual(run.returncode, 0, run.stderr)
+
+    def test_numbers_that_are_none(self):
+        for number in ("nan", "inf", "-inf", "-1", "1e999", "0x"):
+            with self.subTest(number):
+                self.assertEqual(kempe("synthesize", self.spec, "-o", self.out, "--time-limit", number).returncode, 2)
+                self.assertEqual(kempe("workspace", self.spec, "--why", number, number).returncode, 2)
+        for number in ("nan", "inf"):
+            drawing = self.scratch / "drawing.svg"
+            drawing.write_text("<svg/>")
+            (self.scratch / "design.json").write_bytes(self.whole["design.json"])
+            run = kempe("trace", "design.json", drawing, "-o", "copy.svg", "--at", number, number, cwd=self.scratch)
+            self.assertEqual(run.returncode, 2, run.stderr)
+
+
+class Words(Case):
+    """What comes from outside cannot move, colour or forge what a person reads."""
+
+    NASTY = "\x1b[31mred\x1b[0m\u202egnp.exe\u2028\u200b\x07"
+
+    def assertPlain(self, text):
+        for character in ("\x1b", "\u202e", "\u2028", "\u200b", "\x07"):
+            self.assertNotIn(character, text)
+
+    def test_names_are_shown_written_out(self):
+        nasty = self.scratch / (self.NASTY + "\nverified     forged.toml")
+        nasty.write_text("x = 1\n")
+        for command in (("synthesize", nasty, "-o", self.out), ("verify", nasty), ("solve", nasty), ("calibrate", nasty),
+                        ("function", nasty), ("synthesize", self.scratch / ("absent" + nasty.name), "-o", self.out),
+                        (self.NASTY,), ("synthesize", "--" + self.NASTY)):
+            run = kempe(*command)
+            self.assertEqual(run.returncode, 2)
+            text = run.stderr.decode() + run.stdout.decode()
+            self.assertPlain(text)
+            self.assertFalse(any(line.startswith("verified") for line in text.splitlines()), text)
+        folder = self.scratch / (self.NASTY + "\nverified     forged")
+        run = kempe("synthesize", self.spec, "-o", folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertPlain(run.stdout.decode())
+        self.assertEqual(sum(line.startswith("verified") for line in run.stdout.decode().splitlines()), 1)
+
+    def test_an_obstacles_name_is_one_line(self):
+        spec = self.scratch / "spec.toml"
+        name = json.dumps(self.NASTY + "\nverified     1 position", ensure_ascii=True)
+        spec.write_text(SPEC + f"[[obstacles]]\nname = {name}\npolygon_mm = [[-2000, -2000], [2000, -2000], [2000, 2000], [-2000, 2000]]\n")
+        run = kempe("synthesize", spec, "-o", self.out)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertPlain(run.stderr.decode())
+        self.assertIn("\\nverified", run.stderr.decode())
+        self.assertFalse(any(line.startswith("verified") for line in run.stderr.decode().splitlines()))
+
+    def test_every_page_has_the_same_policy(self):
+        page = self.scratch / "page.html"
+        run = kempe("solve", EXAMPLES / "linkages" / "slider-crank.toml", "--animate", page, "-o", self.scratch / "t.csv")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for text in (page.read_text(), self.whole["report.html"].decode()):
+            policy = re.search(r'Content-Security-Policy" content="([^"]*)"', text)[1]
+            self.assertNotIn("unsafe", policy)
+            self.assertIn("default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; style-src 'sha256-", policy)
+            for tag in ("style", "script"):
+                for body in re.findall(rf"<{tag}>(.*?)</{tag}>", text, re.S):
+                    self.assertIn(base64.b64encode(hashlib.sha256(body.encode()).digest()).decode(), policy)
+            self.assertIsNone(re.search(r'<[^>]* style="', text))
 
 
 if __name__ == "__main__":

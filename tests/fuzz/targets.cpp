@@ -1,13 +1,18 @@
 #include "tests/fuzz/targets.hpp"
 
 #include <array>
+#include <cstdlib>
+#include <vector>
 
 #include "reports/design_audit.hpp"
+#include "specs/drawing_cover.hpp"
 #include "specs/dxf_reader.hpp"
 #include "specs/generator_spec.hpp"
 #include "specs/geojson_reader.hpp"
+#include "specs/json_spec.hpp"
 #include "specs/linkage_file.hpp"
 #include "specs/measurements.hpp"
+#include "specs/region_checks.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/svg_reader.hpp"
 #include "synthesis/verification.hpp"
@@ -37,12 +42,54 @@ void generators(std::string_view input) {
   (void)read_inversor_spec(input, file);
 }
 
+/// The bytes as a drawing: strokes of small whole numbers, which cross, touch and fold back, grown by a margin. What comes
+/// of it must keep the invariant of regions and contain the strokes' own corners where it is said to.
+void scribbles(std::string_view input) {
+  std::size_t at = 0;
+  const auto byte = [&]() -> int { return at < input.size() ? static_cast<unsigned char>(input[at++]) : 0; };
+  const Cover covers[] = {Cover::outline, Cover::outline, Cover::strokes, Cover::hull};
+  RegionFileOptions options;
+  options.cover = covers[byte() % 4];
+  options.margin = byte() % 16 / 4.0;
+  const double fraction = byte() % 2 == 0 ? 1 : 1 / 3.0;  // of a unit: thirds are no doubles
+  constexpr std::size_t most_corners = 200;
+  std::vector<DrawnStroke> strokes(1);
+  for (std::size_t i = 0; 2 * i + 3 < input.size() && i < most_corners; ++i) {
+    const int x = byte(), y = byte();
+    if (x == 255) {
+      strokes.back().closed = y % 2 == 0;
+      strokes.emplace_back();
+    } else {
+      strokes.back().points.emplace_back(x * fraction, y * fraction);
+    }
+  }
+  strokes.back().closed = true;
+  std::erase_if(strokes, [](const DrawnStroke& stroke) { return stroke.points.size() < 2; });
+  const auto region = covered_region(strokes, "", file, options);
+  if (!region) return;
+  std::vector<Ring> outers, holes;
+  for (const Polygon& polygon : region->polygons) {
+    outers.push_back(polygon.outer);
+    holes.insert(holes.end(), polygon.holes.begin(), polygon.holes.end());
+  }
+  if (!assemble_region(outers, holes)) std::abort();
+  if (options.cover != Cover::hull && options.cover != Cover::strokes) return;
+  for (const DrawnStroke& stroke : strokes)
+    for (const Point& corner : stroke.points)
+      if (distance(*region, corner) > 1e-9) std::abort();
+}
+
+void lines(std::string_view input) {
+  if (const auto text = toml_from_json(std::string(input), file)) (void)read_spec(*text, file, ".");
+}
+
 void choices(std::string_view input) { (void)design_from_choices(input); }
 
 constexpr std::array all{
     Target{"specs", spec},     Target{"geojson", geojson},       Target{"svg", svg},
     Target{"dxf", dxf},        Target{"linkages", linkage},      Target{"measurements", measurements},
-    Target{"designs", design}, Target{"generators", generators}, Target{"choices", choices}};
+    Target{"designs", design}, Target{"generators", generators}, Target{"scribbles", scribbles},
+    Target{"lines", lines},    Target{"choices", choices}};
 
 }  // namespace
 
