@@ -6,6 +6,7 @@
 
 #include "app/all_commands.hpp"
 #include "reports/design_audit.hpp"
+#include "specs/printable.hpp"
 #include "specs/text_file.hpp"
 
 namespace kempe::app {
@@ -18,7 +19,7 @@ struct VerifyArguments {
 
 /// What is broken, a line each.
 std::string complaint(const DesignAudit& found, const std::string& file) {
-  std::string text = file + ":";
+  std::string text = printable(file) + ":";
   for (const BrokenLimit& breach : found.broken)
     text += fmt::format("\n  {}: {}", breach.limit, breach.sentence);
   return text;

@@ -8,6 +8,7 @@
 #include "reports/design_json_keys.hpp"
 #include "reports/json_fields.hpp"
 #include "specs/json_text.hpp"
+#include "specs/printable.hpp"
 
 namespace kempe {
 namespace {
@@ -251,7 +252,7 @@ Obstacle obstacle(const JsonField& field) {
   Obstacle result;
   const Region shape = region(field["shape"]);
   if (shape.polygons.size() != 1) field["shape"].refuse("one polygon");
-  if (const auto name = field.find("name")) result.name = name->text();
+  if (const auto name = field.find("name")) result.name = printable(name->text());
   if (!shape.polygons.empty()) result.shape = shape.polygons.front();
   const auto layers = field["layers"].elements(2, 2);
   if (layers.size() != 2) return result;
