@@ -21,6 +21,8 @@ constexpr double share_of_rounding = 1e-9;    ///< of figures in closed form
 constexpr double share_of_copy_error = 1e-6;  ///< maxima found to this
 constexpr double share_of_grid = 1e-3;        ///< of figures counted on a grid: last digits move whole cells
 constexpr double degrees_of_rounding = 1e-5;  ///< near a dead point half of the digits are left
+constexpr double share_of_sheet =
+    1e-2;  ///< a search finds them: no more is asked than that it finds them again
 constexpr double ratio_rounding = 1e-8;
 /// To what the gap to an obstacle is certified, mm, and as a share of the outer reach for small linkages.
 constexpr double certain_gap = 1e-2, certain_share = 1e-4;
@@ -137,12 +139,35 @@ ArcRegion corners_of(const FittingSheet& sheet, double margin) {
   return as_arcs({{Polygon{ring, {}}}});
 }
 
+double area_of(const FittingSheet& sheet) { return sheet.width * sheet.height; }
+
+/// The file lists them as the map does, and the largest of them once more.
+void check_none_larger(const AuditTask& task, AuditRecord& record) {
+  const auto& stated = task.design.map.sheets;
+  const auto& found = task.map.largest_sheets;
+  const auto compare = [&](const std::string& key, const FittingSheet& one, const FittingSheet& larger) {
+    if (area_of(larger) > area_of(one) * (1 + share_of_sheet))
+      record.broken({.limit = key,
+                     .attained = area_of(one),
+                     .allowed = area_of(larger),
+                     .where = larger.centre,
+                     .sentence = fmt::format(
+                         "a sheet of {:.6g} x {:.6g} mm fits, larger than \"{}\" of {:.6g} x {:.6g} mm",
+                         larger.width, larger.height, one.name, one.width, one.height)});
+  };
+  for (std::size_t i = 0; i < std::min(stated.size(), found.size()); ++i)
+    compare("workspace.sheets", stated[i], found[i]);
+  const auto largest =
+      std::max_element(found.begin(), found.end(),
+                       [](const FittingSheet& a, const FittingSheet& b) { return area_of(a) < area_of(b); });
+  if (largest != found.end()) compare("workspace.largest_sheet", stated.back(), *largest);
+}
+
 void check_sheets(const AuditTask& task, AuditRecord& record) {
   if (task.design.map.sheets.empty()) return;
   record.checked("workspace.sheets");
   record.checked("workspace.largest_sheet");
-  record.not_checked("workspace.largest_sheet.name",
-                     "that the sheets fit is checked, not that no larger one does");
+  check_none_larger(task, record);
   for (const FittingSheet& sheet : task.design.map.sheets) {
     const double margin = share_of_grid * std::min(sheet.width, sheet.height);
     if (contains(task.map.collision_free, corners_of(sheet, margin))) continue;

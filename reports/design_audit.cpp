@@ -96,7 +96,7 @@ AuditTask audit_task(const StoredDesign& design, const CopyingLinkage& linkage) 
   mapped.region = design.region;
   WorkspaceMap map =
       map_workspace(mapped, {.map_tolerance = design.map.map_tolerance.value_or(MapOptions{}.map_tolerance),
-                             .largest_sheets = false});
+                             .largest_sheets = !design.map.sheets.empty()});
   return {.design = design,
           .linkage = linkage,
           .map_task = std::move(mapped),

@@ -196,6 +196,10 @@ def falsehoods(design):
     if workspace["sheets"]:
         add("workspace.sheets", lambda d: d["workspace"]["sheets"][0].update(centre_mm=d["mechanism"]["pole_position_mm"]))
         add("workspace.sheets", lambda d: d["workspace"]["largest_sheet"].update(width_mm=1e5))
+        for factor in (0.98, 1.02):
+            add("workspace.sheets", lambda d, f=factor: [s.update(width_mm=f * s["width_mm"]) for s in d["workspace"]["sheets"]])
+        add("workspace.largest_sheet", lambda d: d["workspace"]["largest_sheet"].update(
+            height_mm=0.98 * d["workspace"]["largest_sheet"]["height_mm"]))
     scaled("search", "value")
     if quality["lower_bound"] is not None:
         wrong = 0.95 if design["search"]["objective"] == "transmission" else 1.05
