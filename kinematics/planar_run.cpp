@@ -153,6 +153,10 @@ class ScheduledMotion {
 /// Steps that every row of a table may take on top of what is plenty for the whole motion.
 constexpr std::size_t steps_a_row = 20;
 
+std::size_t steps_for(const PlanarLinkage& linkage, const RunLimits& limits) {
+  return limits.steps > 0 ? limits.steps : plenty_of_steps(linkage.unknown_count());
+}
+
 }  // namespace
 
 std::vector<double> DriveSchedule::values_at(double share) const {
@@ -203,7 +207,7 @@ tl::expected<PlanarRun, NoPathHere> run_motion(const PlanarLinkage& linkage, con
   ScheduledMotion motion(linkage, schedule, std::move(*path), limits);
   PlanarRun run;
   run.frames.push_back(motion.frame());
-  std::size_t more = plenty_of_steps(linkage.unknown_count());
+  std::size_t more = steps_for(linkage, limits);
   for (int step = 1; step <= steps; ++step) {
     run.stop = motion.go_to(static_cast<double>(step) / steps, more + steps_a_row);
     run.frames.push_back(run.stop ? motion.frame_without_rates() : motion.frame());
@@ -220,7 +224,7 @@ tl::expected<PlanarRun, NoPathHere> run_to(const PlanarLinkage& linkage, const P
   if (!path) return tl::unexpected(path.error());
   ScheduledMotion motion(linkage, schedule, std::move(*path), limits);
   PlanarRun run;
-  if (share > 0) run.stop = motion.go_to(share, plenty_of_steps(linkage.unknown_count()));
+  if (share > 0) run.stop = motion.go_to(share, steps_for(linkage, limits));
   run.frames.push_back(run.stop ? motion.frame_without_rates() : motion.frame());
   return run;
 }

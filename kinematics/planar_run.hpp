@@ -46,10 +46,11 @@ struct PlanarRun {
   std::optional<RunStop> stop;
 };
 
-/// What a run may do besides: its work is bounded by itself (plenty_of_steps, and some for every part).
+/// What ends a run before its time.
 struct RunLimits {
-  std::function<bool()>
-      stop;  ///< true ends the run as interrupted; looked at every so often, if there is one
+  /// True ends the run as interrupted; looked at every so often, if there is one.
+  std::function<bool()> stop;
+  std::size_t steps = 0;  ///< certified steps tried, besides some for every part; 0: plenty_of_steps
 };
 
 /// Runs the motion from a closed position at its start, in `steps` equal parts. Rates are left empty at a

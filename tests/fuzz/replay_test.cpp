@@ -1,10 +1,15 @@
 // Every stored input through its reader: what once was found stays found.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
+#include <string>
 
+#include "tests/fuzz/degenerate_linkages.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/samples.hpp"
 
@@ -35,6 +40,18 @@ TEST(Corpus, EveryStoredInputIsReadOrRefused) {
     }
   }
   EXPECT_GT(replayed, 10U);
+}
+
+TEST(DegenerateLinkages, MoveOrSayWhyTheyDoNot) {
+  std::array<int, 3> counts{};
+  for (int i = 0; i < test::samples(600); ++i) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(i));
+    std::string bytes(64, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random() >> 56);
+    ++counts[static_cast<std::size_t>(
+        move_linkage_from_choices(bytes, "degenerate linkage " + std::to_string(i)))];
+  }
+  for (const int count : counts) EXPECT_GT(count, test::expected(60));
 }
 
 }  // namespace

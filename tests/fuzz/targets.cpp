@@ -16,6 +16,7 @@
 #include "specs/spec_reader.hpp"
 #include "specs/svg_reader.hpp"
 #include "synthesis/verification.hpp"
+#include "tests/fuzz/degenerate_linkages.hpp"
 #include "tests/fuzz/structured.hpp"
 
 namespace kempe::fuzz {
@@ -83,13 +84,15 @@ void lines(std::string_view input) {
   if (const auto text = toml_from_json(std::string(input), file)) (void)read_spec(*text, file, ".");
 }
 
+void motions(std::string_view input) { (void)move_linkage_from_choices(input); }
+
 void choices(std::string_view input) { (void)design_from_choices(input); }
 
 constexpr std::array all{
     Target{"specs", spec},     Target{"geojson", geojson},       Target{"svg", svg},
     Target{"dxf", dxf},        Target{"linkages", linkage},      Target{"measurements", measurements},
     Target{"designs", design}, Target{"generators", generators}, Target{"scribbles", scribbles},
-    Target{"lines", lines},    Target{"choices", choices}};
+    Target{"lines", lines},    Target{"motions", motions},       Target{"choices", choices}};
 
 }  // namespace
 
