@@ -104,7 +104,7 @@ int run(const FunctionArguments& arguments) {
   const auto task = task_of(*spec, arguments.spec_file);
   if (!task) return fail(task.error());
   const auto design = generate_function(*task);
-  if (!design) return fail(no_design, "no design exists: " + design.error().sentence);
+  if (!design) return fail(no_design, "no design found: " + design.error().sentence);
   if (!arguments.plot_file.empty()) {
     const std::string wanted = spec->expression.empty() ? "the table" : "y = " + spec->expression;
     const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted));

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "synthesis/calibration_fit.hpp"
 #include "synthesis/calibration_statistics.hpp"
@@ -135,6 +136,12 @@ class Fitting {
     outcome.square_sum *= factor * factor;
   }
 
+  static bool beyond_chance(const detail::NoiseEstimate& estimate, double known) {
+    const double squares = estimate.freedom * std::pow(estimate.noise / known, 2);
+    return chi_squared_upper_probability(squares, static_cast<int>(std::lround(estimate.freedom))) <
+           detail::named_by_chance;
+  }
+
   double choose_noise(const detail::NoiseEstimate& estimate, NoiseSource& source) const {
     const double least = std::max(task_.rounding, 1e-15 / units_[index_of(Measure::turn)]);
     const bool estimable = estimate.freedom >= 1.5;
@@ -143,8 +150,7 @@ class Fitting {
                                        : NoiseSource::assumed;
     if (source == NoiseSource::residuals) return std::max(estimate.noise, least);
     const double known = initial_noise();
-    const double beyond_chance = std::sqrt(1 + 4 * std::sqrt(2 / std::max(estimate.freedom, 1.0)));
-    if (source == NoiseSource::stated && estimable && estimate.noise > beyond_chance * known) {
+    if (source == NoiseSource::stated && estimable && beyond_chance(estimate, known)) {
       source = NoiseSource::larger_residuals;
       return estimate.noise;
     }
@@ -193,14 +199,6 @@ class Fitting {
   Measures units_;
 };
 
-void take_out(std::vector<std::size_t>& used, const std::vector<std::size_t>& places,
-              std::vector<std::size_t>& out) {
-  for (auto place = places.rbegin(); place != places.rend(); ++place) {
-    out.push_back(used[*place]);
-    used.erase(used.begin() + static_cast<std::ptrdiff_t>(*place));
-  }
-}
-
 Eigen::Matrix<double, measure_count, measure_count> covariance_of(const Fitted& fitted,
                                                                   const Measures& units) {
   Eigen::Matrix<double, measure_count, measure_count> covariance =
@@ -218,6 +216,58 @@ Eigen::Matrix<double, measure_count, measure_count> covariance_of(const Fitted& 
 detail::WeightedTask weighted_for(const CalibrationTask& task, const Fitted& fitted,
                                   const std::vector<std::size_t>& used) {
   return {task, used, fitted.noise, detail::units_of(task), second_order(task, fitted)};
+}
+
+/// All readings about a fit, weighed by the noise that they are judged by: the stated one, never what outliers made of it.
+struct Judged {
+  detail::WeightedTask weighted;
+  detail::LinearFit about;
+  bool noise_is_known;
+};
+
+std::optional<Judged> judged_about(const CalibrationTask& task, const Fitted& fitted,
+                                   const Measures& deviations) {
+  std::vector<std::size_t> all(task.readings.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Judged judged{weighted_for(task, fitted, all), {}, fitted.source != NoiseSource::residuals};
+  if (judged.noise_is_known) judged.weighted.noise = task.reading_uncertainty.value_or(fitted.noise);
+  judged.about.residuals.resize(judged.weighted.rows());
+  judged.about.slopes.resize(judged.weighted.rows(), static_cast<Eigen::Index>(fitted.free.size()));
+  if (!judged.weighted.evaluate(deviations, fitted.free, judged.about.residuals, &judged.about.slopes))
+    return std::nullopt;
+  return judged;
+}
+
+std::vector<std::size_t> rest_of(const CalibrationTask& task, const std::vector<std::size_t>& outliers) {
+  std::vector<std::size_t> rest;
+  for (std::size_t i = 0; i < task.readings.size(); ++i)
+    if (!std::binary_search(outliers.begin(), outliers.end(), i)) rest.push_back(i);
+  return rest;
+}
+
+/// The readings that stand out, and the fit of the others: sought anew about every fit until they stay the same. A fit
+/// that wrong readings have led far astray says nothing; then the search begins about the instrument as drawn.
+struct Cleaned {
+  std::optional<Fitted> fitted;
+  std::vector<std::size_t> outliers;
+};
+Cleaned without_outliers(const CalibrationTask& task, const std::optional<Fitted>& of_all) {
+  Cleaned clean{of_all, {}};
+  constexpr int most_rounds = 6;
+  for (int round = 0; round < most_rounds && clean.fitted; ++round) {
+    constexpr double far_astray = 5;
+    const Measures& found = clean.fitted->outcome.deviations;
+    const bool astray = found.head<8>().cwiseAbs().maxCoeff() > far_astray * task.plausible_deviation;
+    const Measures about = astray ? Measures(Measures::Zero()) : found;
+    const auto judged = judged_about(task, *clean.fitted, about);
+    if (!judged) break;
+    auto outliers = detail::standing_out(judged->weighted, judged->about, judged->noise_is_known);
+    if (outliers == clean.outliers) break;
+    auto fitted = Fitting(task, rest_of(task, outliers)).run();
+    if (!fitted) break;
+    clean = {std::move(fitted), std::move(outliers)};
+  }
+  return clean;
 }
 
 /// What the determined measures move by when a held one is off by the plausible deviation, evenly spread.
@@ -241,8 +291,7 @@ void add_traces_of_held(const CalibrationTask& task, const Fitted& fitted,
 }
 
 void fill_readings(const CalibrationTask& task, const Fitted& fitted, const std::vector<std::size_t>& used,
-                   Calibration& result) {
-  const auto weighted = weighted_for(task, fitted, used);
+                   const std::vector<std::size_t>& outliers, Calibration& result) {
   result.readings.resize(task.readings.size());
   for (std::size_t i = 0; i < task.readings.size(); ++i) {
     const CalibrationReading& reading = task.readings[i];
@@ -251,17 +300,39 @@ void fill_readings(const CalibrationTask& task, const Fitted& fitted, const std:
     if (const auto output = output_at(setup, setup.drawn + result.deviations, reading.input))
       result.readings[i].left = reading.output - output->at;
   }
-  const auto left_out =
-      detail::leave_one_out(weighted, fitted.outcome, fitted.source != NoiseSource::residuals);
+  const auto judged = judged_about(task, fitted, result.deviations);
+  if (judged) {
+    const auto left_out =
+        detail::leave_one_out(judged->weighted, judged->about, outliers, judged->noise_is_known);
+    for (std::size_t i = 0; i < left_out.size(); ++i) {
+      result.readings[i].studentised = left_out[i].studentised;
+      result.readings[i].leverage = left_out[i].leverage;
+    }
+  }
+  for (const std::size_t i : outliers) result.readings[i].outlier = true;
   double squares = 0;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    ReadingFit& reading = result.readings[used[i]];
-    reading.studentised = left_out[i].studentised;
-    reading.leverage = left_out[i].leverage;
-    result.left_largest = std::max(result.left_largest, reading.left.norm());
-    squares += reading.left.squaredNorm();
+  for (const std::size_t i : used) {
+    result.left_largest = std::max(result.left_largest, result.readings[i].left.norm());
+    squares += result.readings[i].left.squaredNorm();
   }
   result.left_rms = std::sqrt(squares / std::max<double>(1, static_cast<double>(2 * used.size())));
+}
+
+/// The sum of squares by the stated noise.
+std::optional<FitCheck> check_of(const CalibrationTask& task, const Fitted& fitted,
+                                 const std::vector<std::size_t>& used) {
+  if (!task.reading_uncertainty) return std::nullopt;
+  detail::WeightedTask weighted = weighted_for(task, fitted, used);
+  weighted.noise = *task.reading_uncertainty;
+  const auto freedom = static_cast<int>(weighted.rows()) - static_cast<int>(fitted.free.size());
+  detail::LinearFit about{Eigen::VectorXd(weighted.rows()),
+                          Eigen::MatrixXd(weighted.rows(), static_cast<Eigen::Index>(fitted.free.size()))};
+  if (freedom < 1 ||
+      !weighted.evaluate(fitted.outcome.deviations, fitted.free, about.residuals, &about.slopes))
+    return std::nullopt;
+  FitCheck check{detail::least_square_sum(about, used.size()), freedom, 1};
+  check.probability = chi_squared_upper_probability(check.chi_squared, freedom);
+  return check;
 }
 
 /// An unknown deviation of a measure that was taken as drawn is explained by the free ones instead: by minus
@@ -288,8 +359,8 @@ void add_known_within(const CalibrationTask& task, const Fitted& fitted, const s
   }
 }
 
-Calibration result_of(const CalibrationTask& task, const Fitted& fitted,
-                      const std::vector<std::size_t>& used) {
+Calibration result_of(const CalibrationTask& task, const Fitted& fitted, const std::vector<std::size_t>& used,
+                      const std::vector<std::size_t>& outliers) {
   Calibration result;
   result.deviations = fitted.outcome.deviations;
   result.indistinct = fitted.indistinct;
@@ -309,7 +380,8 @@ Calibration result_of(const CalibrationTask& task, const Fitted& fitted,
     const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(fitted.outcome.slopes).singularValues();
     result.singular_values.assign(values.data(), values.data() + values.size());
   }
-  fill_readings(task, fitted, used, result);
+  fill_readings(task, fitted, used, outliers, result);
+  result.check = check_of(task, fitted, used);
   return result;
 }
 
@@ -317,29 +389,22 @@ Calibration result_of(const CalibrationTask& task, const Fitted& fitted,
 
 tl::expected<Calibration, CalibrationFault> calibrate(const CalibrationTask& task) {
   if (auto fault = detail::fault_of(task)) return tl::unexpected(*fault);
-  std::vector<std::size_t> all(task.readings.size()), outliers;
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  std::vector<std::size_t> used = all;
-  auto fitted = Fitting(task, used).run();
-  while (fitted && 4 * outliers.size() < all.size()) {
-    const auto places = detail::standing_out(weighted_for(task, *fitted, used), fitted->outcome,
-                                             fitted->source != NoiseSource::residuals);
-    if (places.empty()) break;
-    take_out(used, places, outliers);
-    fitted = Fitting(task, used).run();
-  }
-  if (task.keep_outliers && !outliers.empty()) {
-    used = all;
-    fitted = Fitting(task, used).run();
-  }
+  const std::vector<std::size_t> all = rest_of(task, {});
+  const auto of_all = Fitting(task, all).run();
+  const Cleaned clean = without_outliers(task, of_all);
+  const bool kept = task.keep_outliers && of_all.has_value();
+  const std::optional<Fitted>& fitted = kept ? of_all : clean.fitted;
   if (!fitted) {
     return tl::unexpected(CalibrationFault{{},
                                            "readings that no instrument near the drawn one explains",
                                            "readings within a few hundredths of the drawn instrument's"});
   }
-  Calibration result = result_of(task, *fitted, used);
-  for (const std::size_t i : outliers) result.readings[i].outlier = true;
+  Calibration result = result_of(task, *fitted, kept ? all : rest_of(task, clean.outliers), clean.outliers);
+  if (!clean.outliers.empty() && of_all)
+    result.otherwise = kept ? clean.fitted->outcome.deviations : of_all->outcome.deviations;
   return result;
 }
+
+bool FitCheck::contradicts() const { return probability < detail::named_by_chance; }
 
 }  // namespace kempe

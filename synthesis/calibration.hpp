@@ -73,7 +73,15 @@ struct ReadingFit {
   double studentised =
       0;  ///< length of `left` in units of its own uncertainty, without this reading's own influence
   double leverage = 0;   ///< 0..1: how much this reading decides its own fit
-  bool outlier = false;  ///< named: by chance once in a thousand fits
+  bool outlier = false;  ///< named: chance would name any reading in at most one of a thousand fits
+};
+
+/// What is left, against what the stated uncertainties let expect.
+struct FitCheck {
+  double chi_squared = 0;    ///< sum of squares in stated uncertainties, readings and lengths in use
+  int freedom = 0;           ///< its degrees of freedom, >= 1
+  double probability = 1;    ///< of a larger one by chance
+  bool contradicts() const;  ///< less than once in a thousand fits
 };
 
 /// Where the uncertainty of a reading comes from.
@@ -95,6 +103,9 @@ struct Calibration {
   std::vector<Indistinct> indistinct;  ///< empty: everything free is determined
   Eigen::Matrix<bool, measure_count, 1> determined = Eigen::Matrix<bool, measure_count, 1>::Constant(true);
   std::vector<ReadingFit> readings;
+  std::optional<FitCheck> check;  ///< where the noise is stated and something is left over
+  /// Where outliers are named: the deviations if they were kept (or, where they are kept, left out).
+  std::optional<Measures> otherwise;
   double noise = 0;  ///< standard uncertainty of a coordinate read, mm
   NoiseSource noise_source = NoiseSource::assumed;
   int degrees_of_freedom = 0;

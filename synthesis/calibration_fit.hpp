@@ -67,16 +67,29 @@ struct NoiseEstimate {
 };
 NoiseEstimate estimated_noise(const WeightedTask& weighted, const FitOutcome& fit);
 
-/// Studentised residual and leverage of the readings in use, by leaving each out in turn.
+/// A reading is named if chance would name any of the fit's readings less often than this.
+inline constexpr double named_by_chance = 1e-3;
+
+/// Residuals and slopes about some deviations, weighted: all that the search for outliers looks at.
+struct LinearFit {
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd slopes;
+};
+
+/// The readings that stand out from the rest beyond chance, ascending; indices into `used`. However many hide each
+/// other, up to a third of the readings. None is named where another in its place would explain nearly as much. With
+/// `noise_is_known` the weights' noise is the yardstick, as long as the readings that agree best do not contradict it.
+std::vector<std::size_t> standing_out(const WeightedTask& weighted, const LinearFit& about,
+                                      bool noise_is_known);
+
+/// Studentised residual and leverage of the readings in use: each judged by the fit of the others without those left out.
 struct LeftOut {
   double studentised = 0, leverage = 0;
 };
-std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const FitOutcome& fit, bool noise_is_known);
+std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const LinearFit& about,
+                                   const std::vector<std::size_t>& left_out, bool noise_is_known);
 
-/// The reading, or the two readings, that stand out from the rest beyond chance (one fit in a thousand);
-/// indices into `used`, empty for none. Two are tried together because two wrong readings can hide each
-/// other.
-std::vector<std::size_t> standing_out(const WeightedTask& weighted, const FitOutcome& fit,
-                                      bool noise_is_known);
+/// The sum of squares that a linear fit of everything leaves.
+double least_square_sum(const LinearFit& about, std::size_t readings);
 
 }  // namespace kempe::calibration_detail

@@ -1,12 +1,20 @@
-// Readings that stand out: what is left at a reading, judged by the fit without it.
+// Readings that stand out: what is left at a reading, judged by a fit that it has no part in.
 //
-// With the hat matrix H of the weighted slopes, leaving the rows S out lowers the sum of squares by
-//   q = e_S (1 - H_SS)^-1 e_S,
-// so that F = (q / |S|) / ((sum of squares - q) / (freedom - |S|)) has Fisher's distribution if S is like the
-// rest.
+// All is linear about a fit: residuals r (weighted) and slopes J. A set C of readings alone asks for the step
+// d = -(J_C^T J_C)^-1 J_C^T r_C, and then of a reading i outside C
+//   q_i = e^T (1 + J_i (J_C^T J_C)^-1 J_i^T)^-1 e,   e = r_i + J_i d,
+// is chi-squared with 2 degrees of freedom in units of the noise if reading i is like the rest.
+//   1. several wrong readings hide each other and inflate every yardstick taken from all: so the search begins at the set
+//      of readings that agree best (least trimmed squares: many small subsets, each concentrated);
+//   2. from there the others are admitted, nearest first, while they could be like the rest;
+//   3. those that chance would keep out less than once in a thousand fits stay out: they are named.
+// The yardstick is the stated noise; only where those that agree best already contradict it, or where none is stated, it is
+// what they leave themselves (then q_i / 2 over their mean square has Fisher's distribution).
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "synthesis/calibration_fit.hpp"
 #include "synthesis/calibration_statistics.hpp"
@@ -14,98 +22,307 @@
 namespace kempe::calibration_detail {
 namespace {
 
-class Deletion {
+using Rows = std::vector<std::size_t>;
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, measure_count, measure_count>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, measure_count, 1>;
+using Pair = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, measure_count>;
+
+/// The linear model about a fit, of all readings and lengths.
+class Linear {
  public:
-  Deletion(const WeightedTask& weighted, const FitOutcome& fit, bool noise_is_known)
-      : slopes_(fit.slopes), residuals_(fit.residuals), square_sum_(fit.square_sum),
-        noise_is_known_(noise_is_known) {
-    if (fit.slopes.cols() > 0) spread_ = fit.slopes * inverse_normal(fit.slopes);
-    freedom_ = static_cast<int>(weighted.rows() - fit.slopes.cols());
-    // Rounding, as a weighted residual: readings without noise have no outliers.
-    const double rounding = 1e-11 / weighted.units[index_of(Measure::turn)];
-    floor_ = std::pow(std::max(rounding, weighted.model_error) / weighted.noise, 2);
-    if (noise_is_known) floor_ = std::max(floor_, 1.0);
-  }
+  Linear(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& slopes, std::size_t readings)
+      : residuals_(residuals), slopes_(slopes), readings_(readings) {}
 
-  struct Verdict {
-    double ratio = 0;        ///< F
-    double probability = 1;  ///< of a larger one by chance
+  std::size_t readings() const { return readings_; }
+  Eigen::Index unknowns() const { return slopes_.cols(); }
+  /// Degrees of freedom that a number of readings leave.
+  int freedom(std::size_t readings) const {
+    return static_cast<int>(residuals_.size()) - static_cast<int>(2 * (readings_ - readings)) -
+           static_cast<int>(slopes_.cols());
+  }
+  Eigen::Vector2d residual(std::size_t i) const { return residuals_.segment<2>(row(i)); }
+  Pair slope(std::size_t i) const { return slopes_.middleRows<2>(row(i)); }
+
+  /// What the readings of a set, with all lengths, ask for.
+  struct Agreed {
+    SmallVector step;
+    Small spread;  ///< (J_C^T J_C)^-1
+    double square_sum = 0;
   };
-  /// Of the readings in S leaving the fit together; nothing to say where they alone decide it.
-  Verdict without(const std::vector<std::size_t>& readings) const {
-    std::vector<Eigen::Index> rows;
-    for (const std::size_t i : readings) {
-      rows.push_back(static_cast<Eigen::Index>(2 * i));
-      rows.push_back(static_cast<Eigen::Index>(2 * i + 1));
+  Agreed agreed(const Rows& set) const {
+    const Eigen::Index p = slopes_.cols(), first_length = static_cast<Eigen::Index>(2 * readings_);
+    const Eigen::Index lengths = residuals_.size() - first_length;
+    Small normal = slopes_.bottomRows(lengths).transpose() * slopes_.bottomRows(lengths);
+    SmallVector right = slopes_.bottomRows(lengths).transpose() * residuals_.tail(lengths);
+    double sum = residuals_.tail(lengths).squaredNorm();
+    for (const std::size_t i : set) {
+      const Pair own = slope(i);
+      normal.noalias() += own.transpose() * own;
+      right.noalias() += own.transpose() * residual(i);
+      sum += residual(i).squaredNorm();
     }
-    const int count = static_cast<int>(rows.size()), freedom = freedom_ - count;
-    const Eigen::MatrixXd own = Eigen::MatrixXd::Identity(count, count) - hat(rows);
-    const Eigen::LDLT<Eigen::MatrixXd> solver(own);
-    constexpr double decides_alone = 1e-6;
-    if (!(solver.vectorD().minCoeff() > decides_alone)) return {};
-    const double drop = residuals_(rows).dot(solver.solve(residuals_(rows)));
-    if (freedom < 1) return noise_is_known_ ? judged(drop / count, count / 2, 0) : Verdict{};
-    const double rest = std::max((square_sum_ - drop) / freedom, floor_);
-    return judged(drop / count / rest, count / 2, freedom);
+    Agreed result;
+    if (p == 0) {
+      result.square_sum = sum;
+      return result;
+    }
+    // A few readings alone need not tell all: a trace of the drawn instrument keeps the rest near it.
+    constexpr double trace = 1e-12;
+    const double most = normal.diagonal().maxCoeff();
+    normal.diagonal().array() += trace * (most > 0 ? most : 1);
+    const Eigen::LDLT<Small> solver(normal);
+    result.step = -solver.solve(right);
+    result.spread = solver.solve(Small::Identity(p, p));
+    result.square_sum = std::max(0.0, sum + right.dot(result.step));
+    return result;
   }
 
-  double leverage(std::size_t reading) const {
-    const auto row = static_cast<Eigen::Index>(2 * reading);
-    return 0.5 * hat({row, row + 1}).trace();
+  /// What is left at a reading by a fit.
+  Eigen::Vector2d left(const Agreed& fit, std::size_t i) const {
+    return slopes_.cols() == 0 ? residual(i) : Eigen::Vector2d(residual(i) + slope(i) * fit.step);
+  }
+  /// q_i of a reading that has no part in the fit.
+  double beyond(const Agreed& fit, std::size_t i) const {
+    const Eigen::Vector2d e = left(fit, i);
+    return e.dot(Eigen::Matrix2d(Eigen::Matrix2d::Identity() + own_spread(fit, i)).ldlt().solve(e));
+  }
+  /// J_i (J_C^T J_C)^-1 J_i^T.
+  Eigen::Matrix2d own_spread(const Agreed& fit, std::size_t i) const {
+    if (slopes_.cols() == 0) return Eigen::Matrix2d::Zero();
+    const Pair own = slope(i);
+    return own * fit.spread * own.transpose();
   }
 
  private:
-  static Verdict judged(double ratio, int pairs, int freedom) {
-    return {ratio, fisher_upper_probability(ratio, pairs, freedom)};
-  }
-  /// Rows and columns of the hat matrix; all of it would grow with the square of the readings.
-  Eigen::MatrixXd hat(const std::vector<Eigen::Index>& rows) const {
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    if (slopes_.cols() == 0) return Eigen::MatrixXd::Zero(count, count);
-    return spread_(rows, Eigen::all) * slopes_(rows, Eigen::all).transpose();
-  }
+  static Eigen::Index row(std::size_t i) { return static_cast<Eigen::Index>(2 * i); }
+  const Eigen::VectorXd& residuals_;
   const Eigen::MatrixXd& slopes_;
-  Eigen::MatrixXd spread_;  ///< hat matrix = spread_ slopes_^T
-  Eigen::VectorXd residuals_;
-  double square_sum_, floor_ = 1;
-  bool noise_is_known_;
-  int freedom_ = 0;
+  std::size_t readings_;
 };
 
-/// A reading is named if chance would name any of the fit's readings less often than this.
-constexpr double named_by_chance = 1e-3;
-/// Above this many readings two that hide each other are not sought: the pairs become too many.
-constexpr std::size_t most_for_pairs = 60;
-
-}  // namespace
-
-std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const FitOutcome& fit, bool noise_is_known) {
-  const Deletion deletion(weighted, fit, noise_is_known);
-  std::vector<LeftOut> all;
-  for (std::size_t i = 0; i < weighted.used.size(); ++i)
-    all.push_back({std::sqrt(std::max(0.0, 2 * deletion.without({i}).ratio)), deletion.leverage(i)});
+Rows all_of(std::size_t count) {
+  Rows all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
   return all;
 }
 
-std::vector<std::size_t> standing_out(const WeightedTask& weighted, const FitOutcome& fit,
+Rows without(const Rows& all, const Rows& set) {
+  Rows rest;
+  std::set_difference(all.begin(), all.end(), set.begin(), set.end(), std::back_inserter(rest));
+  return rest;
+}
+
+/// Chance that a set of readings lies as far off as it does.
+class Judge {
+ public:
+  Judge(bool noise_is_known, double floor) : known_(noise_is_known), floor_(floor) {}
+
+  /// `square_sum` of the set that agrees, with its degrees of freedom; q summed over `readings` others.
+  double chance(double q, std::size_t readings, double square_sum, int freedom) const {
+    const auto pairs = static_cast<int>(readings);
+    const double per_value = q / (2.0 * pairs);
+    if (known_ && (freedom < 1 || !contradicts_stated(square_sum, freedom)))
+      return fisher_upper_probability(per_value / std::max(1.0, floor_), pairs, 0);
+    if (freedom < 1) return 1;
+    return fisher_upper_probability(per_value / std::max(square_sum / freedom, floor_), pairs, freedom);
+  }
+
+  double mean_square(double square_sum, int freedom) const {
+    const double own = freedom < 1 ? 0 : square_sum / freedom;
+    return std::max({known_ ? 1.0 : 0.0, own, floor_});
+  }
+
+ private:
+  static bool contradicts_stated(double square_sum, int freedom) {
+    constexpr double hardly = 0.05;
+    return chi_squared_upper_probability(square_sum, freedom) < hardly;
+  }
+  bool known_;
+  double floor_;
+};
+
+/// Numbers that are the same on every machine.
+class Shuffle {
+ public:
+  std::size_t below(std::size_t count) {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<std::size_t>((state_ >> 33) % count);
+  }
+
+ private:
+  std::uint64_t state_ = 1;
+};
+
+class Search {
+ public:
+  Search(const Linear& linear, const Judge& judge)
+      : linear_(linear), judge_(judge), count_(linear.readings()), all_(all_of(count_)) {}
+
+  Rows outliers() const {
+    const std::size_t most = most_outliers();
+    if (most == 0) return {};
+    Rows inside = agreeing(count_ - most);
+    const double single = named_by_chance / static_cast<double>(count_);
+    while (inside.size() < count_) {
+      const auto fit = linear_.agreed(inside);
+      const Rows outside = without(all_, inside);
+      const int freedom = linear_.freedom(inside.size());
+      Rows admitted;
+      std::size_t nearest = outside.front();
+      double least = std::numeric_limits<double>::infinity(), nearest_chance = 0, sum = 0;
+      for (const std::size_t i : outside) {
+        const double q = linear_.beyond(fit, i), chance = judge_.chance(q, 1, fit.square_sum, freedom);
+        constexpr double surely_like_the_rest = 0.05;
+        if (chance > surely_like_the_rest) admitted.push_back(i);
+        if (q < least) {
+          least = q;
+          nearest = i;
+          nearest_chance = chance;
+        }
+        sum += q;
+      }
+      if (admitted.empty()) {
+        if (nearest_chance < single && beyond_chance(outside, inside) && is_told(outside, inside))
+          return outside;
+        admitted = {nearest};
+      }
+      inside.insert(inside.end(), admitted.begin(), admitted.end());
+      std::sort(inside.begin(), inside.end());
+    }
+    return {};
+  }
+
+ private:
+  /// At most a third, and so few that the rest is judged by at least two degrees of freedom of its own.
+  std::size_t most_outliers() const {
+    std::size_t most = count_ / 3;
+    while (most > 0 && linear_.freedom(count_ - most) < 2) --most;
+    return most;
+  }
+
+  double trimmed_sum(const Linear::Agreed& fit, std::size_t kept, Rows& nearest) const {
+    std::vector<std::pair<double, std::size_t>> order;
+    order.reserve(count_);
+    for (std::size_t i = 0; i < count_; ++i) order.emplace_back(linear_.left(fit, i).squaredNorm(), i);
+    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept - 1), order.end());
+    nearest.clear();
+    double sum = 0;
+    for (std::size_t i = 0; i < kept; ++i) {
+      nearest.push_back(order[i].second);
+      sum += order[i].first;
+    }
+    std::sort(nearest.begin(), nearest.end());
+    return sum;
+  }
+
+  /// The `kept` readings that agree best: from all, and from many subsets that just tell the unknowns, each drawn to the
+  /// readings nearest to its fit (concentration steps, Rousseeuw and Van Driessen 1999).
+  Rows agreeing(std::size_t kept) const {
+    const auto unknowns = static_cast<std::size_t>(linear_.unknowns());
+    const std::size_t subset = std::min(kept, unknowns / 2 + 1);
+    constexpr double work = 4e6;
+    const double one = static_cast<double>(2 * count_ * (unknowns + 1) * (unknowns + 1));
+    const auto starts = static_cast<int>(std::clamp(work / one, 3.0, 80.0));
+    Shuffle shuffle;
+    Rows best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int start = 0; start <= starts; ++start) {
+      Rows set = all_;
+      if (start > 0) {
+        for (std::size_t i = 0; i < subset; ++i) std::swap(set[i], set[i + shuffle.below(count_ - i)]);
+        set.resize(subset);
+      }
+      double sum = std::numeric_limits<double>::infinity();
+      constexpr int steps = 4;
+      for (int step = 0; step < steps; ++step) {
+        const double now = trimmed_sum(linear_.agreed(set), kept, set);
+        if (!(now < sum)) break;
+        sum = now;
+      }
+      if (!(sum < least)) continue;
+      least = sum;
+      best = set;
+    }
+    return best;
+  }
+
+  double square_sum_of(const Rows& set) const { return linear_.agreed(set).square_sum; }
+
+  /// All sets of as many readings could have been picked: together they must be less likely than one in as many.
+  bool beyond_chance(const Rows& outside, const Rows& inside) const {
+    const double rest = square_sum_of(inside), drop = square_sum_of(all_) - rest;
+    double sets = 1;
+    for (std::size_t k = 0; k < outside.size(); ++k)
+      sets *= static_cast<double>(count_ - k) / static_cast<double>(k + 1);
+    return judge_.chance(drop, outside.size(), rest, linear_.freedom(inside.size())) * sets < named_by_chance;
+  }
+
+  /// False if another reading in place of one of these would explain nearly as much: which is wrong cannot be told.
+  bool is_told(const Rows& outside, const Rows& inside) const {
+    constexpr std::size_t many = 200;
+    if (count_ > many) return true;
+    const double rest = square_sum_of(inside);
+    const double clearly = 2 * std::log(1e3) * judge_.mean_square(rest, linear_.freedom(inside.size()));
+    for (const std::size_t out : outside)
+      for (const std::size_t in : inside) {
+        Rows other = inside;
+        std::replace(other.begin(), other.end(), in, out);
+        if (square_sum_of(other) < rest + clearly) return false;
+      }
+    return true;
+  }
+
+  const Linear& linear_;
+  const Judge& judge_;
+  std::size_t count_;
+  Rows all_;
+};
+
+/// Rounding, and what the model itself may leave, as a weighted square: readings without noise have no outliers.
+double floor_of(const WeightedTask& weighted) {
+  const double rounding = 1e-11 / weighted.units[index_of(Measure::turn)];
+  return std::pow(std::max(rounding, weighted.model_error) / weighted.noise, 2);
+}
+
+}  // namespace
+
+std::vector<std::size_t> standing_out(const WeightedTask& weighted, const LinearFit& about,
                                       bool noise_is_known) {
-  const Deletion deletion(weighted, fit, noise_is_known);
-  const std::size_t count = weighted.used.size();
-  const auto tests = static_cast<double>(count);
-  std::vector<std::size_t> worst;
-  double least = named_by_chance / tests;
-  const auto consider = [&](const std::vector<std::size_t>& readings) {
-    const double probability = deletion.without(readings).probability;
-    if (!(probability < least)) return;
-    least = probability;
-    worst = readings;
-  };
-  for (std::size_t i = 0; i < count; ++i) consider({i});
-  if (!worst.empty() || count > most_for_pairs) return worst;
-  least = named_by_chance / (tests * (tests - 1) / 2);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = i + 1; j < count; ++j) consider({i, j});
-  return worst;
+  const Linear linear(about.residuals, about.slopes, weighted.used.size());
+  const Judge judge(noise_is_known, floor_of(weighted));
+  return Search(linear, judge).outliers();
+}
+
+std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const LinearFit& about,
+                                   const std::vector<std::size_t>& left_out, bool noise_is_known) {
+  const Linear linear(about.residuals, about.slopes, weighted.used.size());
+  const Judge judge(noise_is_known, floor_of(weighted));
+  const Rows inside = without(all_of(weighted.used.size()), left_out);
+  const auto fit = linear.agreed(inside);
+  std::vector<LeftOut> all(weighted.used.size());
+  for (const std::size_t i : left_out) {
+    const double rest = judge.mean_square(fit.square_sum, linear.freedom(inside.size()));
+    all[i].studentised = std::sqrt(linear.beyond(fit, i) / rest);
+  }
+  for (const std::size_t i : inside) {
+    const Eigen::Matrix2d hat = linear.own_spread(fit, i), own = Eigen::Matrix2d::Identity() - hat;
+    all[i].leverage = 0.5 * hat.trace();
+    constexpr double decides_alone = 1e-6;
+    const Eigen::LDLT<Eigen::Matrix2d> solver(own);
+    if (!(solver.vectorD().minCoeff() > decides_alone)) continue;
+    const Eigen::Vector2d e = linear.left(fit, i);
+    const double drop = e.dot(solver.solve(e));
+    const int freedom = linear.freedom(inside.size()) - 2;
+    if (freedom < 1 && !noise_is_known) continue;
+    all[i].studentised =
+        std::sqrt(std::max(0.0, drop / judge.mean_square(std::max(0.0, fit.square_sum - drop), freedom)));
+  }
+  return all;
+}
+
+double least_square_sum(const LinearFit& about, std::size_t readings) {
+  const Linear linear(about.residuals, about.slopes, readings);
+  return linear.agreed(all_of(readings)).square_sum;
 }
 
 }  // namespace kempe::calibration_detail

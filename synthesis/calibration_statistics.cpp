@@ -1,5 +1,6 @@
 #include "synthesis/calibration_statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kinematics/point.hpp"
@@ -54,6 +55,20 @@ double fisher_upper_probability(double value, int pairs, int freedom) {
     term *= (freedom > 0 ? (half + j) * (1 - x) : pairs * value) / (j + 1);
   }
   return sum;
+}
+
+double chi_squared_upper_probability(double value, int freedom) {
+  if (!(value > 0)) return 1;
+  // Sums of positive terms, each from the one before; for many degrees of freedom they are summed as logarithms.
+  const bool odd = freedom % 2 == 1;
+  const double half = 0.5 * value;
+  double sum = odd ? std::erfc(std::sqrt(half)) : 0;
+  double logarithm = odd ? 0.5 * std::log(2 * value / pi) - half : -half;
+  for (int k = odd ? 3 : 2; k <= freedom; k += 2) {
+    sum += std::exp(logarithm);
+    logarithm += std::log(value / k);
+  }
+  return std::min(1.0, sum);
 }
 
 }  // namespace kempe

@@ -17,4 +17,7 @@ double normal_central_quantile(double probability);
 /// many (then value is chi squared over 2 `pairs`).
 double fisher_upper_probability(double value, int pairs, int freedom);
 
+/// P(chi squared > value) for `freedom` >= 1 degrees of freedom (Abramowitz and Stegun 26.4.4, 26.4.5).
+double chi_squared_upper_probability(double value, int freedom);
+
 }  // namespace kempe

@@ -1,7 +1,6 @@
 #include "synthesis/function_conditions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "synthesis/golden_section.hpp"
@@ -9,48 +8,67 @@
 namespace kempe {
 namespace {
 
-constexpr int places = 121;
-
-/// Chebyshev's spacing: denser towards the ends, where ripples are narrow.
-double place(const FunctionTask& task, int i) {
-  const double share = 0.5 - 0.5 * std::cos(pi * i / (places - 1));
-  return task.x_lower + share * (task.x_upper - task.x_lower);
-}
+constexpr int golden_steps = 28;  ///< to a millionth of a cell: the height there is right to rounding
 
 /// The top of a ripple between two places: golden section.
 ErrorRipple top_between(const GeneratorError& error, const GeneratorVector& u, double lower, double upper,
                         int sign) {
-  const auto height = [&](double x) { return sign * error.at(u, x).value; };
-  const double x = top_by_golden_section(height, lower, upper, 40);
+  const auto height = [&](double x) { return sign * error.value_at(u, x); };
+  const double x = top_by_golden_section(height, lower, upper, golden_steps);
   return {x, height(x), sign};
 }
 
 }  // namespace
 
 std::vector<ErrorRipple> ripples_of(const GeneratorError& error, const GeneratorVector& u) {
-  const FunctionTask& task = error.task();
-  std::array<double, places> e;
+  const std::vector<WantedPlace>& places = error.wanted().places();
+  const std::vector<double> e = error.values(u, places);
   double highest = 0;
-  for (int i = 0; i < places; ++i) {
-    e[static_cast<std::size_t>(i)] = error.at(u, place(task, i)).value;
-    highest = std::max(highest, std::abs(e[static_cast<std::size_t>(i)]));
-  }
-  const auto height = [&](int i) { return std::abs(e[static_cast<std::size_t>(i)]); };
+  for (const double value : e) highest = std::max(highest, std::abs(value));
+  const auto height = [&](std::size_t i) { return std::abs(e[i]); };
   std::vector<ErrorRipple> ripples;
-  for (int i = 0; i < places; ++i) {
-    if ((i > 0 && height(i - 1) > height(i)) || (i + 1 < places && height(i + 1) >= height(i))) continue;
-    ErrorRipple ripple{place(task, i), height(i), e[static_cast<std::size_t>(i)] < 0 ? -1 : 1};
-    if (i > 0 && i + 1 < places && ripple.height > 0.9 * highest) {
-      const ErrorRipple top = top_between(error, u, place(task, i - 1), place(task, i + 1), ripple.sign);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool at_end = i == 0 || i + 1 == places.size();
+    if ((i > 0 && height(i - 1) > height(i)) || (i + 1 < places.size() && height(i + 1) >= height(i)))
+      continue;
+    ErrorRipple ripple{places[i].x, height(i), e[i] < 0 ? -1 : 1};
+    if (!at_end && ripple.height > 0.9 * highest) {
+      const ErrorRipple top = top_between(error, u, places[i - 1].x, places[i + 1].x, ripple.sign);
       if (top.height > ripple.height) ripple = top;
     }
     ripples.push_back(ripple);
   }
-  if (ripples.empty()) ripples.push_back({task.x_lower, height(0), e[0] < 0 ? -1 : 1});
+  if (ripples.empty()) ripples.push_back({places.front().x, height(0), e[0] < 0 ? -1 : 1});
   std::stable_sort(ripples.begin(), ripples.end(),
                    [](const ErrorRipple& a, const ErrorRipple& b) { return a.height > b.height; });
   return ripples;
 }
+
+namespace {
+
+/// The output crank turns back by no more than is allowed: the worst retreat, its ends moved to where it is largest.
+GeneratorLimit retreat_limit(const GeneratorError& error, const GeneratorVector& u) {
+  const std::vector<WantedPlace>& places = error.wanted().places();
+  const Retreat retreat = worst_retreat(places, error.values(u, places));
+  GeneratorLimit limit{"turning back", {-allowed_retreat(error.task()), GeneratorVector::Zero(u.size())}};
+  if (retreat.amount == 0) return limit;
+  const auto end = [&](std::size_t i, int sign) {
+    const auto generated = [&](double x) {
+      return sign * (error.wanted().output_turn(x) + error.value_at(u, x));
+    };
+    if (i == 0 || i + 1 == places.size()) return places[i].x;
+    const double x = top_by_golden_section(generated, places[i - 1].x, places[i + 1].x, golden_steps);
+    return generated(x) > generated(places[i].x) ? x : places[i].x;
+  };
+  const double from = end(retreat.from, retreat.direction), to = end(retreat.to, -retreat.direction);
+  const Sloped first = error.at(u, from), last = error.at(u, to);
+  const double turn = error.wanted().output_turn(from) - error.wanted().output_turn(to);
+  limit.excess.value += retreat.direction * (turn + first.value - last.value);
+  limit.excess.slope = retreat.direction * (first.slope - last.slope);
+  return limit;
+}
+
+}  // namespace
 
 std::vector<GeneratorLimit> limits_of(const GeneratorError& error, const GeneratorVector& u) {
   const double cosine = std::cos(kept_transmission(error.task()));
@@ -67,6 +85,7 @@ std::vector<GeneratorLimit> limits_of(const GeneratorError& error, const Generat
       if (j >= 0) excess.slope[j] = -1;
       limits.push_back({"longest_ratio", excess});
     }
+  limits.push_back(retreat_limit(error, u));
   return limits;
 }
 

@@ -6,9 +6,42 @@
 namespace kempe {
 namespace {
 
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+double wrapped(double angle) { return std::abs(angle) <= pi ? angle : std::remainder(angle, 2 * pi); }
+
+/// The closed loop, its input crank's start turned by every place's own turn.
+class Values {
+ public:
+  Values(const GeneratorVector& u, const Starts& start, FourBarBranch branch)
+      : a_(std::exp(u[0])), c_(std::exp(u[2])), squares_(c_ * c_ - std::exp(2 * u[1])),
+        cosine_(std::cos(start.input)), sine_(std::sin(start.input)), output_(start.output),
+        side_(branch == FourBarBranch::first ? -1 : 1) {}
+
+  double at(const WantedPlace& place) const {
+    const double px = a_ * (cosine_ * place.cosine - sine_ * place.sine) - 1;
+    const double py = a_ * (sine_ * place.cosine + cosine_ * place.sine), e_squared = px * px + py * py;
+    const double beside =
+        std::acos(std::clamp((e_squared + squares_) / (2 * c_ * std::sqrt(e_squared)), -1.0, 1.0));
+    return wrapped(std::atan2(py, px) + side_ * beside - output_ - place.output_turn);
+  }
+
+ private:
+  double a_, c_, squares_, cosine_, sine_, output_, side_;
+};
 
 }  // namespace
+
+double GeneratorError::value_at(const GeneratorVector& u, double x) const {
+  return Values(u, starts(u), branch_).at(wanted_->place_at(x));
+}
+
+std::vector<double> GeneratorError::values(const GeneratorVector& u,
+                                           const std::vector<WantedPlace>& places) const {
+  const Values values(u, starts(u), branch_);
+  std::vector<double> all;
+  all.reserve(places.size());
+  for (const WantedPlace& place : places) all.push_back(values.at(place));
+  return all;
+}
 
 GeneratorVector GeneratorError::unknowns_of(const FunctionDesign& design) const {
   const FourBar& bar = design.linkage;
@@ -34,14 +67,14 @@ Starts GeneratorError::starts(const GeneratorVector& u) const {
   return starts;
 }
 
-Sloped GeneratorError::at(const GeneratorVector& u, double x) const {
+Sloped GeneratorError::at(const GeneratorVector& u, const WantedPlace& place) const {
   const double a = std::exp(u[0]), b = std::exp(u[1]), c = std::exp(u[2]);
   const Starts start = starts(u);
-  const double phi = start.input + wanted_->input_turn(x);
+  const double phi = start.input + place.input_turn;
   const double px = a * std::cos(phi) - 1, py = a * std::sin(phi), e = std::hypot(px, py);
   const double beside = std::acos(std::clamp((e * e + c * c - b * b) / (2 * e * c), -1.0, 1.0));
   const double psi = std::atan2(py, px) + (branch_ == FourBarBranch::first ? -beside : beside);
-  Sloped error{wrapped(psi - start.output - wanted_->output_turn(x)), GeneratorVector::Zero(size())};
+  Sloped error{wrapped(psi - start.output - place.output_turn), GeneratorVector::Zero(size())};
   const double cos_both = std::cos(phi - psi), sin_both = std::sin(phi - psi);
   const double slope_psi = -c * std::sin(psi) - a * c * sin_both;
   if (!(beside > 0 && beside < pi) || slope_psi == 0) return error;

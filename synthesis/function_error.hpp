@@ -41,9 +41,13 @@ class GeneratorError {
   FourBar linkage(const GeneratorVector& u) const;
   Starts starts(const GeneratorVector& u) const;
 
-  /// Generated less wanted output angle at x, rad, in (-pi, pi]. Where the loop does not close: with coupler
+  /// Generated less wanted output angle at a place, rad, in (-pi, pi]. Where the loop does not close: with coupler
   /// and output crank in line, as near as they come, and no slopes.
-  Sloped at(const GeneratorVector& u, double x) const;
+  Sloped at(const GeneratorVector& u, const WantedPlace& place) const;
+  Sloped at(const GeneratorVector& u, double x) const { return at(u, wanted_->place_at(x)); }
+  /// The same without slopes.
+  double value_at(const GeneratorVector& u, double x) const;
+  std::vector<double> values(const GeneratorVector& u, const std::vector<WantedPlace>& places) const;
 
   /// cos mu where it is largest and where it is smallest over the range: exact, as it rises with cos phi.
   /// Beyond -1..1 where the loop does not close.

@@ -2,6 +2,7 @@
 // Four-bar function generators: link lengths for which the output crank's dial shows a function of the input
 // crank's.
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -43,8 +44,10 @@ enum class FunctionDefect {
   branch,             ///< the precision points lie on both branches
   order,         ///< the output crank passes the points in another order (it turns back within the range)
   transmission,  ///< the transmission angle falls below the limit
-  lengths        ///< a link vanishes or outgrows longest_ratio
+  lengths,       ///< a link vanishes or outgrows longest_ratio
+  start          ///< a crank would have to start half a turn from the start given
 };
+inline constexpr std::size_t defect_kinds = 7;
 std::string_view name(FunctionDefect defect);
 
 /// One place of the structural error's curve.
@@ -71,7 +74,8 @@ struct FunctionDesign {
   double y_lower = 0, y_upper = 0;           ///< smallest and largest wanted value: the dial's ends
   std::vector<double> precision_points;      ///< x where the error is meant to vanish (or vanishes)
   std::vector<StructuralErrorSample> curve;  ///< over the range, 181 places
-  double error_largest = 0, error_rms = 0;   ///< rad
+  double error_largest = 0;                  ///< rad, over the whole range
+  double error_rms = 0;                      ///< rad, the mean taken over x
   double transmission_min = 0;               ///< rad
   CrankMotion motion = CrankMotion::double_rocker;
   std::optional<MinimaxOptimum> optimum;                                    ///< minimax only
@@ -81,11 +85,12 @@ struct FunctionDesign {
 /// Why no design came out, for a person.
 struct NoFunctionDesign {
   FunctionDefect commonest = FunctionDefect::none;  ///< of the candidates
-  std::string sentence;
+  std::string sentence;  ///< what was searched and what was found; claims no more than that
 };
 
-/// The best design without defect: smallest largest structural error. Three points with both starts given:
-/// the linear equations of Freudenstein; free starts are searched on a grid and refined. Deterministic.
+/// The best design without defect that is found: smallest largest structural error (least squares: smallest mean
+/// square). Where finitely many four-bars pass the precision points all are looked at; free starts and free lengths are
+/// searched over their whole range. Deterministic.
 tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& task);
 
 /// Coefficients through three pairs of angles (Freudenstein's linear equations); nothing if they are

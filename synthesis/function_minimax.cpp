@@ -10,7 +10,7 @@
 namespace kempe {
 namespace {
 
-constexpr int most_steps = 120, own_places = 25;
+constexpr int most_steps = 120, own_places = 33;
 
 /// A place of the search and how it stands.
 struct Standing {
@@ -30,10 +30,11 @@ struct Standing {
   double merit(double weight) const { return largest() + weight * broken(); }
 };
 
-MinimaxProgram program_at(const GeneratorError& error, const Standing& standing, double box) {
+MinimaxProgram program_at(const GeneratorError& error, const Standing& standing,
+                          const std::vector<WantedPlace>& places, double box) {
   const FunctionTask& task = error.task();
   std::vector<Sloped> figures;
-  const double near = 1e-6 * (task.x_upper - task.x_lower);
+  const double near = 1e-9 * (task.x_upper - task.x_lower);
   std::vector<double> watched;
   const auto watch = [&](double x) {
     for (const double other : watched)
@@ -44,8 +45,7 @@ MinimaxProgram program_at(const GeneratorError& error, const Standing& standing,
     figures.push_back({-e.value, -e.slope});
   };
   for (const ErrorRipple& ripple : standing.ripples) watch(ripple.x);
-  for (int i = 0; i < own_places; ++i)
-    watch(task.x_lower + (0.5 - 0.5 * std::cos(pi * i / (own_places - 1))) * (task.x_upper - task.x_lower));
+  for (const WantedPlace& place : places) watch(place.x);
   MinimaxProgram program;
   program.box = box;
   const auto fill = [&](const std::vector<Sloped>& rows, Eigen::MatrixXd& slopes, Eigen::VectorXd& values) {
@@ -68,10 +68,11 @@ MinimaxProgram program_at(const GeneratorError& error, const Standing& standing,
 std::optional<FunctionDesign> minimax_fit(const FunctionTask& task, const WantedAngles& wanted,
                                           const FunctionDesign& start) {
   const GeneratorError error(task, wanted, start.linkage.branch);
+  const std::vector<WantedPlace> places = wanted.some_places(own_places);
   Standing now(error, error.unknowns_of(start));
   double box = 0.05, weight = 1;
   for (int i = 0; i < most_steps && box > 1e-9; ++i) {
-    const auto step = solve_minimax_step(program_at(error, now, box));
+    const auto step = solve_minimax_step(program_at(error, now, places, box));
     if (!step) {
       box *= now.broken() > 0 ? 2 : 0.25;
       if (box > 1) break;
@@ -88,7 +89,7 @@ std::optional<FunctionDesign> minimax_fit(const FunctionTask& task, const Wanted
     if (gained > 0.75 * predicted) box = std::max(box, std::min(0.5, 2 * size));
   }
   FunctionDesign design = with_unknowns(error, start, now.u);
-  if (trace_curve(task, wanted, design) != FunctionDefect::none) return std::nullopt;
+  if (measure_design(task, wanted, design) != FunctionDefect::none) return std::nullopt;
   return design;
 }
 

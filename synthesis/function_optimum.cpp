@@ -206,7 +206,7 @@ void settle_optimum(const FunctionTask& task, const WantedAngles& wanted, Functi
     const auto found = held(error, u, near_at(error, u, tolerance));
     if (!found) continue;
     FunctionDesign level = with_unknowns(error, design, found->u);
-    if (trace_curve(task, wanted, level) != FunctionDefect::none) continue;
+    if (measure_design(task, wanted, level) != FunctionDefect::none) continue;
     if (level.error_largest >
         (1 + 1e-8) * std::min(design.error_largest, ripples_of(error, u).front().height))
       continue;

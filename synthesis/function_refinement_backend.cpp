@@ -16,13 +16,11 @@
 namespace kempe {
 namespace {
 
-constexpr int own_places = 41;
-constexpr double no_design_cost = 10;  // rad: worse than any structural error
 using Solver = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 
 struct Program {
   GeneratorError error;
-  std::vector<double> places, weights;
+  std::vector<WantedPlace> places;
   double unit;  // rad: errors are counted in it, so that the solver sees numbers near 1
 
   GeneratorVector vector(const double* u) const { return Eigen::Map<const Eigen::VectorXd>(u, error.size()); }
@@ -36,7 +34,7 @@ double objective(unsigned n, const double* u, double* gradient, void* data) {
   double sum = 0;
   for (std::size_t j = 0; j < program.places.size(); ++j) {
     const Sloped error = program.error.at(at, program.places[j]);
-    const double weight = program.weights[j] * scale;
+    const double weight = program.places[j].weight * scale;
     sum += weight * error.value * error.value;
     for (unsigned i = 0; gradient && i < n; ++i) gradient[i] += 2 * weight * error.value * error.slope[i];
   }
@@ -49,20 +47,6 @@ void constraints(unsigned m, double* result, unsigned n, const double* u, double
   for (unsigned row = 0; row < m; ++row) {
     result[row] = limits[row].excess.value;
     for (unsigned i = 0; gradient && i < n; ++i) gradient[row * n + i] = limits[row].excess.slope[i];
-  }
-}
-
-/// Chebyshev's spacing, denser towards the ends where the error's ripples are narrow; weights that make sums
-/// means over the range.
-void lay_out_places(Program& program) {
-  const FunctionTask& task = program.error.task();
-  std::vector<double>& x = program.places;
-  const double middle = 0.5 * (task.x_lower + task.x_upper), half = 0.5 * (task.x_upper - task.x_lower);
-  for (int i = 0; i < own_places; ++i)
-    x.push_back(std::clamp(middle - half * std::cos(pi * i / (own_places - 1)), task.x_lower, task.x_upper));
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double left = i == 0 ? x[i] : x[i - 1], right = i + 1 == x.size() ? x[i] : x[i + 1];
-    program.weights.push_back((right - left) / (4 * half));
   }
 }
 
@@ -87,25 +71,19 @@ struct StartSearch {
   const FunctionTask& task;
   const WantedAngles& wanted;
 
-  std::vector<double> unknowns_of(const FunctionDesign& design) const {
-    std::vector<double> u;
-    if (!task.input_start) u.push_back(design.input_start);
-    if (!task.output_start) u.push_back(design.output_start);
-    return u;
-  }
-  FunctionCandidate candidate(const double* u) const {
+  Starts starts(const double* u) const {
     int next = 0;
     Starts starts{};
     starts.input = task.input_start ? *task.input_start : u[next++];
     starts.output = task.output_start ? *task.output_start : u[next];
-    const auto coefficients = coefficients_through_first_three(wanted, starts);
-    return coefficients ? judged(task, wanted, starts, *coefficients) : FunctionCandidate{};
+    return starts;
   }
 };
 
-double largest_error(unsigned, const double* u, double*, void* data) {
-  const FunctionCandidate candidate = static_cast<const StartSearch*>(data)->candidate(u);
-  return candidate.defect == FunctionDefect::none ? candidate.design.error_largest : no_design_cost;
+double cost_of_starts(unsigned, const double* u, double*, void* data) {
+  const auto& search = *static_cast<const StartSearch*>(data);
+  constexpr double far_beyond = 1e6;  // the solver wants finite figures
+  return std::min(far_beyond, judged(search.task, search.wanted, search.starts(u)).cost());
 }
 
 }  // namespace
@@ -115,42 +93,58 @@ double kept_transmission(const FunctionTask& task) {
   return std::max(task.transmission + above_rounding, away_from_dead_points);
 }
 
-FunctionDesign with_best_starts(const FunctionTask& task, const WantedAngles& wanted,
-                                const FunctionDesign& design) {
+Starts refined_starts(const FunctionTask& task, const WantedAngles& wanted, const Starts& starts,
+                      double step) {
   StartSearch search{task, wanted};
-  std::vector<double> u = search.unknowns_of(design);
-  const Solver solver(nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(u.size())), &nlopt_destroy);
-  nlopt_set_min_objective(solver.get(), largest_error, &search);
-  nlopt_set_initial_step1(solver.get(), 0.05);
-  nlopt_set_xtol_rel(solver.get(), 1e-9);
-  nlopt_set_maxeval(solver.get(), 400);
-  double value = no_design_cost;
-  nlopt_optimize(solver.get(), u.data(), &value);
-  const FunctionCandidate best = search.candidate(u.data());
-  const bool better = best.defect == FunctionDefect::none && best.design.error_largest < design.error_largest;
-  return better ? best.design : design;
+  std::vector<double> u;
+  if (!task.input_start) u.push_back(starts.input);
+  if (!task.output_start) u.push_back(starts.output);
+  for (const double first_step :
+       {step, 0.1 * step, 0.01 * step}) {  // a corner of limits stops it: go on anew
+    const Solver solver(nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(u.size())), &nlopt_destroy);
+    nlopt_set_min_objective(solver.get(), cost_of_starts, &search);
+    nlopt_set_initial_step1(solver.get(), first_step);
+    nlopt_set_xtol_rel(solver.get(), 1e-9);
+    nlopt_set_maxeval(solver.get(), 200);
+    double value = 0;
+    nlopt_optimize(solver.get(), u.data(), &value);
+  }
+  return search.starts(u.data());
 }
 
 std::optional<FunctionDesign> least_squares_fit(const FunctionTask& task, const WantedAngles& wanted,
-                                                const FunctionDesign& start) {
-  Program program{GeneratorError(task, wanted, start.linkage.branch), {}, {}, 0};
-  lay_out_places(program);
+                                                const FunctionDesign& start, SquareWeights weights,
+                                                int places) {
+  Program program{GeneratorError(task, wanted, start.linkage.branch),
+                  places == all_places ? wanted.places() : wanted.some_places(places), 0};
+  if (weights == SquareWeights::even_in_places)
+    for (WantedPlace& place : program.places) place.weight = 1 / static_cast<double>(program.places.size());
+  const auto root_mean_square = [&](const GeneratorVector& u) {
+    program.unit = 1;
+    return std::sqrt(objective(0, u.data(), nullptr, &program));
+  };
   GeneratorVector u = program.error.unknowns_of(start);
   std::optional<FunctionDesign> best;
+  double least = 0;
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
-    program.unit = 1e-12;
-    for (const double x : program.places)
-      program.unit = std::max(program.unit, std::abs(program.error.at(u, x).value));
+    double unit = 1e-12;
+    for (const WantedPlace& place : program.places)
+      unit = std::max(unit, std::abs(program.error.at(u, place).value));
+    program.unit = unit;
     run(program, u);
     FunctionDesign now = with_unknowns(program.error, start, u);
     // A solver that stops on rounding goes on when it is started again with its new unit of error.
-    if (trace_curve(task, wanted, now) != FunctionDefect::none) {
+    if (measure_design(task, wanted, now) != FunctionDefect::none) {
       if (best || round > 1) break;
       continue;
     }
-    const bool settled = best && !(now.error_rms < 0.9999 * best->error_rms);
-    if (!best || now.error_rms < best->error_rms) best = now;
+    const double reached = root_mean_square(u);
+    const bool settled = best && !(reached < 0.9999 * least);
+    if (!best || reached < least) {
+      best = now;
+      least = reached;
+    }
     if (settled) break;
   }
   return best;

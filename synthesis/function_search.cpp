@@ -1,19 +1,21 @@
 // The least error over all four-bars: many starts, judged coarsely, kept apart from each other; from each of
 // the best a local fit within the limits; the best of these settled to rounding.
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "synthesis/function_error.hpp"
-#include "synthesis/structural_error.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr int coarse_places = 25;
+constexpr int coarse_places = 33, fitted_places = 61;
+constexpr int precise_grid = 48, precise_line = 480;  ///< starts on half a turn: both free, one free
 constexpr int scattered_starts = 40000;
-constexpr std::size_t tried_by_least_squares = 300, tried_by_minimax = 300;
+constexpr std::size_t tried_starts = 300, tried_by_minimax = 100, tried_leaps_from = 10;
+constexpr int leaps_each = 12;
 
 /// A linkage with its starts and how it looks at a few places.
 struct Start {
@@ -32,11 +34,9 @@ class CoarseLook {
   CoarseLook(const FunctionTask& task, const WantedAngles& wanted)
       : task_(task), cosine_limit_(std::cos(kept_transmission(task))),
         ratio_limit_(std::log(task.longest_ratio)) {
-    for (int i = 0; i < coarse_places; ++i) {
-      const double share = 0.5 - 0.5 * std::cos(pi * i / (coarse_places - 1));
-      const double x = task.x_lower + share * (task.x_upper - task.x_lower);
-      input_turns_.push_back(wanted.input_turn(x));
-      output_turns_.push_back(wanted.output_turn(x));
+    for (const WantedPlace& place : wanted.some_places(coarse_places)) {
+      input_turns_.push_back(place.input_turn);
+      output_turns_.push_back(place.output_turn);
     }
   }
 
@@ -107,22 +107,33 @@ void add_scattered(const FunctionTask& task, const CoarseLook& look, std::vector
     }
 }
 
+/// The starts tried on half a turn: half a turn more turns a crank round and changes no linkage.
+std::vector<double> starts_on_half_a_turn(const std::optional<double>& given, int places) {
+  if (given) return {*given};
+  std::vector<double> all;
+  for (int i = 0; i < places; ++i) all.push_back(pi * (i + 0.5) / places);
+  return all;
+}
+
 /// The linkages through three Chebyshev points, for starts on a grid.
 void add_precise(const FunctionTask& task, const WantedAngles& wanted, const CoarseLook& look,
                  std::vector<Start>& starts) {
-  for (const Starts& angles : precise_starts(task, wanted)) {
+  const auto add = [&](const Starts& angles) {
     const auto coefficients = coefficients_through_first_three(wanted, angles);
-    if (!coefficients) continue;
-    const auto design = design_from(task, wanted, angles, *coefficients);
-    if (!design) continue;
+    const auto design = coefficients ? design_from(task, wanted, angles, *coefficients) : std::nullopt;
+    if (!design) return;
     for (const FourBarBranch branch : {FourBarBranch::first, FourBarBranch::second}) {
       Start start{*design, 0};
       start.design.linkage.branch = branch;
       start.design.input_start = task.input_start.value_or(start.design.input_start);
+      start.design.output_start = task.output_start.value_or(start.design.output_start);
       start.score = look.score(start.design);
       if (start.score < 0.5) starts.push_back(std::move(start));
     }
-  }
+  };
+  const int places = task.input_start || task.output_start ? precise_line : precise_grid;
+  for (const double input : starts_on_half_a_turn(task.input_start, places))
+    for (const double output : starts_on_half_a_turn(task.output_start, places)) add({input, output});
 }
 
 /// How unlike two linkages are: the largest of their logarithms' and starts' differences.
@@ -154,15 +165,58 @@ double cost(FunctionMethod method, const FunctionDesign& design) {
   return method == FunctionMethod::least_squares ? design.error_rms : design.error_largest;
 }
 
-/// Where the error vanishes: now a result, not a choice.
-std::vector<double> zeros(const std::vector<StructuralErrorSample>& curve) {
-  std::vector<double> x;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    const auto &left = curve[i - 1], &right = curve[i];
-    if ((left.error < 0) != (right.error < 0))
-      x.push_back(left.x + (right.x - left.x) * left.error / (left.error - right.error));
+/// The local optima found so far, and what led nowhere.
+class Found {
+ public:
+  Found(const FunctionTask& task, const WantedAngles& wanted, FunctionSearch& search)
+      : task_(task), wanted_(wanted), search_(search) {}
+
+  void squares_from(const FunctionDesign& start) {
+    const bool minimax = task_.method == FunctionMethod::minimax;
+    keep(least_squares_fit(task_, wanted_, start,
+                           minimax ? SquareWeights::even_in_places : SquareWeights::even_in_x, fitted_places),
+         start);
   }
-  return x;
+  void minimax_from(const FunctionDesign& start) { keep(minimax_fit(task_, wanted_, start), start); }
+
+  /// By the task's method.
+  void fit_from(const FunctionDesign& start) {
+    if (task_.method == FunctionMethod::minimax)
+      minimax_from(start);
+    else
+      squares_from(start);
+  }
+
+  /// The best that stand apart from each other.
+  std::vector<FunctionDesign> best(std::size_t count) const { return chosen(all_, count, 1e-2); }
+
+ private:
+  void keep(const std::optional<FunctionDesign>& design, const FunctionDesign& start) {
+    if (design) {
+      all_.push_back({*design, cost(task_.method, *design)});
+      return;
+    }
+    FunctionDesign measured = start;
+    ++search_.seen[static_cast<std::size_t>(measure_design(task_, wanted_, measured))];
+  }
+
+  const FunctionTask& task_;
+  const WantedAngles& wanted_;
+  FunctionSearch& search_;
+  std::vector<Start> all_;
+};
+
+/// A linkage beside another: every unknown moved by up to a size that grows from leap to leap.
+FunctionDesign leap(const FunctionTask& task, const FunctionDesign& from, int number) {
+  const double size = 0.1 + 0.7 * van_der_corput(number, 2);
+  const auto moved = [&](int base) { return size * (2 * van_der_corput(number, base) - 1); };
+  FunctionDesign to = from;
+  to.linkage.input *= std::exp(moved(3));
+  to.linkage.coupler *= std::exp(moved(5));
+  to.linkage.output *= std::exp(moved(7));
+  if (!task.input_start) to.input_start += moved(11);
+  if (!task.output_start) to.output_start += moved(13);
+  return to;
 }
 
 }  // namespace
@@ -173,27 +227,29 @@ FunctionSearch search_function(const FunctionTask& task, const WantedAngles& wan
   add_precise(task, wanted, look, starts);
   add_scattered(task, look, starts);
   FunctionSearch search;
-  std::vector<Start> squares;
-  for (const FunctionDesign& start : chosen(std::move(starts), tried_by_least_squares, 0.2)) {
-    const auto fit = least_squares_fit(task, wanted, start);
-    if (fit) {
-      squares.push_back({*fit, cost(task.method, *fit)});
-    } else {
-      FunctionDesign traced = start;
-      search.defects.push_back(trace_curve(task, wanted, traced));
-    }
+  Found found(task, wanted, search);
+  const std::vector<FunctionDesign> tried = chosen(std::move(starts), tried_starts, 0.2);
+  for (const FunctionDesign& start : tried) found.squares_from(start);
+  if (task.method == FunctionMethod::minimax) {
+    for (const FunctionDesign& squares : found.best(tried_by_minimax)) found.minimax_from(squares);
+    for (std::size_t i = 0; i < std::min(tried.size(), tried_by_minimax); ++i) found.minimax_from(tried[i]);
   }
-  for (const FunctionDesign& start : chosen(std::move(squares), tried_by_minimax, 1e-3)) {
-    const auto fit =
-        task.method == FunctionMethod::minimax ? minimax_fit(task, wanted, start) : std::optional(start);
-    const FunctionDesign& found = fit ? *fit : start;
-    if (!search.best || cost(task.method, found) < cost(task.method, *search.best)) search.best = found;
+  int number = 0;
+  for (const FunctionDesign& design : found.best(tried_leaps_from))
+    for (int i = 0; i < leaps_each; ++i) found.fit_from(leap(task, design, ++number));
+  search.extent = fmt::format(
+      "{} four-bars scattered over all lengths and starts and those through three points; fits from the {} "
+      "best that "
+      "stand apart; not a proof that none exists",
+      2 * scattered_starts, tried.size());
+  for (const FunctionDesign& design : found.best(5)) {
+    auto last = task.method == FunctionMethod::minimax
+                    ? minimax_fit(task, wanted, design)
+                    : least_squares_fit(task, wanted, design, SquareWeights::even_in_x, all_places);
+    if (!last || cost(task.method, design) < cost(task.method, *last)) last = design;
+    if (!search.best || cost(task.method, *last) < cost(task.method, *search.best)) search.best = last;
   }
-  if (!search.best) return search;
-  if (task.method == FunctionMethod::minimax) settle_optimum(task, wanted, *search.best);
-  search.best->y_lower = wanted.y_lower();
-  search.best->y_upper = wanted.y_upper();
-  search.best->precision_points = zeros(search.best->curve);
+  if (search.best && task.method == FunctionMethod::minimax) settle_optimum(task, wanted, *search.best);
   return search;
 }
 
