@@ -89,6 +89,14 @@ nlohmann::ordered_json json_of(const FunctionTask& task, const FunctionDesign& d
   return object;
 }
 
+/// Nothing where the answer says all that is to be said.
+std::string reservation(const FunctionDesign& design) {
+  if (!design.optimum || design.optimum->proven) return "";
+  return "the best that was found, but its conditions do not prove it a local minimum: a linkage near it may "
+         "have a "
+         "smaller largest error";
+}
+
 std::string plot_of(const FunctionDesign& design, const std::string& title) {
   ErrorPlot plot{title, "x", "structural error, degrees", {}, design.precision_points};
   for (const StructuralErrorSample& at : design.curve) plot.curve.emplace_back(at.x, degrees(at.error));
@@ -110,7 +118,12 @@ int run(const FunctionArguments& arguments) {
     const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted));
     if (!written) return fail(cannot_write, written.error());
   }
-  print(json_of(*task, *design).dump(1) + "\n");
+  auto object = json_of(*task, *design);
+  if (const std::string words = reservation(*design); !words.empty()) {
+    object["reservation"] = words;
+    fmt::print(stderr, "kempe: {}\n", words);
+  }
+  print(object.dump(1) + "\n");
   return done;
 }
 

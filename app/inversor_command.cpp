@@ -53,7 +53,7 @@ int run(const std::string& file) {
     print(object.dump(1) + "\n");
     return done;
   }
-  std::string why = "no design exists";
+  std::string why = "no design found";
   for (const InversorAnswer& answer : answers)
     why += "\n  " + std::string(name(answer.kind)) + ": " + answer.why_not;
   return fail(no_design, why);

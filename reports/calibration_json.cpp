@@ -1,6 +1,7 @@
 // The calibration's JSON.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -153,9 +154,25 @@ Json outliers(const CalibrationRecord& record) {
       list.push_back({{"name", spec.name},
                       {"line", spec.line},
                       {"left_mm", number(one.fit.left.norm())},
+                      {"studentised", number(one.fit.studentised)},
                       {"left_out", !record.measurements.fit.keep_outliers}});
     }
   return list;
+}
+
+bool names_outliers(const CalibrationRecord& record) {
+  return std::any_of(record.readings.begin(), record.readings.end(),
+                     [](const ReadingRecord& one) { return one.fit.outlier; });
+}
+
+Json fit_check(const CalibrationRecord& record) {
+  const auto& check = record.calibration.check;
+  if (!check) return nullptr;
+  return {{"chi_squared", number(check->chi_squared)},
+          {"degrees_of_freedom", check->freedom},
+          {"by_chance", check->probability},
+          {"contradicts_stated_uncertainty", check->contradicts()},
+          {"in_words", words_of(*check, names_outliers(record))}};
 }
 
 Json scales_json(const ScaleErrors& scales) {
@@ -251,7 +268,11 @@ void put_calibration(const CalibrationRecord& record, Json& object) {
   object["reading_uncertainty_source"] = std::string(name(found.noise_source));
   object["degrees_of_freedom"] = found.degrees_of_freedom;
   object["unidentifiable"] = unidentifiable(record);
+  object["residuals_against_stated"] = fit_check(record);
   object["outliers"] = outliers(record);
+  if (!record.otherwise.empty())
+    object[record.measurements.fit.keep_outliers ? "errors_without_outliers_mm" : "errors_with_outliers_mm"] =
+        errors(record.otherwise);
   object["rounds"] = rounds(record);
   object["readings"] = readings(record);
   object["correlations"] = correlations(record);

@@ -52,6 +52,9 @@ std::string header(const CalibrationRecord& record, bool is_simulated) {
     if (outliers > 0)
       badges +=
           html_badge(false, fmt::format("{} reading{} out", outliers, outliers == 1 ? " stands" : "s stand"));
+    const auto& check = record.calibration.check;
+    if (check && check->contradicts())
+      badges += html_badge(false, "What is left is more than the stated uncertainty explains");
   }
   return fmt::format(
       "<header>\n<p class=\"brand\">Kempe · calibration</p>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<ul "

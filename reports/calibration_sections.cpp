@@ -160,16 +160,33 @@ std::string readings(const CalibrationRecord& record) {
                     one.fit.studentised > 0 ? number_text(one.fit.studentised, 1) : "–",
                     share_bar(largest > 0 ? one.fit.studentised / largest : 0)});
   }
+  const bool names_any = std::any_of(record.readings.begin(), record.readings.end(),
+                                     [](const ReadingRecord& one) { return one.fit.outlier; });
+  std::string words;
+  if (record.calibration.check)
+    words =
+        fmt::format("<p class=\"lead\">Chi-squared {} for {} degrees of freedom: {}.</p>\n",
+                    number_text(record.calibration.check->chi_squared, 1), record.calibration.check->freedom,
+                    html_escaped(words_of(*record.calibration.check, names_any)));
+  if (!record.otherwise.empty()) {
+    std::string errors;
+    for (const Quantity& one : record.otherwise)
+      if (one.kind != Quantity::Kind::placement)
+        errors += fmt::format("{}{} {}", errors.empty() ? "" : ", ", spoken(one.name), signed_mm(one.error));
+    words +=
+        fmt::format("<p class=\"note\">With the readings that stand out {} the errors would be: {}.</p>\n",
+                    record.measurements.fit.keep_outliers ? "left out" : "kept", errors);
+  }
   return html_section("readings", "Readings",
-                      html_table("budget",
-                                 {{"", false},
-                                  {record.design ? "Set at, mm" : "Arm angle", true},
-                                  {"Departure x, y, mm", true},
-                                  {"Left x, y, mm", true},
-                                  {"Left", true},
-                                  {"In its own uncertainty", true},
-                                  {"", false}},
-                                 rows));
+                      words + html_table("budget",
+                                         {{"", false},
+                                          {record.design ? "Set at, mm" : "Arm angle", true},
+                                          {"Departure x, y, mm", true},
+                                          {"Left x, y, mm", true},
+                                          {"Left", true},
+                                          {"In its own uncertainty", true},
+                                          {"", false}},
+                                         rows));
 }
 
 std::string rounds(const CalibrationRecord& record) {

@@ -245,27 +245,38 @@ std::vector<std::size_t> rest_of(const CalibrationTask& task, const std::vector<
   return rest;
 }
 
-/// The readings that stand out, and the fit of the others: sought anew about every fit until they stay the same. A fit
-/// that wrong readings have led far astray says nothing; then the search begins about the instrument as drawn.
+/// Where the search for outliers begins: the fit of all readings, or where wrong ones have led it astray, of those that
+/// agree best; about a fit far off nothing is linear.
+std::optional<Fitted> first_fit(const CalibrationTask& task, const std::optional<Fitted>& of_all) {
+  constexpr double far_astray = 5, astray = 0.2;  // of a plausible deviation
+  if (!of_all) return std::nullopt;
+  const auto off = [&](const Measures& from) {
+    return (of_all->outcome.deviations - from).head<8>().cwiseAbs().maxCoeff() / task.plausible_deviation;
+  };
+  const bool far = off(Measures::Zero()) > far_astray;
+  const auto judged =
+      judged_about(task, *of_all, far ? Measures(Measures::Zero()) : of_all->outcome.deviations);
+  if (!judged) return of_all;
+  auto core = Fitting(task, detail::agreeing_best(judged->weighted, judged->about)).run();
+  return core && off(core->outcome.deviations) > astray ? core : of_all;
+}
+
+/// The readings that stand out, and the fit of the others: sought anew about every fit until they stay the same.
 struct Cleaned {
   std::optional<Fitted> fitted;
   std::vector<std::size_t> outliers;
 };
 Cleaned without_outliers(const CalibrationTask& task, const std::optional<Fitted>& of_all) {
   Cleaned clean{of_all, {}};
+  std::optional<Fitted> about = first_fit(task, of_all);
   constexpr int most_rounds = 6;
-  for (int round = 0; round < most_rounds && clean.fitted; ++round) {
-    constexpr double far_astray = 5;
-    const Measures& found = clean.fitted->outcome.deviations;
-    const bool astray = found.head<8>().cwiseAbs().maxCoeff() > far_astray * task.plausible_deviation;
-    const Measures about = astray ? Measures(Measures::Zero()) : found;
-    const auto judged = judged_about(task, *clean.fitted, about);
+  for (int round = 0; round < most_rounds && about; ++round) {
+    const auto judged = judged_about(task, *about, about->outcome.deviations);
     if (!judged) break;
-    auto outliers = detail::standing_out(judged->weighted, judged->about, judged->noise_is_known);
+    const auto outliers = detail::standing_out(judged->weighted, judged->about, judged->noise_is_known);
     if (outliers == clean.outliers) break;
-    auto fitted = Fitting(task, rest_of(task, outliers)).run();
-    if (!fitted) break;
-    clean = {std::move(fitted), std::move(outliers)};
+    about = Fitting(task, rest_of(task, outliers)).run();
+    if (about) clean = {about, outliers};
   }
   return clean;
 }

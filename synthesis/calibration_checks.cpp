@@ -14,28 +14,41 @@ using Fault = std::optional<CalibrationFault>;
 
 using Readings = std::vector<const CalibrationReading*>;
 
-const CalibrationReading& farthest_from(const CalibrationReading& from, const Readings& readings) {
-  return **std::max_element(readings.begin(), readings.end(), [&](const auto* a, const auto* b) {
-    return (a->input - from.input).squaredNorm() < (b->input - from.input).squaredNorm();
-  });
+/// How much farther apart two readings were read than set: the middle of all pairs that lie at least half as far apart as
+/// the farthest, so that one wrong reading does not decide. 0 where all lie together.
+double enlargement(const Readings& readings, double far_enough) {
+  constexpr std::size_t many = 300;
+  const std::size_t step = 1 + readings.size() / many;
+  struct Apart {
+    double in, out;
+  };
+  std::vector<Apart> pairs;
+  double farthest = 0;
+  for (std::size_t i = 0; i < readings.size(); i += step)
+    for (std::size_t j = i + step; j < readings.size(); j += step) {
+      pairs.push_back({(readings[i]->input - readings[j]->input).norm(),
+                       (readings[i]->output - readings[j]->output).norm()});
+      farthest = std::max(farthest, pairs.back().in);
+    }
+  if (farthest < far_enough) return 0;
+  std::vector<double> factors;
+  for (const Apart& pair : pairs)
+    if (pair.in >= 0.5 * farthest) factors.push_back(pair.out / pair.in);
+  const auto middle = factors.begin() + static_cast<std::ptrdiff_t>(factors.size() / 2);
+  std::nth_element(factors.begin(), middle, factors.end());
+  return *middle;
 }
 
-/// The copy's size against the ratio, over two readings of a setup that lie at least half as far apart as any two.
+/// The copy's size against the ratio.
 Fault fault_of_size(const CalibrationTask& task, std::size_t setup) {
   Readings readings;
   for (const auto& reading : task.readings)
     if (reading.setup == setup) readings.push_back(&reading);
-  if (readings.empty()) return {};
-  const auto& first = farthest_from(*readings.front(), readings);
-  const auto& second = farthest_from(first, readings);
-  const double far_in = (first.input - second.input).norm(), far_out = (first.output - second.output).norm();
   const double size = task.setups[setup].drawn.head<8>().cwiseAbs().maxCoeff(),
                k = std::abs(task.setups[setup].ratio);
-  const double farthest_wanted = k * far_in;
   constexpr double far_enough = 0.02, near_enough = 0.25;
-  if (far_in < far_enough * size || std::abs(far_out - farthest_wanted) < near_enough * farthest_wanted)
-    return {};
-  const double factor = far_out / farthest_wanted;
+  const double enlarged = enlargement(readings, far_enough * size), factor = enlarged / k;
+  if (enlarged == 0 || std::abs(factor - 1) < near_enough) return {};
   const auto near = [&](double other) { return std::abs(factor / other - 1) < 0.1; };
   std::string hint;
   if (near(1 / (k * k))) hint = "; are the place set and the place read exchanged?";
@@ -43,7 +56,7 @@ Fault fault_of_size(const CalibrationTask& task, std::size_t setup) {
     if (near(unit) || near(1 / unit)) hint = fmt::format("; a factor of {} looks like another unit", unit);
   return CalibrationFault{
       {},
-      fmt::format("points read that lie {:.4g} times as far apart as the points set", far_out / far_in),
+      fmt::format("points read that lie {:.4g} times as far apart as the points set", enlarged),
       fmt::format("about {:.4g} times, the instrument's ratio, all in millimetres{}", k, hint)};
 }
 

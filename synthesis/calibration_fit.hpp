@@ -82,6 +82,9 @@ struct LinearFit {
 std::vector<std::size_t> standing_out(const WeightedTask& weighted, const LinearFit& about,
                                       bool noise_is_known);
 
+/// The readings that agree best, at least two thirds of them: those that no search leaves out.
+std::vector<std::size_t> agreeing_best(const WeightedTask& weighted, const LinearFit& about);
+
 /// Studentised residual and leverage of the readings in use: each judged by the fit of the others without those left out.
 struct LeftOut {
   double studentised = 0, leverage = 0;

@@ -87,6 +87,12 @@ class Job {
     round.corrections = scale_corrections(found->deviations);
     round.quantities = quantities_of(task.setups.front(), !design_, task.free, *found).quantities;
     record_.rounds.push_back(std::move(round));
+    record_.otherwise.clear();
+    if (found->otherwise) {
+      Calibration otherwise = *found;
+      otherwise.deviations = *found->otherwise;
+      record_.otherwise = quantities_of(task.setups.front(), !design_, task.free, otherwise).quantities;
+    }
     record_.calibration = std::move(*found);
     fill_readings(task, readings);
     return std::nullopt;
@@ -162,6 +168,22 @@ class Job {
 };
 
 }  // namespace
+
+std::string words_of(const FitCheck& check, bool outliers_named) {
+  constexpr double rare = 1e-3;
+  if (check.contradicts())
+    return fmt::format(
+        "what is left is larger than the stated uncertainty explains: chance leaves as much in {:.2g} of all "
+        "fits. {}",
+        check.probability,
+        outliers_named
+            ? "The readings that stand out are part of it if they are kept"
+            : "No single reading can be blamed for it: all are worse than stated, a wrong one cannot be told "
+              "from so few, or the instrument errs in a measure that is not free");
+  if (check.probability > 1 - rare)
+    return "what is left is smaller than the stated uncertainty lets expect: it is stated too large";
+  return "what is left is as large as the stated uncertainty lets expect";
+}
 
 double correction_of(const CalibrationRecord& record, const RoundRecord& round, const Quantity& quantity) {
   for (std::size_t i = 0; i < 4 && !record.design; ++i)

@@ -92,7 +92,9 @@ struct CalibrationRecord {
   std::vector<ReadingRecord> readings;  ///< of the last round
   std::vector<Quantity> total;          ///< errors of all rounds together: of the instrument at the start
   Calibration calibration;              ///< of the last round
-  Eigen::MatrixXd correlations;         ///< of the last round's quantities
+  /// Where readings of the last round stand out: its errors if those were kept (or, where they are kept, left out).
+  std::vector<Quantity> otherwise;
+  Eigen::MatrixXd correlations;  ///< of the last round's quantities
   std::vector<Told> indistinct;
   bool reached = false;  ///< the last round's readings depart by no more than the target
   std::vector<SettingRow> settings;
@@ -116,6 +118,9 @@ struct QuantityTable {
 };
 QuantityTable quantities_of(const Instrument& reference, bool variable_ratio,
                             const std::vector<Measure>& free, const Calibration& calibration);
+
+/// What the residuals say about the stated uncertainty, for a person.
+std::string words_of(const FitCheck& check, bool outliers_named);
 
 /// What a person calls a measure of a design ("AX") or of a variable ratio instrument ("AC" for the scale
 /// that sets it).

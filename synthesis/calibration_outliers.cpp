@@ -158,10 +158,11 @@ class Search {
   Search(const Linear& linear, const Judge& judge)
       : linear_(linear), judge_(judge), count_(linear.readings()), all_(all_of(count_)) {}
 
+  /// The readings that agree best, as many as are never left out.
+  Rows core() const { return most_outliers() == 0 ? all_ : agreeing(count_ - most_outliers()); }
+
   Rows outliers() const {
-    const std::size_t most = most_outliers();
-    if (most == 0) return {};
-    Rows inside = agreeing(count_ - most);
+    Rows inside = core();
     const double single = named_by_chance / static_cast<double>(count_);
     while (inside.size() < count_) {
       const auto fit = linear_.agreed(inside);
@@ -262,7 +263,7 @@ class Search {
     constexpr std::size_t many = 200;
     if (count_ > many) return true;
     const double rest = square_sum_of(inside);
-    const double clearly = 2 * std::log(1e3) * judge_.mean_square(rest, linear_.freedom(inside.size()));
+    const double clearly = 2 * std::log(1e2) * judge_.mean_square(rest, linear_.freedom(inside.size()));
     for (const std::size_t out : outside)
       for (const std::size_t in : inside) {
         Rows other = inside;
@@ -291,6 +292,12 @@ std::vector<std::size_t> standing_out(const WeightedTask& weighted, const Linear
   const Linear linear(about.residuals, about.slopes, weighted.used.size());
   const Judge judge(noise_is_known, floor_of(weighted));
   return Search(linear, judge).outliers();
+}
+
+std::vector<std::size_t> agreeing_best(const WeightedTask& weighted, const LinearFit& about) {
+  const Linear linear(about.residuals, about.slopes, weighted.used.size());
+  const Judge judge(false, floor_of(weighted));
+  return Search(linear, judge).core();
 }
 
 std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const LinearFit& about,

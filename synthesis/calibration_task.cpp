@@ -161,9 +161,11 @@ void add_known_within(const CalibrationTask& task, const Eigen::Matrix<double, 4
 
 }  // namespace
 
-tl::expected<Calibration, CalibrationFault> calibrate_by_knight(const CalibrationTask& task,
-                                                                const Measurements& measurements,
-                                                                const std::vector<std::size_t>& readings) {
+namespace {
+
+tl::expected<Calibration, CalibrationFault> by_all_of(const CalibrationTask& task,
+                                                      const Measurements& measurements,
+                                                      const std::vector<std::size_t>& readings) {
   std::vector<KnightReading> knights;
   std::vector<double> factors;
   for (const std::size_t i : readings) {
@@ -202,6 +204,45 @@ tl::expected<Calibration, CalibrationFault> calibrate_by_knight(const Calibratio
     result.left_largest = std::max(result.left_largest, found->left[i].norm());
   }
   return result;
+}
+
+}  // namespace
+
+tl::expected<Calibration, CalibrationFault> calibrate_by_knight(const CalibrationTask& task,
+                                                                const Measurements& measurements,
+                                                                const std::vector<std::size_t>& readings) {
+  auto of_all = by_all_of(task, measurements, readings);
+  constexpr std::size_t least_to_tell = 3;
+  if (!of_all || readings.size() < least_to_tell) return of_all;
+  const auto judged = calibrate(task);
+  if (!judged) return of_all;
+  of_all->check = judged->check;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    of_all->readings[i].studentised = judged->readings[i].studentised;
+    of_all->readings[i].outlier = judged->readings[i].outlier;
+  }
+  CalibrationTask rest = task;
+  std::vector<std::size_t> used, places;
+  rest.readings.clear();
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (!judged->readings[i].outlier) {
+      rest.readings.push_back(task.readings[i]);
+      used.push_back(readings[i]);
+      places.push_back(i);
+    }
+  if (used.size() == readings.size()) return of_all;
+  auto without = by_all_of(rest, measurements, used);
+  if (!without) return of_all;
+  if (task.keep_outliers) {
+    of_all->otherwise = without->deviations;
+    return of_all;
+  }
+  std::vector<ReadingFit> all = judged->readings;  // what is left at those left out, by the exact instrument
+  for (std::size_t i = 0; i < places.size(); ++i) all[places[i]].left = without->readings[i].left;
+  without->readings = std::move(all);
+  without->check = judged->check;
+  without->otherwise = of_all->deviations;
+  return without;
 }
 
 std::vector<Measure> free_measures(const std::vector<std::string>& groups, bool variable_ratio,

@@ -46,7 +46,8 @@ bool knights_case(const Measurements& measurements);
 /// The file's choice; else Knight's for two readings a round, least squares for more.
 CalibrationMethod method_for(const Measurements& measurements);
 
-/// Knight's equations for these readings of a task, as a calibration. They must be his case.
+/// Knight's equations for these readings of a task, as a calibration. They must be his case. Of more than two, those that
+/// stand out from the least-squares fit are named, and left out unless they are to be kept.
 tl::expected<Calibration, CalibrationFault> calibrate_by_knight(const CalibrationTask& task,
                                                                 const Measurements& measurements,
                                                                 const std::vector<std::size_t>& readings);

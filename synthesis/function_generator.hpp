@@ -62,7 +62,7 @@ struct MinimaxOptimum {
   int ripples = 0;   ///< as high as the largest error
   int unknowns = 0;  ///< lengths and free starts that were varied
   std::vector<std::string>
-      limits;  ///< that stop the error from falling further: "transmission_deg", "longest_ratio"
+      limits;  ///< that stop the error from falling further: "transmission_deg", "longest_ratio", "turning back"
   /// True if first- or second-order conditions prove that every near linkage within the limits has a larger
   /// error.
   bool proven = false;

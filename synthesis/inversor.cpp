@@ -112,7 +112,9 @@ std::optional<double> smallest_where(double lower, double upper, const Predicate
 
 std::string no_transmission(const InversorTask& task, double best) {
   return fmt::format(
-      "no lengths keep the transmission angle at {:.4g} degrees over the whole range; the best is {:.3g}",
+      "no lengths were found that keep the transmission angle at {:.4g} degrees over the whole range; the "
+      "best found "
+      "is {:.3g}",
       degrees(task.transmission), degrees(best));
 }
 
@@ -153,13 +155,22 @@ InversorAnswer hart(const InversorTask& task) {
   const auto total = [&](double bar, double u) {
     return 2 * bar + 2 * std::sqrt(f * f / (u * (1 - u)) + bar * bar);
   };
+  const auto longest_bar = [&](double bar, double u) {
+    return std::max(bar, std::sqrt(f * f / (u * (1 - u)) + bar * bar));
+  };
+  // Within the longest bar where one is; else what comes nearest, to say by how much it fails.
+  const auto beats = [&](double bar, double u, const std::array<double, 2>& other) {
+    const double over = std::max(0.0, longest_bar(bar, u) - task.longest),
+                 other_over = std::max(0.0, longest_bar(other[0], other[1]) - task.longest);
+    return over != other_over ? over < other_over : total(bar, u) < total(other[0], other[1]);
+  };
   std::optional<std::array<double, 2>> best;  // short bar, share
   const auto look = [&](double u) {
     const auto bar = smallest_where(std::max(task.shortest, 1e-2 * f), 100 * f, [&](double b) {
       const double angle = kept(b, u);
       return angle > 0 && angle >= task.transmission;
     });
-    if (bar && (!best || total(*bar, u) < total((*best)[0], (*best)[1]))) best = {*bar, u};
+    if (bar && (!best || beats(*bar, u, *best))) best = {*bar, u};
   };
   for (int i = 1; i < 40; ++i) look(i / 40.0);
   for (double step = 1.0 / 80; best && step > 1e-6; step /= 2) {

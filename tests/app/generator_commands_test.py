@@ -81,6 +81,30 @@ class Function(Case):
             self.assertEqual(len(answer["precision_points"]), points)
             self.assertLess(answer["structural_error_max_deg"], 1)
 
+    def spec(self, expression, x, method, input_deg, output_deg, ratio, transmission):
+        return self.file(f'[function]\nexpression = "{expression}"\nx = {x}\n{method}\n[input]\nrange_deg = {input_deg}\n'
+                         f'[output]\nrange_deg = {output_deg}\n[links]\nlongest_ratio = {ratio}\n'
+                         f'[limits]\ntransmission_deg = {transmission}\n')
+
+    def test_four_points_are_found_in_a_narrow_window(self):
+        points = 'method = "precision_points"\npoints = 4'
+        answer = self.answer("function", self.spec("x^2", [0, 1], points, 60, -60, 5, 30))
+        self.assertLess(answer["structural_error_max_deg"], 0.8562)
+        self.assertGreaterEqual(answer["transmission_min_deg"], 30)
+        answer = self.answer("function", self.spec("x^2", [0, 1], points, 90, 90, 20, 20))
+        self.assertLess(answer["structural_error_max_deg"], 0.1)
+
+    def test_minimax_of_a_steep_end(self):
+        answer = self.answer("function", self.spec("sqrt(x)", [0.01, 1], 'method = "minimax"', 80, 70, 8, 30))
+        self.assertLess(answer["structural_error_max_deg"], 1.8252)
+        self.assertTrue(answer["minimax"]["local_minimum_proven"])
+
+    def test_nothing_found_is_not_said_to_be_nothing_there(self):
+        for method in ['points = 3', 'points = 4', 'points = 5', 'method = "minimax"', 'method = "least_squares"']:
+            run = kempe("function", self.spec("log10(x)", [1, 2], method, 60, 90, 20, 88))
+            self.assertRefused(run, 3, "no design found", "Searched:", "not a proof that none exists")
+            self.assertNotIn("no design exists", run.stderr)
+
     def test_bad_input(self):
         good = (GENERATORS / "logarithm.toml").read_text()
         for old, new, code, words in [
@@ -165,6 +189,35 @@ class Calibrate(Case):
         for one in answer["unidentifiable"]:
             self.assertIn("together with", one["in_words"])
             self.assertIn("measure", one["what_would_tell"][0]["measure"])
+
+    def test_a_mistyped_reading_is_named_although_the_noise_is_stated(self):
+        right = self.answer("calibrate", self.plotter(12, True))
+        self.assertEqual(right["outliers"], [])
+        self.assertFalse(right["residuals_against_stated"]["contradicts_stated_uncertainty"])
+        path = self.plotter(12, True)
+        path.write_text(path.read_text().replace("359.66", "395.66").replace("343.99", "334.99"))
+        answer = self.answer("calibrate", path, "-o", self.scratch / "out")
+        self.assertEqual([one["name"] for one in answer["outliers"]], ["reading 3", "reading 9"])
+        self.assertEqual(answer["reading_uncertainty_source"], "stated")
+        for name, error in right["errors_mm"].items():
+            self.assertLess(abs(answer["errors_mm"][name] - error), 0.3)
+        self.assertGreater(max(abs(answer["errors_with_outliers_mm"][name] - error)
+                               for name, error in right["errors_mm"].items()), 1)
+        self.assertIn("stands out, left out", (self.scratch / "out" / "report.html").read_text())
+        path.write_text(path.read_text().replace("[fit]", "[fit]\nkeep_outliers = true"))
+        kept = self.answer("calibrate", path)
+        self.assertTrue(kept["residuals_against_stated"]["contradicts_stated_uncertainty"])
+        self.assertEqual(kept["errors_mm"], answer["errors_with_outliers_mm"])
+        self.assertEqual(kept["errors_without_outliers_mm"], answer["errors_mm"])
+
+    def test_knights_method_leaves_out_what_stands_out(self):
+        angles = [20, 30, 40, 50, 60, 70]
+        text = INSTRUMENT + '[fit]\nmethod = "knight"\nreading_uncertainty_mm = 0.01\n'
+        clean = text + "".join(reading(angle, 0, 0.01 * (-1) ** angle) for angle in angles)
+        wrong = clean.replace(reading(50, 0, 0.01), reading(50, 5, 0.01))
+        answer = self.answer("calibrate", self.file(wrong))
+        self.assertEqual([one["name"] for one in answer["outliers"]], ["reading 4"])
+        self.assertLess(max(map(abs, answer["errors_mm"].values())), 0.1)
 
     def test_setting_table_erect_and_reversed(self):
         answer = self.answer("calibrate", CALIBRATION / "knight.toml", "--ratios", "1:3,5:2")
