@@ -176,6 +176,10 @@ void check_sheets(const AuditTask& task, double gap, AuditRecord& record) {
 }
 
 void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) {
+  if (!task.design.tolerance)
+    return record.broken({.limit = "limits.copy_error_mm",
+                          .allowed = limit,
+                          .sentence = "the file states no tolerance under which it could be kept"});
   const auto error =
       copy_error_over(task.linkage, CopyTolerance::uniform(*task.design.tolerance), task.design.region);
   if (!error)

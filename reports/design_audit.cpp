@@ -69,8 +69,6 @@ std::optional<InputError> unfit(const StoredDesign& design, const std::string& f
     if (is_limit(key))
       return InputError{file, 0, key, "a limit that this version does not know",
                         "the keys of docs/design-file.md"};
-  if (design.limits && design.limits->copy_error && !design.tolerance)
-    return InputError{file, 0, "limits.copy_error_mm", "it without a tolerance", "it with a table tolerance"};
   for (std::size_t i = 0; i < design.obstacles.size(); ++i) {
     const Polygon& shape = design.obstacles[i].shape;
     if (const auto fault = shape_fault(without_repeated_corners(shape.outer)))

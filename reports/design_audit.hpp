@@ -27,8 +27,7 @@ struct DesignAudit {
 ///  1. every limit, obstacle and figure of the file appears once: among `checked`, or among `not_checked`;
 ///  2. a limit that does not hold, and a figure that differs from the one computed anew by more than its
 ///     rounding, is in `broken`.
-/// Refused, with the key: rings that are no region, limits that this version does not know, a limit of the
-/// copy error without a tolerance.
+/// Refused, with the key: rings that are no region, limits that this version does not know.
 tl::expected<DesignAudit, InputError> audit(const StoredDesign& design, const std::string& file);
 
 /// The audit for a person: what holds, what is broken and where, what was not looked at.

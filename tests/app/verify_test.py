@@ -163,6 +163,8 @@ def falsehoods(design):
         add("limits.copy_error_mm", lambda d: d["limits"].update(copy_error_mm=0.98 * quality["copy_error_worst_mm"]))
         add("quality.copy_error_worst_mm", lambda d: d["tolerance"].update(length_mm=1.1 * d["tolerance"]["length_mm"]))
     else:
+        add("limits.copy_error_mm", lambda d: d["limits"].update(copy_error_mm=1e-9))  # under no tolerance nothing is kept
+
         def tolerance(d):
             d["tolerance"] = {"length_mm": 0.05, "play_mm": 0.02}
             d["limits"]["copy_error_mm"] = 1e-9
