@@ -86,7 +86,14 @@ class Bill {
   void add_spacer(Joint joint, int empty_layers, const std::string& where) {
     if (empty_layers <= 0) return;
     items_.push_back({"spacer", fmt::format("spacer {}", letter(joint)), 1, style_.pin_diameter,
-                      style_.thickness * empty_layers, style_.width, 0, where});
+                      style_.thickness * empty_layers, style_.width, 0, where + narrower()});
+  }
+
+  /// What a spacer as wide as a link must heed: contact is certified for pins and posts alone.
+  std::string narrower() const {
+    if (style_.width <= style_.pin_diameter + 2 * design_.quality.clearance_min) return "";
+    return fmt::format("; clearance is certified for {} mm across, turn it down where something passes",
+                       style_.pin_diameter);
   }
 
   const Design& design_;

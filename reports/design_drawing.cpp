@@ -112,6 +112,7 @@ std::string stack_text(const LayerAssignment& layers) {
     text += fmt::format("{}{} =", layer > 1 ? ", " : "", layer);
     for (const Link link : all_links)
       if (layers[link] == layer) text += fmt::format(" {}", name(link));
+    if (!layers.has_links_in(layer)) text += " empty";
   }
   return text;
 }

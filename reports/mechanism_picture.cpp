@@ -23,7 +23,7 @@ std::string link_svg(Link link, const Design& design, const Pose& pose, double u
       "<g class=\"link layer-{} {}\"><title>link {}, layer {}</title><path class=\"rim\" d=\"{}\" "
       "stroke-width=\"{}\"/>"
       "<path class=\"face\" d=\"{}\" stroke-width=\"{}\"/></g>\n",
-      std::min(design.layers[link], 4), filled ? "filled" : "open", name(link), design.layers[link], path,
+      design.layers.rank(link), filled ? "filled" : "open", name(link), design.layers[link], path,
       coordinate(width), path, coordinate(width - std::min(2.4 * unit, 0.5 * width)));
 }
 

@@ -103,12 +103,22 @@ std::string joint_table(const Design& design) {
   return html_table("joints", {{"Joint"}, {"Task"}, {"Joins"}}, rows);
 }
 
+/// Pins and posts alone: "empty; pole post V, tracer X pass".
+std::string empty_layer(const Design& design, int layer) {
+  std::string passing;
+  for (const Part& part : parts_of(design.linkage, design.layers))
+    if (part.lowest_layer <= layer && layer <= part.highest_layer)
+      passing += (passing.empty() ? "" : ", ") + name(part);
+  return passing.empty() ? "empty" : "empty; " + passing + " pass";
+}
+
 std::string layer_table(const Design& design) {
   Rows rows;
   for (int layer = design.layers.highest(); layer >= 1; --layer) {
     std::string names;
     for (const Link link : all_links)
       if (design.layers[link] == layer) names += (names.empty() ? "" : ", ") + std::string(name(link));
+    if (names.empty()) names = empty_layer(design, layer);
     const double under = (layer - 1) * design.style.thickness;
     rows.push_back({std::to_string(layer), names,
                     number_text(under, 3) + " – " + number_text(under + design.style.thickness, 3)});

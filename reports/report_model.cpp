@@ -71,7 +71,7 @@ Json bodies(const Design& design) {
     Json line = Json::array();
     for (const Joint joint : body_line(link)) line.push_back(static_cast<int>(joint));
     all.push_back({{"name", "link " + std::string(name(link))},
-                   {"layer", design.layers[link]},
+                   {"layer", design.layers.rank(link)},
                    {"line", line},
                    {"filled", design.style.plate == PlateStyle::triangle && line.size() == 3}});
   }

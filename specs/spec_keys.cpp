@@ -59,7 +59,7 @@ constexpr SpecKey keys[] = {
     {"links", "plate", choice, any, "bent|triangle", optional, "\"bent\"", "\"triangle\"",
      "shape of the two links with three joints"},
     {"links", "layers", whole_number, from(2, most_layers), "", optional, "2", "4",
-     "layers to build in, at most"},
+     "layers to build in, at most; some may stay empty"},
     {"links", "shortest_mm", number, length, "", optional, "15", "30",
      "least distance of two joints of a link"},
     {"links", "longest_mm", number, length, "", optional, "400", "600",

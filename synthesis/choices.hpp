@@ -12,12 +12,14 @@ namespace kempe {
 struct ContactChoice {
   Choice choice;
   ContactTerms terms;
+  /// Straight plates without obstacles: the mirror image of a choice before it, about the line from the pole to the
+  /// tracer. It differs from that one in its footprint alone.
+  bool is_mirror_image = false;
 };
 
 /// Every grounding that the spec permits, assembly and layer assignment, in that order, without those that
 /// cannot be better than one before or after them: where another assignment of the same grounding and
-/// assembly must keep apart only some of the same pairs (and stays clear of the same obstacles), and, for
-/// straight plates without obstacles, the mirror image of an assembly.
+/// assembly, no higher, demands only what this one demands too (layer_demands.hpp).
 std::vector<ContactChoice> choices_of(const Spec& spec);
 
 }  // namespace kempe

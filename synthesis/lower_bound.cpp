@@ -49,7 +49,7 @@ struct Node {
   bool sheets_apart = false;  // wherever the pole stands in the box
   PoleDistances distances;
   LengthBox lengths;
-  std::uint64_t alive = 0;           // layer assignments not yet ruled out, one bit each
+  bounding::LayerSet alive{};        // layer assignments not yet ruled out, by their place in the branch
   std::optional<bounding::Hit> hit;  // where an obstacle came nearest to being in the way
   std::array<std::uint32_t, kept_cuts>
       cut{};  // of the first layer assignments: number in Tree::cuts_, 0 for none
@@ -118,9 +118,9 @@ class Tree {
     for (const Vertex vertex : all_vertices) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), vertex) == permitted.end()) continue;
-      const auto layers = sees_obstacles()
-                              ? bounding::all_layer_choices(spec_.copy.k, vertex, spec_.links.layers)
-                              : bounding::least_layer_choices(spec_.copy.k, vertex, spec_.links.layers);
+      const auto layers =
+          bounding::layer_choices(spec_.copy.k, vertex, spec_.links.layers,
+                                  sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{});
       const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
       for (std::size_t number = 0; number < count; ++number) {
         branches_.push_back(bounding::make_branch(spec_, vertex, static_cast<int>(number), layers));
@@ -133,7 +133,7 @@ class Tree {
         root.y = y;
         root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
                         {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
-        root.alive = layers.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << layers.size()) - 1;
+        root.alive = bounding::LayerSet::all(layers.size());
         if (measure_pole(root)) grow_from(root);
       }
     }
@@ -206,7 +206,7 @@ class Tree {
     if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost();
     node.alive = obstacle_tests_[node.branch]->not_hit(
         {node.lengths, node.pole(), node.radius() * (1 + 1e-12)}, node.alive, node.hit, only_where_last);
-    return node.alive != 0;
+    return !node.alive.empty();
   }
 
   double bound_of(const Node& node) const {
@@ -233,15 +233,15 @@ class Tree {
       return true;
     const Range passed = bounding::passed_by_all(assembly(node), node.distances, node.lengths);
     for (std::size_t i = 0; i < kept_cuts; ++i)
-      if (node.alive >> i & 1 && node.cut[i] != 0 && is_cut(node, passed, cuts_[node.cut[i]]))
-        node.alive &= ~(std::uint64_t{1} << i);
-    return node.alive != 0;
+      if (node.alive.has(i) && node.cut[i] != 0 && is_cut(node, passed, cuts_[node.cut[i]]))
+        node.alive.remove(i);
+    return !node.alive.empty();
   }
 
   /// Drops every layer assignment in which the pair must keep its clearance.
   static void strike(Node& node, const Branch& branch, const bounding::PairKey& pair) {
-    for (std::size_t i = 0; i < branch.layers.size() && i < 64; ++i)
-      if (branch.layers[i].has(pair)) node.alive &= ~(std::uint64_t{1} << i);
+    for (std::size_t i = 0; i < branch.layers.size(); ++i)
+      if (branch.layers[i].has(pair)) node.alive.remove(i);
   }
 
   /// Drops layer assignments in which the linkage touches itself at an opening that every design of the box
@@ -257,8 +257,10 @@ class Tree {
     if (!linkage) return true;
     const double one = branch.opening_of(passed.lower), other = branch.opening_of(passed.upper);
     const OpeningInterval openings{std::min(one, other), std::max(one, other)};
-    for (std::size_t i = 0; i < branch.layers.size() && i < 64; ++i) {
-      if (!(node.alive >> i & 1)) continue;
+    std::vector<bool> looked_at(branch.layers.size(), false);
+    for (std::size_t i = 0; i < branch.layers.size(); ++i) {
+      if (!node.alive.has(i) || looked_at[branch.layers[i].like]) continue;
+      looked_at[branch.layers[i].like] = true;
       ++boxes_;
       const Tightest tightest =
           smallest_gap_over(*linkage, spec_.links.style, branch.layers[i].layers, openings);
@@ -274,7 +276,7 @@ class Tree {
         cuts_.push_back(cut);
       }
     }
-    return node.alive != 0;
+    return !node.alive.empty();
   }
 
   tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Branch& branch, double a, double b,

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "workspace/layer_demands.hpp"
+
 namespace kempe::bounding {
 namespace {
 
@@ -118,26 +120,19 @@ std::vector<Piece> pieces_of(const Part& part, Complex s, const LinkStyle& style
 
 PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first), part_key(pair.second)); }
 
-std::vector<LayerChoice> all_layer_choices(Complex k, Vertex vertex, int layers) {
+std::vector<LayerChoice> layer_choices(Complex k, Vertex vertex, int layers,
+                                       const std::vector<Obstacle>& obstacles) {
   const auto any = CopyingLinkage::make(k, vertex, 100, 100, 0);
-  std::vector<LayerChoice> all;
-  for (const LayerAssignment& each : layer_assignments(layers))
-    if (any) all.push_back({each, keys_of(contact_pairs(*any, each))});
-  return all;
-}
-
-std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers) {
-  std::vector<LayerChoice> least;
-  for (const LayerChoice& candidate : all_layer_choices(k, vertex, layers)) {
-    const auto holds = [](const LayerChoice& more, const LayerChoice& less) {
-      return std::includes(more.pairs.begin(), more.pairs.end(), less.pairs.begin(), less.pairs.end());
-    };
-    if (std::any_of(least.begin(), least.end(), [&](const auto& other) { return holds(candidate, other); }))
-      continue;
-    std::erase_if(least, [&](const auto& other) { return holds(other, candidate); });
-    least.push_back(candidate);
+  std::vector<LayerChoice> choices;
+  if (!any) return choices;
+  for (const LayerAssignment& each : least_demanding_assignments(*any, layers, obstacles)) {
+    choices.push_back({each, keys_of(contact_pairs(*any, each))});
+    const auto like = std::find_if(choices.begin(), choices.end(), [&](const LayerChoice& other) {
+      return other.pairs == choices.back().pairs;
+    });
+    choices.back().like = static_cast<std::size_t>(like - choices.begin());
   }
-  return least;
+  return choices;
 }
 
 NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkStyle& style, double a,

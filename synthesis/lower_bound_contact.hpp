@@ -21,14 +21,14 @@ PairKey key_of(const ContactPair& pair);
 struct LayerChoice {
   LayerAssignment layers;
   std::vector<PairKey> pairs;
+  std::size_t like = 0;  ///< the place of the first assignment with the same pairs
   bool has(const PairKey& pair) const { return std::binary_search(pairs.begin(), pairs.end(), pair); }
 };
 
-/// Layer assignments of a grounding whose pairs of parts hold no other assignment's pairs: if no design keeps
-/// its clearance in one of these, none does in any.
-std::vector<LayerChoice> least_layer_choices(Complex k, Vertex vertex, int layers);
-/// All of them: with obstacles more contact among the links may be worth it.
-std::vector<LayerChoice> all_layer_choices(Complex k, Vertex vertex, int layers);
+/// The least demanding layer assignments of a grounding (layer_demands.hpp): if no design keeps its clearance in one of
+/// these, none does in any. With obstacles more contact among the links may be worth it.
+std::vector<LayerChoice> layer_choices(Complex k, Vertex vertex, int layers,
+                                       const std::vector<Obstacle>& obstacles);
 
 /// Two points, one of each part of a pair, that are nearest (or coincide) in a pose with these lengths and
 /// opening, and how far apart they must stay, mm.

@@ -42,12 +42,12 @@ ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly,
       shapes_(obstacle_shapes(spec.obstacles)), places_(tracer_places(spec.region, first_places)),
       many_places_(tracer_places(spec.region, many_places)) {
   const auto any = CopyingLinkage::make(spec.copy.k, assembly.vertex, 100, 100, assembly.number);
-  for (std::size_t i = 0; any && i < layers.size() && i < 64; ++i)
+  for (std::size_t i = 0; any && i < layers.size(); ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec)) {
       auto known =
           std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return same(term.what, what); });
-      if (known == terms_.end()) known = terms_.insert(terms_.end(), Term{what, 0});
-      known->layers |= LayerBits{1} << i;
+      if (known == terms_.end()) known = terms_.insert(terms_.end(), Term{what});
+      known->layers.add(i);
     }
 }
 
@@ -89,8 +89,8 @@ std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Poin
   return most * (1 + slack) + slack * (distance + middle.w / arm);
 }
 
-LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::optional<Hit>& hint,
-                                bool only_hint) const {
+LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, std::optional<Hit>& hint,
+                               bool only_hint) const {
   const double t = std::sqrt(box.lengths.t.lower * box.lengths.t.upper);
   const double w = std::sqrt(box.lengths.w.lower * box.lengths.w.upper);
   const double VB = std::sqrt(w * t / 2) * std::abs(assembly_.s);
@@ -102,13 +102,13 @@ LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::opti
     if (!moved) return;
     const PlacedJoints joints(reach_, grounding_, middle.lengths, box.pole, places_[place]);
     for (std::size_t i = first; i < last; ++i) {
-      if ((terms_[i].layers & alive) == 0) continue;
+      if (!terms_[i].layers.meets(alive)) continue;
       const ObstacleTerm& term = terms_[i].what;
       const double gap = obstacle_gap(term, shapes_[term.obstacle], joints, clearance_);  // exact below it
       if (gap + *moved < clearance_ * (1 - slack) - slack * box.pole.norm()) {
-        alive &= ~terms_[i].layers;
+        alive.remove(terms_[i].layers);
         next = Hit{place, i};
-        if (alive == 0) return;
+        if (alive.empty()) return;
       } else if (gap < clearance_ && gap + *moved < nearest) {
         nearest = gap + *moved;
         if (!next) next = Hit{place, i};
@@ -116,19 +116,18 @@ LayerBits ObstacleTest::not_hit(const DesignBox& box, LayerBits alive, std::opti
     }
   };
   if (hint) look_at(hint->place, hint->term, hint->term + 1);
-  for (std::size_t place = 0; !only_hint && place < places_.size() && alive != 0; ++place)
+  for (std::size_t place = 0; !only_hint && place < places_.size() && !alive.empty(); ++place)
     look_at(place, 0, terms_.size());
   if (next) hint = next;
   return alive;
 }
 
 bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers) {
-  if (layers >= 64) return true;
   const LogLengths lengths{std::log(VA), std::log(VB)};
   const auto is_clear_at = [&](const Point& place) {
     const PlacedJoints joints(reach_, grounding_, lengths, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
-      return (term.layers >> layers & 1) != 0 &&
+      return term.layers.has(layers) &&
              obstacle_gap(term.what, shapes_[term.what.obstacle], joints, clearance_) < clearance_;
     });
   };

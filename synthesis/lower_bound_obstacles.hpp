@@ -8,16 +8,13 @@
 // where D is the map's denominator. Signed distances of convex sets change by no more than their corners move, so an overlap
 // in the middle that is deeper than the largest of these is an overlap in every design.
 
-#include <bitset>
 #include <memory>
 
+#include "synthesis/layer_set.hpp"
 #include "synthesis/lower_bound_box.hpp"
 #include "synthesis/obstacle_gap.hpp"
 
 namespace kempe::bounding {
-
-/// Layer assignments as bits, in the order they were given in; those beyond the last bit are never ruled out.
-using LayerBits = std::uint64_t;
 
 /// A box of designs with the pole within `radius` (mm) of `pole`.
 struct DesignBox {
@@ -34,11 +31,12 @@ struct Hit {
 /// The obstacles of a spec, seen by one grounding and assembly.
 class ObstacleTest {
  public:
+  /// Assignments are known by their place in `layers`.
   ObstacleTest(const Spec& spec, const Assembly& assembly, const std::vector<LayerAssignment>& layers);
 
   /// The assignments of `alive` in which no obstacle is surely hit. `hint`: a hit of the box this one was split from; set to
   /// the one that came nearest to certain. With `only_hint` nothing else is looked at.
-  LayerBits not_hit(const DesignBox& box, LayerBits alive, std::optional<Hit>& hint, bool only_hint) const;
+  LayerSet not_hit(const DesignBox& box, LayerSet alive, std::optional<Hit>& hint, bool only_hint) const;
 
   /// What not_hit() without a hint costs, in tests of a box for reach.
   std::size_t cost() const { return 1 + places_.size() * terms_.size() / 300; }
@@ -49,7 +47,7 @@ class ObstacleTest {
  private:
   struct Term {
     ObstacleTerm what;
-    LayerBits layers = 0;  ///< in which it counts
+    LayerSet layers{};  ///< in which it counts
   };
   struct Middle;
   std::optional<double> joints_move(const DesignBox& box, const Point& place, const Middle& middle) const;

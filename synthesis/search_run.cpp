@@ -106,9 +106,15 @@ SearchOptions SearchRun::options_from_now() const {
 }
 
 std::vector<SearchTask> SearchRun::tasks_for(const Requirements& limits, Goal goal) const {
+  return tasks_for(limits, goal, goal == Goal::footprint || limits.footprint);
+}
+
+std::vector<SearchTask> SearchRun::tasks_for(const Requirements& limits, Goal goal,
+                                             bool mirror_images) const {
   std::vector<SearchTask> tasks;
   for (const ContactChoice& choice : choices_)
     for (const OpeningInterval& allowed : allowed_openings(spec(), choice.choice, limits)) {
+      if (choice.is_mirror_image && !mirror_images) continue;
       auto problem =
           std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);
       if (problem->possible()) tasks.push_back({std::move(problem), &choice, allowed});
@@ -272,7 +278,7 @@ SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goa
 SearchResult SearchRun::best_footprint(const Requirements& limits,
                                        const std::vector<RelaxedDesign>& known) const {
   SearchResult result;
-  std::vector<SearchTask> small = tasks_for(limits, Goal::size);
+  std::vector<SearchTask> small = tasks_for(limits, Goal::size, true);
   remember(small, known);
   relax(small, limits, Goal::size);
   run_parallel(small.size(), options_.threads,

@@ -78,6 +78,7 @@ class SearchRun {
   std::optional<FoundDesign> design_of(const SearchTask& task, const Requirements& limits, Goal goal) const;
 
  private:
+  std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal, bool mirror_images) const;
   bool demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const;
   SearchResult best_footprint(const Requirements& limits, const std::vector<RelaxedDesign>& known) const;
   SearchResult best_of_any_lengths(const Requirements& limits, Goal goal,

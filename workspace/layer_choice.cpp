@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "workspace/clearance.hpp"
+#include "workspace/layer_demands.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -69,13 +70,24 @@ std::string why_not(const LayerFinding& finding, const LayerFinding& best, doubl
       finding.at.x(), finding.at.y(), clearance);
 }
 
+/// All that leave no layer empty, for a person asks about each number of layers; of the others those that may be better.
+std::vector<LayerAssignment> compared_assignments(const MapTask& task, int layers) {
+  std::vector<LayerAssignment> all = layer_assignments(layers);
+  const auto worth_trying = assignments_worth_trying(task.linkage, layers, task.obstacles);
+  std::erase_if(all, [&](const LayerAssignment& one) {
+    return !one.is_stacked() &&
+           std::find(worth_trying.begin(), worth_trying.end(), one) == worth_trying.end();
+  });
+  return all;
+}
+
 }  // namespace
 
 LayerChoice choose_layers(const MapTask& task, int layers) {
   LayerChoice choice;
   const Compared by = compared_openings(task);
   double best_gap = -std::numeric_limits<double>::infinity();
-  for (const LayerAssignment& assignment : layer_assignments(layers)) {
+  for (const LayerAssignment& assignment : compared_assignments(task, layers)) {
     choice.findings.push_back(finding_of(task, assignment, by, best_gap));
     if (choice.findings.back().compared) best_gap = std::max(best_gap, choice.findings.back().gap);
   }
@@ -93,6 +105,14 @@ LayerChoice choose_layers(const MapTask& task, int layers) {
         choice.why_not_fewer.push_back(why_not(finding, best, task.clearance));
         break;
       }
+  if (!best.layers.is_stacked())
+    if (const auto stacked = std::find_if(choice.findings.begin(), choice.findings.end(),
+                                          [&](const LayerFinding& finding) {
+                                            return finding.layers.is_stacked() &&
+                                                   finding.layers.highest() == best.layers.highest();
+                                          });
+        stacked != choice.findings.end())
+      choice.why_not_fewer.push_back("With links in each of them " + why_not(*stacked, best, task.clearance));
   return choice;
 }
 

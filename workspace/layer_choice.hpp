@@ -25,13 +25,15 @@ struct LayerFinding {
 struct LayerChoice {
   LayerAssignment best;
   std::vector<LayerFinding>
-      findings;  ///< of every assignment, the best first: largest gap, then fewer layers
-  /// Sentences for a person, one for each number of layers below the best's: what two parts would do there.
-  /// Empty if the best has two layers.
+      findings;  ///< of the assignments looked at, the best first: largest gap, then fewer layers
+  /// Sentences for a person, one for each number of layers below the best's: what two parts would do there. One more
+  /// where the best leaves a layer empty: what they would do with as many layers and links in all. Empty if the best
+  /// has two layers.
   std::vector<std::string> why_not_fewer;
 };
 
-/// Tries every assignment to at most `layers` layers (>= 2) for the task (whose own layers are ignored).
+/// Tries every assignment to at most `layers` layers (>= 2) for the task (whose own layers are ignored); with
+/// empty layers only those that no lower one replaces (layer_demands.hpp).
 /// Without a region, or where the assembly reaches none of it, the gap is that over all openings that keep
 /// the transmission limit. Deterministic: equal gaps are ranked by the number of layers, then in the order of
 /// layer_assignments().

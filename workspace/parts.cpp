@@ -34,24 +34,39 @@ int LayerAssignment::highest() const { return *std::max_element(of.begin(), of.e
 
 namespace {
 
-bool can_be_assembled(const LayerAssignment& layers) {
-  const bool joined_apart = layers[Link::VA] != layers[Link::VB] && layers[Link::VA] != layers[Link::ACX] &&
-                            layers[Link::VB] != layers[Link::BCY] && layers[Link::ACX] != layers[Link::BCY];
-  for (int layer = 1; layer < layers.highest(); ++layer)
-    if (std::find(layers.of.begin(), layers.of.end(), layer) == layers.of.end()) return false;
-  return joined_apart;
+bool joined_apart(const LayerAssignment& layers) {
+  return layers[Link::VA] != layers[Link::VB] && layers[Link::VA] != layers[Link::ACX] &&
+         layers[Link::VB] != layers[Link::BCY] && layers[Link::ACX] != layers[Link::BCY];
 }
 
 }  // namespace
 
+bool LayerAssignment::has_links_in(int layer) const {
+  return std::find(of.begin(), of.end(), layer) != of.end();
+}
+
+int LayerAssignment::rank(Link link) const {
+  int rank = 1;
+  for (int layer = 1; layer < (*this)[link]; ++layer) rank += has_links_in(layer) ? 1 : 0;
+  return rank;
+}
+
+bool LayerAssignment::is_stacked() const {
+  for (int layer = 1; layer < highest(); ++layer)
+    if (!has_links_in(layer)) return false;
+  return true;
+}
+
 std::vector<LayerAssignment> layer_assignments(int layers) {
-  const int most = std::clamp(layers, 2, 4);  // four links fill four layers at most
   std::vector<LayerAssignment> result;
-  for (int VA = 1; VA <= most; ++VA)
-    for (int VB = 1; VB <= most; ++VB)
-      for (int ACX = 1; ACX <= most; ++ACX)
-        for (int BCY = 1; BCY <= most; ++BCY)
-          if (const LayerAssignment one{{VA, VB, ACX, BCY}}; can_be_assembled(one)) result.push_back(one);
+  for (int VA = 1; VA <= layers; ++VA)
+    for (int VB = 1; VB <= layers; ++VB)
+      for (int ACX = 1; ACX <= layers; ++ACX)
+        for (int BCY = 1; BCY <= layers; ++BCY)
+          if (const LayerAssignment one{{VA, VB, ACX, BCY}}; joined_apart(one)) result.push_back(one);
+  const auto order = [](const LayerAssignment& one) { return one.is_stacked() ? 0 : one.highest(); };
+  std::stable_sort(result.begin(), result.end(),
+                   [&](const LayerAssignment& a, const LayerAssignment& b) { return order(a) < order(b); });
   return result;
 }
 

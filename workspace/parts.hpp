@@ -32,11 +32,17 @@ struct LayerAssignment {
   std::array<int, 4> of{1, 2, 2, 1};
   int operator[](Link link) const { return of[static_cast<std::size_t>(link)]; }
   int highest() const;
+  bool has_links_in(int layer) const;
+  /// The link's layer counted among those that have links: 1 for the lowest.
+  int rank(Link link) const;
+  /// True if no layer below the highest one used is empty.
+  bool is_stacked() const;
   bool operator==(const LayerAssignment&) const = default;
 };
 
-/// Every assignment to layers 1..layers in which links that share a joint lie in different layers and no
-/// layer below the highest one used is empty, in lexicographic order. layers >= 2; never empty.
+/// Every assignment to layers 1..layers (>= 2) in which links that share a joint lie in different layers: the stacked
+/// ones first, in lexicographic order, then those with empty layers below or between the links, the lowest first.
+/// Those that matter for a task: layer_demands.hpp.
 std::vector<LayerAssignment> layer_assignments(int layers);
 
 /// A part that can touch another: a link, a pin at A, B, C or V, or a post (pole, tracer, pen) at V, X or Y.

@@ -62,7 +62,7 @@
       const joints = body.filled ? [...body.line, body.line[0]] : body.line;
       const points = () => (this.pose ? joints.map((joint) => this.pose[joint]) : [[0, 0]]);
       const width = () => Math.max(this.model.width * this.board.unitX, 3);
-      const css = `live-link layer-${Math.min(body.layer, 4)} ${body.filled ? "filled" : "open"}`;
+      const css = `live-link layer-${body.layer} ${body.filled ? "filled" : "open"}`;
       const rim = this.polyline(points, css + " rim", width);
       const face = this.polyline(points, css + " face", () => width() - Math.min(2.4, 0.5 * width()));
       return { name: body.name, nodes: [rim.rendNode, face.rendNode] };

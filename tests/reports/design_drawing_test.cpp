@@ -69,6 +69,10 @@ TEST(DesignDrawing, StatesRatioRotationUnitsLayersAndLengths) {
   for (const char* words :
        {"scale 1.4, rotation 90 deg", "k = 0 + 1.4i", "Units mm", "1 = VA BCY, 2 = VB ACX", "CY = 86.0233"})
     EXPECT_NE(dxf.find(words), std::string::npos) << words;
+  Design lifted = plagiograph();
+  lifted.layers.of = {2, 4, 4, 2};
+  EXPECT_NE(dxf_text(design_drawing(lifted)).find("1 = empty, 2 = VA BCY, 3 = empty, 4 = VB ACX"),
+            std::string::npos);
 }
 
 TEST(DesignDrawing, LeavesOutCornersOfTheRegionThatNoEyeTellsApart) {

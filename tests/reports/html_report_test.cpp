@@ -52,6 +52,14 @@ TEST(HtmlReport, NamesEveryLengthWithTheLettersOfTheDrawing) {
     EXPECT_THAT(page, HasSubstr(std::string("<tspan class=\"letter\">") + letter + "</tspan>"));
 }
 
+TEST(HtmlReport, SaysWhatPassesAnEmptyLayer) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  specimen.design.layers.of = {2, 3, 3, 2};
+  const std::string page = report_of(specimen);
+  EXPECT_THAT(page, HasSubstr("empty; pole post V, tracer X, pen Y pass"));
+  EXPECT_THAT(page, HasSubstr("link VA, layer 2"));
+}
+
 TEST(HtmlReport, LoadsNothingFromElsewhere) {
   for (const ReportSpecimen& specimen : report_specimens()) {
     const std::string page = without_assets(report_of(specimen));

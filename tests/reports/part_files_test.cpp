@@ -22,6 +22,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using testing::plagiograph;
 using testing::sample_design;
 
@@ -131,9 +132,30 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
   EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX; head sunk"));
   EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,\"joins VB and BCY\""));
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links\""));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,8,12,,\"under the lowest link\""));
+  EXPECT_THAT(
+      csv,
+      HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links; clearance is certified for 6 mm across"));
+  EXPECT_THAT(
+      csv,
+      HasSubstr("spacer,spacer Y,1,6,8,12,,\"under the lowest link; clearance is certified for 6 mm across"));
   EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
+}
+
+TEST(Bom, LiftsALinkageOnSpacers) {
+  Design design = plagiograph();
+  design.layers.of = {2, 3, 3, 2};
+  design.quality.clearance_min = 3;  // a spacer as wide as a link just fits
+  const std::string csv = bom_csv(design);
+  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX\""));
+  EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,\"joins VB and BCY\""));
+  EXPECT_THAT(csv, HasSubstr("pin,pin C,1,6,8,,,\"joins ACX and BCY\""));
+  EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,12,,,"));
+  EXPECT_THAT(csv, HasSubstr("post,tracer X,1,6,12,,,"));
+  EXPECT_THAT(csv, HasSubstr("post,pen Y,1,6,8,,,"));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,4,12,,\"under the lowest link\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer X,1,6,8,12,,\"under the lowest link\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,4,12,,\"under the lowest link\""));
+  EXPECT_THAT(csv, Not(HasSubstr("head sunk")));
 }
 
 class WrittenFolder {

@@ -44,7 +44,7 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
     const int number = i % static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
     const auto layers = layer_assignments(2);
     const bounding::Branch branch =
-        bounding::make_branch(spec, vertex, number, bounding::all_layer_choices(spec.copy.k, vertex, 2));
+        bounding::make_branch(spec, vertex, number, bounding::layer_choices(spec.copy.k, vertex, 2, {}));
     const bounding::ObstacleTest test(spec, branch.assembly, layers);
     for (int j = 0; j < 30; ++j) {
       const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),
@@ -53,8 +53,8 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
                                     Point(dice.uniform(-20, 20), dice.uniform(-20, 20)),
                                     dice.uniform(0, 2)};
       std::optional<bounding::Hit> hint;
-      const bounding::LayerBits left = test.not_hit(box, 3, hint, false);
-      if (left == 3) continue;
+      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(2), hint, false);
+      if (left.has(0) && left.has(1)) continue;
       ++boxes_hit;
       for (int n = 0; n < 12; ++n) {
         const double one_t = dice.log_uniform(box.lengths.t.lower, box.lengths.t.upper);
@@ -66,7 +66,7 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
                                  std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly.s), number, pole);
         if (!linkage) continue;
         for (std::size_t one = 0; one < layers.size(); ++one) {
-          if ((left >> one & 1) != 0) continue;
+          if (left.has(one)) continue;
           const auto gap = gap_over_region(spec, *linkage, layers[one]);
           if (!gap) continue;  // does not reach the region: no design either
           ++designs;

@@ -38,13 +38,20 @@ TEST(Parts, TwoLayersHaveTwoAssignments) {
 }
 
 TEST(Parts, AssignmentsAreTheColouringsOfAFourCycle) {
-  // c(c-1)(c^2-3c+3) colourings with at most c colours; those of exactly c are the ones without an empty
+  // c(c-1)(c^2-3c+3) colourings with at most c colours; those of exactly 2, 3 and 4 are the ones without an empty
   // layer.
-  EXPECT_EQ(layer_assignments(3).size(), 2u + (18u - 3u * 2u));
-  EXPECT_EQ(layer_assignments(4).size(), 2u + 12u + 24u);
-  for (const LayerAssignment& layers : layer_assignments(4)) {
-    EXPECT_NE(layers[Link::VA], layers[Link::VB]);
-    EXPECT_NE(layers[Link::ACX], layers[Link::BCY]);
+  for (int c = 2; c <= 8; ++c) {
+    const auto all = layer_assignments(c);
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(c * (c - 1) * (c * c - 3 * c + 3)));
+    const auto stacked =
+        std::count_if(all.begin(), all.end(), [](const auto& one) { return one.is_stacked(); });
+    EXPECT_EQ(stacked, c == 2 ? 2 : c == 3 ? 2 + 12 : 2 + 12 + 24);
+    EXPECT_TRUE(
+        std::is_partitioned(all.begin(), all.end(), [](const auto& one) { return one.is_stacked(); }));
+    for (const LayerAssignment& layers : all) {
+      EXPECT_NE(layers[Link::VA], layers[Link::VB]);
+      EXPECT_NE(layers[Link::ACX], layers[Link::BCY]);
+    }
   }
 }
 

@@ -425,7 +425,7 @@ TEST(LayerChoice, BestHasTheLargestGapAndTheReasonAgainstFewerIsGiven) {
   task.style.width = 24;  // in two layers VA and B-C would meet over most of the opening
   task.region = {{box(60, -5, 8, 10)}};
   const LayerChoice choice = choose_layers(task, 4);
-  EXPECT_EQ(choice.findings.size(), layer_assignments(4).size());
+  EXPECT_EQ(choice.findings.size(), 38u);  // without obstacles only those that leave no layer empty
   for (const LayerFinding& finding : choice.findings)
     EXPECT_LE(finding.gap, choice.findings.front().gap + 1e-9);
   EXPECT_GT(choice.best.highest(), 2);
@@ -445,6 +445,23 @@ TEST(LayerChoice, ObstacleInALayerDrivesTheLinksOutOfIt) {
     return smallest_clearance(one)->gap;
   };
   for (const LayerAssignment& layers : layer_assignments(2)) EXPECT_LE(gap(layers), gap(blocked.best) + 1e-2);
+}
+
+TEST(LayerChoice, LinksStandAboveAnEmptyLayerWhereThatHelpsAndItSaysSo) {
+  MapTask task{.linkage = *CopyingLinkage::make({-0.5, 0}, Vertex::pole, 37.7, 44.8, 0),
+               .style = {15, 6, 4, PlateStyle::bent},
+               .layers = {},
+               .clearance = 1,
+               .transmission = radians(25),
+               .obstacles = {block(box(6, -200, 8, 400), 1, 1), block(box(-14, -200, 8, 400), 1, 1)},
+               .region = {{box(62, -28, 56, 56)}},
+               .sheets_gap = std::nullopt};
+  const LayerChoice choice = choose_layers(task, 3);
+  EXPECT_FALSE(choice.best.has_links_in(1));
+  ASSERT_EQ(choice.why_not_fewer.size(), 2u);
+  EXPECT_EQ(choice.why_not_fewer[0].find("2 layers fail"), 0u) << choice.why_not_fewer[0];
+  EXPECT_EQ(choice.why_not_fewer[1].find("With links in each of them 3 layers fail"), 0u)
+      << choice.why_not_fewer[1];
 }
 
 // What people feed in.
