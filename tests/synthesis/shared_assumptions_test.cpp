@@ -132,7 +132,7 @@ TEST(SharedAssumptions, OnlyItsFootprintDiffersAndTheSearchLooksAtBoth) {
     ASSERT_TRUE(twin);
     const double area = footprint(*twin, spec.links.style, spec.region).area;
     differ += std::abs(area - found->value) > 1e-4 * area;
-    EXPECT_LE(found->value, area * (1 + 1e-3)) << i;
+    EXPECT_LE(found->value, area * (1 + 5e-3)) << i;  // an estimate steers the search: docs/search.md
   }
   EXPECT_GT(differ, test::expected(0));
 }
