@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Thousands of random specs through search, map and independent verification, as one batch; then what came of them.
 
-Scale 0.1 .. 10, any rotation, regions of 3 .. 30 corners, fixed and free poles, bent and triangular plates, two and three
-layers; every third spec has obstacles, every fourth a tolerance, every sixth a gap between the sheets, every twelfth a
-grid of lengths. Says how many designs failed their verification (none may), how far they are above the proven bound, how
+Scale 0.1 .. 10, any rotation, regions of 3 .. 30 corners (every third outline on a grid), fixed and free poles, bent and
+triangular plates, two and three layers; every third spec has obstacles, every fourth a tolerance, every sixth a gap between
+the sheets, every twelfth a grid of lengths. Says how many designs failed their verification (none may), how far they are above the proven bound, how
 often each grounding wins, and how many verdicts without a design are proven by interval arithmetic.
 
 usage: random_specs.py KEMPE [COUNT] [SEED] [FOLDER]
@@ -24,6 +24,24 @@ def star(rng, centre, radius, corners):
             for t in turns for r in [radius * rng.uniform(0.3, 1)]]
 
 
+def grid_outline(rng, centre, radius):
+    """An L, a U, a comb or a rectangle on a grid, with corners within straight edges, from any corner on and either way round."""
+    a, b, c, d = (rng.randint(1, 4) for _ in range(4))
+    corners = rng.choice([
+        [[0, 0], [a + b, 0], [a + b, a], [a, a], [a, a + c], [0, a + c]],
+        [[0, 0], [2 * a + b, 0], [2 * a + b, c + d], [a + b, c + d], [a + b, c], [a, c], [a, c + d], [0, c + d]],
+        [[0, 0], [5, 0], [5, d + 1], [4, d + 1], [4, 1], [3, 1], [3, d + 1], [2, d + 1], [2, 1], [1, 1], [1, d + 1], [0, d + 1]],
+        [[0, 0], [a, 0], [a + b, 0], [a + b, c], [a + b, c + d], [0, c + d]]])
+    first = rng.randrange(len(corners))
+    corners = (corners[first:] + corners[:first])[::rng.choice([1, -1])]
+    step = max(1, round(radius / max(max(corner) for corner in corners)))
+    return [[step * x + round(centre[0]), step * y + round(centre[1])] for x, y in corners]
+
+
+def outline(rng, centre, radius, corners):
+    return grid_outline(rng, centre, radius) if rng.random() < 1 / 3 else star(rng, centre, radius, corners)
+
+
 def spec(rng):
     scale = math.exp(rng.uniform(math.log(0.1), math.log(10)))
     rotation = rng.choice([0, 90, 180, -90]) if rng.random() < 0.25 else rng.uniform(-180, 180)
@@ -33,7 +51,7 @@ def spec(rng):
     centre, radius = (away * math.cos(bearing), away * math.sin(bearing)), away * rng.uniform(0.02, 0.8)
     width = rng.uniform(2, 25)
     one = {"copy": {"scale": scale, "rotation_deg": rotation},
-           "region": {"polygon_mm": star(rng, centre, radius, rng.randint(3, 30))},
+           "region": {"polygon_mm": outline(rng, centre, radius, rng.randint(3, 30))},
            "pole": {"at_mm": [0, 0]},
            "links": {"width_mm": width, "pin_diameter_mm": width * rng.uniform(0.2, 1), "layers": rng.choice([2, 3]),
                      "plate": rng.choice(["bent", "triangle"]), "shortest_mm": rng.uniform(1, 40),
@@ -58,8 +76,8 @@ def spec(rng):
         one["obstacles"] = []
         for _ in range(rng.randint(1, 4)):
             turn, far = rng.uniform(-math.pi, math.pi), away * rng.uniform(0.3, 3)
-            one["obstacles"].append({"polygon_mm": star(rng, (far * math.cos(turn), far * math.sin(turn)),
-                                                       rng.uniform(3, 0.2 * away + 3), rng.randint(3, 12)),
+            one["obstacles"].append({"polygon_mm": outline(rng, (far * math.cos(turn), far * math.sin(turn)),
+                                                          rng.uniform(3, 0.2 * away + 3), rng.randint(3, 12)),
                                     "layers": rng.choice([[1, 1], [1, 2], [2, 2]])})
     return one
 

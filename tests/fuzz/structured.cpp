@@ -3,22 +3,28 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "reports/design_audit.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/search.hpp"
 #include "synthesis/verification.hpp"
 #include "tests/fuzz/choices.hpp"
+#include "tests/specs/grid_outlines.hpp"
 
 namespace kempe::fuzz {
 namespace {
 
-/// A star-shaped polygon of 3 .. 30 corners beside the pole.
+/// A star-shaped polygon of 3 .. 30 corners beside the pole; one in four is an outline on a grid.
 Polygon polygon(Choices& choices) {
   const int corners = 3 + choices.upto(28);
   const double distance = choices.between(40, 400), radius = choices.between(2, 0.8 * distance);
   const double bearing = choices.between(-pi, pi);
   const Point centre = distance * Point(std::cos(bearing), std::sin(bearing));
+  if (corners % 4 == 0) {
+    std::mt19937_64 random(static_cast<unsigned>(corners * 65536) + static_cast<unsigned>(100 * distance));
+    return {test::grid_polygon_about(random, centre, radius).outer, {}};
+  }
   Ring ring;
   for (int i = 0; i < corners; ++i) {
     const double at = 2 * pi * i / corners, r = radius * choices.between(0.3, 1);
@@ -32,7 +38,7 @@ PoleSpec pole_beside(Choices& choices) {
   return {Region{{{{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, {}}}}};
 }
 
-/// A bar of any direction, somewhere about the pole.
+/// A bar of any direction or an outline on a grid, somewhere about the pole.
 Obstacle obstacle(Choices& choices) {
   const double distance = choices.between(20, 300), bearing = choices.between(-pi, pi),
                turn = choices.between(-pi, pi);
@@ -40,6 +46,11 @@ Obstacle obstacle(Choices& choices) {
   const Point along = choices.between(1, 60) * Point(std::cos(turn), std::sin(turn));
   const Point across = choices.between(0.5, 10) / along.norm() * Point(-along.y(), along.x());
   const int lowest = 1 + choices.upto(2);
+  const auto grid = static_cast<unsigned>(100 * distance);
+  if (grid % 2 == 0) {  // an outline on a grid, perhaps with holes
+    std::mt19937_64 random(grid);
+    return {test::grid_polygon_about(random, centre, along.norm()), lowest, lowest + choices.upto(3), {}};
+  }
   return {
       {{centre - along - across, centre + along - across, centre + along + across, centre - along + across},
        {}},

@@ -1,6 +1,7 @@
 // Laws of the map: it only shrinks when more clearance or wider links are asked for, and it moves with its task.
 #include "tests/laws/law.hpp"
 #include "tests/laws/movement.hpp"
+#include "tests/specs/grid_outlines.hpp"
 #include "workspace/reach.hpp"
 #include "workspace/region_algebra.hpp"
 #include "workspace/workspace_map.hpp"
@@ -11,6 +12,10 @@ namespace {
 Obstacle draw_obstacle(const CopyingLinkage& linkage) {
   const double size = linkage.size() * *between(0.02, 0.2);
   const Point at = linkage.pole() + *point(linkage.size());
+  if (*rc::gen::arbitrary<bool>()) {
+    std::mt19937_64 random(static_cast<unsigned>(*whole(0, 1 << 20)));
+    return {test::grid_polygon_about(random, at, size), 1, *whole(1, 4), "obstacle"};
+  }
   const Point across = size * Point(1, *between(-1, 1)), up = size * Point(-*between(0, 1), 1);
   return {{{at, at + across, at + across + up, at + up}, {}}, 1, *whole(1, 4), "obstacle"};
 }

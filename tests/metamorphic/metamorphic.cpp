@@ -78,7 +78,7 @@ class Trial {
   Trial(const Arguments& arguments, unsigned long number) : options_(arguments.answer), dice_(number) {}
 
   void run() {
-    options_.search = dice_.percent(7);
+    options_.search = dice_.percent(3);
     ++counts_[options_.search ? "tasks searched" : "tasks bounded"];
     Task task = draw_task(dice_);
     Answer answer = answered(task);

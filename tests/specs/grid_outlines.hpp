@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -171,6 +172,21 @@ inline Polygon grid_polygon(std::mt19937_64& random, int across) {
       for (int& entry : matrix) entry = whole_below(random, 5) - 2;
     while (matrix[0] * matrix[3] == matrix[1] * matrix[2]);
   return mapped(polygon, matrix, Point::Zero());
+}
+
+/// The same about a place, on multiples of a power of two, not farther from it than about `radius`.
+inline Polygon grid_polygon_about(std::mt19937_64& random, const Point& centre, double radius) {
+  Polygon polygon = grid_polygon(random, 3 + whole_below(random, 4));
+  Point lower = polygon.outer[0], upper = lower;
+  for (const Point& corner : polygon.outer) lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
+  const double step = std::exp2(std::floor(std::log2(2 * radius / (upper - lower).norm())));
+  const Point shift = (centre / step - 0.5 * (lower + upper)).array().round().matrix();
+  const auto place = [&](Ring& ring) {
+    for (Point& corner : ring) corner = step * (corner + shift);
+  };
+  place(polygon.outer);
+  for (Ring& hole : polygon.holes) place(hole);
+  return polygon;
 }
 
 /// The ring from another of its corners on.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "specs/drawing_cover.hpp"
+#include "tests/specs/grid_outlines.hpp"
 #include "tests/specs/random_rings.hpp"
 
 namespace kempe {
@@ -27,6 +28,7 @@ TEST(Grown, ContainsAllPointsWithinTheMarginAndNoneFarBeyond) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 40; ++i) {
     Region region{{{star_ring(random, 4 + i % 12, 50), {}}}};
+    if (i % 3 == 2) region.polygons[0].outer = test::grid_polygon_about(random, Point::Zero(), 50).outer;
     Ring second = star_ring(random, 5, 30);
     for (Point& corner : second) corner += Point(90, 20);
     region.polygons.push_back({second, {}});

@@ -47,8 +47,10 @@ inline std::string first_limit_missed(const Spec& spec, const Design& design, do
   const CopyingLinkage& linkage = design.linkage;
   if (!design.map.coverage.covered) return "region";
   const auto lengths = linkage.lengths().values();
+  const double pin = spec.links.style.pin_diameter;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (below(lengths[i], spec.links.shortest)) return "shortest_mm";
+    if (slack < 0 && lengths[i] < 1.1 * pin + std::max(0.0, spec.cutting.hole_fit)) return "holes apart";
     if (above(lengths[i], spec.links.longest)) return "longest_mm";
     const auto& locked = spec.links.workshop.locked[i];
     if (locked && std::abs(lengths[i] - *locked) > 1e-9 * *locked) return "locked length";

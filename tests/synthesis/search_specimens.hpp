@@ -5,6 +5,7 @@
 #include <random>
 
 #include "synthesis/search.hpp"
+#include "tests/specs/grid_outlines.hpp"
 
 namespace kempe::test {
 
@@ -36,7 +37,10 @@ class SpecDice {
     const Point centre = as_point(std::polar(away, uniform(-pi, pi)));
     const int corners = 3 + static_cast<int>(random_() % 12);  // drawn one by one: arguments have no order
     const double radius = away * uniform(0.1, 0.6);
-    spec.region.polygons.push_back(star(centre, radius, corners));
+    if (one_in(4))
+      spec.region.polygons.push_back({grid_polygon_about(random_, centre, radius).outer, {}});
+    else
+      spec.region.polygons.push_back(star(centre, radius, corners));
     spec.links.style.width = uniform(2, 15);
     spec.links.style.pin_diameter = spec.links.style.width * uniform(0.2, 1);
     spec.links.style.plate = one_in(2) ? PlateStyle::bent : PlateStyle::triangle;
@@ -56,7 +60,9 @@ class SpecDice {
     const double away = spec.region.polygons[0].outer[0].norm() * uniform(0.3, 1.2);
     const int corners = 3 + static_cast<int>(random_() % 5);
     const double radius = away * uniform(0.05, 0.15);
-    return {star(as_point(std::polar(away, uniform(-pi, pi))), radius, corners), 1, 1, "block"};
+    const Point centre = as_point(std::polar(away, uniform(-pi, pi)));
+    if (one_in(2)) return {grid_polygon_about(random_, centre, radius), 1, 1, "block"};
+    return {star(centre, radius, corners), 1, 1, "block"};
   }
 
  private:

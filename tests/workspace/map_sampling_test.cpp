@@ -7,6 +7,7 @@
 
 #include "random_linkage.hpp"
 #include "sampled_mechanism.hpp"
+#include "tests/specs/grid_outlines.hpp"
 #include "workspace/clearance.hpp"
 #include "workspace/reach.hpp"
 
@@ -60,6 +61,9 @@ MapTask task_of(const Case& one) {
         linkage.pole() + as_point(std::polar(reach * dice.between(0.45, 1.6), dice.between(-pi, pi)));
     task.obstacles.push_back(
         star(dice, centre, dice.between(1, 12) / std::sqrt(1 + 0.3 * one.obstacles), one.corners));
+    if (i % 3 != 1) continue;
+    std::mt19937_64 random(static_cast<std::uint64_t>(i));
+    task.obstacles.back().shape = {test::grid_polygon_about(random, centre, 8).outer, {}};
   }
   return task;
 }
