@@ -16,6 +16,7 @@
 #include "app/ranks.hpp"
 #include "reports/atomic_file.hpp"
 #include "reports/csv_text.hpp"
+#include "reports/parts_fault.hpp"
 #include "specs/json_spec.hpp"
 #include "specs/json_text.hpp"
 #include "specs/printable.hpp"
@@ -249,6 +250,7 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
   line["status"] = design.verification.certified ? "design" : "verification failed";
   line.update(figures(design));
   if (!design.verification.certified) line["message"] = design.verification.failure;
+  if (const auto fault = parts_fault(design, spec->cutting)) line["parts"] = fault->sentence;
   return line_of(line);
 }
 

@@ -7,7 +7,7 @@
 #include "app/output_check.hpp"
 #include "reports/design_json.hpp"
 #include "reports/design_package.hpp"
-#include "reports/part_files.hpp"
+#include "reports/parts_fault.hpp"
 #include "reports/recheck.hpp"
 #include "specs/printable.hpp"
 #include "specs/spec_reader.hpp"
@@ -131,7 +131,7 @@ std::string tool_line(const std::optional<ToolAdvice>& tool) {
 }  // namespace
 
 std::string summary_text(const Design& design, const std::filesystem::path& folder,
-                         const std::vector<std::string>& files) {
+                         const std::vector<std::string>& files, const std::vector<std::string>& left_out) {
   const Quality& q = design.quality;
   const Point& pole = design.linkage.pole();
   std::string text = ratio_line(design);
@@ -165,18 +165,32 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
     if (!is_part || !has_parts) text += is_part ? " parts/" : " " + file;
     has_parts = has_parts || is_part;
   }
-  return text + "\n";
+  text += "\n";
+  for (const std::string& sentence : left_out) text += "             " + sentence + "\n";
+  return text;
 }
 
 std::string summary_json(const Design& design, const std::filesystem::path& folder,
-                         const std::vector<std::string>& files) {
+                         const std::vector<std::string>& files, const std::vector<std::string>& left_out) {
   nlohmann::ordered_json object = design_values(design);
   object.erase("region");
   object["coverage"] = {{"covered", design.map.coverage.covered}, {"why_not", design.map.coverage.why_not}};
   object["folder"] = folder.string();
   object["files"] = files;
+  object["left_out"] = left_out;
   return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
+
+namespace {
+
+/// Joints are kept apart by shortest_mm, or by their holes.
+std::string limit_word(const Relaxation& relaxation) {
+  if (!relaxation.limit) return "obstacles";
+  const bool by_holes = *relaxation.limit == Goal::shortest && relaxation.key != "links.shortest_mm";
+  return by_holes ? "holes" : std::string(name(*relaxation.limit));
+}
+
+}  // namespace
 
 int tell_no_design(const Session& session, const NoDesign& none) {
   std::string message = "no design exists: " + none.sentence + "\n";
@@ -190,12 +204,12 @@ int tell_no_design(const Session& session, const NoDesign& none) {
                                   {"proven", none.proven}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
-      object["relaxations"].push_back(
-          {{"limit", relaxation.limit ? std::string(name(*relaxation.limit)) : "obstacles"},
-           {"sentence", relaxation.sentence},
-           {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
-           {"VA_mm", relaxation.design.linkage.VA()},
-           {"VB_mm", relaxation.design.linkage.VB()}});
+      object["relaxations"].push_back({{"limit", limit_word(relaxation)},
+                                       {"key", relaxation.key},
+                                       {"sentence", relaxation.sentence},
+                                       {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
+                                       {"VA_mm", relaxation.design.linkage.VA()},
+                                       {"VB_mm", relaxation.design.linkage.VB()}});
     print(object.dump(1) + "\n");
   }
   return fail(no_design, message);
@@ -224,8 +238,7 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
   const CuttingSpec& cutting = spec.spec.cutting;
-  if (const auto fault = holes_fault(design, cutting))
-    return fail(no_design, "this cannot be cut, nothing is written: " + *fault);
+  if (const auto fault = parts_fault(design, cutting)) extras.why_no_parts = fault->sentence;
   give_memory_back();
   FolderDraft draft(folder);
   const auto drafted =
@@ -238,8 +251,10 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   const std::vector<std::string> files = draft.names();
   if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(*clash);
   if (const auto written = draft.put_in_place(); !written) return fail(cannot_write, written.error());
-  print(session.json ? summary_json(design, folder, files) : summary_text(design, folder, files));
-  if (const auto fault = nesting_fault(design, cutting)) return fail(done, "no nested.dxf: " + *fault);
+  const std::vector<std::string>& left_out = *drafted;
+  print(session.json ? summary_json(design, folder, files, left_out)
+                     : summary_text(design, folder, files, left_out));
+  for (const std::string& sentence : left_out) fail(done, sentence);
   return done;
 }
 

@@ -33,10 +33,10 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
 /// Says why no design exists and what would make one possible; returns `no_design`.
 int tell_no_design(const Session& session, const NoDesign& none);
 
-/// The summary that a person reads, or with --json one object.
+/// The summary that a person reads, or with --json one object; `left_out`: sentences about files that are not there.
 std::string summary_text(const Design& design, const std::filesystem::path& folder,
-                         const std::vector<std::string>& files);
+                         const std::vector<std::string>& files, const std::vector<std::string>& left_out);
 std::string summary_json(const Design& design, const std::filesystem::path& folder,
-                         const std::vector<std::string>& files);
+                         const std::vector<std::string>& files, const std::vector<std::string>& left_out);
 
 }  // namespace kempe::app

@@ -143,6 +143,24 @@ void check_holes(const StoredDesign& design, const CuttingSpec& cutting, AuditRe
                                          diameter, LinkLengths::names[which], *shortest)});
 }
 
+/// Two joints of a link, as far apart as pin or hole is wide, and the wall between.
+void check_walls(const StoredDesign& design, const CuttingSpec& cutting, const std::optional<double>& wall,
+                 AuditRecord& record) {
+  if (!wall) return record.not_checked("links.wall_mm", "the file does not state it");
+  const double taken = design.style.pin_diameter + std::max(0.0, cutting.hole_fit);
+  const auto values = design.mechanism.lengths.values();
+  const auto shortest = std::min_element(values.begin(), values.end());
+  record.checked("links.wall_mm");
+  if (*shortest >= (taken + *wall) * (1 - same_length)) return;
+  const auto which = static_cast<std::size_t>(shortest - values.begin());
+  record.broken(
+      {.limit = "links.wall_mm",
+       .attained = *shortest - taken,
+       .allowed = wall,
+       .sentence = fmt::format("{} is {:.6g} mm, which leaves a wall of {:.6g} mm between holes of {:.6g} mm",
+                               LinkLengths::names[which], *shortest, *shortest - taken, taken)});
+}
+
 }  // namespace
 
 void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, double slack,
@@ -163,10 +181,12 @@ void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, do
   check_layer_count(design.layers, allowed.layers, record);
   check_pole(design, allowed.pole, slack, record);
   check_grounding(linkage.vertex(), allowed.groundings, record);
-  if (design.cutting)
+  if (design.cutting) {
     check_holes(design, *design.cutting, record);
-  else
+    check_walls(design, *design.cutting, allowed.wall, record);
+  } else {
     record.not_checked("cutting", "the file does not state how wide the holes are");
+  }
 }
 
 }  // namespace kempe

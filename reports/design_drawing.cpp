@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "reports/part_drawings.hpp"
+#include "reports/parts_fault.hpp"
 #include "reports/stated_angle.hpp"
 
 namespace kempe {
@@ -124,7 +125,7 @@ std::string cutting_text(const CuttingSpec& cutting) {
 
 void add_figures(Block& block, const Design& design, const CuttingSpec& cutting) {
   const CopyingLinkage& linkage = design.linkage;
-  const double hole = design.style.pin_diameter + cutting.hole_fit - cutting.kerf;
+  const double hole = std::max(0.0, design.style.pin_diameter + cutting.hole_fit - cutting.kerf);
   block.row(drawing_title(design), 5);
   block.gap();
   block.row("k = " + complex_text(linkage.k()) + ", shape s = " + complex_text(linkage.shape()));
@@ -139,6 +140,7 @@ void add_figures(Block& block, const Design& design, const CuttingSpec& cutting)
                         figure(design.style.thickness), figure(design.style.width),
                         figure(design.style.pin_diameter), figure(hole)));
   block.row(cutting_text(cutting));
+  if (const auto fault = parts_fault(design, cutting)) block.row("The links cannot be cut: " + fault->note);
   block.row("Units mm, scale 1:1, seen from above");
 }
 

@@ -192,6 +192,7 @@ Json links_limits_json(const std::optional<Allowed>& allowed) {
   Json json{{"layers", allowed->layers},
             {"shortest_mm", allowed->shortest},
             {"longest_mm", allowed->longest},
+            {"wall_mm", finite_or_null(allowed->wall)},
             {"grid_mm", finite_or_null(allowed->workshop.grid)},
             {"stock_mm", allowed->workshop.stock}};
   for (std::size_t i = 0; i < allowed->workshop.locked.size(); ++i)

@@ -41,8 +41,8 @@ void note_keys(const JsonField& root, StoredDesign& design) {
   look_in("tool", {"follower_radius_mm", "cutter_radius_mm", "exact_follower_radius_mm",
                    "exact_cutter_radius_mm", "cut_outside_mm", "template_offset_mm"});
   look_in("pole", {"at_mm", "within_mm"});
-  look_in("links", {"layers", "shortest_mm", "longest_mm", "grid_mm", "stock_mm", "VA_mm", "VB_mm", "AC_mm",
-                    "BC_mm", "AX_mm", "CX_mm", "BY_mm", "CY_mm"});
+  look_in("links", {"layers", "shortest_mm", "longest_mm", "wall_mm", "grid_mm", "stock_mm", "VA_mm", "VB_mm",
+                    "AC_mm", "BC_mm", "AX_mm", "CX_mm", "BY_mm", "CY_mm"});
   look_in("objective", {"groundings"});
   look_in("cutting", {"hole_fit_mm", "kerf_mm", "sheet_mm", "gap_mm"});
 }

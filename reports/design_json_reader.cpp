@@ -282,6 +282,7 @@ void read_links_limits(const JsonField& field, Allowed& allowed) {
   allowed.layers = static_cast<int>(field["layers"].integer(2, 100));
   allowed.shortest = length(field["shortest_mm"]);
   allowed.longest = length(field["longest_mm"]);
+  allowed.wall = perhaps_length(field, "wall_mm");
   allowed.workshop.grid = perhaps_length(field, "grid_mm");
   if (const auto stock = field.find("stock_mm"))
     for (const JsonField& one : stock->elements(0, many)) allowed.workshop.stock.push_back(length(one));

@@ -12,7 +12,7 @@
 
 namespace kempe {
 
-tl::expected<void, std::string> make_design_package(
+tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
     const std::function<tl::expected<void, std::string>(const OutputFile&)>& take) {
   // One text after the other: those of a region of a million corners are large.
@@ -24,10 +24,11 @@ tl::expected<void, std::string> make_design_package(
       {"workspace.geojson", [&] { return workspace_geojson(design); }},
       {"report.html", [&] { return html_report(design, extras); }}};
   for (const auto& [name, text] : files)
-    if (auto taken = take({name, text()}); !taken) return taken;
-  for (const OutputFile& file : part_files(design, cutting))
-    if (auto taken = take(file); !taken) return taken;
-  return {};
+    if (auto taken = take({name, text()}); !taken) return tl::unexpected(taken.error());
+  PartFiles parts = part_files(design, cutting);
+  for (const OutputFile& file : parts.files)
+    if (auto taken = take(file); !taken) return tl::unexpected(taken.error());
+  return std::move(parts.left_out);
 }
 
 }  // namespace kempe

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "reports/atomic_file.hpp"
 #include "reports/html_report.hpp"
@@ -11,9 +12,9 @@
 namespace kempe {
 
 /// Gives the files of a design's folder to `take`, one after the other: design.json first, map, drawings and report,
-/// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it. What is given depends
-/// on the other arguments alone.
-tl::expected<void, std::string> make_design_package(
+/// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it; else what is left out and
+/// why. What is given depends on the other arguments alone.
+tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
     const std::function<tl::expected<void, std::string>(const OutputFile&)>& take);
 

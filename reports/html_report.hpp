@@ -35,6 +35,7 @@ struct ReportExtras {
   std::string spec_text;        ///< as the user wrote it; the middle of a very long one is left out
   std::optional<ParetoFront> pareto;
   std::vector<PartPicture> parts;
+  std::string why_no_parts{};  ///< why there are no files to cut the links by; empty: there are
 };
 
 /// The page. Depends on its arguments alone: the same design gives the same bytes.

@@ -119,6 +119,14 @@ DrawingLayer cut_layer(const std::string& name) {
   return {name, 6, "#8a2a8f", true};
 }
 
+double least_wall(const CutPart& part, double width) {
+  double wall = 0.5 * (width - part.hole_diameter);
+  for (std::size_t i = 0; i < part.holes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      wall = std::min(wall, (part.holes[i].centre - part.holes[j].centre).norm() - part.hole_diameter);
+  return wall;
+}
+
 }  // namespace
 
 CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting) {
@@ -130,13 +138,14 @@ CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting) {
   part.name = name(link);
   part.layer = design.layers[link];
   part.thickness = style.thickness;
-  part.hole_diameter = style.pin_diameter + cutting.hole_fit - cutting.kerf;
+  part.hole_diameter = std::max(0.0, style.pin_diameter + cutting.hole_fit - cutting.kerf);
   part.outline = link_outline(link, lying, as_cut).outer;
   const LinkJoints joints = joints_of(link);
   for (int i = 0; i < joints.count; ++i) {
     const Joint joint = joints.joints[static_cast<std::size_t>(i)];
     part.holes.push_back({joint, lying[joint]});
   }
+  part.wall = least_wall(part, as_cut.width);
   part.labels = engraving(link, lying, style, part.hole_diameter);
   return part;
 }
@@ -155,8 +164,9 @@ double area(const CutPart& part) {
 Drawing part_drawing(const CutPart& part) {
   Drawing drawing{{cut_layer(part.name), {std::string(label_layer), 1, "#c00000", false}}, {}};
   drawing.shapes.push_back(OutlineShape{part.name, part.outline, true});
-  for (const CutPart::Hole& hole : part.holes)
-    drawing.shapes.push_back(CircleShape{part.name, hole.centre, 0.5 * part.hole_diameter});
+  if (part.hole_diameter > 0)
+    for (const CutPart::Hole& hole : part.holes)
+      drawing.shapes.push_back(CircleShape{part.name, hole.centre, 0.5 * part.hole_diameter});
   drawing.shapes.insert(drawing.shapes.end(), part.labels.begin(), part.labels.end());
   return drawing;
 }

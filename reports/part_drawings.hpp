@@ -17,17 +17,18 @@ struct CutPart {
     Joint joint;
     Point centre;  ///< mm
   };
-  std::string name;               ///< "ACX"
-  int layer = 1;                  ///< of the mechanism, 1 is next to the table
-  double thickness = 4;           ///< mm
-  double hole_diameter = 6;       ///< mm: of the pin, plus the fit, less the kerf
-  ArcRing outline;                ///< counter-clockwise, grown by half the kerf
+  std::string name;      ///< "ACX"
+  int layer = 1;         ///< of the mechanism, 1 is next to the table
+  double thickness = 4;  ///< mm
+  double hole_diameter =
+      6;            ///< mm, as drawn: of the pin, plus the fit, less the kerf; 0 if that leaves nothing
+  double wall = 3;  ///< mm, as drawn: the least beside a hole and between two; none if not above 0
+  ArcRing outline;  ///< counter-clockwise, grown by half the kerf
   std::vector<Hole> holes;        ///< at every joint, as far apart as the link's lengths say
   std::vector<TextShape> labels;  ///< engraved: the name and the joints' letters
 };
 
-/// The part of one link. `cutting` as the spec reader checked it: the hole's diameter stays positive and
-/// below the width.
+/// The part of one link, to be drawn in any case; parts_fault.hpp says whether it can be cut.
 CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting);
 /// All four, in the order of all_links.
 std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cutting);
@@ -35,7 +36,7 @@ std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cuttin
 /// Area of the part as drawn, mm^2: the outline less its holes.
 double area(const CutPart& part);
 
-/// The part alone: its outline and holes on a layer of its name, the engraving on the layer LABELS.
+/// The part alone: its outline and holes (none of no diameter) on a layer of its name, the engraving on the layer LABELS.
 Drawing part_drawing(const CutPart& part);
 
 /// The name of the layer that carries everything engraved.

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "reports/bom.hpp"
 #include "reports/dxf_writer.hpp"
 #include "reports/nesting.hpp"
 #include "reports/part_drawings.hpp"
 #include "reports/part_solid.hpp"
+#include "reports/parts_fault.hpp"
 #include "reports/step_assembly.hpp"
 #include "reports/svg_writer.hpp"
 
@@ -20,46 +19,40 @@ std::vector<CutPart> parts_of_design(const Design& design, const CuttingSpec& cu
   return {parts.begin(), parts.end()};
 }
 
+void add_link(PartFiles& parts, const CutPart& part) {
+  const std::string stem = "parts/" + part.name;
+  const Drawing drawing = part_drawing(part);
+  parts.files.push_back({stem + ".dxf", dxf_text(drawing)});
+  parts.files.push_back({stem + ".svg", svg_text(drawing, "Link " + part.name)});
+  if (const Solid solid = part_solid(part); !solid.empty())
+    parts.files.push_back({stem + ".stl", stl_bytes(solid, "link " + part.name)});
+  else
+    parts.left_out.push_back(fmt::format(
+        "no {}.stl: at this size the format's numbers cannot hold a wall of {:.6g} mm", stem, part.wall));
+}
+
+void add_nested(PartFiles& result, const std::vector<CutPart>& parts, const CuttingSpec& cutting) {
+  const auto nested = nest(parts, *cutting.sheet, cutting.gap);
+  if (nested)
+    result.files.push_back({"nested.dxf", dxf_text(nested_drawing(parts, *nested, *cutting.sheet))});
+  else
+    result.left_out.push_back("no nested.dxf: " + nested.error());
+}
+
 }  // namespace
 
-std::optional<std::string> holes_fault(const Design& design, const CuttingSpec& cutting) {
-  for (const CutPart& part : cut_parts(design, cutting))
-    for (auto one = part.holes.begin(); one != part.holes.end(); ++one)
-      for (auto other = std::next(one); other != part.holes.end(); ++other) {
-        const double apart = (one->centre - other->centre).norm();
-        if (apart < part.hole_diameter)
-          return fmt::format(
-              "link {} has its holes {} and {}, {:.6g} mm wide, {:.6g} mm apart; links.shortest_mm above "
-              "{:.6g} "
-              "keeps them apart, or thinner pins",
-              part.name, letter(one->joint), letter(other->joint), part.hole_diameter, apart,
-              part.hole_diameter);
-      }
-  return std::nullopt;
-}
-
-std::vector<OutputFile> part_files(const Design& design, const CuttingSpec& cutting) {
-  const std::vector<CutPart> parts = parts_of_design(design, cutting);
-  std::vector<OutputFile> files;
-  for (const CutPart& part : parts) {
-    const std::string stem = "parts/" + part.name;
-    const Drawing drawing = part_drawing(part);
-    files.push_back({stem + ".dxf", dxf_text(drawing)});
-    files.push_back({stem + ".svg", svg_text(drawing, "Link " + part.name)});
-    files.push_back({stem + ".stl", stl_bytes(part_solid(part), "link " + part.name)});
-  }
-  if (auto step = step_assembly(design, cutting)) files.push_back({"parts/assembly.step", std::move(*step)});
-  files.push_back({"bom.csv", bom_csv(design)});
-  if (!cutting.sheet) return files;
-  if (const auto nested = nest(parts, *cutting.sheet, cutting.gap))
-    files.push_back({"nested.dxf", dxf_text(nested_drawing(parts, *nested, *cutting.sheet))});
-  return files;
-}
-
-std::optional<std::string> nesting_fault(const Design& design, const CuttingSpec& cutting) {
-  if (!cutting.sheet) return std::nullopt;
-  const auto nested = nest(parts_of_design(design, cutting), *cutting.sheet, cutting.gap);
-  return nested ? std::nullopt : std::optional(nested.error());
+PartFiles part_files(const Design& design, const CuttingSpec& cutting) {
+  PartFiles result;
+  const auto fault = parts_fault(design, cutting);
+  const std::vector<CutPart> parts = fault ? std::vector<CutPart>{} : parts_of_design(design, cutting);
+  for (const CutPart& part : parts) add_link(result, part);
+  if (fault)
+    result.left_out.push_back("no files of the parts: " + fault->sentence);
+  else if (auto step = step_assembly(design, cutting))
+    result.files.push_back({"parts/assembly.step", std::move(*step)});
+  result.files.push_back({"bom.csv", bom_csv(design)});
+  if (cutting.sheet && !fault) add_nested(result, parts, cutting);
+  return result;
 }
 
 }  // namespace kempe

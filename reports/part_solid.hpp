@@ -16,7 +16,8 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 using Solid = std::vector<Triangle>;
 
 /// The part's outline with its holes, standing from z = 0 to its thickness; arcs become chords within
-/// `tolerance` (mm, > 0) whose corners lie on them. Closed: every edge belongs to two triangles.
+/// `tolerance` (mm, > 0) and within half the part's wall, whose corners lie on them. Closed: every edge belongs to two
+/// triangles. Empty where floats, which an STL holds, cannot tell a wall's two sides apart, or there is no wall.
 Solid part_solid(const CutPart& part, double tolerance = 0.01);
 
 /// Volume enclosed, mm^3; positive if the triangles look outward.

@@ -46,9 +46,19 @@ void add_walls(Solid& solid, const Ring& ring, double height) {
   }
 }
 
+/// How far apart floats are that hold the part's coordinates.
+double spacing(const ArcRing& outline) {
+  const Box box = bounding_box(outline);
+  return 0x1p-23 * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+}
+
 }  // namespace
 
 Solid part_solid(const CutPart& part, double tolerance) {
+  const double least = 4 * spacing(part.outline);
+  if (!(part.wall > least && part.hole_diameter > least && single(part.thickness) > 0)) return {};
+  // Chords of the outline cut into the wall: no more than half of it.
+  tolerance = std::min(tolerance, 0.5 * part.wall);
   std::vector<Ring> rings{chords(part.outline, tolerance)};
   for (const CutPart::Hole& hole : part.holes)
     rings.push_back(chords(reversed(circle(hole.centre, 0.5 * part.hole_diameter)), tolerance));
@@ -61,7 +71,7 @@ Solid part_solid(const CutPart& part, double tolerance) {
     solid.push_back({raised(at(2), 0), raised(at(1), 0), raised(at(0), 0)});
   }
   for (const Ring& ring : rings) add_walls(solid, ring, height);
-  return solid;
+  return is_closed(solid) ? solid : Solid{};
 }
 
 }  // namespace kempe

@@ -113,7 +113,7 @@ class Recheck {
       else
         fault(file, "something on the layer {} that is neither outline nor hole", part.name);
     }
-    if (outlines.size() != 1 || holes.size() != part.holes.size())
+    if (outlines.size() != 1 || holes.size() != (part.hole_diameter > 0 ? part.holes.size() : 0))
       return fault(file, "{} outlines and {} holes on the layer {}", outlines.size(), holes.size(),
                    part.name);
     check_outline(file, *outlines.front(), part);
@@ -202,6 +202,17 @@ std::vector<std::string> recheck(const FolderDraft& draft, const Design& design,
     return contents_of(*place);
   };
   return Recheck(drafted, design, cutting).run();
+}
+
+std::vector<std::string> recheck(const std::vector<OutputFile>& files, const Design& design,
+                                 const CuttingSpec& cutting) {
+  const Contents given =
+      [&](const std::string& name) -> tl::expected<std::optional<std::string>, std::string> {
+    for (const OutputFile& file : files)
+      if (file.name == name) return file.contents;
+    return std::nullopt;
+  };
+  return Recheck(given, design, cutting).run();
 }
 
 }  // namespace kempe

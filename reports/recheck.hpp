@@ -22,5 +22,8 @@ std::vector<std::string> recheck(const std::filesystem::path& folder, const Desi
                                  const CuttingSpec& cutting);
 /// The same before the files are put in place.
 std::vector<std::string> recheck(const FolderDraft& draft, const Design& design, const CuttingSpec& cutting);
+/// The same of files that are nowhere but here.
+std::vector<std::string> recheck(const std::vector<OutputFile>& files, const Design& design,
+                                 const CuttingSpec& cutting);
 
 }  // namespace kempe

@@ -156,16 +156,23 @@ std::string given_pictures(const std::vector<PartPicture>& pictures) {
   return html.empty() ? html : "<div class=\"parts\">\n" + html + "</div>\n";
 }
 
+std::string files_note(const ReportExtras& extras) {
+  if (extras.pareto) return "";  // a front's folder holds no drawings
+  if (!extras.why_no_parts.empty())
+    return fmt::format(
+        "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "
+        "<code>drawing.dxf</code> shows them; there are no files of the parts.</p>\n",
+        html_escaped(extras.why_no_parts));
+  return "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
+         "<code>parts/VA.dxf</code>, <code>.svg</code> and <code>.stl</code> and so on.</p>\n";
+}
+
 }  // namespace
 
 std::string parts(const Design& design, const ReportExtras& extras) {
-  // A front's folder holds no drawings.
-  const std::string files =
-      extras.pareto ? ""
-                    : "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
-                      "<code>parts/VA.dxf</code>, <code>.svg</code> and <code>.stl</code> and so on.</p>\n";
-  return html_section("parts", "Parts",
-                      dimensioned_links(design) + given_pictures(extras.parts) + files + hardware(design));
+  return html_section(
+      "parts", "Parts",
+      dimensioned_links(design) + given_pictures(extras.parts) + files_note(extras) + hardware(design));
 }
 
 }  // namespace kempe::report_sections

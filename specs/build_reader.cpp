@@ -147,6 +147,7 @@ LinkSpec read_links(const TableView& table, Complaints& complaints) {
   table.set("layers", links.layers);
   table.set("shortest_mm", links.shortest);
   table.set("longest_mm", links.longest);
+  table.set("wall_mm", links.wall);
   links.style.plate = plate == "triangle" ? PlateStyle::triangle : PlateStyle::bent;
   links.workshop = read_workshop(table);
   LinkChecks(links, table, complaints).run();

@@ -3,6 +3,15 @@
 #include <algorithm>
 
 namespace kempe {
+namespace {
+
+/// Of the pin's diameter: what keeps two holes of a link apart where the spec does not say it.
+constexpr double wall_per_pin = 0.1;
+
+/// What a hole is wider than its pin, mm; a press fit's pin is as wide as ever.
+double widening(const Spec& spec) { return std::max(0.0, spec.cutting.hole_fit); }
+
+}  // namespace
 
 std::string_view name(Objective objective) {
   switch (objective) {
@@ -19,6 +28,21 @@ bool is_maximized(Objective objective) { return objective == Objective::transmis
 bool WorkshopSpec::any() const {
   return grid.has_value() || !stock.empty() ||
          std::any_of(locked.begin(), locked.end(), [](const auto& length) { return length.has_value(); });
+}
+
+double least_wall(const Spec& spec) {
+  return spec.links.wall.value_or(wall_per_pin * spec.links.style.pin_diameter);
+}
+
+double joint_width(const Spec& spec) { return spec.links.style.pin_diameter + widening(spec); }
+
+double hole_distance(const Spec& spec) { return joint_width(spec) + least_wall(spec); }
+
+double least_joint_distance(const Spec& spec) { return std::max(spec.links.shortest, hole_distance(spec)); }
+
+double pin_for_hole_distance(const Spec& spec, double distance) {
+  const double pin_and_wall = distance - widening(spec);
+  return spec.links.wall ? pin_and_wall - *spec.links.wall : pin_and_wall / (1 + wall_per_pin);
 }
 
 }  // namespace kempe

@@ -61,6 +61,8 @@ struct LinkSpec {
   int layers = 2;        ///< at most, >= 2
   double shortest = 15;  ///< mm, between joints of one link
   double longest = 400;  ///< mm
+  std::optional<double>
+      wall{};  ///< mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
   WorkshopSpec workshop;
 };
 
@@ -128,5 +130,17 @@ struct Spec {
   std::optional<MechanismSpec> mechanism;
   CuttingSpec cutting;
 };
+
+/// The least wall between two holes of a link, mm: `links.wall`, or what stands in for it.
+double least_wall(const Spec& spec);
+/// What a joint takes of its link, mm: the pin's diameter, or the hole's if that is wider.
+double joint_width(const Spec& spec);
+/// The distance of two joints of a link whose holes have no more than the least wall between them, mm.
+double hole_distance(const Spec& spec);
+/// The least distance of two joints of a link, mm: `links.shortest`, or hole_distance() if that is more. All eight lengths
+/// of a linkage keep it: they are the distances of all pairs of joints that share a link.
+double least_joint_distance(const Spec& spec);
+/// The thickest pin with which hole_distance() is `distance` (mm); 0 or less if there is none.
+double pin_for_hole_distance(const Spec& spec, double distance);
 
 }  // namespace kempe

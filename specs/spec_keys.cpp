@@ -64,6 +64,8 @@ constexpr SpecKey keys[] = {
      "least distance of two joints of a link"},
     {"links", "longest_mm", number, length, "", optional, "400", "600",
      "largest distance of two joints of a link"},
+    {"links", "wall_mm", number, above(0, 1000), "", optional, "", "2",
+     "least wall between two holes of a link; left out: a tenth of the pin's diameter"},
     {"links", "grid_mm", number, length, "", optional, "", "5", "lengths are whole multiples of this"},
     {"links", "stock_mm", numbers, length, "", optional, "", "[100, 150, 200]",
      "lengths are taken from this list"},

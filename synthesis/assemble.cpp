@@ -87,8 +87,8 @@ LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int mo
 }  // namespace
 
 Allowed allowed_by(const Spec& spec) {
-  return {spec.pole,          spec.links.layers,   spec.links.shortest,
-          spec.links.longest, spec.links.workshop, spec.objective.groundings};
+  return {spec.pole,           spec.links.layers,         spec.links.shortest, spec.links.longest,
+          spec.links.workshop, spec.objective.groundings, least_wall(spec)};
 }
 
 MapTask map_task(const Design& design) {

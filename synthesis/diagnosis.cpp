@@ -26,11 +26,23 @@ constexpr std::array movables{
     Movable{Goal::transmission, "limits.transmission_deg", pi / 180, 0},
     Movable{Goal::clearance, "limits.clearance_mm", 1, 0},
     Movable{Goal::longest, "links.longest_mm", 1, 1e5},
-    Movable{Goal::shortest, "links.shortest_mm", 1, 1e-3},
     Movable{Goal::sheets_gap, "limits.sheets_gap_mm", 1, 0},
     Movable{Goal::copy_error, "limits.copy_error_mm", 1, 1e3},
     Movable{Goal::pole_margin, "pole.within_mm", 1, 1e4},
 };
+
+constexpr double nearest_joints = 1e-3;  ///< mm: no joints of a link are looked for that are nearer
+
+/// A wall thinner than this share of the hole is none.
+constexpr double least_wall_share = 1e-3;
+/// Halvings of what the pins may have to give.
+constexpr int pin_rounds = 10;
+
+/// To four digits, not more than the value.
+double rounded_down(double value) {
+  const double step = std::pow(10, std::floor(std::log10(value)) - 3);
+  return std::floor(value / step) * step;
+}
 
 /// The limit's value, or nothing if the spec does not have it.
 std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goal goal) {
@@ -70,6 +82,17 @@ double possible_value(const Movable& limit, double demanded, double attained) {
   const double rounded =
       is_maximized(limit.goal) ? std::floor((best - give) / step) : std::ceil((best + give) / step);
   return rounded * step * limit.unit;
+}
+
+/// "two holes of 6 mm with a wall of 0.6 mm between them stand 6.6 mm apart"
+std::string holes_sentence(const Spec& spec) {
+  return fmt::format("two holes of {:.6g} mm with a wall of {:.6g} mm between them stand {:.6g} mm apart",
+                     joint_width(spec), least_wall(spec), hole_distance(spec));
+}
+
+std::string holes_sentence(const Spec& spec, const char* key, double demanded, double possible) {
+  return fmt::format("{} = {:.6g} is in the way: {}; {:.6g} would do", key, demanded, holes_sentence(spec),
+                     possible);
 }
 
 std::string sentence_of(const Movable& limit, double demanded, double possible) {
@@ -117,8 +140,76 @@ std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements
   const SearchResult again =
       run.best(moved(limits, limit.goal, possible), goal_of(run.spec().objective.objective));
   evaluations += again.evaluations;
-  return Relaxation{limit.goal, *demanded, possible, sentence_of(limit, *demanded, possible),
+  return Relaxation{limit.goal,
+                    limit.key,
+                    *demanded,
+                    possible,
+                    sentence_of(limit, *demanded, possible),
                     again.design ? *again.design : *widest.design};
+}
+
+/// A thinner wall between two holes, of which something is left.
+std::optional<Relaxation> thinner_wall(const SearchRun& run, const Requirements& limits,
+                                       std::uint64_t& evaluations) {
+  const Spec& spec = run.spec();
+  const double bore = joint_width(spec), wall = least_wall(spec);
+  const Movable limit{Goal::shortest, "links.wall_mm", 1,
+                      std::max({spec.links.shortest, (1 + least_wall_share) * bore, nearest_joints})};
+  if (limit.loosest >= limits.shortest) return std::nullopt;
+  auto relaxation = relaxation_of(run, limits, limit, evaluations);
+  if (!relaxation) return std::nullopt;
+  relaxation->possible = std::max(relaxation->possible, limit.loosest);
+  relaxation->sentence = holes_sentence(spec, limit.key, wall, relaxation->possible - bore);
+  return relaxation;
+}
+
+/// Thinner pins, which stand in fewer parts' way too: the thickest with which there is a design, by halving. Thinner ones
+/// never forbid what thicker ones allow.
+std::optional<Relaxation> thinner_pins(const SearchRun& run, const Requirements& limits,
+                                       std::uint64_t& evaluations) {
+  const double pin = run.spec().links.style.pin_diameter;
+  const Goal goal = goal_of(run.spec().objective.objective);
+  const auto with_pins = [&](double diameter) {
+    Spec spec = run.spec();
+    spec.links.style.pin_diameter = diameter;
+    SearchOptions options = run.options_from_now();
+    options.progress = nullptr;
+    Requirements thinner = limits;
+    thinner.shortest = least_joint_distance(spec);
+    SearchResult found = SearchRun(spec, options).best(thinner, goal);
+    evaluations += found.evaluations;
+    return found;
+  };
+  double enough = least_wall_share * pin, too_much = pin;
+  std::optional<FoundDesign> design = with_pins(enough).design;
+  for (int i = 0; design && i < pin_rounds && !run.stop()(); ++i) {
+    const double middle = rounded_down(0.5 * (enough + too_much));
+    if (middle <= enough) break;
+    const SearchResult found = with_pins(middle);
+    (found.design ? enough : too_much) = middle;
+    if (found.design) design = found.design;
+  }
+  if (!design) return std::nullopt;
+  Spec spec = run.spec();
+  spec.links.style.pin_diameter = enough;
+  return Relaxation{Goal::shortest,
+                    "links.pin_diameter_mm",
+                    limits.shortest,
+                    least_joint_distance(spec),
+                    holes_sentence(run.spec(), "links.pin_diameter_mm", pin, enough),
+                    *design};
+}
+
+/// The joints of a link are kept apart by shortest_mm or by their holes, whichever asks for more: that one may give.
+std::optional<Relaxation> nearer_joints(const SearchRun& run, const Requirements& limits,
+                                        std::uint64_t& evaluations) {
+  const double holes = hole_distance(run.spec()), shortest = run.spec().links.shortest;
+  if (shortest > holes)
+    return relaxation_of(
+        run, limits, {Goal::shortest, "links.shortest_mm", 1, std::max(holes, nearest_joints)}, evaluations);
+  if (shortest == holes) return std::nullopt;
+  if (auto wall = thinner_wall(run, limits, evaluations)) return wall;
+  return thinner_pins(run, limits, evaluations);
 }
 
 /// Obstacles looked at one by one; with more of them only all together.
@@ -136,6 +227,7 @@ std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirem
   if (!found.design) return std::nullopt;
   return Relaxation{
       {},
+      "obstacles",
       0,
       0,
       fmt::format("{} in the way; without {} there is a design",
@@ -169,15 +261,45 @@ double give(const Relaxation& r) {
   return r.limit ? std::abs(r.possible - r.demanded) / std::max(std::abs(r.demanded), 1e-3) : 1;
 }
 
-std::string key_of(const Relaxation& relaxation) {
-  for (const Movable& limit : movables)
-    if (limit.goal == relaxation.limit) return limit.key;
-  return "obstacles";
+/// A length that some links must not exceed, and where the spec says so.
+struct MostLength {
+  std::string key;
+  double length;  ///< mm
+};
+
+/// The least of the largest lengths that the spec leaves to some two joints of a link.
+MostLength least_most_length(const LinkSpec& links) {
+  MostLength most{"links.longest_mm", links.longest};
+  const auto take = [&](std::string key, double length) {
+    if (length < most.length) most = {std::move(key), length};
+  };
+  const WorkshopSpec& workshop = links.workshop;
+  if (workshop.grid) take("links.grid_mm", std::floor(links.longest / *workshop.grid) * *workshop.grid);
+  double stock = 0;
+  for (const double length : workshop.stock)
+    if (length <= links.longest) stock = std::max(stock, length);
+  if (!workshop.stock.empty()) take("links.stock_mm", stock);
+  for (std::size_t i = 0; i < workshop.locked.size(); ++i)
+    if (workshop.locked[i]) take(fmt::format("links.{}_mm", LinkLengths::names[i]), *workshop.locked[i]);
+  return most;
 }
 
-}  // namespace
+/// Holes that need more than the lengths that the workshop dictates.
+std::optional<NoDesign> holes_too_near(const Spec& spec) {
+  const MostLength most = least_most_length(spec.links);
+  if (hole_distance(spec) <= most.length * (1 + 1e-9)) return std::nullopt;
+  const double room = most.length - joint_width(spec), pin = pin_for_hole_distance(spec, most.length);
+  const bool by_wall = spec.links.wall && room > least_wall_share * joint_width(spec);
+  const std::string key = by_wall ? "links.wall_mm" : "links.pin_diameter_mm";
+  std::string sentence = fmt::format("{} = {:.6g} is in the way: {}, and {} leaves them {:.6g} mm", key,
+                                     by_wall ? *spec.links.wall : spec.links.style.pin_diameter,
+                                     holes_sentence(spec), most.key, most.length);
+  if (const double enough = by_wall ? room : pin; enough > 0)
+    sentence += fmt::format("; {:.6g} would do", rounded_down(enough));
+  return impossible(key, std::move(sentence));
+}
 
-std::optional<NoDesign> plainly_impossible(const Spec& spec) {
+std::optional<NoDesign> pole_impossible(const Spec& spec) {
   if (!spec.pole.is_fixed()) return std::nullopt;
   const Point& pole = std::get<Point>(spec.pole.place);
   if (contains(spec.region, pole))
@@ -192,6 +314,13 @@ std::optional<NoDesign> plainly_impossible(const Spec& spec) {
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<NoDesign> plainly_impossible(const Spec& spec) {
+  if (auto none = pole_impossible(spec)) return none;
+  return holes_too_near(spec);
+}
+
 NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
   NoDesign none{.requirement = "limits",
                 .sentence = "no design keeps all limits",
@@ -203,6 +332,8 @@ NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
   for (const Movable& limit : movables)
     if (const auto relaxation = relaxation_of(run, limits, limit, none.evaluations))
       none.relaxations.push_back(*relaxation);
+  if (auto relaxation = nearer_joints(run, limits, none.evaluations))
+    none.relaxations.push_back(*std::move(relaxation));
   for (Relaxation& relaxation : obstacle_relaxations(run, limits, none.evaluations))
     none.relaxations.push_back(std::move(relaxation));
   std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
@@ -211,7 +342,7 @@ NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
     none.sentence += ", and no limit moved alone makes one possible";
   } else {
     none.sentence = none.relaxations.front().sentence;
-    none.requirement = key_of(none.relaxations.front());
+    none.requirement = none.relaxations.front().key;
   }
   return none;
 }

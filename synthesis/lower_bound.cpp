@@ -123,7 +123,8 @@ class Tree {
                                   sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{});
       const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
       for (std::size_t number = 0; number < count; ++number) {
-        branches_.push_back(bounding::make_branch(spec_, vertex, static_cast<int>(number), layers));
+        branches_.push_back(
+            bounding::make_branch(spec_, vertex, static_cast<int>(number), layers, options_.shortest));
         if (sees_obstacles()) add_obstacle_test(branches_.back());
         const Assembly& a = branches_.back().assembly;
         if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;

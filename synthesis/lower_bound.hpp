@@ -29,6 +29,8 @@ struct BoundOptions {
   /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred
   /// boxes.
   bool self_contact = true;
+  /// Least distance of two joints of a link, mm, instead of the spec's least_joint_distance().
+  std::optional<double> shortest = std::nullopt;
 };
 
 /// A design that keeps all limits looked at: a start for the search, and mostly its result.

@@ -22,11 +22,11 @@ struct Factor {
   double per;
 };
 
-Range allowed(const Spec& spec, const std::array<Factor, 4>& factors) {
+Range allowed(const Spec& spec, double shortest, const std::array<Factor, 4>& factors) {
   Range range{0, infinity};
   const auto& locked = spec.links.workshop.locked;
   for (const Factor& factor : factors) {
-    range.lower = std::max(range.lower, spec.links.shortest * (1 - lock_slack) / factor.per);
+    range.lower = std::max(range.lower, shortest * (1 - lock_slack) / factor.per);
     range.upper = std::min(range.upper, spec.links.longest * (1 + lock_slack) / factor.per);
     if (!locked[factor.length]) continue;
     range.lower = std::max(range.lower, *locked[factor.length] * (1 - lock_slack) / factor.per);
@@ -37,7 +37,9 @@ Range allowed(const Spec& spec, const std::array<Factor, 4>& factors) {
 
 }  // namespace
 
-Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers) {
+Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers,
+                   std::optional<double> least_distance) {
+  const double shortest = least_distance.value_or(least_joint_distance(spec));
   Branch branch;
   branch.layers = std::move(layers);
   Assembly& assembly = branch.assembly;
@@ -56,8 +58,8 @@ Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<Laye
   const double plate = std::abs(assembly.s), side = std::abs(1.0 - assembly.s);
   assembly.size_per_a = 1 + (1 + plate + side) / 2;
   assembly.size_per_b = plate + (plate + 1 + side) / 2;
-  assembly.a = allowed(spec, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
-  assembly.b = allowed(spec, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
+  assembly.a = allowed(spec, shortest, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
+  assembly.b = allowed(spec, shortest, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
   if (spec.limits.copy_error && spec.tolerance) {
     const CopyErrorProfile profile(spec.copy.k, vertex, CopyTolerance::uniform(*spec.tolerance));
     const OpeningInterval kept = profile.openings_not_ruled_out(*spec.limits.copy_error, interval);

@@ -1,6 +1,7 @@
 #pragma once
 // One grounding and assembly of a spec, as the proven bound sees it.
 
+#include <optional>
 #include <vector>
 
 #include "specs/spec.hpp"
@@ -20,7 +21,8 @@ struct Branch {
 };
 
 /// From the spec: the limits of lengths with locks, the openings that the copy error leaves, the layer
-/// assignments worth a look.
-Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers);
+/// assignments worth a look. `least_distance` of two joints of a link, mm; absent: the spec's.
+Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers,
+                   std::optional<double> least_distance = std::nullopt);
 
 }  // namespace kempe::bounding

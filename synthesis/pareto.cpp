@@ -61,6 +61,7 @@ std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective 
 
 tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b,
                                                               int points, const SearchOptions& options) {
+  if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
   const SearchRun run(spec, options);
   const Requirements limits = requirements_of(spec);
   // The footprint is the one that is hard to limit: then the other is limited.

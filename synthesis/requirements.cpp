@@ -5,7 +5,7 @@ namespace kempe {
 Requirements requirements_of(const Spec& spec) {
   return {.transmission = spec.limits.transmission,
           .clearance = spec.limits.clearance,
-          .shortest = spec.links.shortest,
+          .shortest = least_joint_distance(spec),
           .longest = spec.links.longest,
           .sheets_gap = spec.limits.sheets_gap,
           .copy_error = spec.limits.copy_error};

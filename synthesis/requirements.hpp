@@ -21,7 +21,7 @@ struct Choice {
 struct Requirements {
   double transmission = 0;             ///< rad, at least
   double clearance = 0;                ///< mm, at least
-  double shortest = 0;                 ///< mm, at least
+  double shortest = 0;                 ///< mm, at least: of any two joints of a link, their holes apart
   double longest = 0;                  ///< mm, at most
   std::optional<double> sheets_gap{};  ///< mm, at least
   std::optional<double> copy_error{};  ///< mm, at most

@@ -40,7 +40,8 @@ struct FoundDesign {
 /// One limit that, moved so far and alone, makes a design possible; or one obstacle that, taken away alone, does.
 struct Relaxation {
   std::optional<Goal> limit{};        ///< absent: an obstacle
-  double demanded = 0, possible = 0;  ///< mm or rad; 0 for an obstacle
+  std::string key{};                  ///< what a person would change: "links.longest_mm"; "obstacles"
+  double demanded = 0, possible = 0;  ///< of the limit, mm or rad; 0 for an obstacle
   std::string sentence;               ///< "transmission_deg = 30 is in the way; 27.4 would do"
   FoundDesign design;                 ///< that keeps all other limits
 };

@@ -51,10 +51,9 @@ std::optional<ProvenBound> proven_bound(const Spec& spec, const Requirements& li
   moved.limits.clearance = limits.clearance;
   moved.limits.sheets_gap = limits.sheets_gap;
   moved.limits.copy_error = limits.copy_error;
-  moved.links.shortest = limits.shortest;
   moved.links.longest = limits.longest;
   return lower_bound(moved, goal == Goal::transmission ? Objective::transmission : Objective::size,
-                     {.boxes = boxes_of_proof});
+                     {.boxes = boxes_of_proof, .shortest = limits.shortest});
 }
 
 void remember(std::vector<SearchTask>& tasks, const std::vector<RelaxedDesign>& known) {

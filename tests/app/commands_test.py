@@ -248,12 +248,27 @@ class BadInput(Case):
         enough = re.search(r"([0-9.]+) would do", said["relaxations"][0]["sentence"])
         self.assertEqual(self.synthesize(asking(enough[1])).returncode, 0)
 
-    def test_holes_that_run_into_each_other(self):
-        text = ("[copy]\nscale = 3.5\n[region]\npolygon_mm = [[-190, 34], [-202, 17], [-180, -1]]\n[links]\n"
-                "width_mm = 24.5\npin_diameter_mm = 20.5\nshortest_mm = 2\nlongest_mm = 950\n[limits]\n"
-                "transmission_deg = 16\nsheets_gap_mm = 4.1\n")
-        self.assertRefused(self.synthesize(text), 3, "holes", "shortest_mm above 20.5")
-        self.assertEqual(self.synthesize(text.replace("= 2\n", "= 21\n")).returncode, 0)
+    def test_joints_stand_no_nearer_than_their_holes_and_a_wall(self):
+        def spec(keys, cutting=""):
+            return ("[copy]\nscale = 3.5\n[region]\npolygon_mm = [[-190, 34], [-202, 17], [-180, -1]]\n[links]\n"
+                    "width_mm = 24.5\npin_diameter_mm = 20.5\nshortest_mm = 2\nlongest_mm = 950\n" + keys + "[limits]\n"
+                    "transmission_deg = 16\nsheets_gap_mm = 4.1\n" + cutting)
+
+        for keys, cutting, least in (("", "", 22.55), ("wall_mm = 0.5\n", "", 21), ("wall_mm = 40\n", "", 60.5),
+                                     ("", "[cutting]\nhole_fit_mm = 1.5\n", 24.05),
+                                     ("", "[cutting]\nhole_fit_mm = -0.5\n", 22.55)):
+            run = self.synthesize(spec(keys, cutting), "--json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            said = json.loads(run.stdout)
+            shortest = min(said["mechanism"]["lengths_mm"].values())
+            self.assertGreaterEqual(shortest, least * (1 - 1e-9))
+            self.assertLess(shortest, least * (1 + 1e-6))  # the wall is what holds them apart
+            self.assertEqual(said["left_out"], [])
+            self.assertTrue((self.scratch / "out" / "parts" / "ACX.stl").exists())
+
+    def test_a_locked_length_nearer_than_holes_can_be(self):
+        text = TEN_LINES.replace("[links]", "[links]\nVA_mm = 16\nwall_mm = 13.5")
+        self.assertRefused(self.synthesize(text), 3, "links.wall_mm = 13.5", "links.VA_mm", "13 would do", "proven")
 
     def test_plate_longer_than_allowed(self):
         text = TEN_LINES.replace("scale = 1.4", "scale = 90")
@@ -384,6 +399,20 @@ class Batch(Case):
         design = json.loads((self.scratch / "out" / "design.json").read_text())
         self.assertEqual(json.loads(result[0])["VA_mm"], design["mechanism"]["lengths_mm"]["VA"])
         self.assertEqual(json.loads(result[1])["status"], "bad input")
+
+    def test_lines_know_of_holes(self):
+        links = {"width_mm": 12, "pin_diameter_mm": 11, "shortest_mm": 1}
+        spec = {"copy": {"scale": 1.4, "rotation_deg": 90}, "region": {"rectangle_mm": {"at": [60, -5], "size": [10, 10]}}}
+        lines = self.scratch / "specs.jsonl"
+        lines.write_text("".join(json.dumps(dict(spec, links=dict(links, **more))) + "\n" for more in (
+            {}, {"pin_diameter_mm": 12}, {"VA_mm": 12})))
+        kept, no_wall, locked = map(json.loads, self.results(lines, self.scratch / "out")[0].decode().splitlines())
+        self.assertEqual([one["status"] for one in (kept, no_wall, locked)], ["design", "design", "no design"])
+        self.assertGreaterEqual(min(kept["VA_mm"], kept["VB_mm"]), 12.1 * (1 - 1e-9))
+        self.assertNotIn("parts", kept)
+        self.assertIn("leave no wall", no_wall["parts"])
+        self.assertTrue(locked["proven"])
+        self.assertIn("links.pin_diameter_mm = 11", locked["message"])
 
 
 class Generators(Case):

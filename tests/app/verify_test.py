@@ -174,6 +174,8 @@ def falsehoods(design):
         lengths = mechanism["lengths_mm"].values()
         add("links.shortest_mm", lambda d: d["links"].update(shortest_mm=1.02 * min(lengths)))
         add("links.longest_mm", lambda d: d["links"].update(longest_mm=0.98 * max(lengths)))
+        bore = mechanism["pin_diameter_mm"] + max(0, design["cutting"]["hole_fit_mm"])
+        add("links.wall_mm", lambda d: d["links"].update(wall_mm=1.02 * (min(lengths) - bore)))
         add("links.layers", lambda d: d["mechanism"]["links"][0].update(layer=9))
         add("links.grid_mm", lambda d: d["links"].update(grid_mm=0.9973 * mechanism["lengths_mm"]["VA"]))
         add("links.stock_mm", lambda d: d["links"].update(stock_mm=[0.98 * x for x in lengths]))
@@ -268,6 +270,7 @@ def truths(design, rng):
             d["quality"]["lower_bound"] * (1 / share if d["search"]["objective"] == "transmission" else share))))
     if links:
         changes += [lambda d: d["links"].update(shortest_mm=d["links"]["shortest_mm"] * rng.uniform(0.1, 1)),
+                    lambda d: d["links"].update(wall_mm=d["links"]["wall_mm"] * rng.uniform(0.1, 1)),
                     lambda d: d["links"].update(longest_mm=d["links"]["longest_mm"] * rng.uniform(1, 10)),
                     lambda d: d["links"].update(layers=d["links"]["layers"] + rng.randint(0, 3)),
                     lambda d: d["objective"].update(groundings=["pole", "tracer", "pen"]),

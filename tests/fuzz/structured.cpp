@@ -1,11 +1,14 @@
 #include "tests/fuzz/structured.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
 
 #include "reports/design_audit.hpp"
+#include "reports/design_package.hpp"
+#include "reports/recheck.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/search.hpp"
 #include "synthesis/verification.hpp"
@@ -89,6 +92,18 @@ Limits limits(Choices& choices) {
   return limits;
 }
 
+/// Mostly none at all; else anything from a press fit to a hole wider than the link.
+CuttingSpec cutting(Choices& choices) {
+  CuttingSpec cutting;
+  if (choices.upto(3) == 1) cutting.hole_fit = choices.between(-0.5, 3);
+  if (choices.upto(3) == 1) cutting.kerf = choices.between(0, 2);
+  if (choices.upto(2) == 1) {
+    const double width = choices.between(100, 1500);  // drawn one by one: arguments have no order
+    cutting.sheet = Point(width, choices.between(100, 800));
+  }
+  return cutting;
+}
+
 Spec spec_from(Choices& choices) {
   Spec spec;
   spec.copy.scale = std::exp(choices.between(std::log(0.1), std::log(10)));
@@ -107,6 +122,8 @@ Spec spec_from(Choices& choices) {
   for (int i = 0; i < obstacles; ++i) spec.obstacles.push_back(obstacle(choices));
   if (choices.upto(6) == 0)
     spec.objective.groundings = {all_vertices[static_cast<std::size_t>(choices.upto(3))]};
+  spec.cutting = cutting(choices);
+  if (choices.upto(3) == 1) spec.links.wall = choices.between(0.01, 5);
   return spec;
 }
 
@@ -114,6 +131,29 @@ void require(bool condition, const std::string& name, const std::string& what) {
   if (condition) return;
   std::fprintf(stderr, "%s: a design that was found does not hold: %s\n", name.c_str(), what.c_str());
   std::abort();
+}
+
+/// Every file of the design's folder, read again; the holes keep their wall, and only links without one beside their holes
+/// go without parts.
+void require_whole_files(const Spec& spec, const Design& design, const std::string& name) {
+  std::vector<OutputFile> files;
+  const auto left_out = make_design_package(design, spec.cutting, {},
+                                            [&](const OutputFile& file) -> tl::expected<void, std::string> {
+                                              files.push_back(file);
+                                              return {};
+                                            });
+  require(left_out.has_value(), name, left_out ? "" : left_out.error());
+  const auto faults = recheck(files, design, spec.cutting);
+  require(faults.empty(), name, faults.empty() ? "" : faults.front());
+  const double pin = spec.links.style.pin_diameter, hole = pin + spec.cutting.hole_fit;
+  const double apart = std::max(pin, hole) + spec.links.wall.value_or(pin / 10);
+  for (const double length : design.linkage.lengths().values())
+    require(length >= apart * (1 - 1e-9), name, "two holes of a link are too near");
+  const bool can_be_cut =
+      spec.links.style.width - hole > 0.002 * hole && hole - spec.cutting.kerf > 0.001 * hole;
+  const auto solids = std::count_if(files.begin(), files.end(),
+                                    [](const OutputFile& file) { return file.name.extension() == ".stl"; });
+  require(solids == (can_be_cut ? 4 : 0), name, "the number of solids");
 }
 
 }  // namespace
@@ -146,6 +186,7 @@ Outcome design_from_choices(std::string_view input, const std::string& name) {
   if (!audited->certified() && audited->broken[0].limit == "cutting.hole_fit_mm") return Outcome::none;
   require(audited->certified(), name,
           audited->certified() ? "" : audited->broken[0].limit + ": " + audited->broken[0].sentence);
+  require_whole_files(spec, design, name);
   return Outcome::design;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <tuple>
 
 #include "reports/bom.hpp"
 #include "reports/design_drawing.hpp"
@@ -51,6 +52,13 @@ Ring dense(const ArcRing& ring, const Placement& placement) {
     for (int j = 0; j < steps; ++j) result.push_back(corners[i] + way * j / steps);
   }
   return result;
+}
+
+std::vector<OutputFile> with_drawing(std::vector<OutputFile> files, const Design& design,
+                                     const CuttingSpec& cutting) {
+  files.push_back({"design.json", design_json(design)});
+  files.push_back({"drawing.dxf", dxf_text(design_drawing(design, cutting))});
+  return files;
 }
 
 TEST(Nesting, KeepsPartsApartAndOnTheSheet) {
@@ -99,10 +107,11 @@ TEST(Nesting, NamesThePartThatDoesNotFit) {
   const Design design = sample_design(2.5, Vertex::tracer, 90, 70, 1);
   CuttingSpec cutting;
   cutting.sheet = Point(100, 30);
-  const auto fault = nesting_fault(design, cutting);
-  ASSERT_TRUE(fault);
-  EXPECT_THAT(*fault, HasSubstr("does not fit on a sheet of 100 x 30 mm"));
-  for (const OutputFile& file : part_files(design, cutting)) EXPECT_NE(file.name, "nested.dxf");
+  const PartFiles parts = part_files(design, cutting);
+  ASSERT_EQ(parts.left_out.size(), 1U);
+  EXPECT_THAT(parts.left_out[0], HasSubstr("no nested.dxf: link "));
+  EXPECT_THAT(parts.left_out[0], HasSubstr("does not fit on a sheet of 100 x 30 mm"));
+  for (const OutputFile& file : parts.files) EXPECT_NE(file.name, "nested.dxf");
 }
 
 TEST(PartSolid, IsClosedAndHasThePartsVolume) {
@@ -116,6 +125,73 @@ TEST(PartSolid, IsClosedAndHasThePartsVolume) {
       EXPECT_TRUE(is_closed(*read));
       EXPECT_NEAR(volume(*read), volume(solid), 1e-6 * volume(solid));  // STL stores 32-bit floats
     }
+}
+
+/// A pin that is nearly as wide as its link, up to as wide, with fits that make the hole wider still: parts whole, or none
+/// and a sentence.
+TEST(PartFiles, AreWholeOrLeftOutHoweverThinTheWall) {
+  for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
+    for (const double share : {0.9, 0.95, 0.99, 0.995, 0.997, 0.9981, 0.9999, 1 - 1e-9, 1.0})
+      for (const double fit : {-0.1, 0.0, 0.02, 0.5})
+        for (const double kerf : {0.0, 0.2}) {
+          Design design = sample_design(std::polar(1.0, radians(60)), Vertex::tracer, 90, 70, 1, plate);
+          design.style.pin_diameter = share * design.style.width;
+          CuttingSpec cutting;
+          cutting.hole_fit = fit;
+          cutting.kerf = kerf;
+          cutting.sheet = Point(600, 400);
+          const PartFiles made = part_files(design, cutting);
+          const double hole = design.style.pin_diameter + fit;
+          const bool has_wall = 0.5 * (design.style.width - hole) > 0.001 * hole;
+          EXPECT_EQ(made.files.size() > 1, has_wall) << share << " " << fit;
+          EXPECT_EQ(made.left_out.empty(), has_wall);
+          if (!has_wall) {
+            EXPECT_THAT(made.left_out[0], HasSubstr("leave no wall in links 12 mm wide"));
+          }
+          EXPECT_THAT(recheck(with_drawing(made.files, design, cutting), design, cutting), IsEmpty());
+        }
+}
+
+TEST(PartFiles, AreLeftOutWhereHolesRunIntoEachOther) {
+  Design design = sample_design(Complex(2.5), Vertex::pole, 90, 12, 0);
+  for (const double pin : {3.0, 7.1, 7.3, 11.0}) {  // AX = 12 / 2.5 = 4.8, CX = 7.2
+    design.style.pin_diameter = pin;
+    const PartFiles made = part_files(design, {});
+    EXPECT_EQ(made.files.size() == 1, pin > 4.8) << pin;
+    EXPECT_EQ(made.files.back().name, "bom.csv");
+    if (pin > 4.8) {
+      EXPECT_THAT(made.left_out[0], HasSubstr("link ACX has its holes"));
+    }
+  }
+}
+
+TEST(PartFiles, AreLeftOutWhereNothingIsLeftOfAHole) {
+  Design design = plagiograph();
+  const std::tuple<double, double, const char*> cases[] = {
+      {0.0, 6.0, "kerf_mm"}, {0.0, 10.0, "kerf_mm"}, {-1.0, 5.0, "kerf_mm"}};
+  for (const auto& [fit, kerf, words] : cases) {
+    CuttingSpec cutting;
+    cutting.hole_fit = fit;
+    cutting.kerf = kerf;
+    const PartFiles made = part_files(design, cutting);
+    ASSERT_EQ(made.left_out.size(), 1U);
+    EXPECT_THAT(made.left_out[0], HasSubstr(words));
+    EXPECT_THAT(recheck(with_drawing(made.files, design, cutting), design, cutting), IsEmpty());
+  }
+  design.style.pin_diameter = 0.5;
+  CuttingSpec cutting;
+  cutting.hole_fit = -1;
+  EXPECT_THAT(part_files(design, cutting).left_out.at(0), HasSubstr("hole_fit_mm"));
+}
+
+TEST(PartFiles, LeaveOutASolidThatFloatsCannotHold) {
+  Design design = sample_design(Complex(2.5), Vertex::pole, 9e5, 7e5, 0);
+  EXPECT_TRUE(part_files(design, {}).left_out.empty());
+  design.style.pin_diameter = 11.9;  // a wall of 0.05 mm, and floats of this size are 0.06 to 0.12 mm apart
+  const PartFiles made = part_files(design, {});
+  EXPECT_EQ(made.left_out.size(), 4U);
+  EXPECT_THAT(made.left_out[0], HasSubstr("no parts/VA.stl"));
+  EXPECT_THAT(recheck(with_drawing(made.files, design, {}), design, {}), IsEmpty());
 }
 
 TEST(PartSolid, ReadsNoBrokenStl) {
@@ -162,7 +238,7 @@ class WrittenFolder {
  public:
   WrittenFolder(const Design& design, const CuttingSpec& cutting) {
     path = std::filesystem::path(KEMPE_BINARY_DIR) / "test-output" / ("parts-" + std::to_string(::getpid()));
-    auto files = part_files(design, cutting);
+    auto files = part_files(design, cutting).files;
     files.push_back({"design.json", design_json(design)});
     files.push_back({"drawing.dxf", dxf_text(design_drawing(design, cutting))});
     EXPECT_TRUE(write_whole(path, files));

@@ -11,7 +11,7 @@ namespace {
 TEST(StepAssembly, IsLeftOutWhereTheBuildCannotWriteIt) {
   EXPECT_FALSE(can_write_step());
   EXPECT_FALSE(step_assembly(testing::plagiograph(), {}));
-  for (const OutputFile& file : part_files(testing::plagiograph(), {}))
+  for (const OutputFile& file : part_files(testing::plagiograph(), {}).files)
     EXPECT_NE(file.name.extension(), ".step");
 }
 

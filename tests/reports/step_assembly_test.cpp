@@ -121,7 +121,7 @@ TEST(StepAssembly, SameDesignSameBytes) {
 }
 
 TEST(StepAssembly, StandsAmongTheParts) {
-  const auto files = part_files(plagiograph(), {});
+  const auto files = part_files(plagiograph(), {}).files;
   EXPECT_TRUE(std::any_of(files.begin(), files.end(),
                           [](const OutputFile& file) { return file.name == "parts/assembly.step"; }));
 }

@@ -112,6 +112,43 @@ class Parts(Case):
             area = length * width + math.pi / 4 * (width ** 2 - len(link["joints"]) * hole ** 2)
             self.assertAlmostEqual(volume / (area * mechanism["thickness_mm"]), 1, delta=2e-3)
 
+    SIX = {"design.json", "links.csv", "drawing.dxf", "drawing.svg", "workspace.geojson", "report.html"}
+
+    def check_left_out(self, spec, command, *words):
+        """Exit 0, the six files and the bill, no part, and a sentence in all places where one looks."""
+        path, out = self.scratch / "spec.toml", self.scratch / "left-out"
+        path.write_text(spec)
+        run = kempe(command, path, "-o", out, "--quiet")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual({file.name for file in out.iterdir()}, self.SIX | {"bom.csv"})
+        said = json.loads(kempe(command, path, "-o", out, "--quiet", "--json").stdout)["left_out"]
+        self.assertEqual(len(said), 1)
+        for word in words:
+            for text in (run.stderr, run.stdout, said[0], (out / "report.html").read_text()):
+                self.assertIn(word, text)
+        self.assertIn("The links cannot be cut", (out / "drawing.svg").read_text())
+        self.assertNotIn("parts/VA.dxf", (out / "report.html").read_text())
+        self.judge(self.expectations_of_drawing(out))
+        self.assertEqual(kempe("verify", out / "design.json").returncode, 0)
+
+    def expectations_of_drawing(self, out, fit=0.0):
+        mechanism = json.loads((out / "design.json").read_text())["mechanism"]
+        links = [{"name": link["name"], "style": link["shape"], "joints": link["joints"],
+                  "lengths": distances_of(link["joints"], mechanism["lengths_mm"])} for link in mechanism["links"]]
+        return [{"width": mechanism["link_width_mm"], "hole": mechanism["pin_diameter_mm"] + fit, "kerf": 0.0,
+                 "dxf": str(out / "drawing.dxf"), "links": links}]
+
+    def test_pins_as_wide_as_the_links_leave_no_wall_and_that_is_said(self):
+        spec = ("[copy]\nscale = 1.4\nrotation_deg = 90\n[region]\nrectangle_mm = {at = [62, -5], size = [8, 10]}\n"
+                "[links]\nwidth_mm = 12\npin_diameter_mm = 12\n")
+        self.check_left_out(spec, "synthesize", "no wall", "12 mm")
+
+    def test_holes_of_a_given_mechanism_that_run_into_each_other_leave_out_its_parts_alone(self):
+        spec = ("[copy]\nscale = 0.15\nrotation_deg = 40\n[region]\nrectangle_mm = {at = [80, -20], size = [30, 40]}\n"
+                "[links]\nwidth_mm = 8\npin_diameter_mm = 6\n[limits]\nclearance_mm = 0\ntransmission_deg = 10\n"
+                "[mechanism]\nvertex = \"pen\"\nVA_mm = 15.5\nVB_mm = 23.4\nassembly = 0\n")
+        self.check_left_out(spec, "workspace", "link ACX has its holes A and X", "6 mm wide", "no wall")
+
     def test_a_sheet_that_is_too_small_is_said_and_stops_nothing(self):
         spec = self.scratch / "spec.toml"
         spec.write_text((EXAMPLES / "nameplate.toml").read_text() + "\n[cutting]\nsheet_mm = [100, 100]\n")

@@ -59,6 +59,7 @@ plate = "triangle"
 layers = 4
 shortest_mm = 20
 longest_mm = 300
+wall_mm = 2.5
 grid_mm = 5
 VA_mm = 120
 CY_mm = 80.5
@@ -104,6 +105,7 @@ gap_mm = 8
   EXPECT_EQ(spec.links.layers, 4);
   EXPECT_EQ(spec.links.shortest, 20);
   EXPECT_EQ(spec.links.longest, 300);
+  EXPECT_EQ(spec.links.wall, 2.5);
   EXPECT_EQ(spec.links.workshop.grid, 5);
   EXPECT_EQ(spec.links.workshop.locked[0], 120);
   EXPECT_EQ(spec.links.workshop.locked[7], 80.5);

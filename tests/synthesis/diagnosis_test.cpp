@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "specs/spec_reader.hpp"
 #include "synthesis/design_check.hpp"
 #include "synthesis/obstacle_check.hpp"
+#include "synthesis/pareto.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
@@ -43,6 +47,7 @@ void check(const Spec& spec, const NoDesign& none) {
   for (const Relaxation& relaxation : none.relaxations) {
     SCOPED_TRACE(relaxation.sentence);
     ASSERT_TRUE(relaxation.limit);
+    if (relaxation.key == "links.pin_diameter_mm") continue;  // thinner pins move more than one limit
     const Requirements moved = with(requirements_of(spec), *relaxation.limit, relaxation.possible);
     const DesignCheck design = check_design(spec, moved, relaxation.design.linkage, relaxation.design.layers);
     EXPECT_TRUE(design.feasible) << (design.broken ? name(*design.broken) : "");
@@ -69,6 +74,83 @@ TEST(Diagnosis, OfLinksTooShortForTheRegion) {
   ASSERT_FALSE(none.relaxations.empty());
   EXPECT_EQ(none.requirement, "links.longest_mm");
   check(spec, none);
+}
+
+/// The value that stands before "would do".
+double enough(const std::string& sentence) {
+  const std::string words = " would do";
+  const std::size_t end = sentence.find(words), start = sentence.rfind(' ', end - 1);
+  EXPECT_NE(end, std::string::npos) << sentence;
+  return std::stod(sentence.substr(start));
+}
+
+/// A plagiograph with lengths up to 72 mm, which leave joints 41.8 mm apart at most.
+Spec short_arms(double pin, std::optional<double> wall = std::nullopt) {
+  Spec spec = example("plagiograph");
+  spec.links.longest = 72;
+  spec.links.shortest = 0.5;
+  spec.links.style.width = 44.5;
+  spec.links.style.pin_diameter = pin;
+  spec.links.wall = wall;
+  spec.limits.clearance = 0;
+  spec.links.layers = 4;
+  return spec;
+}
+
+Spec with_value(Spec spec, const std::string& key, double value) {
+  if (key == "links.wall_mm")
+    spec.links.wall = value;
+  else
+    spec.links.style.pin_diameter = value;
+  return spec;
+}
+
+TEST(Diagnosis, OfHolesThatKeepJointsApartNamesWallOrPin) {
+  const std::tuple<Spec, std::string, double> cases[] = {{short_arms(6, 40), "links.wall_mm", 40},
+                                                         {short_arms(39), "links.wall_mm", 3.9},
+                                                         {short_arms(44), "links.pin_diameter_mm", 44},
+                                                         {short_arms(44, 0.3), "links.pin_diameter_mm", 44}};
+  for (const auto& [spec, key, demanded] : cases) {
+    const NoDesign none = nothing_for(spec);
+    const auto by_holes = std::find_if(none.relaxations.begin(), none.relaxations.end(),
+                                       [](const Relaxation& one) { return one.limit == Goal::shortest; });
+    ASSERT_NE(by_holes, none.relaxations.end()) << none.sentence;
+    SCOPED_TRACE(by_holes->sentence);
+    EXPECT_EQ(by_holes->key, key);
+    EXPECT_NE(by_holes->sentence.find("two holes of"), std::string::npos);
+    const double value = enough(by_holes->sentence), less = demanded + 0.97 * (value - demanded);
+    EXPECT_GT(value, 0);
+    EXPECT_TRUE(
+        std::holds_alternative<FoundDesign>(synthesize(with_value(spec, key, value), {.diagnose = false})));
+    EXPECT_FALSE(
+        std::holds_alternative<FoundDesign>(synthesize(with_value(spec, key, less), {.diagnose = false})));
+    check(spec, none);
+  }
+}
+
+TEST(Diagnosis, ALengthOfTheWorkshopNearerThanItsHolesIsNamedWithoutASearch) {
+  const Spec base = example("plagiograph");
+  const double pin = base.links.style.pin_diameter;
+  std::vector<Spec> specs(4, base);
+  specs[0].links.workshop.locked[4] = 1.05 * pin;
+  specs[1].links.workshop.stock = {0.5 * pin, pin, 1.09 * pin};
+  specs[2].links.workshop.grid = 1.09 * pin;
+  specs[2].links.longest = 2 * pin;
+  specs[3].links.longest = 1.09 * pin;
+  for (Spec& spec : specs) {
+    spec.links.shortest = 0.1 * pin;
+    const NoDesign none = nothing_for(spec);
+    EXPECT_EQ(none.requirement, "links.pin_diameter_mm");
+    EXPECT_TRUE(none.proven);
+    EXPECT_EQ(none.evaluations, 0U);
+    EXPECT_LT(enough(none.sentence), pin);
+    EXPECT_GT(enough(none.sentence), 0.9 * pin);
+    const auto front = pareto_front(spec, Objective::size, Objective::transmission, 3, {});
+    ASSERT_FALSE(front);
+    EXPECT_EQ(front.error().requirement, none.requirement);
+    spec.links.style.pin_diameter = enough(none.sentence);
+    EXPECT_FALSE(plainly_impossible(spec));
+  }
 }
 
 TEST(Diagnosis, OfATightCopyError) {

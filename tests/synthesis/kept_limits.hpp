@@ -47,11 +47,11 @@ inline std::string first_limit_missed(const Spec& spec, const Design& design, do
   const CopyingLinkage& linkage = design.linkage;
   if (!design.map.coverage.covered) return "region";
   const auto lengths = linkage.lengths().values();
-  const double pin = spec.links.style.pin_diameter;
+  const double pin = spec.links.style.pin_diameter, wall = spec.links.wall.value_or(pin / 10);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (below(lengths[i], spec.links.shortest)) return "shortest_mm";
-    if (slack < 0 && lengths[i] < 1.1 * pin + std::max(0.0, spec.cutting.hole_fit)) return "holes apart";
     if (above(lengths[i], spec.links.longest)) return "longest_mm";
+    if (below(lengths[i], pin + std::max(spec.cutting.hole_fit, 0.0) + wall)) return "wall_mm";
     const auto& locked = spec.links.workshop.locked[i];
     if (locked && std::abs(lengths[i] - *locked) > 1e-9 * *locked) return "locked length";
   }

@@ -147,7 +147,9 @@ std::optional<Figures> check(const Spec& spec, const Candidate& design) {
     shortest = std::min(shortest, std::abs(any.of(pair[0]) - any.of(pair[1])));
     longest = std::max(longest, std::abs(any.of(pair[0]) - any.of(pair[1])));
   }
-  if (shortest < spec.links.shortest || longest > spec.links.longest) return std::nullopt;
+  const double pin_and_wall = 1.1 * spec.links.style.pin_diameter;
+  if (shortest < spec.links.shortest || shortest < pin_and_wall || longest > spec.links.longest)
+    return std::nullopt;
 
   double nearest = 1e300, farthest = 0;
   for (const Point& place : walk(spec.region, 40)) {
@@ -372,7 +374,8 @@ TEST(LowerBound, IsTheSmallestOfAFineScanForAFixedPole) {
           const auto lengths = unit.lengths().values();
           const double shortest = *std::min_element(lengths.begin(), lengths.end());
           const double longest = *std::max_element(lengths.begin(), lengths.end());
-          const double factor = std::max(farthest / reach.upper, spec.links.shortest / shortest);
+          const double shortest_allowed = std::max(spec.links.shortest, 1.1 * spec.links.style.pin_diameter);
+          const double factor = std::max(farthest / reach.upper, shortest_allowed / shortest);
           if (factor * reach.lower > nearest || factor * longest > spec.links.longest) continue;
           least = std::min(least, factor * unit.size());
         }
@@ -522,6 +525,7 @@ TEST(LowerBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
     const Candidate candidate{design.vertex, static_cast<std::size_t>(design.assembly),
                               design.VA * (1 + 1e-12), design.VB * (1 + 1e-12), design.pole};
     easier.links.shortest *= 1 - 1e-9;
+    easier.links.style.pin_diameter *= 1 - 1e-9;
     easier.links.longest *= 1 + 1e-9;
     const auto found = check(easier, candidate);
     ASSERT_TRUE(found) << n;

@@ -47,8 +47,9 @@ Design assembled(const Spec& spec, const FoundDesign& found) {
 
 /// Every limit but obstacles, in steps of the opening: no formula of the search.
 bool keeps_limits(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers) {
+  const double pin = spec.links.style.pin_diameter;
   for (const double length : linkage.lengths().values())
-    if (length < spec.links.shortest || length > spec.links.longest) return false;
+    if (length < spec.links.shortest || length < 1.1 * pin || length > spec.links.longest) return false;
   const auto needed = openings_over(linkage, spec.region);
   if (!needed) return false;
   for (int i = 0; i <= 40; ++i)
@@ -56,6 +57,76 @@ bool keeps_limits(const Spec& spec, const CopyingLinkage& linkage, const LayerAs
         spec.limits.transmission)
       return false;
   return smallest_gap_over(linkage, spec.links.style, layers, *needed).gap >= spec.limits.clearance;
+}
+
+/// Joints of one link by the places of the joints: what the drawing will have, straight plates or bent.
+double nearest_joints_of_a_link(const CopyingLinkage& linkage, double opening) {
+  const Pose pose = linkage.pose_at(opening, 0);
+  double nearest = 1e300;
+  for (const std::string_view link : {"VA", "VB", "ACX", "BCY"})
+    for (std::size_t i = 0; i < link.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        Point one = Point::Zero(), other = Point::Zero();
+        for (const Joint joint : all_joints) {
+          if (letter(joint) == link[i]) one = pose[joint];
+          if (letter(joint) == link[j]) other = pose[joint];
+        }
+        nearest = std::min(nearest, (one - other).norm());
+      }
+  return nearest;
+}
+
+TEST(Search, HolesOfALinkKeepAWallBetweenThem) {
+  test::SpecDice dice(17);
+  int designs = 0, held_apart = 0;
+  for (int i = 0; i < test::samples(60); ++i) {
+    Spec spec = dice.spec();
+    spec.links.shortest = 0.01;
+    spec.links.style.pin_diameter = spec.links.style.width * dice.uniform(0.6, 1);
+    if (dice.one_in(3))
+      spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation = dice.one_in(2) ? pi : 0);
+    if (dice.one_in(2)) spec.links.wall = dice.log_uniform(0.01, 20);
+    if (dice.one_in(3)) spec.cutting.hole_fit = dice.uniform(-0.5, 2);
+    if (dice.one_in(3))
+      spec.objective.objective = dice.one_in(2) ? Objective::footprint : Objective::transmission;
+    const auto found = found_for(spec);
+    if (!found) continue;
+    ++designs;
+    const double pin = spec.links.style.pin_diameter, hole = pin + spec.cutting.hole_fit;
+    const double least = std::max(pin, hole) + (spec.links.wall ? *spec.links.wall : pin / 10);
+    const double nearest = nearest_joints_of_a_link(found->linkage, found->opening.middle());
+    EXPECT_GE(nearest, least * (1 - 1e-9)) << i;
+    if (nearest < least * (1 + 1e-6)) ++held_apart;
+    if (found->lower_bound && spec.objective.objective == Objective::size) {
+      EXPECT_GE(found->value, *found->lower_bound * (1 - 1e-9)) << i;
+    }
+  }
+  EXPECT_GT(designs, test::expected(30));
+  EXPECT_GT(held_apart, test::expected(8));  // the wall is what holds them apart, or the test says nothing
+}
+
+TEST(Search, AThickerWallBeatsNoBoundOfAThinOneAndOneWithinShortestChangesNothing) {
+  test::SpecDice dice(23);
+  for (int i = 0; i < test::samples(20); ++i) {
+    Spec spec = dice.spec();
+    spec.pole.place = Point(Point::Zero());
+    const double room = spec.links.shortest - spec.links.style.pin_diameter;
+    spec.links.wall = std::max(1e-6, room);
+    const auto before = found_for(spec);
+    if (room > 1e-6) {
+      spec.links.wall = 1e-6;
+      const auto thin = found_for(spec);
+      ASSERT_EQ(thin.has_value(), before.has_value());
+      if (thin) {
+        EXPECT_EQ(thin->value, before->value) << i;
+      }
+    }
+    spec.links.wall = std::max(1e-6, room) + 5;
+    const auto thick = found_for(spec);
+    if (thick && before && before->lower_bound) {
+      EXPECT_GE(thick->value, *before->lower_bound * (1 - 1e-9)) << i;
+    }
+  }
 }
 
 TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
