@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
@@ -49,23 +50,29 @@ std::string grounding_sentence(const CopyingLinkage& linkage) {
                      letter(linkage.pen_joint()));
 }
 
+/// Decimals that show lengths of a linkage to its thousandths of a millimetre, or to five digits if it is small.
+int decimals_for(const CopyingLinkage& linkage) {
+  return std::max(3, 4 - static_cast<int>(std::floor(std::log10(linkage.size()))));
+}
+
 std::string lengths_table(const Design& design) {
   const LinkLengths lengths = design.linkage.lengths();
   const auto values = lengths.values();
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i)
-    text += fmt::format("  {} {:10.3f} mm{}", LinkLengths::names[i], values[i], i % 4 == 3 ? "\n" : "");
+    text += fmt::format("  {} {:10.{}f} mm{}", LinkLengths::names[i], values[i], decimals_for(design.linkage),
+                        i % 4 == 3 ? "\n" : "");
   return text;
 }
 
-std::string objective_line(const SearchRecord& search) {
+std::string objective_line(const SearchRecord& search, int decimals) {
   const double shown = search.objective == Objective::transmission ? degrees(search.value) : search.value;
   const char* unit = search.objective == Objective::transmission ? "degrees"
                      : search.objective == Objective::footprint  ? "mm2"
                                                                  : "mm";
-  return fmt::format("{}objective    {} = {:.4f} {}\n",
+  return fmt::format("{}objective    {} = {:.{}f} {}\n",
                      search.complete ? "" : "STOPPED EARLY: the best so far\n", name(search.objective), shown,
-                     unit);
+                     decimals + 1, unit);
 }
 
 std::string layers_line(const Design& design) {
@@ -82,17 +89,19 @@ std::string bound_line(const Design& design) {
   const bool angle = design.search->objective == Objective::transmission;
   const double bound = *design.quality.lower_bound;
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
-  std::string text = fmt::format("bound        no design can be {} {:.4f} {}", angle ? "above" : "below",
-                                 angle ? degrees(bound) : bound, angle ? "degrees" : "mm");
+  std::string text = fmt::format("bound        no design can be {} {:.{}f} {}", angle ? "above" : "below",
+                                 angle ? degrees(bound) : bound,
+                                 1 + (angle ? 3 : decimals_for(design.linkage)), angle ? "degrees" : "mm");
   if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
   return text + "\n";
 }
 
 std::string relaxation_line(const Relaxation& relaxation) {
   const CopyingLinkage& linkage = relaxation.design.linkage;
-  return fmt::format("  {}: VA = {:.3f} mm, VB = {:.3f} mm, {} at the vertex, pole ({:.3f}, {:.3f})\n",
-                     relaxation.sentence, linkage.VA(), linkage.VB(), name(linkage.vertex()),
-                     linkage.pole().x(), linkage.pole().y());
+  const int d = decimals_for(linkage);
+  return fmt::format("  {}: VA = {:.{}f} mm, VB = {:.{}f} mm, {} at the vertex, pole ({:.{}f}, {:.{}f})\n",
+                     relaxation.sentence, linkage.VA(), d, linkage.VB(), d, name(linkage.vertex()),
+                     linkage.pole().x(), d, linkage.pole().y(), d);
 }
 
 std::string ratio_line(const Design& design) {
@@ -105,6 +114,15 @@ std::string ratio_line(const Design& design) {
         "100 mm from the pole\n",
         design.wanted->scale, degrees(design.wanted->rotation), 100 * design.wanted->error);
   return text;
+}
+
+std::string region_line(const Design& design) {
+  if (design.region.empty())
+    return fmt::format("region       none given; the collision-free workspace has {:.6g} mm2\n",
+                       area(design.map.collision_free));
+  return design.map.coverage.covered
+             ? "region       covered by one component of the collision-free workspace\n"
+             : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
 }
 
 /// What to put on the tracer, or how to draw the template, so that the cut is right.
@@ -134,30 +152,30 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
                          const std::vector<std::string>& files, const std::vector<std::string>& left_out) {
   const Quality& q = design.quality;
   const Point& pole = design.linkage.pole();
+  const int decimals = decimals_for(design.linkage);
   std::string text = ratio_line(design);
   text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
-  text += fmt::format("pole         ({:.3f}, {:.3f}) mm\n", pole.x(), pole.y());
+  text += fmt::format("pole         ({:.{}f}, {:.{}f}) mm\n", pole.x(), decimals, pole.y(), decimals);
   text += "lengths\n" + lengths_table(design) + layers_line(design);
-  if (design.search) text += objective_line(*design.search);
+  if (design.search) text += objective_line(*design.search, decimals);
   text += bound_line(design);
-  text += fmt::format("size         {:.3f} mm\n", q.size);
+  text += fmt::format("size         {:.{}f} mm\n", q.size, decimals);
   text +=
       fmt::format("transmission {:.3f} degrees at least; opening {:.3f} .. {:.3f} degrees certified\n",
                   degrees(q.transmission_min), degrees(design.opening.lower), degrees(design.opening.upper));
-  text +=
-      fmt::format("clearance    {:.3f} mm at least, {}\n", q.clearance_min, design.map.clearance_min_parts);
+  if (std::isfinite(q.clearance_min))
+    text += fmt::format("clearance    {:.{}f} mm at least, {}\n", q.clearance_min, decimals,
+                        design.map.clearance_min_parts);
   if (q.copy_error_worst)
     text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n",
                         *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
-  text += design.map.coverage.covered
-              ? "region       covered by one component of the collision-free workspace\n"
-              : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
+  text += region_line(design);
   text += tool_line(design.tool);
   text += fmt::format(
-      "verified     {} positions by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
+      "verified     {} positions{} by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
       "{} changes of assembly\n",
-      design.verification.samples, design.verification.copy_error_max, design.verification.loop_residual_max,
-      design.verification.flips);
+      design.verification.samples, design.verification.over_workspace ? " of the free workspace" : "",
+      design.verification.copy_error_max, design.verification.loop_residual_max, design.verification.flips);
   text += fmt::format("written      {}:", printable(folder.string()));
   bool has_parts = false;
   for (const std::string& file : files) {

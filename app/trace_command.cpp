@@ -24,7 +24,8 @@ namespace {
 struct TraceArguments {
   std::string design, drawing, copy, csv;
   std::vector<double> at;
-  double scale = 1, tolerance = 0.01, step = 0.5;
+  double scale = 1;
+  std::optional<double> tolerance, step;  // mm
   bool fit = false;
   std::optional<std::uint64_t> instrument;
 };
@@ -50,13 +51,24 @@ double fitting_scale(const std::vector<DrawnStroke>& strokes, const Region& regi
   return (room.upper - room.lower).cwiseQuotient(size).minCoeff();
 }
 
+/// What is left out of the arguments: a hundredth and half a millimetre, or shares of a small region.
+void fill_in(TraceArguments& arguments, const StoredDesign& design, const CopyingLinkage& linkage) {
+  double size = linkage.size();
+  if (!design.region.empty()) {
+    const Box box = bounding_box(design.region);
+    size = std::min(size, (box.upper - box.lower).norm());
+  }
+  if (!arguments.tolerance) arguments.tolerance = std::min(0.01, 1e-3 * size);
+  if (!arguments.step) arguments.step = std::min(0.5, 0.05 * size);
+}
+
 /// The drawing as its file has it. Curves are followed so closely that the tolerance holds on the table, after
 /// the drawing has been enlarged.
 tl::expected<StrokeDrawing, InputError> load_drawing(const TraceArguments& arguments, const Region& region) {
   const auto text = read_text_file(arguments.drawing);
   if (!text) return tl::unexpected(text.error());
   const auto read = [&](double scale) {
-    return read_svg(*text, arguments.drawing, {.tolerance = arguments.tolerance / std::max(1.0, scale)});
+    return read_svg(*text, arguments.drawing, {.tolerance = *arguments.tolerance / std::max(1.0, scale)});
   };
   auto drawing = read(arguments.scale);
   if (!drawing || !arguments.fit || drawing->strokes.empty() || region.empty()) return drawing;
@@ -83,12 +95,7 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
 }
 
 TraceTask task_of(const StoredDesign& design, const CopyingLinkage& linkage) {
-  const Limits limits = design.limits.value_or(Limits{});
-  MapTask mechanism{linkage, design.style, design.layers};
-  mechanism.clearance = limits.clearance;
-  mechanism.transmission = limits.transmission;
-  mechanism.obstacles = design.obstacles;
-  return {std::move(mechanism), design.mechanism.opening};
+  return {map_task(design, linkage), design.mechanism.opening};
 }
 
 std::string causes(const Trace& trace) {
@@ -143,13 +150,14 @@ tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& 
       });
 }
 
-int run(const Session& session, const TraceArguments& arguments) {
+int run(const Session& session, TraceArguments arguments) {
   if (const auto clash = output_clash({arguments.design, arguments.drawing}, {arguments.copy, arguments.csv}))
     return fail(*clash);
   const auto design = load_design(arguments.design);
   if (!design) return fail(design.error());
   const auto linkage = linkage_of(*design, arguments.design);
   if (!linkage) return fail(linkage.error());
+  fill_in(arguments, *design, *linkage);
   auto drawing = load_drawing(arguments, design->region);
   if (!drawing) return fail(drawing.error());
   if (drawing->strokes.empty())
@@ -157,7 +165,7 @@ int run(const Session& session, const TraceArguments& arguments) {
                  "paths, lines or shapes" + (drawing->remark().empty() ? "" : "; " + drawing->remark())});
   place_on_table(drawing->strokes, arguments, design->region);
   TraceOptions options;
-  options.step = arguments.step;
+  options.step = *arguments.step;
   options.keep_poses = !arguments.csv.empty();
   if (arguments.instrument)
     options.made = TraceOptions::Made{*arguments.instrument, design->tolerance.value_or(Tolerance{})};
@@ -197,12 +205,14 @@ void add_trace_command(CLI::App& program, Session& session) {
       ->excludes(scale);
   command->add_option("--instrument", arguments->instrument,
                       "Draw with an instrument made within the design's tolerances, chosen by this seed");
-  command->add_option("--tolerance", arguments->tolerance, "Curves are followed to this, mm")
-      ->check(number_between(1e-7, 10))
-      ->capture_default_str();
-  command->add_option("--step", arguments->step, "Poses are at most this far apart, mm")
-      ->check(number_between(1e-4, 1e3))
-      ->capture_default_str();
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "Curves are followed to this, mm; left out: 0.01, or a thousandth of a small region")
+      ->check(number_between(1e-7, 10));
+  command
+      ->add_option("--step", arguments->step,
+                   "Poses are at most this far apart, mm; left out: 0.5, or a twentieth of a small region")
+      ->check(number_between(1e-4, 1e3));
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -8,6 +8,7 @@
 // One of V, X, Y is the pole, one carries the tracer, one the pen:  pen - pole = k (tracer - pole).
 // Everything inside the mechanism depends only on the opening d = arg q - arg p.
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -70,6 +71,10 @@ std::string_view name(LinkageFault fault);
 /// The shape s for a copy ratio k under a grounding (geometry of the three groundings above).
 Complex shape_of(Complex k, Vertex vertex);
 
+/// Nearer than this to a dead point or a change point nothing counts as usable, rad, whatever limit is asked for: a
+/// thousandth of a degree. Searched, mapped and verified designs keep it alike.
+inline constexpr double least_usable_angle = pi / 180000;
+
 /// True if the plates have collinear joints (s real): then every plate is a straight bar.
 bool is_straight(Complex shape);
 
@@ -112,9 +117,10 @@ class CopyingLinkage {
   /// The open interval of the opening that this assembly never leaves (returned by its closure), rad.
   const OpeningInterval& assembly_interval() const { return interval_; }
 
-  /// The openings at which the transmission angle is at least `transmission` (rad, >= 0); perhaps empty.
+  /// The openings at which the transmission angle is at least `transmission` (rad, >= 0) and least_usable_angle;
+  /// perhaps empty.
   OpeningInterval openings_with_transmission(double transmission) const {
-    return shrink(interval_, transmission);
+    return shrink(interval_, std::max(transmission, least_usable_angle));
   }
 
   /// mu = min(asin|sin(d - arg s)|, asin|sin d|): how far the linkage stands from its nearest dead or change point.

@@ -32,9 +32,11 @@ double rounding(double value) { return share_of_rounding * std::abs(value); }
 void check_size_and_transmission(const AuditTask& task, AuditRecord& record) {
   const Quality& stated = task.design.quality;
   record.figure("quality.size_mm", stated.size, task.linkage.size(), rounding(task.linkage.size()));
-  const double transmission = task.needed ? std::min(task.linkage.transmission_angle(task.needed->lower),
-                                                     task.linkage.transmission_angle(task.needed->upper))
-                                          : 0;
+  const bool anywhere = task.design.region.empty() && !task.map.certified_opening.empty();
+  const auto openings = anywhere ? std::optional(task.map.certified_opening) : task.needed;
+  const double transmission = openings ? std::min(task.linkage.transmission_angle(openings->lower),
+                                                  task.linkage.transmission_angle(openings->upper))
+                                       : 0;
   record.figure("quality.transmission_min_deg", degrees(stated.transmission_min), degrees(transmission),
                 degrees_of_rounding);
 }

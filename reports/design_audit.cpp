@@ -154,10 +154,10 @@ std::string audit_text(const DesignAudit& audit) {
   for (const BrokenLimit& breach : audit.broken)
     text += fmt::format("broken       {}: {}{}\n", breach.limit, breach.sentence, place(breach));
   text += fmt::format(
-      "driven       {} positions by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, {} "
-      "changes of "
-      "assembly\n",
-      audit.drive.samples, audit.drive.copy_error_max, audit.drive.loop_residual_max, audit.drive.flips);
+      "driven       {} positions{} by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, {} "
+      "changes of assembly\n",
+      audit.drive.samples, audit.drive.over_workspace ? " of the free workspace" : "",
+      audit.drive.copy_error_max, audit.drive.loop_residual_max, audit.drive.flips);
   text += fmt::format("checked      {}\n", fmt::join(audit.checked, ", "));
   for (const NotChecked& one : audit.not_checked)
     text += fmt::format("not checked  {}: {}\n", one.key, one.why);
@@ -173,6 +173,7 @@ std::string audit_json(const DesignAudit& audit, const std::string& file) {
   Json object{{"file", file},
               {"certified", audit.certified()},
               {"samples", drive.samples},
+              {"driven_over", drive.over_workspace ? "workspace" : "region"},
               {"copy_error_max_mm", drive.copy_error_max},
               {"loop_residual_max_mm", drive.loop_residual_max},
               {"scale", drive.scale},

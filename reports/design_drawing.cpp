@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "reports/map_picture.hpp"
 #include "reports/part_drawings.hpp"
 #include "reports/parts_fault.hpp"
 #include "reports/stated_angle.hpp"
@@ -199,7 +200,7 @@ double width_of(const Drawing& drawing) {
 
 Pose assembly_pose(const Design& design) {
   const CopyingLinkage& linkage = design.linkage;
-  Point middle = linkage.pole() + Point(1, 0);
+  Point middle = place_to_show(design);
   if (!design.region.empty()) {
     const Box box = bounding_box(design.region);
     middle = 0.5 * (box.lower + box.upper);

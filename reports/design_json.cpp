@@ -76,13 +76,14 @@ Json in_file_unit(const std::optional<double>& value, const std::optional<Search
 
 Json quality_json(const Design& design) {
   const Quality& quality = design.quality;
+  const Json swept = design.region.empty() ? Json(nullptr) : finite_or_null(quality.footprint);
   return {{"size_mm", finite_or_null(quality.size)},
           {"transmission_min_deg", finite_or_null(degrees(quality.transmission_min))},
           {"clearance_min_mm", finite_or_null(quality.clearance_min)},
           {"copy_error_worst_mm", finite_or_null(quality.copy_error_worst)},
           {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
           {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
-          {"footprint_mm2", finite_or_null(quality.footprint)},
+          {"footprint_mm2", swept},
           {"lower_bound", in_file_unit(quality.lower_bound, design.search)}};
 }
 
@@ -114,14 +115,16 @@ Json workspace_json(const WorkspaceMap& map) {
 }
 
 Json verification_json(const Verification& verification) {
-  return {{"samples", verification.samples},
-          {"copy_error_max_mm", finite_or_null(verification.copy_error_max)},
-          {"loop_residual_max_mm", finite_or_null(verification.loop_residual_max)},
-          {"scale", finite_or_null(verification.scale)},
-          {"rotation_deg", finite_or_null(stated_degrees(verification.rotation))},
-          {"flips", verification.flips},
-          {"certified", verification.certified},
-          {"failure", verification.failure}};
+  Json json{{"samples", verification.samples},
+            {"copy_error_max_mm", finite_or_null(verification.copy_error_max)},
+            {"loop_residual_max_mm", finite_or_null(verification.loop_residual_max)},
+            {"scale", finite_or_null(verification.scale)},
+            {"rotation_deg", finite_or_null(stated_degrees(verification.rotation))},
+            {"flips", verification.flips},
+            {"certified", verification.certified},
+            {"failure", verification.failure}};
+  if (verification.over_workspace) json["driven_over"] = "workspace";
+  return json;
 }
 
 /// `kempe workspace` searches nothing: the same keys, without values.

@@ -66,6 +66,9 @@ struct StoredDesign {
 /// those of the mechanism.
 tl::expected<StoredDesign, InputError> read_design(std::string_view text, const std::string& file);
 
+/// What a stored design's map is made of, `linkage` being linkage_of() it: its limits and obstacles, no region.
+MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage);
+
 /// The check of a stored design, from its stored lengths alone.
 VerificationTask verification_task(const StoredDesign& design);
 

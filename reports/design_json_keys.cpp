@@ -32,7 +32,7 @@ void note_keys(const JsonField& root, StoredDesign& design) {
           {"reachable_mm2", "usable_mm2", "collision_free_mm2", "uncertain_mm2", "region_covered",
            "why_not_covered", "largest_sheet", "sheets", "tightest_parts", "map_tolerance"});
   look_in("verification", {"samples", "copy_error_max_mm", "loop_residual_max_mm", "scale", "rotation_deg",
-                           "flips", "certified", "failure"});
+                           "flips", "certified", "failure", "driven_over"});
   look_in("search", {"objective", "value", "solvers", "evaluations", "seed", "complete"});
   look_in("limits", {"clearance_mm", "transmission_deg", "sheets_gap_mm", "copy_error_mm"});
   look_in("tolerance", {"length_mm", "play_mm"});

@@ -203,6 +203,7 @@ Verification verification(const JsonField& field) {
   result.rotation = radians(field["rotation_deg"].number());
   result.flips = static_cast<int>(field["flips"].integer(0, most));
   result.certified = field["certified"].boolean();
+  if (const auto over = field.find("driven_over")) result.over_workspace = over->text() == "workspace";
   if (const auto failure = field.find("failure")) result.failure = failure->text();
   return result;
 }
@@ -374,22 +375,6 @@ tl::expected<StoredDesign, InputError> read_design(std::string_view text, const 
   return design;
 }
 
-VerificationTask verification_task(const StoredDesign& design) {
-  VerificationTask task;
-  task.mechanism = design.mechanism;
-  task.k = design.k;
-  task.region = design.region;
-  task.region_covered = design.region_covered;
-  task.style = design.style;
-  task.layers = design.layers;
-  if (design.limits) {
-    task.transmission = design.limits->transmission;
-    task.clearance = design.limits->clearance;
-    task.obstacles = design.obstacles;
-  }
-  return task;
-}
-
 namespace {
 
 /// The assembly whose interval holds the stored opening and whose orientation is the stored one.
@@ -429,6 +414,48 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, 
       return refused(fmt::format("lengths_mm.{}", LinkLengths::names[i]), fmt::format("{}", stored[i]),
                      fmt::format("{} to close and copy with VA, VB and the shape", exact[i]));
   return *linkage;
+}
+
+MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage) {
+  const Limits limits = design.limits.value_or(Limits{});
+  MapTask task{linkage, design.style, design.layers};
+  task.clearance = limits.clearance;
+  task.transmission = limits.transmission;
+  task.obstacles = design.obstacles;
+  return task;
+}
+
+namespace {
+
+/// Where there is no region to drive over the file does not say where the linkage is free: it is mapped anew.
+void drive_over_workspace(const StoredDesign& design, VerificationTask& task) {
+  const auto linkage = linkage_of(design, "");
+  if (!linkage) return;  // whatever contradicts itself there, the drive over the region sees it too
+  MapTask mapped = map_task(design, *linkage);
+  task.workspace = part_to_drive_over(mapped, map_workspace(mapped, {.largest_sheets = false}));
+  if (!task.mechanism.opening.empty()) return;
+  task.mechanism.opening = linkage->openings_with_transmission(mapped.transmission);
+  task.region_covered = false;
+}
+
+}  // namespace
+
+VerificationTask verification_task(const StoredDesign& design) {
+  VerificationTask task;
+  task.mechanism = design.mechanism;
+  task.mechanism.shape = design.shape;
+  task.k = design.k;
+  task.region = design.region;
+  task.region_covered = design.region_covered;
+  task.style = design.style;
+  task.layers = design.layers;
+  if (task.region.empty() || !task.region_covered) drive_over_workspace(design, task);
+  if (design.limits && task.region_covered) {
+    task.transmission = design.limits->transmission;
+    task.clearance = design.limits->clearance;
+    task.obstacles = design.obstacles;
+  }
+  return task;
 }
 
 }  // namespace kempe

@@ -1,5 +1,6 @@
 #include "reports/design_package.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "reports/design_drawing.hpp"
@@ -9,8 +10,18 @@
 #include "reports/part_files.hpp"
 #include "reports/svg_writer.hpp"
 #include "reports/workspace_geojson.hpp"
+#include "workspace/reach.hpp"
 
 namespace kempe {
+namespace {
+
+/// How closely the map's arcs are followed, mm: a hundredth, and for linkages of few millimetres less.
+double map_tolerance_of(const Design& design) {
+  constexpr double most = 0.01, share = 1e-3;
+  return std::min(most, share * chain_annulus(design.linkage).outer);
+}
+
+}  // namespace
 
 tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
@@ -21,7 +32,7 @@ tl::expected<std::vector<std::string>, std::string> make_design_package(
       {"links.csv", [&] { return links_csv(design); }},
       {"drawing.dxf", [&] { return dxf_text(design_drawing(design, cutting)); }},
       {"drawing.svg", [&] { return svg_text(design_drawing(design, cutting), drawing_title(design)); }},
-      {"workspace.geojson", [&] { return workspace_geojson(design); }},
+      {"workspace.geojson", [&] { return workspace_geojson(design, map_tolerance_of(design)); }},
       {"report.html", [&] { return html_report(design, extras); }}};
   for (const auto& [name, text] : files)
     if (auto taken = take({name, text()}); !taken) return tl::unexpected(taken.error());

@@ -114,4 +114,10 @@ void append(Drawing& drawing, const Drawing& other, const Placement& placement) 
   for (const Shape& shape : other.shapes) drawing.shapes.push_back(placed(shape, placement));
 }
 
+int decimals_for(double size) {
+  constexpr int digits = 13, least = 12, most = 30;
+  if (!(size > 0)) return least;
+  return std::clamp(digits - static_cast<int>(std::ceil(std::log10(size))), least, most);
+}
+
 }  // namespace kempe

@@ -56,6 +56,8 @@ Box bounding_box(const ArcRing& ring);
 /// Smallest box of all shapes, a text by its estimated width; a box of size 0 at the origin for an empty
 /// drawing.
 Box bounding_box(const Drawing& drawing);
+/// How many decimals keep 13 digits of a thing of this size (mm); at least 12, so that ordinary files stay as they are.
+int decimals_for(double size);
 /// About how wide a text is, mm.
 double text_width(const TextShape& text);
 

@@ -17,7 +17,7 @@ class Groups {
   }
   Groups& integer(int code, int value) { return text(code, std::to_string(value)); }
   Groups& number(int code, double value) {
-    std::string digits = fmt::format("{:.12f}", value == 0 ? 0.0 : value);
+    std::string digits = fmt::format("{:.{}f}", value == 0 ? 0.0 : value, decimals_);
     digits.erase(digits.find_last_not_of('0') + 1);
     if (digits.back() == '.') digits += '0';
     return text(code, digits == "-0.0" ? "0.0" : digits);
@@ -25,10 +25,16 @@ class Groups {
   Groups& point(const Point& at, int code = 10) {
     return number(code, at.x()).number(code + 10, at.y()).number(code + 20, 0);
   }
+  /// As exactly as a thing of this size (mm) needs.
+  Groups& as_exact_as(double size) {
+    decimals_ = decimals_for(size);
+    return *this;
+  }
   std::string take() { return std::move(out_); }
 
  private:
   std::string out_;
+  int decimals_ = decimals_for(1);
 };
 
 /// The code point that starts at `i`, which moves to its last byte; U+FFFD for what is no UTF-8.
@@ -97,6 +103,8 @@ void write_tables(Groups& out, const std::vector<DrawingLayer>& layers) {
 }
 
 void write(Groups& out, const OutlineShape& outline) {
+  const Box box = bounding_box(outline.ring);
+  out.as_exact_as((box.upper - box.lower).maxCoeff());
   out.text(0, "POLYLINE").text(8, outline.layer).integer(66, 1).point(Point::Zero());
   out.integer(70, outline.closed ? 1 : 0);
   for (const ArcVertex& vertex : outline.ring) {
@@ -107,10 +115,12 @@ void write(Groups& out, const OutlineShape& outline) {
 }
 
 void write(Groups& out, const CircleShape& circle) {
+  out.as_exact_as(circle.radius);
   out.text(0, "CIRCLE").text(8, circle.layer).point(circle.centre).number(40, circle.radius);
 }
 
 void write(Groups& out, const TextShape& text) {
+  out.as_exact_as(text.height);
   out.text(0, "TEXT").text(8, text.layer).point(text.at).number(40, text.height).text(1, escaped(text.text));
   out.number(50, degrees(text.turn)).text(7, "STANDARD");
   if (text.anchor == Anchor::middle) out.integer(72, 1).point(text.at, 11);

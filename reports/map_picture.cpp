@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "reports/html_text.hpp"
 #include "reports/map_contours.hpp"
@@ -13,6 +14,7 @@
 #include "reports/picture_labels.hpp"
 #include "reports/round_step.hpp"
 #include "reports/svg_path.hpp"
+#include "synthesis/assemble.hpp"
 
 namespace kempe {
 namespace {
@@ -307,11 +309,13 @@ std::string Picture::things() {
   };
   std::string svg = add("obstacles", "Obstacles", obstacles, count_text(design_.obstacles.size()));
   svg += add("sheets", "Largest sheets", sheets, count_text(design_.map.largest_sheets.size()), false);
-  svg += add("region", "Region to trace", path_element("outline", svg_path(design_.region, detail())),
-             area_text(area(design_.region)));
-  svg += add("copy", "Its copy", path_element("outline", svg_path(copy_, detail())), area_text(area(copy_)));
-  svg += add("footprint", "Footprint", path_element("outline", svg_path(design_.footprint, detail())),
-             area_text(design_.quality.footprint), false);
+  const auto outline = [&](const Region& region) {
+    return region.empty() ? std::string() : path_element("outline", svg_path(region, detail()));
+  };
+  svg += add("region", "Region to trace", outline(design_.region), area_text(area(design_.region)));
+  svg += add("copy", "Its copy", outline(copy_), area_text(area(copy_)));
+  svg +=
+      add("footprint", "Footprint", outline(design_.footprint), area_text(design_.quality.footprint), false);
   svg +=
       add("angle-lines", "Transmission angle",
           contours(transmission_circles(design_.linkage), [](double level) { return angle_text(level, 0); }),
@@ -445,10 +449,25 @@ Point centroid(const Ring& ring) {
   return doubled == 0 ? ring[0] : Point(ring[0] + sum / (3 * doubled));
 }
 
+/// Some place of the free workspace, the middle of its openings preferred; nothing if none is met.
+std::optional<Point> free_place(const Design& design) {
+  constexpr int bearings = 72;
+  const MapTask task = map_task(design);
+  for (const double share : {0.5, 0.3, 0.7, 0.1, 0.9})
+    for (int i = 0; i < bearings && !design.opening.empty(); ++i) {
+      const double opening = design.opening.lower + share * design.opening.width();
+      const Point at = design.linkage.tracer_at(opening, 2 * pi * i / bearings);
+      if (verdict_at(task, at).free) return at;
+    }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Point place_to_show(const Design& design) {
   const CopyingLinkage& linkage = design.linkage;
+  if (design.region.empty())
+    if (const auto place = free_place(design)) return *place;
   const auto good = [&](const Point& at) {
     const auto opening = linkage.opening_at((at - linkage.pole()).norm());
     return opening && (design.opening.empty() || design.opening.contains(*opening));

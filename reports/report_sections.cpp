@@ -94,7 +94,9 @@ std::string title(const Design& design, const ReportExtras& extras) {
 
 std::string header(const Design& design, const ReportExtras& extras) {
   const CopyingLinkage& linkage = design.linkage;
-  std::string badges = badge(design.map.coverage.covered, "Region covered", "Region not covered");
+  std::string badges = design.region.empty()
+                           ? badge(true, "Workspace mapped, no region given", "")
+                           : badge(design.map.coverage.covered, "Region covered", "Region not covered");
   badges += badge(design.verification.certified, "Verified by driving it", "Not verified");
   if (design.search && !design.search->complete) badges += badge(false, "", "Search stopped early");
   return fmt::format(

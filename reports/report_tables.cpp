@@ -78,8 +78,10 @@ std::string quality(const Design& design) {
       "Small means stiff, cheap and light.");
   add("Smallest transmission angle", angle_text(q.transmission_min, 3),
       at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
-      "How far the linkage stays from the positions where it jams or folds over, at the worst place of the "
-      "region. 90° is best, 0° cannot be driven.");
+      std::string(
+          "How far the linkage stays from the positions where it jams or folds over, at the worst place of ") +
+          (design.region.empty() ? "its certified opening" : "the region") +
+          ". 90° is best, 0° cannot be driven.");
   if (std::isfinite(q.clearance_min))
     add("Smallest clearance", length_text(q.clearance_min, 3),
         at_least(q.clearance_min, design.limits.clearance, length_text(design.limits.clearance)),
@@ -95,8 +97,9 @@ std::string quality(const Design& design) {
     add("Distortion, worst case", length_text(*q.distortion_worst, 4), {},
         "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
         "part that is seen.");
-  add("Footprint", area_text(q.footprint), {},
-      "Area that all links sweep while the tracer covers the region: keep it clear.");
+  if (!design.region.empty())
+    add("Footprint", area_text(q.footprint), {},
+        "Area that all links sweep while the tracer covers the region: keep it clear.");
   if (q.lower_bound)
     add("Best possible",
         design.search ? objective_value(design.search->objective, *q.lower_bound)
@@ -146,9 +149,12 @@ std::string verification(const Design& design) {
   Rows rows;
   rows.push_back({"Result",
                   v.certified ? "<b class=\"good\">certified</b>" : "<b class=\"bad\">not certified</b>",
-                  v.certified ? "Driven over the region by a solver that shares no formula with the design."
+                  v.certified ? fmt::format("Driven over {} by a solver that shares no formula with the design.",
+                                            v.over_workspace ? "the free workspace" : "the region")
                               : html_escaped(v.failure)});
-  rows.push_back({"Positions driven", count_text(v.samples), "Along the region's outline and inside it."});
+  rows.push_back({"Positions driven", count_text(v.samples),
+                  v.over_workspace ? "Along the outline of the largest part of the free workspace and inside it."
+                                   : "Along the region's outline and inside it."});
   rows.push_back({"Greatest copy error", residual_text(v.copy_error_max),
                   "Distance between the pen and the exact image of the tracer, with exact lengths."});
   rows.push_back({"Greatest loop residual", residual_text(v.loop_residual_max),

@@ -10,21 +10,35 @@
 namespace kempe {
 namespace {
 
-std::string digits(double value) {
-  std::string text = fmt::format("{:.12f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+/// Numbers as exactly as a thing of some size (mm) needs.
+class Figures {
+ public:
+  explicit Figures(double size) : decimals_(decimals_for(size)) {}
+
+  std::string of(double value) const {
+    std::string text = fmt::format("{:.{}f}", value, decimals_);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+  }
+  std::string of(const Point& point) const { return of(point.x()) + "," + of(-point.y()); }
+
+ private:
+  int decimals_;
+};
+
+double size_of(const ArcRing& ring) {
+  const Box box = bounding_box(ring);
+  return (box.upper - box.lower).maxCoeff();
 }
 
-std::string place(const Point& point) { return digits(point.x()) + "," + digits(-point.y()); }
-
 /// The edge from one corner to the next.
-std::string edge(const ArcVertex& from, const Point& to) {
-  if (from.bulge == 0) return "L" + place(to);
+std::string edge(const ArcVertex& from, const Point& to, const Figures& figures) {
+  if (from.bulge == 0) return "L" + figures.of(to);
   const double bulge = std::abs(from.bulge);
-  const std::string radius = digits((to - from.at).norm() * (1 + bulge * bulge) / (4 * bulge));
-  return fmt::format("A{0},{0} 0 {1} {2} {3}", radius, bulge > 1 ? 1 : 0, from.bulge < 0 ? 1 : 0, place(to));
+  const std::string radius = figures.of((to - from.at).norm() * (1 + bulge * bulge) / (4 * bulge));
+  return fmt::format("A{0},{0} 0 {1} {2} {3}", radius, bulge > 1 ? 1 : 0, from.bulge < 0 ? 1 : 0,
+                     figures.of(to));
 }
 
 std::string element(const OutlineShape& outline) {
@@ -32,21 +46,21 @@ std::string element(const OutlineShape& outline) {
 }
 
 std::string element(const CircleShape& circle) {
-  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", digits(circle.centre.x()),
-                     digits(-circle.centre.y()), digits(circle.radius));
+  const Figures figures(circle.radius);
+  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", figures.of(circle.centre.x()),
+                     figures.of(-circle.centre.y()), figures.of(circle.radius));
 }
 
 std::string element(const TextShape& text) {
   // A capital of DejaVu Sans and its like is about 0.73 of the font size high.
-  const Point at(text.at.x(), -text.at.y());
-  const std::string turned = text.turn == 0
-                                 ? ""
-                                 : fmt::format(" transform=\"rotate({} {} {})\"", digits(-degrees(text.turn)),
-                                               digits(at.x()), digits(at.y()));
-  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n", digits(at.x()),
-                     digits(at.y()), digits(text.height / 0.73),
-                     text.anchor == Anchor::middle ? " text-anchor=\"middle\"" : "", turned,
-                     html_escaped(text.text));
+  const Figures figures(text.height);
+  const std::string x = figures.of(text.at.x()), y = figures.of(-text.at.y());
+  const std::string turned =
+      text.turn == 0 ? ""
+                     : fmt::format(" transform=\"rotate({} {} {})\"", figures.of(-degrees(text.turn)), x, y);
+  return fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n", x, y, figures.of(text.height / 0.73),
+      text.anchor == Anchor::middle ? " text-anchor=\"middle\"" : "", turned, html_escaped(text.text));
 }
 
 const std::string& layer_of(const Shape& shape) {
@@ -71,22 +85,24 @@ std::string group(const DrawingLayer& layer, const std::vector<Shape>& shapes) {
 
 std::string outline_path(const ArcRing& ring, bool closed) {
   if (ring.empty()) return "";
-  std::string path = "M" + place(ring.front().at);
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) path += edge(ring[i], ring[i + 1].at);
-  if (closed && ring.back().bulge != 0) path += edge(ring.back(), ring.front().at);
+  const Figures figures(size_of(ring));
+  std::string path = "M" + figures.of(ring.front().at);
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) path += edge(ring[i], ring[i + 1].at, figures);
+  if (closed && ring.back().bulge != 0) path += edge(ring.back(), ring.front().at, figures);
   return closed ? path + "Z" : path;
 }
 
 std::string svg_text(const Drawing& drawing, std::string_view title, double margin) {
   const Box box = bounding_box(drawing);
   const Point size = box.upper - box.lower + Point(2 * margin, 2 * margin);
+  const Figures figures(size.maxCoeff());
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" "
       "viewBox=\"{2} {3} {0} {1}\" font-family=\"DejaVu Sans, Helvetica, Arial, "
       "sans-serif\">\n<title>{4}</title>\n",
-      digits(size.x()), digits(size.y()), digits(box.lower.x() - margin), digits(-box.upper.y() - margin),
-      html_escaped(title));
+      figures.of(size.x()), figures.of(size.y()), figures.of(box.lower.x() - margin),
+      figures.of(-box.upper.y() - margin), html_escaped(title));
   for (const DrawingLayer& layer : drawing.layers) text += group(layer, drawing.shapes);
   return text + "</svg>\n";
 }

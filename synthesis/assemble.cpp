@@ -19,9 +19,11 @@ std::optional<Objective> objective_of(Goal goal) {
   return std::nullopt;
 }
 
-/// Over the region, or where the region is not reached 0.
-double smallest_transmission(const CopyingLinkage& linkage, const Region& region) {
-  const auto openings = openings_over(linkage, region);
+/// Over the region, or without one over the certified opening; where the region is not reached 0.
+double smallest_transmission(const CopyingLinkage& linkage, const Region& region,
+                             const OpeningInterval& certified) {
+  const bool anywhere = region.empty() && !certified.empty();
+  const auto openings = anywhere ? std::optional(certified) : openings_over(linkage, region);
   if (!openings) return 0;
   return std::min(linkage.transmission_angle(openings->lower), linkage.transmission_angle(openings->upper));
 }
@@ -65,7 +67,7 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
   design.footprint = std::move(swept.outline);
   design.quality.footprint = swept.area;
   design.quality.size = linkage.size();
-  design.quality.transmission_min = smallest_transmission(linkage, design.region);
+  design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
   measure_copy_error(design);
   return design;

@@ -39,7 +39,9 @@ struct Verification {
   double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
   int flips = 0;                   ///< changes of assembly seen
   bool certified = false;
-  std::string failure{};              ///< a sentence; empty if certified
+  bool over_workspace =
+      false;              ///< driven over the free workspace: there is no region, or none of it within reach
+  std::string failure{};  ///< a sentence; empty if certified
   std::vector<BrokenLimit> broken{};  ///< the first breach of each limit
 };
 

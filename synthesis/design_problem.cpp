@@ -11,9 +11,6 @@ namespace {
 
 /// Kept inside the transmission limit, rad, so that rounding the result cannot pass it.
 constexpr double inward_angle = 1e-9;
-/// No design comes nearer to a dead point than this, rad, whatever the limit: the openings would lose their
-/// digits.
-constexpr double least_angle = 1e-6;
 /// Rounding allowed in a reach, in shares of the task's size.
 constexpr double reach_slack = 1e-13;
 /// Stands for no contact at all, in shares of the task's size.
@@ -53,7 +50,7 @@ DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, con
 }
 
 OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
-  return shrink(reach.interval(), std::max(transmission + inward_angle, least_angle));
+  return shrink(reach.interval(), std::max(transmission, least_usable_angle) + inward_angle);
 }
 
 bool DesignProblem::possible() const { return !box_.u.empty() && !box_.v.empty() && !allowed_.empty(); }

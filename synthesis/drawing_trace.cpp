@@ -24,7 +24,7 @@ std::string_view name(NotReached why) {
 namespace {
 
 constexpr double opening_slack = 1e-9;  ///< rad
-constexpr double cut_precision = 1e-9;  ///< mm
+constexpr double cut_precision = 1e-9;  ///< mm, or for linkages of few millimetres this share of their size
 
 /// Numbers that depend on the seed alone, not on the standard library's distributions.
 class Chance {
@@ -238,7 +238,8 @@ class Tracing {
 
   /// The last place reached and the first one not, nearer to each other than cut_precision.
   std::pair<Point, Point> boundary(Point reached, Point beyond) const {
-    while ((beyond - reached).norm() > cut_precision) {
+    const double near_enough = cut_precision * std::min(1.0, task_.mechanism.linkage.size());
+    while ((beyond - reached).norm() > near_enough) {
       const Point middle = 0.5 * (reached + beyond);
       if (middle == reached || middle == beyond) break;
       (closed(middle) ? reached : beyond) = middle;

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "synthesis/copy_error.hpp"
+#include "synthesis/local_frame.hpp"
 #include "synthesis/lower_bound_box.hpp"
 #include "synthesis/lower_bound_branch.hpp"
 #include "synthesis/lower_bound_contact.hpp"
@@ -435,12 +436,21 @@ class Tree {
   std::size_t boxes_ = 0, opened_ = 0;
 };
 
+ProvenBound back_to_the_table(ProvenBound bound, const Point& origin) {
+  if (bound.design) bound.design->pole += origin;
+  for (RelaxedDesign& place : bound.promising) place.pole += origin;
+  return bound;
+}
+
 }  // namespace
 
 std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective, const BoundOptions& options) {
   if (objective != Objective::size && objective != Objective::transmission) return std::nullopt;
   if (spec.region.empty()) return std::nullopt;
-  return Tree(spec, objective, options).grow();
+  const Point origin = local_origin(spec);
+  if (origin.isZero(0)) return Tree(spec, objective, options).grow();
+  const Spec here = shifted(spec, -origin);
+  return back_to_the_table(Tree(here, objective, options).grow(), origin);
 }
 
 std::vector<RelaxedDesign> starts_of(const ProvenBound& bound) {

@@ -17,13 +17,16 @@ SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
 
 SheetsGap::Verdict SheetsGap::verdict(const Point& pole, double radius) const {
   if (!gap_) return Verdict::far_enough;
-  const double slack = std::abs(1.0 - k_) * radius + 1e-12 * (region_.diagonal() + *gap_);
+  const double moved = std::abs(1.0 - k_) * radius;
   bool far_enough = true;
   for (const Point& place : places_) {
     const Complex from_pole = as_complex(place - pole);
     const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
     const double distance =
         std::min(region_.nearest(image).distance, std::abs(k_) * region_.nearest(source).distance);
+    const double rounding =
+        1e-12 * (region_.diagonal() + *gap_ + (1 + std::abs(k_)) * (place.norm() + pole.norm()));
+    const double slack = moved + rounding;
     if (distance + slack < *gap_) return Verdict::too_near;
     far_enough = far_enough && distance - slack >= *gap_;
   }

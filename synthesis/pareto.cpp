@@ -5,6 +5,7 @@
 
 #include "synthesis/diagnosis.hpp"
 #include "synthesis/footprint.hpp"
+#include "synthesis/local_frame.hpp"
 #include "synthesis/search_run.hpp"
 
 namespace kempe {
@@ -57,10 +58,9 @@ std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective 
   return kept;
 }
 
-}  // namespace
+using Front = tl::expected<std::vector<ParetoPoint>, NoDesign>;
 
-tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, Objective a, Objective b,
-                                                              int points, const SearchOptions& options) {
+Front front_here(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
   if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
   const SearchRun run(spec, options);
   const Requirements limits = requirements_of(spec);
@@ -88,6 +88,17 @@ tl::expected<std::vector<ParetoPoint>, NoDesign> pareto_front(const Spec& spec, 
     add(run.best(limited(limits, limited_one, at), goal_of(other)));
   }
   return undominated(std::move(found), a, b);
+}
+
+}  // namespace
+
+Front pareto_front(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+  const Point origin = local_origin(spec);
+  if (origin.isZero(0)) return front_here(spec, a, b, points, options);
+  Front front = front_here(shifted(spec, -origin), a, b, points, options);
+  if (!front) return tl::unexpected(shifted(std::move(front.error()), origin));
+  for (ParetoPoint& point : *front) point.design = shifted(point.design, origin);
+  return front;
 }
 
 }  // namespace kempe

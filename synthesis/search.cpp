@@ -1,6 +1,7 @@
 #include "synthesis/search.hpp"
 
 #include "synthesis/diagnosis.hpp"
+#include "synthesis/local_frame.hpp"
 #include "synthesis/lower_bound.hpp"
 #include "synthesis/search_run.hpp"
 
@@ -53,10 +54,7 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   return result;
 }
 
-}  // namespace
-
-SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
-  if (auto none = plainly_impossible(spec)) return *std::move(none);
+SearchOutcome synthesize_here(const Spec& spec, const SearchOptions& options) {
   const SearchRun run(spec, options);
   const Goal goal = goal_of(spec.objective.objective);
   SearchResult result = run.best(requirements_of(spec), goal);
@@ -72,6 +70,21 @@ SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
   }
   if (result.stopped) return Stopped{result.evaluations};
   return diagnose(run, result);
+}
+
+SearchOutcome back_to_the_table(SearchOutcome outcome, const Point& origin) {
+  if (auto* found = std::get_if<FoundDesign>(&outcome)) return shifted(std::move(*found), origin);
+  if (auto* none = std::get_if<NoDesign>(&outcome)) return shifted(std::move(*none), origin);
+  return outcome;
+}
+
+}  // namespace
+
+SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
+  if (auto none = plainly_impossible(spec)) return *std::move(none);
+  const Point origin = local_origin(spec);
+  if (origin.isZero(0)) return synthesize_here(spec, options);
+  return back_to_the_table(synthesize_here(shifted(spec, -origin), options), origin);
 }
 
 }  // namespace kempe

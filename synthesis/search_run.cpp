@@ -52,8 +52,16 @@ std::optional<ProvenBound> proven_bound(const Spec& spec, const Requirements& li
   moved.limits.sheets_gap = limits.sheets_gap;
   moved.limits.copy_error = limits.copy_error;
   moved.links.longest = limits.longest;
-  return lower_bound(moved, goal == Goal::transmission ? Objective::transmission : Objective::size,
-                     {.boxes = boxes_of_proof, .shortest = limits.shortest});
+  const Objective objective = goal == Goal::transmission ? Objective::transmission : Objective::size;
+  const LowerBoundOptions options{.boxes = boxes_of_proof, .shortest = limits.shortest};
+  auto bound = lower_bound(moved, objective, options);
+  if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
+  // The bound holds without the least angle that designs keep; places to start from are those that keep it.
+  moved.limits.transmission = 1.001 * least_usable_angle;
+  const auto kept = lower_bound(moved, objective, options);
+  bound->design = kept ? kept->design : std::nullopt;
+  bound->promising = kept ? kept->promising : std::vector<RelaxedDesign>{};
+  return bound;
 }
 
 void remember(std::vector<SearchTask>& tasks, const std::vector<RelaxedDesign>& known) {

@@ -9,8 +9,10 @@
 #include <array>
 #include <cmath>
 
+#include "synthesis/assemble.hpp"
 #include "synthesis/verification_drive.hpp"
 #include "synthesis/verification_obstacles.hpp"
+#include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
@@ -44,6 +46,7 @@ constexpr double opening_slack = 1e-7;       // rad
 constexpr double transmission_slack = 1e-7;  // rad
 constexpr double length_slack = 1e-9;        // share of the length
 constexpr double loop_residual_share = 1e-12;
+constexpr double clearance_share = 1e-8;  // of the size: the map takes clearances as kept so far
 
 /// The checks of one task while it is driven; remembers the first failure.
 class Checks {
@@ -63,15 +66,16 @@ class Checks {
     check_lengths();
   }
 
+  /// `pose` as seen from the pole.
   void see(const Pose& pose, double residual) {
     ++result_.samples;
     const Point& tracer = pose[task_.mechanism.tracer];
     const Point& pen = pose[task_.mechanism.pen];
-    const Complex reach = as_complex(tracer - task_.mechanism.pole_position);
-    const double copy_error = std::abs(as_complex(pen - task_.mechanism.pole_position) - task_.k * reach);
+    const Complex reach = as_complex(tracer);
+    const double copy_error = std::abs(as_complex(pen) - task_.k * reach);
     result_.copy_error_max = std::max(result_.copy_error_max, copy_error);
     result_.loop_residual_max = std::max(result_.loop_residual_max, residual);
-    fit_.add(reach, as_complex(pen - task_.mechanism.pole_position));
+    fit_.add(reach, as_complex(pen));
     if (!(residual <= loop_residual_share * size_))
       fail({"mechanism.lengths_mm", residual, loop_residual_share * size_, tracer,
             fmt::format("the loops stay open by {:.3g} mm", residual)});
@@ -85,22 +89,27 @@ class Checks {
   }
 
   /// Remembers the first breach of each limit, and the first of all as the failure.
+  /// `where` as seen from the pole.
   void fail(BrokenLimit breach) {
-    if (breach.where)
+    if (breach.where) {
+      *breach.where += task_.mechanism.pole_position;
       breach.sentence +=
-          fmt::format(" with the tracer at ({:.3f}, {:.3f})", breach.where->x(), breach.where->y());
+          fmt::format(" with the tracer at ({:.10g}, {:.10g})", breach.where->x(), breach.where->y());
+    }
     if (result_.failure.empty()) result_.failure = breach.sentence;
     const bool known = std::any_of(result_.broken.begin(), result_.broken.end(),
                                    [&](const BrokenLimit& one) { return one.limit == breach.limit; });
     if (!known) result_.broken.push_back(std::move(breach));
   }
 
+  bool has_driven() const { return result_.samples > 0 || !result_.failure.empty(); }
+  void is_over_workspace() { result_.over_workspace = true; }
+
   Verification result() {
     const Complex ratio = fit_.ratio();
     result_.scale = std::abs(ratio);
     result_.rotation = std::arg(ratio);
-    if (result_.samples < 3)
-      fail({.limit = "region", .sentence = "the tracer could not be driven over the region"});
+    if (result_.samples < 3) fail({.limit = "region", .sentence = "the tracer could not be driven anywhere"});
     const double ratio_allowed = 1e-8 * (1 + std::abs(task_.k));
     if (result_.samples >= 3 && std::abs(ratio - task_.k) > ratio_allowed)
       fail({.limit = "copy",
@@ -160,18 +169,18 @@ class Checks {
     if (!task_.clearance) return;
     for (const ContactPair& pair : pairs_) {
       const double free = gap(pair, pose, shape_, task_.style);
-      if (free < *task_.clearance - 1e-6)
+      if (free < *task_.clearance - clearance_share * size_)
         fail({"limits.clearance_mm", free, *task_.clearance, tracer,
-              fmt::format("{} are {:.4f} mm apart, less than {:.4f}", name(pair), free, *task_.clearance)});
+              fmt::format("{} are {:.6g} mm apart, less than {:.6g}", name(pair), free, *task_.clearance)});
     }
   }
 
   void check_obstacles(const Pose& pose, const Point& tracer) {
     if (!task_.clearance || !watch_) return;
-    const auto near = watch_->nearest(pose, *task_.clearance - 1e-6);
+    const auto near = watch_->nearest(pose, *task_.clearance - clearance_share * size_);
     if (near)
       fail({"obstacles", near->gap, *task_.clearance, tracer,
-            fmt::format("{} and {} are {:.4f} mm apart, less than {:.4f}", near->part, near->obstacle,
+            fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near->part, near->obstacle,
                         near->gap, *task_.clearance)});
   }
 
@@ -191,16 +200,46 @@ double sum_of_lengths(const LinkLengths& lengths) {
   return sum;
 }
 
+/// Drives over all stations, as far as they are reached where the region need not be covered.
+void drive_over(const std::vector<Point>& stations, const VerificationTask& task, Checks& checks) {
+  auto drive = Drive::make(task.mechanism, stations.front());
+  if (!drive) return checks.fail({.limit = "mechanism.lengths_mm", .sentence = drive.error()});
+  for (const Point& station : stations) {
+    if (const auto arrived = drive->go_to(station))
+      checks.see(drive->pose(), drive->residual());
+    else if (task.region_covered)
+      return checks.fail({"region", std::nullopt, std::nullopt, station, arrived.error()});
+  }
+}
+
+constexpr double fine_outline = 1e-4;  ///< of the reach: how closely arcs of the workspace are followed
+
 }  // namespace
+
+Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
+  const ArcRegion& parts = map.collision_free.empty() ? map.usable : map.collision_free;
+  const auto largest = std::max_element(
+      parts.begin(), parts.end(), [](const ArcPolygon& a, const ArcPolygon& b) { return area(a) < area(b); });
+  if (largest == parts.end()) return {};
+  const double tolerance = fine_outline * chain_annulus(task.linkage).outer;
+  return {{flattened(*largest, tolerance, Flatten::shrinks)}};
+}
 
 VerificationTask verification_task(const Design& design) {
   const CopyingLinkage& l = design.linkage;
   VerificationTask task;
   task.mechanism = {l.lengths(),   l.orientation(), l.pole_joint(), l.tracer_joint(),
-                    l.pen_joint(), l.pole(),        design.opening};
+                    l.pen_joint(), l.pole(),        design.opening, l.shape()};
   task.k = l.k();
   task.region = design.region;
   task.region_covered = design.map.coverage.covered;
+  if (task.region.empty() || !task.region_covered)
+    task.workspace = part_to_drive_over(map_task(design), design.map);
+  if (design.opening
+          .empty()) {  // the linkage touches itself everywhere: what is left to show is that it copies
+    task.mechanism.opening = l.openings_with_transmission(design.limits.transmission);
+    task.region_covered = false;
+  }
   task.style = design.style;
   task.layers = design.layers;
   if (task.region_covered) {
@@ -214,24 +253,11 @@ VerificationTask verification_task(const Design& design) {
 Verification verify(const VerificationTask& task, const VerificationOptions& options) {
   const double size = sum_of_lengths(task.mechanism.lengths);
   Checks checks(task, size, options.copy_error_share * size);
-  const auto stations = stations_over(task.region, task.mechanism.pole_position, options);
-  if (stations.empty()) {
-    checks.fail({.limit = "region", .sentence = "there is no region to drive over"});
-    return checks.result();
-  }
-  auto drive = Drive::make(task.mechanism, stations.front());
-  if (!drive) {
-    checks.fail({.limit = "mechanism.lengths_mm", .sentence = drive.error()});
-    return checks.result();
-  }
-  for (const Point& station : stations) {
-    if (const auto arrived = drive->go_to(station)) {
-      checks.see(drive->pose(), drive->residual());
-    } else if (task.region_covered) {
-      checks.fail({"region", std::nullopt, std::nullopt, station, arrived.error()});
-      break;
-    }
-  }
+  const Point& pole = task.mechanism.pole_position;
+  if (!task.region.empty()) drive_over(stations_over(task.region, pole, options), task, checks);
+  if (checks.has_driven() || task.workspace.empty()) return checks.result();
+  checks.is_over_workspace();
+  drive_over(stations_over(task.workspace, pole, options), task, checks);
   return checks.result();
 }
 

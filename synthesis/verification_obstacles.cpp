@@ -70,13 +70,22 @@ double distance_of_boxes(const Corners& hull, const Box& box) {
   return (lower - box.upper).cwiseMax(box.lower - upper).cwiseMax(0.0).norm();
 }
 
+Polygon seen_from(const Point& pole, Polygon shape) {
+  for (Point& corner : shape.outer) corner -= pole;
+  for (Ring& hole : shape.holes)
+    for (Point& corner : hole) corner -= pole;
+  return shape;
+}
+
 }  // namespace
 
 ObstacleWatch::ObstacleWatch(const CopyingLinkage& linkage, const VerificationTask& task) {
-  for (const Obstacle& obstacle : task.obstacles)
+  for (const Obstacle& obstacle : task.obstacles) {
+    const Polygon shape = seen_from(task.mechanism.pole_position, obstacle.shape);
     obstacles_.push_back(
-        {obstacle.name.empty() ? fmt::format("obstacle {}", obstacles_.size() + 1) : obstacle.name,
-         obstacle.shape, bounding_box(Region{{obstacle.shape}})});
+        {obstacle.name.empty() ? fmt::format("obstacle {}", obstacles_.size() + 1) : obstacle.name, shape,
+         bounding_box(Region{{shape}})});
+  }
   if (obstacles_.empty()) return;
   for (const Part& part : parts_of(linkage, task.layers))
     for (const JointHull& hull : axis_of(part, linkage.shape(), task.style.plate)) {

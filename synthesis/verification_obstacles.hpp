@@ -10,7 +10,8 @@
 
 namespace kempe {
 
-/// The parts of a linkage that share a layer with an obstacle, ready to be measured in any pose.
+/// The parts of a linkage that share a layer with an obstacle, ready to be measured in any pose as seen from the
+/// pole.
 class ObstacleWatch {
  public:
   /// `linkage` says which joints are pole, tracer and pen, and the plates' shape; its lengths are not used.

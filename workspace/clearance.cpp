@@ -58,9 +58,9 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
   return best;
 }
 
-/// Gaps nearer to each other than this (mm) are equally tight, and the pair found first is named: a design that is best where
+/// Gaps nearer to each other than this share of what the figure is certain to are equally tight, and the pair found first is named: a design that is best where
 /// several pairs are at their limit would else name one of them by rounding.
-constexpr double as_tight = 1e-9;
+constexpr double as_tight = 1e-7;
 
 /// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
 void improve(ClearanceFigure& best, double& named, const MapTask& task, const ContactScene& scene,
@@ -74,7 +74,7 @@ void improve(ClearanceFigure& best, double& named, const MapTask& task, const Co
     const auto opening = linkage.opening_at(reach.norm());
     if (!opening) continue;
     const ObstacleGap here = tightest_obstacle(scene, *opening, std::atan2(reach.y(), reach.x()));
-    if (here.gap < named - as_tight) {
+    if (here.gap < named - as_tight * certain_to(linkage)) {
       best.parts = name(scene.pieces[here.between.piece].part) + " and " +
                    obstacle_name(task, scene.obstacles[here.between.obstacle].number);
       best.at = *point;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "workspace/contact_scene.hpp"
@@ -90,10 +91,11 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
   const auto opening = linkage.opening_at(distance);
   if (!opening) return unreachable(linkage, opening.error(), distance);
   const double transmission = linkage.transmission_angle(*opening);
-  if (transmission < task.transmission - limit_rounding)
+  const double limit = std::max(task.transmission, least_usable_angle);
+  if (transmission < limit - limit_rounding)
     return lost(Cause::transmission_below_limit,
-                fmt::format("transmission below the limit: {:.2f} degrees here, the limit is {:.2f}",
-                            degrees(transmission), degrees(task.transmission)));
+                fmt::format("transmission below the limit: {:.4g} degrees here, the limit is {:.4g}",
+                            degrees(transmission), degrees(limit)));
   if (const auto number = obstacle_at_pole(task))
     return lost(Cause::obstacle_contact,
                 fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",

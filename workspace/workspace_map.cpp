@@ -1,6 +1,7 @@
 #include "workspace/workspace_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "workspace/cell_polygons.hpp"
@@ -193,6 +194,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
                                           task.linkage.openings_with_transmission(task.transmission));
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
+  map.clearance_min = HUGE_VAL;
   if (const auto clearance = smallest_clearance(task)) {
     map.clearance_min = clearance->gap;
     map.clearance_min_parts = clearance->parts;

@@ -68,6 +68,11 @@ double sampled(const Point& from, const Point& to, const Ring& ring) {
   return least;
 }
 
+Pose seen_from(const Point& pole, Pose pose) {
+  for (const Joint joint : all_joints) pose[joint] -= pole;
+  return pose;
+}
+
 TEST(ObstacleWatch, GapIsThatOfManyPoints) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 100; ++i) {
@@ -88,13 +93,14 @@ TEST(ObstacleWatch, GapIsThatOfManyPoints) {
                                    {pose.C, pose.B},
                                    {pose.B, pose.Y}})
       axes = std::min(axes, sampled(from, to, task.obstacles.front().shape.outer));
-    const auto found = ObstacleWatch(linkage, task).nearest(pose, 1e9);
+    const Pose from_pole = seen_from(linkage.pole(), pose);
+    const auto found = ObstacleWatch(linkage, task).nearest(from_pole, 1e9);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->obstacle, "obstacle 1");
     const double exact = found->gap + 0.5 * task.style.width;
     EXPECT_LE(exact, axes + 1e-9);
     EXPECT_GE(exact, std::max(0.0, axes - 8));  // half a step of both samples
-    EXPECT_FALSE(ObstacleWatch(linkage, task).nearest(pose, found->gap - 1e-6));
+    EXPECT_FALSE(ObstacleWatch(linkage, task).nearest(from_pole, found->gap - 1e-6));
   }
 }
 
