@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -76,6 +77,7 @@ Json figures(const Design& design) {
   if (design.search)
     line["objective"] = std::string(name(design.search->objective)), line["value"] = design.search->value;
   if (design.quality.lower_bound) line["lower_bound"] = *design.quality.lower_bound;
+  if (design.search && !design.search->complete) line["complete"] = false;
   return line;
 }
 
@@ -111,16 +113,21 @@ bool is_batch_result(const std::string& line) {
   const auto number = [](const nlohmann::json& value) { return value.is_number(); };
   if (!object || !object->is_object() || !holds("name", text) || !holds("status", text)) return false;
   const std::string status = object->at("status");
-  if (status == "bad input" || status == "no design") return holds("message", text);
+  if (status == "bad input" || status == "no design" || status == "stopped") return holds("message", text);
   if (status != "design" && status != "verification failed") return false;
   return holds("vertex", text) && holds("VA_mm", number) && holds("VB_mm", number) &&
          holds("size_mm", number);
 }
 
+/// What a time limit leaves of a search is no result of another limit, or of none.
+std::string limit_in_key(const BatchArguments& arguments) {
+  return std::isfinite(arguments.time_limit) ? fmt::format(" within {} s", arguments.time_limit) : "";
+}
+
 /// By what a task is known to later runs: its name, the seed, and its text or why there is none.
-std::string key_of(const BatchTask& task, std::uint64_t seed) {
+std::string key_of(const BatchTask& task, const BatchArguments& arguments) {
   const std::string text = task.text ? *task.text : "no text: " + task.text.error().message();
-  return text_key(fmt::format("{}\n{}\n{}", task.name, seed, text));
+  return text_key(fmt::format("{}\n{}{}\n{}", task.name, arguments.seed, limit_in_key(arguments), text));
 }
 
 /// One run over the tasks, on all threads of this process.
@@ -129,7 +136,7 @@ class BatchRun {
   BatchRun(const Session& session, const BatchArguments& arguments, const std::vector<BatchTask>& tasks,
            Ranks& ranks, BatchJournal& journal)
       : session_(session), arguments_(arguments), tasks_(tasks), ranks_(ranks), journal_(journal) {
-    for (const BatchTask& task : tasks) keys_.push_back(key_of(task, arguments.seed));
+    for (const BatchTask& task : tasks) keys_.push_back(key_of(task, arguments));
     for (const std::string& key : keys_) finished_before_.push_back(journal.result(key) != nullptr);
   }
 
@@ -160,13 +167,22 @@ class BatchRun {
       if (next >= static_cast<long>(tasks_.size()) || interrupt_.requested() || failed_) return;
       const auto i = static_cast<std::size_t>(next);
       if (finished_before_[i]) continue;
-      const std::string line = batch_result(tasks_[i], arguments_.seed);
+      const std::string line = batch_result(tasks_[i], options());
+      if (interrupt_.requested()) return;  // what a signal cut short is done again
       if (const auto recorded = journal_.record(keys_[i], line); !recorded) {
         if (!failed_.exchange(true)) failure_ = recorded.error();
         return;
       }
       tell(i, line);
     }
+  }
+
+  SearchOptions options() const {
+    SearchOptions options;
+    options.seed = arguments_.seed;
+    options.time_limit = arguments_.time_limit;
+    options.stop = &interrupt_.requested();
+    return options;
   }
 
   void tell(std::size_t i, const std::string& line) const {
@@ -216,7 +232,7 @@ tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& 
                                    "a folder of *.toml, or a .jsonl file"});
 }
 
-std::string batch_result(const BatchTask& task, std::uint64_t seed) {
+std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   Json line{{"name", task.name}};
   const auto spec =
       task.text.and_then([&](const std::string& text) { return read_spec(text, task.name, task.folder); });
@@ -225,20 +241,21 @@ std::string batch_result(const BatchTask& task, std::uint64_t seed) {
     line["message"] = spec.error().message();
     return line_of(line);
   }
-  SearchOptions options;
-  options.seed = seed;
+  SearchOptions options = given;
   options.diagnose = false;  // of thousands of specs: `kempe synthesize` on one of them says why
   const SearchOutcome outcome = synthesize(*spec, options);
   const auto* found = std::get_if<FoundDesign>(&outcome);
   if (found == nullptr) {
     const auto* none = std::get_if<NoDesign>(&outcome);
-    line["status"] = "no design";
-    line["message"] = none != nullptr ? none->sentence : "stopped";
-    line["proven"] = none != nullptr && none->proven;
+    line["status"] = none != nullptr ? "no design" : "stopped";
+    line["message"] =
+        none != nullptr ? none->sentence : "stopped before a design was found or proven impossible";
+    if (none != nullptr) line["proven"] = none->proven;
     return line_of(line);
   }
   MapOptions map;
   map.largest_sheets = false;  // not among the figures of a batch
+  map.stop = given.stop;
   Design design = assemble_design(*spec, *found, map);
   design.verification = verify(verification_task(design));
   if (!design.map.coverage.covered) {

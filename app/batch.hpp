@@ -2,11 +2,13 @@
 // Many specs in one run: resumable, on several threads, on several machines.
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
 #include "app/command.hpp"
+#include "synthesis/search.hpp"
 
 namespace kempe::app {
 
@@ -15,6 +17,7 @@ struct BatchArguments {
   std::string folder;  ///< results.jsonl, results.csv and the journals go here
   int jobs = 1;        ///< threads
   std::uint64_t seed = 1;
+  double time_limit = std::numeric_limits<double>::infinity();  ///< s, of each spec
 };
 
 struct BatchTask {
@@ -27,9 +30,10 @@ struct BatchTask {
 /// The tasks of a source, in the order of their names or lines.
 tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& source);
 
-/// One line of JSON: name, status ("design", "no design", "bad input", "verification failed"), and for a design its
-/// figures. Depends on the task and the seed alone.
-std::string batch_result(const BatchTask& task, std::uint64_t seed);
+/// One line of JSON: name, status ("design", "no design", "stopped", "bad input", "verification failed"), and for a design
+/// its figures. Depends on the task and the seed alone, unless the options' time limit or flag stops the search: then a
+/// design has `complete` false, and without one the status is "stopped".
+std::string batch_result(const BatchTask& task, const SearchOptions& options);
 
 /// Runs what is not yet in the folder's journals, then writes results.jsonl and results.csv in the order of the tasks:
 /// the same bytes for any number of threads and processes.

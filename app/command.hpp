@@ -17,6 +17,7 @@ enum ExitCode : int {
   no_design = 3,
   verification_failed = 4,
   cannot_write = 5,
+  stopped = 6,  ///< by a limit of time or work, before an answer
   interrupted = 130
 };
 

@@ -84,6 +84,12 @@ std::string layers_line(const Design& design) {
   return text;
 }
 
+/// Obstacles that the search could leave out.
+std::string reach_line(std::size_t out_of_reach) {
+  if (out_of_reach == 0) return "";
+  return fmt::format("obstacles    {} out of reach of any permitted instrument\n", out_of_reach);
+}
+
 std::string bound_line(const Design& design) {
   if (!design.quality.lower_bound || !design.search) return "";
   const bool angle = design.search->objective == Objective::transmission;
@@ -157,7 +163,8 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
   text += fmt::format("pole         ({:.{}f}, {:.{}f}) mm\n", pole.x(), decimals, pole.y(), decimals);
   text += "lengths\n" + lengths_table(design) + layers_line(design);
-  if (design.search) text += objective_line(*design.search, decimals);
+  if (design.search)
+    text += reach_line(design.search->obstacles_out_of_reach.size()) + objective_line(*design.search, decimals);
   text += bound_line(design);
   text += fmt::format("size         {:.{}f} mm\n", q.size, decimals);
   text +=
@@ -169,6 +176,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   if (q.copy_error_worst)
     text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n",
                         *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+  if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);
   text += tool_line(design.tool);
   text += fmt::format(
@@ -213,13 +221,15 @@ std::string limit_word(const Relaxation& relaxation) {
 int tell_no_design(const Session& session, const NoDesign& none) {
   std::string message = "no design exists: " + none.sentence + "\n";
   if (none.proven) message += "  proven, not only searched\n";
+  if (!none.diagnosed) message += "  stopped before every limit had been moved\n";
+  if (!none.obstacles_out_of_reach.empty()) message += "  " + reach_line(none.obstacles_out_of_reach.size());
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
   message.pop_back();
   if (session.json) {
-    nlohmann::ordered_json object{{"error", "no design exists"},
-                                  {"requirement", none.requirement},
-                                  {"sentence", none.sentence},
-                                  {"proven", none.proven}};
+    nlohmann::ordered_json object{
+        {"error", "no design exists"}, {"requirement", none.requirement},
+        {"sentence", none.sentence},   {"proven", none.proven},
+        {"diagnosed", none.diagnosed}, {"obstacles_out_of_reach", none.obstacles_out_of_reach}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
       object["relaxations"].push_back({{"limit", limit_word(relaxation)},
@@ -228,7 +238,7 @@ int tell_no_design(const Session& session, const NoDesign& none) {
                                        {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
                                        {"VA_mm", relaxation.design.linkage.VA()},
                                        {"VB_mm", relaxation.design.linkage.VB()}});
-    print(object.dump(1) + "\n");
+    print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   return fail(no_design, message);
 }

@@ -9,9 +9,9 @@
 
 #include "app/all_commands.hpp"
 #include "app/design_run.hpp"
-#include "app/interrupt.hpp"
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
+#include "app/stopping.hpp"
 #include "reports/design_json.hpp"
 #include "reports/design_package.hpp"
 #include "specs/printable.hpp"
@@ -28,6 +28,7 @@ struct ParetoArguments {
   int points = 15;
   std::uint64_t seed = 1;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  double time_limit = Stopping::unlimited;
 };
 
 constexpr std::array objectives{Objective::size, Objective::transmission, Objective::copy_error,
@@ -105,19 +106,21 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if ((*first == Objective::copy_error || *second == Objective::copy_error) && !loaded->spec.tolerance)
     return fail({loaded->file, 0, "tolerance", "no such table",
                  "[tolerance] with length_mm and play_mm, for copy_error"});
-  const Interrupt interrupt;
+  const Stopping stopping(arguments.time_limit);
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {
     Progress progress(session.quiet);
     SearchOptions options;
     options.seed = arguments.seed;
     options.threads = arguments.threads;
-    options.stop = &interrupt.requested();
+    options.stop = stopping.flag();
     options.progress = [&](double share, std::string_view what) { progress.show(share, what); };
     front = pareto_front(loaded->spec, *first, *second, arguments.points, options);
   }
-  if (interrupt.requested()) return fail(interrupted, "stopped; nothing is written");
+  const bool complete = !stopping.flag()();
   if (!front) return tell_no_design(session, front.error());
+  if (front->empty() && !complete)
+    return tell_stopped(session, stopping, "before a point of the front was found; nothing is written");
   if (front->empty()) return fail(no_design, "no design was found");
   const auto files = files_of(*front, *loaded, *first, *second);
   if (!files) return fail(verification_failed, files.error());
@@ -126,10 +129,13 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (const auto clash = output_clash(loaded->inputs(), arguments.folder, names)) return fail(*clash);
   if (const auto written = write_whole(arguments.folder, files->files); !written)
     return fail(cannot_write, written.error());
-  nlohmann::ordered_json object{{"points", front->size()}, {"folder", arguments.folder}};
-  print(session.json ? object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                     : files->csv + fmt::format("written {}\n", printable(arguments.folder)));
-  return done;
+  nlohmann::ordered_json object{
+      {"points", front->size()}, {"folder", arguments.folder}, {"complete", complete}};
+  print(session.json
+            ? object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+            : files->csv + fmt::format("{}written {}\n", complete ? "" : "STOPPED EARLY: the front so far\n",
+                                       printable(arguments.folder)));
+  return stopping.interrupted() ? interrupted : done;
 }
 
 }  // namespace
@@ -150,6 +156,8 @@ void add_pareto_command(CLI::App& program, Session& session) {
   command->add_option("--seed", arguments->seed, "Same seed, same front")->capture_default_str();
   command->add_option("-j,--threads", arguments->threads, "The front does not depend on it")
       ->check(CLI::Range(1, 256));
+  add_time_limit(*command, arguments->time_limit,
+                 "Seconds; then the points found so far, or exit code 6 without any");
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

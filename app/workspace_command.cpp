@@ -7,6 +7,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/design_run.hpp"
+#include "app/stopping.hpp"
 #include "specs/region_checks.hpp"
 #include "synthesis/assemble.hpp"
 #include "synthesis/diagnosis.hpp"
@@ -18,6 +19,7 @@ struct WorkspaceArguments {
   std::string spec_file, folder;
   std::vector<double> why;  // x, y
   double map_tolerance = MapOptions{}.map_tolerance;
+  double time_limit = Stopping::unlimited;
 };
 
 InputError no_mechanism(const std::string& file) {
@@ -56,15 +58,18 @@ int tell_why(const Session& session, const Design& design, const Point& tracer) 
 }
 
 int run(const Session& session, const WorkspaceArguments& arguments) {
+  const Stopping stopping(arguments.time_limit);
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(loaded.error());
   const auto linkage = linkage_of(*loaded);
   if (!linkage) return fail(linkage.error());
   if (const auto none = plainly_impossible(loaded->spec); none && none->requirement == "obstacles")
     return tell_no_design(session, *none);
-  Design design = assemble_given(loaded->spec, *linkage, {.map_tolerance = arguments.map_tolerance});
+  Design design = assemble_given(loaded->spec, *linkage,
+                                 {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});
   if (!arguments.why.empty()) return tell_why(session, design, {arguments.why[0], arguments.why[1]});
-  return verify_write_and_tell(session, design, *loaded, arguments.folder);
+  const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
+  return code == done && stopping.interrupted() ? interrupted : code;
 }
 
 }  // namespace
@@ -84,6 +89,7 @@ void add_workspace_command(CLI::App& program, Session& session) {
   command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
       ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
+  add_time_limit(*command, arguments->time_limit, "Seconds; then the map as fine as it is, marked as such");
   command->callback([&session, arguments, folder, why] {
     if (folder->empty() && why->empty()) throw CLI::RequiredError("--output or --why");
     session.chosen = [&session, arguments] { return run(session, *arguments); };

@@ -102,16 +102,18 @@ Json workspace_json(const WorkspaceMap& map) {
     sheets.push_back(sheet_json(sheet));
     if (largest == nullptr || sheet.width * sheet.height > largest->width * largest->height) largest = &sheet;
   }
-  return {{"reachable_mm2", area(map.reachable)},
-          {"usable_mm2", area(map.usable)},
-          {"collision_free_mm2", area(map.collision_free)},
-          {"uncertain_mm2", area(map.uncertain)},
-          {"region_covered", map.coverage.covered},
-          {"why_not_covered", map.coverage.why_not},
-          {"largest_sheet", largest != nullptr ? sheet_json(*largest) : Json::object()},
-          {"sheets", std::move(sheets)},
-          {"tightest_parts", map.clearance_min_parts},
-          {"map_tolerance", map.map_tolerance}};
+  Json json{{"reachable_mm2", area(map.reachable)},
+            {"usable_mm2", area(map.usable)},
+            {"collision_free_mm2", area(map.collision_free)},
+            {"uncertain_mm2", area(map.uncertain)},
+            {"region_covered", map.coverage.covered},
+            {"why_not_covered", map.coverage.why_not},
+            {"largest_sheet", largest != nullptr ? sheet_json(*largest) : Json::object()},
+            {"sheets", std::move(sheets)},
+            {"tightest_parts", map.clearance_min_parts},
+            {"map_tolerance", map.map_tolerance}};
+  if (!map.complete) json["complete"] = false;
+  return json;
 }
 
 Json verification_json(const Verification& verification) {
@@ -135,12 +137,15 @@ Json search_json(const std::optional<SearchRecord>& search) {
             {"solvers", Json::array()},
             {"evaluations", 0},
             {"seed", 0}};
-  return {{"objective", name(search->objective)},
-          {"value", in_file_unit(search->value, search)},
-          {"solvers", search->solvers},
-          {"evaluations", search->evaluations},
-          {"seed", search->seed},
-          {"complete", search->complete}};
+  Json json{{"objective", name(search->objective)},
+            {"value", in_file_unit(search->value, search)},
+            {"solvers", search->solvers},
+            {"evaluations", search->evaluations},
+            {"seed", search->seed},
+            {"complete", search->complete}};
+  if (!search->obstacles_out_of_reach.empty())
+    json["obstacles_out_of_reach"] = search->obstacles_out_of_reach;
+  return json;
 }
 
 Json limits_json(const Limits& limits) {

@@ -383,6 +383,20 @@ std::string Picture::joint_labels(LabelPlacer& placer) const {
   return group("names", svg);
 }
 
+/// More names than this would hide the picture, and each has to find a place clear of all others.
+constexpr std::size_t most_named = 60;
+
+/// The obstacles that are among the `most` nearest to the pole.
+std::vector<bool> nearest_obstacles(const Design& design, std::size_t most) {
+  std::vector<std::pair<double, std::size_t>> all;
+  for (std::size_t i = 0; i < design.obstacles.size(); ++i)
+    all.emplace_back((design.obstacles[i].shape.outer.front() - design.linkage.pole()).norm(), i);
+  std::sort(all.begin(), all.end());
+  std::vector<bool> is_near(all.size(), false);
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) is_near[all[i].second] = true;
+  return is_near;
+}
+
 std::string Picture::labels() const {
   const double u = view_.unit;
   LabelPlacer placer(drawing_, u);
@@ -392,8 +406,10 @@ std::string Picture::labels() const {
       placer.avoid(pose_[line[i - 1]], pose_[line[i]], drawn_width(design_.style, u) / 2);
   }
   constexpr std::size_t corners_looked_at = 60;
-  for (const Obstacle& obstacle : design_.obstacles) {
-    const Ring& ring = obstacle.shape.outer;
+  const std::vector<bool> is_near = nearest_obstacles(design_, most_named);
+  for (std::size_t number = 0; number < design_.obstacles.size(); ++number) {
+    const Ring& ring = design_.obstacles[number].shape.outer;
+    if (!is_near[number]) continue;
     for (std::size_t i = 0; i < ring.size() && ring.size() <= corners_looked_at; ++i)
       placer.avoid(ring[i], ring[(i + 1) % ring.size()], 0);
   }
@@ -412,6 +428,7 @@ std::string Picture::labels() const {
   beside(design_.region, "region", "region");
   beside(copy_, "copy", "copy");
   for (std::size_t i = 0; i < design_.obstacles.size(); ++i) {
+    if (!is_near[i]) continue;
     const std::string words = called(design_.obstacles, i);
     // One table of the spec may hold several rings.
     if (i == 0 || called(design_.obstacles, i - 1) != words)

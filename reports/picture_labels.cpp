@@ -15,6 +15,12 @@ double distance_to_segment(const Point& at, const Point& from, const Point& to) 
   return (from + t * along - at).norm();
 }
 
+/// No more than the distance of any point of the box from the segment.
+double distance_of_boxes(const PictureBox& box, const Point& from, const Point& to) {
+  const Point below = from.cwiseMin(to) - box.upper(), above = box.lower() - from.cwiseMax(to);
+  return below.cwiseMax(above).cwiseMax(0.0).norm();
+}
+
 /// Free space between two boxes along the wider gap; negative if they overlap.
 double space_between(const PictureBox& a, const PictureBox& b) {
   const Point gap = (a.centre - b.centre).cwiseAbs() - a.half - b.half;
@@ -38,12 +44,14 @@ void LabelPlacer::avoid(const Point& from, const Point& to, double half_width) {
 
 double LabelPlacer::clearness(const PictureBox& label) const {
   double least = 12 * unit_;  // further away is not better
-  for (const Line& line : lines_)
+  for (const Line& line : lines_) {
+    if (distance_of_boxes(label, line.from, line.to) - line.half_width >= least) continue;
     for (const double x : across)
       for (const double y : upward) {
         const Point at = label.centre + label.half.cwiseProduct(Point(x, y));
         least = std::min(least, distance_to_segment(at, line.from, line.to) - line.half_width);
       }
+  }
   // Words over words or outside the picture cannot be read at all; words over a line can.
   for (const PictureBox& box : boxes_)
     if (const double space = space_between(label, box); space < 2 * unit_)

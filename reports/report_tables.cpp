@@ -170,6 +170,20 @@ std::string verification(const Design& design) {
                       html_table("explained", {{"Check"}, {"Found", true}, {"What it says"}}, rows));
 }
 
+namespace {
+
+/// All of a few names, or the first of many.
+std::string names_text(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 200;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i > 0 ? ", " : "") + html_escaped(names[i]);
+  if (names.size() > most) text += fmt::format(" and {} more, which design.json names", names.size() - most);
+  return text;
+}
+
+}  // namespace
+
 std::string search(const Design& design) {
   if (!design.search) return {};
   const SearchRecord& s = *design.search;
@@ -181,6 +195,10 @@ std::string search(const Design& design) {
                              : "The search was stopped early: a better design may exist."});
   rows.push_back({"Value reached", objective_value(s.objective, s.value),
                   "Computed anew at the design, not taken from a solver."});
+  if (!s.obstacles_out_of_reach.empty())
+    rows.push_back({"Obstacles out of reach", count_text(s.obstacles_out_of_reach.size()),
+                    "No permitted instrument can touch them, so the search left them out: " +
+                        names_text(s.obstacles_out_of_reach) + "."});
   rows.push_back({"Evaluations", count_text(s.evaluations), "Mechanisms tried."});
   rows.push_back({"Solvers", solvers, "In the order of use."});
   rows.push_back({"Seed", std::to_string(s.seed), "The same seed gives the same design."});

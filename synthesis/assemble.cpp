@@ -5,6 +5,7 @@
 
 #include "synthesis/copy_error.hpp"
 #include "synthesis/footprint.hpp"
+#include "synthesis/obstacle_reach.hpp"
 #include "workspace/layer_choice.hpp"
 #include "workspace/reach.hpp"
 
@@ -74,7 +75,8 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
 }
 
 /// Every assignment compared by its gap over the region, obstacles included.
-LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers) {
+LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers,
+                         const StopFlag& stop) {
   const MapTask task{.linkage = linkage,
                      .style = spec.links.style,
                      .layers = {},
@@ -83,7 +85,7 @@ LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int mo
                      .obstacles = spec.obstacles,
                      .region = spec.region,
                      .sheets_gap = spec.limits.sheets_gap};
-  return choose_layers(task, most_layers);
+  return choose_layers(task, most_layers, stop);
 }
 
 }  // namespace
@@ -106,14 +108,17 @@ MapTask map_task(const Design& design) {
 
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options) {
   Design design = assembled(spec, found.linkage, found.layers, options);
-  if (found.layers.highest() > 2)
-    design.why_not_fewer_layers = layer_choice(spec, found.linkage, found.layers.highest()).why_not_fewer;
+  if (found.layers.highest() > 2 && !options.stop()) {
+    LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
+    if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
+  }
   design.search = SearchRecord{.objective = objective_of(found.goal).value_or(spec.objective.objective),
                                .value = found.value,
                                .solvers = found.solvers,
                                .evaluations = found.evaluations,
                                .seed = found.seed,
-                               .complete = found.complete};
+                               .complete = found.complete,
+                               .obstacles_out_of_reach = names_out_of_reach(spec)};
   design.quality.lower_bound = found.lower_bound;
   design.allowed = allowed_by(spec);
   return design;
@@ -122,7 +127,7 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
 Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
   if (spec.mechanism && spec.mechanism->layers)
     return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options);
-  const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers);
+  const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
   Design design = assembled(spec, linkage, choice.best, options);
   design.why_not_fewer_layers = choice.why_not_fewer;
   return design;

@@ -40,12 +40,13 @@ struct Start {
 
 /// The lattice points of the unit square of lengths, seen from one pole, that are no worse than their
 /// neighbours.
-void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lattice,
+void add_lattice_minima(const DesignProblem& problem, const Point& pole, int lattice, const StopFlag& stop,
                         std::vector<Start>& starts) {
   std::vector<Start> seen;
   const double last = std::max(1, lattice - 1);
   for (int i = 0; i < lattice; ++i)
     for (int j = 0; j < lattice; ++j) {
+      if (stop()) return;
       const DesignPoint point{problem.unit_lengths(pole, i / last, j / last), pole};
       seen.push_back({{i / last, j / last}, pole, merit_at(problem, point)});
     }
@@ -141,7 +142,7 @@ ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, con
     x = local.x;
     if (!problem.add_violated(rows, x, row_tolerance)) break;
   }
-  const DesignVector polished = newton_polish(problem.program(rows), x);
+  const DesignVector polished = stop() ? x : newton_polish(problem.program(rows), x);
   ChoiceResult best = judged(problem, problem.point_of(x));
   for (const DesignPoint& point :
        {problem.point_of(polished), rounded(problem, problem.point_of(polished))}) {
@@ -210,7 +211,7 @@ std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& 
   const bool locked = problem.lengths_are_locked();
   const int lattice = locked ? 1 : options.lattice;
   const std::vector<Point> poles = problem.start_poles(options.poles);
-  for (const Point& pole : poles) add_lattice_minima(problem, pole, lattice, starts);
+  for (const Point& pole : poles) add_lattice_minima(problem, pole, lattice, options.stop, starts);
   evaluations += poles.size() * static_cast<std::size_t>(lattice * lattice);
   const auto merit = [&](std::span<const double> z) { return merit_at(problem, problem.unit_point(z)); };
   const std::vector<Explored> seen =
@@ -240,8 +241,11 @@ ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& op
     evaluations += found.evaluations;
     if (better(found, best)) best = found;
   };
-  for (const DesignPoint& hint : options.hints) try_from(hint);
-  if (!is_done(best, options)) {
+  for (const DesignPoint& hint : options.hints) {
+    if (options.stop()) break;
+    try_from(hint);
+  }
+  if (!is_done(best, options) && !options.stop()) {
     int tried = 0;
     for (const Start& start : starts_of(problem, options, evaluations)) {
       if (options.stop() || (best.feasible && (tried >= options.starts || is_done(best, options)))) break;

@@ -52,6 +52,8 @@ struct SearchRecord {
   std::uint64_t evaluations = 0;
   std::uint64_t seed = 0;
   bool complete = true;  ///< false if stopped early (time limit, Ctrl-C)
+  /// Names of the obstacles that no permitted instrument can touch: the search left them out (obstacle_reach.hpp).
+  std::vector<std::string> obstacles_out_of_reach{};
 };
 
 /// The ratio that the spec wants where the workshop's lengths do not allow it.

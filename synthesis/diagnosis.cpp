@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "synthesis/obstacle_reach.hpp"
+
 namespace kempe {
 namespace {
 
@@ -107,9 +109,10 @@ std::string sentence_of(const Movable& limit, double demanded, double possible) 
 SearchResult best_attained(const SearchRun& run, const Requirements& limits, const Movable& limit,
                            double demanded) {
   SearchResult best = run.best(moved(limits, limit.goal, limit.loosest), limit.goal);
-  for (int rounds = 0; best.design && rounds < most_rounds; ++rounds) {
+  for (int rounds = 0; best.design && rounds < most_rounds && !run.stop()(); ++rounds) {
     bool nearer = false;
     for (const double share : {0.5, 0.9, 0.98}) {
+      if (run.stop()()) break;
       const double attained = best.design->attained.of(limit.goal);
       const Requirements narrowed = moved(limits, limit.goal, demanded + share * (attained - demanded));
       SearchResult found = run.best(narrowed, goal_of(run.spec().objective.objective));
@@ -132,7 +135,7 @@ SearchResult best_attained(const SearchRun& run, const Requirements& limits, con
 std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements& limits,
                                         const Movable& limit, std::uint64_t& evaluations) {
   const auto demanded = value_of(limits, run.spec(), limit.goal);
-  if (!demanded) return std::nullopt;
+  if (!demanded || run.stop()()) return std::nullopt;
   const SearchResult widest = best_attained(run, limits, limit, *demanded);
   evaluations += widest.evaluations;
   if (!widest.design) return std::nullopt;
@@ -218,9 +221,10 @@ constexpr std::size_t most_single_obstacles = 12;
 std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirements& limits,
                                             const std::vector<Obstacle>& left, const std::string& gone,
                                             std::uint64_t& evaluations) {
+  if (run.stop()()) return std::nullopt;
   Spec spec = run.spec();
   spec.obstacles = left;
-  SearchOptions options = run.options_from_now();
+  SearchOptions options = run.options_of_part();
   options.progress = nullptr;
   const SearchResult found = SearchRun(spec, options).best(limits, goal_of(spec.objective.objective));
   evaluations += found.evaluations;
@@ -237,7 +241,7 @@ std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirem
 
 std::vector<Relaxation> obstacle_relaxations(const SearchRun& run, const Requirements& limits,
                                              std::uint64_t& evaluations) {
-  const std::vector<Obstacle>& all = run.spec().obstacles;
+  const std::vector<Obstacle>& all = run.space().spec().obstacles;  // no other is in the way
   if (all.empty()) return {};
   const auto none_left =
       without_obstacles(run, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
@@ -326,6 +330,7 @@ NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
                 .sentence = "no design keeps all limits",
                 .relaxations = {},
                 .proven = nothing.proven_none,
+                .obstacles_out_of_reach = names_out_of_reach(run.spec()),
                 .evaluations = nothing.evaluations};
   if (!run.options().diagnose) return none;
   const Requirements limits = requirements_of(run.spec());
@@ -336,10 +341,12 @@ NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
     none.relaxations.push_back(*std::move(relaxation));
   for (Relaxation& relaxation : obstacle_relaxations(run, limits, none.evaluations))
     none.relaxations.push_back(std::move(relaxation));
+  none.diagnosed = !run.stop()();
   std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
                    [](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
   if (none.relaxations.empty()) {
-    none.sentence += ", and no limit moved alone makes one possible";
+    none.sentence += none.diagnosed ? ", and no limit moved alone makes one possible"
+                                    : "; stopped before it was known which limit would have to give";
   } else {
     none.sentence = none.relaxations.front().sentence;
     none.requirement = none.relaxations.front().key;

@@ -81,9 +81,10 @@ class Tree {
     least_radius_ = options.self_contact ? between_posts / std::min({1.0, k, third}) * (1 - 1e-12) : 0;
   }
 
-  ProvenBound grow() {
-    plant();
-    while (!open_.empty() && boxes_ < options_.boxes && open_.top().bound < enough()) {
+  /// Nothing if it was stopped before every grounding was looked at: then nothing is proven of the others.
+  std::optional<ProvenBound> grow() {
+    if (!plant()) return std::nullopt;
+    while (!open_.empty() && boxes_ < options_.boxes && open_.top().bound < enough() && !options_.stop()) {
       Node node = open_.top();
       open_.pop();
       if (options_.self_contact && !rule_out_layers(node)) continue;
@@ -106,7 +107,8 @@ class Tree {
     return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_);
   }
 
-  void plant() {
+  /// The roots of all groundings and assemblies; false if it was stopped on the way.
+  bool plant() {
     Range x, y;
     if (area_) {
       x = {area_->box().lower.x(), area_->box().upper.x()};
@@ -124,6 +126,7 @@ class Tree {
                                   sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{});
       const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
       for (std::size_t number = 0; number < count; ++number) {
+        if (options_.stop()) return false;
         branches_.push_back(
             bounding::make_branch(spec_, vertex, static_cast<int>(number), layers, options_.shortest));
         if (sees_obstacles()) add_obstacle_test(branches_.back());
@@ -139,6 +142,7 @@ class Tree {
         if (measure_pole(root)) grow_from(root);
       }
     }
+    return true;
   }
 
   /// Distances over the pole's places; false if the pole cannot stand in the box.
@@ -199,7 +203,8 @@ class Tree {
   void add_obstacle_test(const Branch& branch) {
     std::vector<LayerAssignment> layers;
     for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
-    obstacle_tests_.push_back(std::make_unique<bounding::ObstacleTest>(spec_, branch.assembly, layers));
+    obstacle_tests_.push_back(
+        std::make_unique<bounding::ObstacleTest>(spec_, branch.assembly, layers, options_.stop));
   }
 
   /// Drops layer assignments in which every design of the box has a part in an obstacle; false if none is left.
@@ -262,6 +267,7 @@ class Tree {
     std::vector<bool> looked_at(branch.layers.size(), false);
     for (std::size_t i = 0; i < branch.layers.size(); ++i) {
       if (!node.alive.has(i) || looked_at[branch.layers[i].like]) continue;
+      if (options_.stop()) break;
       looked_at[branch.layers[i].like] = true;
       ++boxes_;
       const Tightest tightest =
@@ -301,6 +307,7 @@ class Tree {
     for (const double t :
          {lengths.t.lower, lengths.t.upper, std::clamp(1.0, lengths.t.lower, lengths.t.upper), middle}) {
       LengthBox line{{t, t}, lengths.w};
+      if (options_.stop()) return;
       if (!bounding::contract(a, exact, transmission(), line)) continue;
       if (!by_size_) try_freest(node, exact, line, range);
       try_design(node, t, std::min(line.w.lower * (1 + 1e-12), line.w.upper), range);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "specs/spec.hpp"
 #include "workspace/parts.hpp"
 
@@ -31,6 +32,8 @@ struct BoundOptions {
   bool self_contact = true;
   /// Least distance of two joints of a link, mm, instead of the spec's least_joint_distance().
   std::optional<double> shortest = std::nullopt;
+  /// Ends the tree early: what is proven so far comes back, as when the boxes run out.
+  StopFlag stop{};
 };
 
 /// A design that keeps all limits looked at: a start for the search, and mostly its result.
@@ -69,8 +72,8 @@ struct ProvenBound {
 /// Where a search may start: the design and the promising places of a bound.
 std::vector<RelaxedDesign> starts_of(const ProvenBound& bound);
 
-/// The bound for the spec's objective; nothing for objectives other than size and transmission.
-/// Deterministic. Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio
+/// The bound for the spec's objective; nothing for objectives other than size and transmission, or if it was stopped
+/// before every grounding had been looked at. Deterministic unless stopped. Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio
 /// k (transmission: >=).
 std::optional<ProvenBound> lower_bound(const Spec& spec, const BoundOptions& options = {});
 

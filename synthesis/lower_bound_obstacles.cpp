@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace kempe::bounding {
 namespace {
@@ -16,15 +19,11 @@ constexpr double slack = 1e-11;
 
 double mean(double t) { return 0.5 * (t + 1 / t); }
 
-bool same(const ObstacleTerm& one, const ObstacleTerm& other) {
-  if (one.obstacle != other.obstacle || one.piece.half_width != other.piece.half_width ||
-      one.piece.hull.count != other.piece.hull.count)
-    return false;
-  for (int i = 0; i < one.piece.hull.count; ++i)
-    if (one.piece.hull.joints[static_cast<std::size_t>(i)] !=
-        other.piece.hull.joints[static_cast<std::size_t>(i)])
-      return false;
-  return true;
+/// Equal for terms that ask the same.
+using TermKey = std::tuple<std::size_t, double, std::vector<Joint>>;
+TermKey key_of(const ObstacleTerm& term) {
+  const JointHull& hull = term.piece.hull;
+  return {term.obstacle, term.piece.half_width, {hull.joints.begin(), hull.joints.begin() + hull.count}};
 }
 
 }  // namespace
@@ -36,18 +35,18 @@ struct ObstacleTest::Middle {
 };
 
 ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly,
-                           const std::vector<LayerAssignment>& layers)
+                           const std::vector<LayerAssignment>& layers, StopFlag stop)
     : assembly_(assembly), reach_(spec.copy.k, assembly.vertex, assembly.number),
       grounding_(grounding_of(assembly.vertex)), clearance_(spec.limits.clearance),
       shapes_(obstacle_shapes(spec.obstacles)), places_(tracer_places(spec.region, first_places)),
-      many_places_(tracer_places(spec.region, many_places)) {
+      many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
   const auto any = CopyingLinkage::make(spec.copy.k, assembly.vertex, 100, 100, assembly.number);
-  for (std::size_t i = 0; any && i < layers.size(); ++i)
+  std::map<TermKey, std::size_t> known;
+  for (std::size_t i = 0; any && i < layers.size() && !stop_(); ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec)) {
-      auto known =
-          std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) { return same(term.what, what); });
-      if (known == terms_.end()) known = terms_.insert(terms_.end(), Term{what});
-      known->layers.add(i);
+      const auto at = known.emplace(key_of(what), terms_.size()).first;
+      if (at->second == terms_.size()) terms_.push_back(Term{what});
+      terms_[at->second].layers.add(i);
     }
 }
 
@@ -116,7 +115,7 @@ LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, std::option
     }
   };
   if (hint) look_at(hint->place, hint->term, hint->term + 1);
-  for (std::size_t place = 0; !only_hint && place < places_.size() && !alive.empty(); ++place)
+  for (std::size_t place = 0; !only_hint && place < places_.size() && !alive.empty() && !stop_(); ++place)
     look_at(place, 0, terms_.size());
   if (next) hint = next;
   return alive;
@@ -125,6 +124,7 @@ LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, std::option
 bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers) {
   const LogLengths lengths{std::log(VA), std::log(VB)};
   const auto is_clear_at = [&](const Point& place) {
+    if (stop_()) return false;
     const PlacedJoints joints(reach_, grounding_, lengths, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
       return term.layers.has(layers) &&
@@ -134,7 +134,7 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
   if (!std::all_of(places_.begin(), places_.end(), is_clear_at)) return false;
   const auto hit = std::find_if_not(many_places_.begin(), many_places_.end(), is_clear_at);
   if (hit == many_places_.end()) return true;
-  if (places_.size() < most_places) places_.push_back(*hit);
+  if (!stop_() && places_.size() < most_places) places_.push_back(*hit);
   return false;
 }
 

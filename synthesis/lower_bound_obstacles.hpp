@@ -10,6 +10,7 @@
 
 #include <memory>
 
+#include "kinematics/stop_flag.hpp"
 #include "synthesis/layer_set.hpp"
 #include "synthesis/lower_bound_box.hpp"
 #include "synthesis/obstacle_gap.hpp"
@@ -31,8 +32,9 @@ struct Hit {
 /// The obstacles of a spec, seen by one grounding and assembly.
 class ObstacleTest {
  public:
-  /// Assignments are known by their place in `layers`.
-  ObstacleTest(const Spec& spec, const Assembly& assembly, const std::vector<LayerAssignment>& layers);
+  /// Assignments are known by their place in `layers`. Once `stop` is set, no more is ruled out and no design is found clear.
+  ObstacleTest(const Spec& spec, const Assembly& assembly, const std::vector<LayerAssignment>& layers,
+               StopFlag stop = {});
 
   /// The assignments of `alive` in which no obstacle is surely hit. `hint`: a hit of the box this one was split from; set to
   /// the one that came nearest to certain. With `only_hint` nothing else is looked at.
@@ -60,6 +62,7 @@ class ObstacleTest {
   std::vector<Point> places_;       ///< looked at in every box
   std::vector<Point> many_places_;  ///< looked at for single designs
   std::vector<Term> terms_;
+  StopFlag stop_;
 };
 
 }  // namespace kempe::bounding

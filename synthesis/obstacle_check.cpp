@@ -7,7 +7,8 @@
 namespace kempe {
 
 ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
-                              const LayerAssignment& layers, const OpeningInterval& certified_opening) {
+                              const LayerAssignment& layers, const OpeningInterval& certified_opening,
+                              const StopFlag& stop) {
   const MapTask task{.linkage = linkage,
                      .style = spec.links.style,
                      .layers = layers,
@@ -18,7 +19,7 @@ ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, cons
                      .sheets_gap = std::nullopt};
   if (obstacle_at_pole(task)) return {};
   ObstacleCheck check;
-  if (const auto figure = smallest_clearance(task)) {
+  if (const auto figure = smallest_clearance(task, stop)) {
     check.clearance = figure->gap;
     if (figure->gap < limits.clearance) {
       check.witness = figure->at;
@@ -30,7 +31,7 @@ ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, cons
   std::vector<Subdivision> charts;
   charts.emplace_back(scene, region, AngleGrid(linkage, certified_opening), limits.clearance,
                       SubdivisionMode{.region_only = true});
-  const Coverage coverage = coverage_of(task, charts, region);
+  const Coverage coverage = coverage_of(task, charts, region, stop);
   check.clear = coverage.covered;
   check.witness = coverage.witness;
   return check;

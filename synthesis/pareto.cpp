@@ -74,11 +74,12 @@ Front front_here(const Spec& spec, Objective a, Objective b, int points, const S
   };
   const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };
   const SearchResult first = run.best(limits, goal_of(limited_one));
+  if (!first.design && first.stopped && !first.proven_none) return found;
   if (!first.design) return tl::unexpected(diagnose(run, first));
   const double from = value_of(spec, *first.design, limited_one);
   add(run.best(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other)));
   if (found.empty()) add(first);
-  if (!add(run.best(limits, goal_of(other)))) return found;
+  if (run.stop()() || !add(run.best(limits, goal_of(other)))) return found;
   const double to = limited_value(found.back());
   const int steps = std::max(2, points) - 1;
   for (int i = 1; i < steps && !run.stop()(); ++i) {

@@ -22,7 +22,7 @@ bool has_workshop_lengths(const Spec& spec) {
 template <typename Enough>
 SearchResult searched_again(const SearchRun& run, SearchResult found, Goal goal, const Enough& is_enough) {
   for (int i = 1; i <= more_searches && !run.stop()() && !is_enough(found); ++i) {
-    SearchOptions options = run.options_from_now();
+    SearchOptions options = run.options_of_part();
     options.seed += static_cast<std::uint64_t>(i);
     const SearchResult again = SearchRun(run.spec(), options).best(requirements_of(run.spec()), goal);
     found.evaluations += again.evaluations;
@@ -34,12 +34,21 @@ SearchResult searched_again(const SearchRun& run, SearchResult found, Goal goal,
   return found;
 }
 
+/// A stopped search's design with the better of the bounds that it came to.
+SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBound>& last, Goal goal,
+                       SearchResult result) {
+  if (last && !last->no_design) bound = tighter_bound(goal, bound, last->value);
+  result.design->lower_bound = bound;
+  return result;
+}
+
 /// The proven bound, and the design improved where the bound's tree met a better one or the bound is far away.
 SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   const Spec& spec = run.spec();
   if (std::abs(result.design->linkage.k() - spec.copy.k) > 1e-12 * std::abs(spec.copy.k))
     return result;  // the bound is one of designs with the exact ratio
-  const auto bound = lower_bound(spec, {.incumbent = result.design->value});
+  const auto bound = lower_bound(run.space().spec(), {.incumbent = result.design->value, .stop = run.stop()});
+  if (run.stop()()) return told_with(result.bound, bound, goal, std::move(result));
   if (!bound || bound->no_design) return result;
   const auto is_near = [&](const SearchResult& found) {
     return std::abs(found.design->value - bound->value) <= unproven_share * std::abs(bound->value);
@@ -58,6 +67,7 @@ SearchOutcome synthesize_here(const Spec& spec, const SearchOptions& options) {
   const SearchRun run(spec, options);
   const Goal goal = goal_of(spec.objective.objective);
   SearchResult result = run.best(requirements_of(spec), goal);
+  const std::optional<double> bound = has_workshop_lengths(spec) ? std::nullopt : result.bound;
   if (!result.design && !result.proven_none)
     result = searched_again(run, std::move(result), goal,
                             [](const SearchResult& found) { return found.design.has_value(); });
@@ -65,10 +75,10 @@ SearchOutcome synthesize_here(const Spec& spec, const SearchOptions& options) {
     const bool complete = result.design->complete;
     result = with_bound(run, std::move(result), goal);
     result.design->evaluations = result.evaluations;
-    result.design->complete = complete;
+    result.design->complete = complete && !run.stop()();
     return *std::move(result.design);
   }
-  if (result.stopped) return Stopped{result.evaluations};
+  if (result.stopped && !result.proven_none) return Stopped{result.evaluations, bound};
   return diagnose(run, result);
 }
 

@@ -1,22 +1,24 @@
 #pragma once
 // The search: from a spec to the best design that keeps every limit, or to the reason why there is none.
 
-#include <atomic>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "synthesis/requirements.hpp"
 
 namespace kempe {
 
 struct SearchOptions {
   std::uint64_t seed = 1;
-  int threads = 1;                          ///< >= 1; the result does not depend on it
-  double time_limit = 1e9;                  ///< s of wall clock, > 0; at its end the best so far comes back
-  const std::atomic<bool>* stop = nullptr;  ///< set: the same at once
+  int threads = 1;  ///< >= 1; the result does not depend on it
+  /// s of wall clock, > 0; at its end the best so far comes back
+  double time_limit = std::numeric_limits<double>::infinity();
+  StopFlag stop{};  ///< set: the same at once
   /// Share of the work done, 0..1, and what is being done; called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
   bool diagnose = true;  ///< look for the least relaxations where there is no design
@@ -53,12 +55,16 @@ struct NoDesign {
   std::vector<Relaxation> relaxations{};  ///< the least share first
   /// Plain, or proven by interval arithmetic (lower_bound.hpp); else a search found nothing.
   bool proven = false;
+  bool diagnosed = true;  ///< false: stopped before every limit had been moved
+  /// Names of the obstacles that no permitted instrument can touch.
+  std::vector<std::string> obstacles_out_of_reach{};
   std::uint64_t evaluations = 0;
 };
 
-/// The search was stopped before it found a design; nothing is known.
+/// The search was stopped before it found a design, or the proof that there is none: neither is known.
 struct Stopped {
   std::uint64_t evaluations = 0;
+  std::optional<double> lower_bound{};  ///< what no design can beat, mm or rad, as far as proven
 };
 
 using SearchOutcome = std::variant<FoundDesign, NoDesign, Stopped>;
@@ -67,7 +73,8 @@ using SearchOutcome = std::variant<FoundDesign, NoDesign, Stopped>;
 ///  1. a design returned keeps every limit of the spec, evaluated anew and its contact certified;
 ///  2. the same spec and seed give the same outcome, bit for bit, for any number of threads (unless stopped
 ///  early);
-///  3. what comes back after a stop is marked as incomplete.
+///  3. what comes back after a stop is marked as incomplete, and NoDesign comes back only where the whole search found
+///  nothing, or a proof did. Under a time limit a first design is sought before the best one.
 SearchOutcome synthesize(const Spec& spec, const SearchOptions& options);
 
 }  // namespace kempe

@@ -1,5 +1,7 @@
 #include "synthesis/search_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +15,7 @@
 #include "synthesis/last_digits.hpp"
 #include "synthesis/nlopt_backend.hpp"
 #include "synthesis/obstacle_check.hpp"
+#include "synthesis/obstacle_reach.hpp"
 #include "synthesis/parallel.hpp"
 #include "synthesis/workshop.hpp"
 
@@ -28,6 +31,9 @@ constexpr int promising = 5;
 constexpr int most_repairs = 12;
 /// Of the tree that looks for a proof or a start before the search: some tenths of a second at most.
 constexpr std::size_t boxes_of_proof = 20000;
+/// Of a time limit: when the proof must end, when the search for a first design must, and what the search with any lengths
+/// may take where the workshop dictates them.
+constexpr double share_of_proof = 0.2, share_of_first_design = 0.6, share_of_any_lengths = 0.4;
 
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
 std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
@@ -42,26 +48,13 @@ std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& ch
   return allowed;
 }
 
-/// The tree of the proven bound for other limits than the spec's: a proof that no design keeps them, or a design to start
-/// from. Nothing where the pole may leave its area, which the tree does not know.
-std::optional<ProvenBound> proven_bound(const Spec& spec, const Requirements& limits, Goal goal) {
-  if (goal == Goal::pole_margin || limits.pole_margin > 0) return std::nullopt;
-  Spec moved = spec;
+Spec with_limits(Spec moved, const Requirements& limits) {
   moved.limits.transmission = limits.transmission;
   moved.limits.clearance = limits.clearance;
   moved.limits.sheets_gap = limits.sheets_gap;
   moved.limits.copy_error = limits.copy_error;
   moved.links.longest = limits.longest;
-  const Objective objective = goal == Goal::transmission ? Objective::transmission : Objective::size;
-  const LowerBoundOptions options{.boxes = boxes_of_proof, .shortest = limits.shortest};
-  auto bound = lower_bound(moved, objective, options);
-  if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
-  // The bound holds without the least angle that designs keep; places to start from are those that keep it.
-  moved.limits.transmission = 1.001 * least_usable_angle;
-  const auto kept = lower_bound(moved, objective, options);
-  bound->design = kept ? kept->design : std::nullopt;
-  bound->promising = kept ? kept->promising : std::vector<RelaxedDesign>{};
-  return bound;
+  return moved;
 }
 
 void remember(std::vector<SearchTask>& tasks, const std::vector<RelaxedDesign>& known) {
@@ -97,18 +90,52 @@ bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
   return is_maximized(goal) ? a.value > b.value : a.value < b.value;
 }
 
-SearchRun::SearchRun(const Spec& spec, SearchOptions options)
-    : space_(spec), options_(std::move(options)), start_(std::chrono::steady_clock::now()),
-      choices_(choices_of(spec)) {
-  stop_ = [this] {
-    return (options_.stop && options_.stop->load(std::memory_order_relaxed)) ||
-           seconds_since(start_) > options_.time_limit;
-  };
+double tighter_bound(Goal goal, const std::optional<double>& one, double other) {
+  if (!one) return other;
+  return is_maximized(goal) ? std::min(*one, other) : std::max(*one, other);
 }
 
-SearchOptions SearchRun::options_from_now() const {
+namespace {
+
+/// `best` becomes `other` if that is better, or all there is.
+void keep_better(Goal goal, const std::optional<FoundDesign>& other, std::optional<FoundDesign>& best) {
+  if (other && (!best || is_better(goal, *other, *best))) best = other;
+}
+
+}  // namespace
+
+SearchRun::SearchRun(const Spec& spec, SearchOptions options)
+    : SearchRun(spec, std::move(options), requirements_of(spec)) {}
+
+SearchRun::SearchRun(const Spec& spec, SearchOptions options, const Requirements& widest)
+    : start_(std::chrono::steady_clock::now()), options_(std::move(options)), stop_(after_share(1)),
+      spec_(spec), widest_(widest), space_(with_obstacles_in_reach(spec, widest)),
+      choices_(choices_of(space_.spec())) {}
+
+bool SearchRun::has_time_limit() const { return std::isfinite(options_.time_limit); }
+
+/// Set by request, or when that share of the time limit is over.
+StopFlag SearchRun::after_share(double share) const {
+  if (!has_time_limit()) return options_.stop;
+  return [this, share] { return options_.stop() || seconds_since(start_) > share * options_.time_limit; };
+}
+
+bool SearchRun::reaches_farther(const Requirements& limits) const {
+  return space_.spec().obstacles.size() < spec_.obstacles.size() &&
+         (limits.longest > widest_.longest || limits.clearance > widest_.clearance ||
+          limits.pole_margin > widest_.pole_margin);
+}
+
+SearchOptions SearchRun::options_of_part() const {
   SearchOptions options = options_;
-  options.time_limit = std::max(0.0, options_.time_limit - seconds_since(start_));
+  options.stop = stop_;
+  options.time_limit = std::numeric_limits<double>::infinity();
+  return options;
+}
+
+SearchOptions SearchRun::part_of_time(double share) const {
+  SearchOptions options = options_;
+  options.time_limit = share * std::max(0.0, options_.time_limit - seconds_since(start_));
   return options;
 }
 
@@ -196,7 +223,8 @@ bool SearchRun::certify(SearchTask& task, const Requirements& limits) const {
       continue;
     }
     if (space_.obstacles().empty()) break;
-    const ObstacleCheck obstacles = check_obstacles(spec(), limits, *linkage, layers, check.opening);
+    const ObstacleCheck obstacles =
+        check_obstacles(space_.spec(), limits, *linkage, layers, check.opening, stop_);
     if (obstacles.clear) break;
     if (!obstacles.witness || repairs == most_repairs || stop_()) {
       task.result.feasible = false;
@@ -224,7 +252,7 @@ std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Re
   if (!space_.obstacles().empty())
     design.attained.clearance =
         std::min(design.attained.clearance,
-                 check_obstacles(spec(), limits, *linkage, layers, check.opening).clearance);
+                 check_obstacles(space_.spec(), limits, *linkage, layers, check.opening, stop_).clearance);
   design.value = design.attained.of(goal);
   design.opening = check.opening;
   design.seed = options_.seed;
@@ -235,6 +263,53 @@ std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Re
 
 void SearchRun::report(double share, std::string_view what) const {
   if (options_.progress) options_.progress(share, what);
+}
+
+/// The tree for these limits: a proof that no design keeps them, or a design to start from. Nothing where the pole may leave
+/// its area, which the tree does not know.
+std::optional<ProvenBound> SearchRun::proven_bound(const Requirements& limits, Goal goal,
+                                                   const StopFlag& stop) const {
+  if (goal == Goal::pole_margin || limits.pole_margin > 0) return std::nullopt;
+  const Objective objective = goal == Goal::transmission ? Objective::transmission : Objective::size;
+  const BoundOptions options{.boxes = boxes_of_proof, .shortest = limits.shortest, .stop = stop};
+  Spec moved = with_limits(space_.spec(), limits);
+  auto bound = lower_bound(moved, objective, options);
+  if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
+  // The bound holds without the least angle that designs keep; places to start from are those that keep it.
+  moved.limits.transmission = 1.001 * least_usable_angle;
+  const auto kept = lower_bound(moved, objective, options);
+  bound->design = kept ? kept->design : std::nullopt;
+  bound->promising = kept ? kept->promising : std::vector<RelaxedDesign>{};
+  return bound;
+}
+
+/// The first design that local searches from what is known without contact lead to.
+std::optional<FoundDesign> SearchRun::first_design(const Requirements& limits, Goal goal,
+                                                   const std::vector<RelaxedDesign>& known) const {
+  const StopFlag enough = after_share(share_of_first_design);
+  std::vector<SearchTask> tasks = relaxed_tasks(limits, goal == Goal::footprint ? Goal::size : goal, known);
+  for (SearchTask& task : tasks) {
+    if (task.relaxed.feasible) task.known.push_back(task.relaxed.point);
+    for (const DesignPoint& start : task.known) {
+      if (enough()) return std::nullopt;
+      task.result = refine(*task.problem, start, enough);
+      if (!certify(task, limits)) continue;
+      if (auto design = design_of(task, limits, goal)) return design;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Within a share of the time limit, the proof as far as it comes and a first design.
+SearchRun::FirstLook SearchRun::first_look(const Requirements& limits, Goal goal) const {
+  FirstLook look;
+  const StopFlag enough = after_share(share_of_proof);
+  look.proof = proven_bound(limits, goal, enough);
+  look.proof_is_whole = !enough();
+  if (look.proof && look.proof->no_design) return look;
+  look.design =
+      first_design(limits, goal, look.proof ? starts_of(*look.proof) : std::vector<RelaxedDesign>{});
+  return look;
 }
 
 void SearchRun::search_group(std::vector<SearchTask>& tasks, std::size_t first, std::size_t count,
@@ -252,14 +327,23 @@ void SearchRun::search_group(std::vector<SearchTask>& tasks, std::size_t first, 
   });
 }
 
-SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goal,
-                                            const std::vector<RelaxedDesign>& known) const {
-  SearchResult result;
+/// The tasks in the order of what they can be at best, with what is known.
+std::vector<SearchTask> SearchRun::relaxed_tasks(const Requirements& limits, Goal goal,
+                                                 const std::vector<RelaxedDesign>& known) const {
   std::vector<SearchTask> tasks = tasks_for(limits, goal);
   remember(tasks, known);
   relax(tasks, limits, goal);
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const SearchTask& a, const SearchTask& b) { return better(a.relaxed, b.relaxed); });
+  return tasks;
+}
+
+SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goal,
+                                            const std::vector<RelaxedDesign>& known) const {
+  if (goal == Goal::footprint) return best_footprint(limits, known);
+  SearchResult result;
+  std::vector<SearchTask> tasks = relaxed_tasks(limits, goal, known);
+  const std::size_t left_out = spec_.obstacles.size() - space_.obstacles().size();
   ChoiceResult best = no_result();
   SearchTask* chosen = nullptr;
   for (std::size_t first = 0; first < tasks.size() && !stop_(); first += group_size) {
@@ -268,11 +352,13 @@ SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goa
     for (std::size_t i = first; i < first + count; ++i)
       if (better(tasks[i].result, best) && certify(tasks[i], limits) && better(tasks[i].result, best))
         best = tasks[i].result, chosen = &tasks[i];
-    report(static_cast<double>(first + count) / static_cast<double>(tasks.size()), "searching");
+    report(
+        static_cast<double>(first + count) / static_cast<double>(tasks.size()),
+        left_out == 0 ? "searching" : fmt::format("searching; {} obstacles out of reach left out", left_out));
   }
   if (chosen) {
     const ChoiceResult first = chosen->result;
-    chosen->result = refine_further(*chosen->problem, first, stop_);
+    if (!stop_()) chosen->result = refine_further(*chosen->problem, first, stop_);
     if (!certify(*chosen, limits)) chosen->result = first;
     result.design = design_of(*chosen, limits, goal);
   }
@@ -288,11 +374,12 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
   std::vector<SearchTask> small = tasks_for(limits, Goal::size, true);
   remember(small, known);
   relax(small, limits, Goal::size);
-  run_parallel(small.size(), options_.threads,
-               [&](std::size_t i) { search_group(small, i, 1, no_result()); });
+  run_parallel(small.size(), options_.threads, [&](std::size_t i) {
+    if (!stop_()) search_group(small, i, 1, no_result());
+  });
   std::vector<SearchTask> tasks =
       tasks_for(limits, Goal::footprint);  // of the same choices in the same order
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
+  for (std::size_t i = 0; i < tasks.size() && !stop_(); ++i) {
     tasks[i].relaxed = small[i].result;
     tasks[i].relaxed.cost = tasks[i].problem->assess(small[i].result.point, 1).cost;
     result.evaluations += small[i].relaxed.evaluations + small[i].result.evaluations;
@@ -320,6 +407,7 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
       result.design = design;
   };
   for (SearchTask& task : tasks) {
+    if (stop_()) break;
     result.evaluations += task.result.evaluations;
     consider(task);
     task.result = task.relaxed;
@@ -349,10 +437,13 @@ DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is
 
 SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal,
                                   SearchResult found) const {
+  if (reaches_farther(limits))
+    return SearchRun(spec(), options_of_part(), limits).best_from(start, limits, goal, std::move(found));
   const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
   for (SearchTask& task : tasks_for(limits, goal)) {
     if (task.choice->choice.vertex != start.vertex || task.choice->choice.assembly != start.assembly)
       continue;
+    if (stop_()) break;
     task.result = refine(*task.problem, point, stop_);
     found.evaluations += task.result.evaluations;
     if (!certify(task, limits)) continue;
@@ -400,13 +491,25 @@ SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, Searc
 }
 
 SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
-  const auto proof = proven_bound(spec(), limits, goal);
+  if (reaches_farther(limits)) return SearchRun(spec(), options_of_part(), limits).best(limits, goal);
+  const bool has_workshop_lengths = spec().links.workshop.grid || !spec().links.workshop.stock.empty();
+  const FirstLook first = has_time_limit() && !has_workshop_lengths ? first_look(limits, goal) : FirstLook{};
+  const auto proof = first.proof_is_whole ? first.proof : proven_bound(limits, goal, stop_);
   if (proof && proof->no_design) return {.proven_none = true};
   const std::vector<RelaxedDesign> known = proof ? starts_of(*proof) : std::vector<RelaxedDesign>{};
-  SearchResult result =
-      goal == Goal::footprint ? best_footprint(limits, known) : best_of_any_lengths(limits, goal, known);
-  if (result.design && (spec().links.workshop.grid || !spec().links.workshop.stock.empty()))
+  SearchResult result = has_workshop_lengths && has_time_limit()
+                            ? SearchRun(spec(), part_of_time(share_of_any_lengths), limits)
+                                  .best_of_any_lengths(limits, goal, known)
+                            : best_of_any_lengths(limits, goal, known);
+  if (result.design && has_workshop_lengths) {
+    const bool stopped = result.stopped;
     result = best_with_workshop_lengths(*this, limits, goal, result);
+    result.stopped = result.stopped || stopped;
+  }
+  if (result.stopped) keep_better(goal, first.design, result.design);
+  if (goal == Goal::size || goal == Goal::transmission)
+    for (const auto& bound : {first.proof, proof})
+      if (bound) result.bound = tighter_bound(goal, result.bound, bound->value);
   if (result.design) {
     result.design->evaluations = result.evaluations;
     result.design->complete = !result.stopped;

@@ -10,6 +10,10 @@
 //      region (a place where it fails is added to the problem, which is solved again)
 //   6. the best by (feasible, cost, index)
 //
+// Obstacles that no permitted instrument can touch (obstacle_reach.hpp) are left out throughout. Under a time limit all this
+// comes after a first look: a share of the limit goes to a proof as far as it comes and to a first design, which are kept
+// for the case that the time runs out. Where it does not, the outcome is that without a limit.
+//
 // Groups have the same size whatever the number of threads, so what is left out does not depend on it.
 
 #include <chrono>
@@ -28,11 +32,15 @@ struct SearchResult {
   std::optional<FoundDesign> design{};
   bool stopped = false;      ///< by time or by request
   bool proven_none = false;  ///< interval arithmetic proves that no design keeps the limits
+  std::optional<double>
+      bound{};  ///< that no design with the exact ratio beats, of the goal; where one was proven
   std::uint64_t evaluations = 0;
 };
 
 /// True if a has the better value of the goal; both have been found for it.
 bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b);
+/// The one of two bounds that says more; `one` may be absent.
+double tighter_bound(Goal goal, const std::optional<double>& one, double other);
 
 /// A choice on its way through the search.
 struct SearchTask {
@@ -48,19 +56,22 @@ struct SearchTask {
 
 class SearchRun {
  public:
-  /// What the options refer to (the flag that stops) must outlive the run.
+  /// The spec, and what the options refer to, must outlive the run.
   SearchRun(const Spec& spec, SearchOptions options);
   SearchRun(const SearchRun&) = delete;
   SearchRun& operator=(const SearchRun&) = delete;
 
-  const Spec& spec() const { return space_.spec(); }
+  const Spec& spec() const { return spec_; }
+  /// Of the spec with the obstacles in reach alone.
   const SearchSpace& space() const { return space_; }
   const SearchOptions& options() const { return options_; }
   const StopFlag& stop() const { return stop_; }
-  /// The options with what is left of the time limit: for a search that is part of this one.
-  SearchOptions options_from_now() const;
+  bool has_time_limit() const;
+  /// For a search that is part of this one and stops with it; this must outlive it.
+  SearchOptions options_of_part() const;
 
-  /// The design with the best goal that keeps the limits, the workshop's numbers included.
+  /// The design with the best goal that keeps the limits, the workshop's numbers included. Limits that let instruments reach
+  /// farther than the spec's may be given too.
   SearchResult best(const Requirements& limits, Goal goal) const;
 
   /// The better of a design and what a local search from `start` makes of it.
@@ -79,6 +90,24 @@ class SearchRun {
 
  private:
   std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal, bool mirror_images) const;
+  SearchRun(const Spec& spec, SearchOptions options, const Requirements& widest);
+
+  /// True for limits under which an instrument may touch more obstacles than were looked for.
+  bool reaches_farther(const Requirements& limits) const;
+  StopFlag after_share(double share) const;
+  SearchOptions part_of_time(double share) const;
+  std::optional<ProvenBound> proven_bound(const Requirements& limits, Goal goal, const StopFlag& stop) const;
+  std::vector<SearchTask> relaxed_tasks(const Requirements& limits, Goal goal,
+                                        const std::vector<RelaxedDesign>& known) const;
+  /// What is found before the search itself, where it may run out of time.
+  struct FirstLook {
+    std::optional<ProvenBound> proof{};
+    bool proof_is_whole = false;
+    std::optional<FoundDesign> design{};
+  };
+  FirstLook first_look(const Requirements& limits, Goal goal) const;
+  std::optional<FoundDesign> first_design(const Requirements& limits, Goal goal,
+                                          const std::vector<RelaxedDesign>& known) const;
   bool demand_more(SearchTask& task, const DesignCheck& check, const Requirements& limits) const;
   SearchResult best_footprint(const Requirements& limits, const std::vector<RelaxedDesign>& known) const;
   SearchResult best_of_any_lengths(const Requirements& limits, Goal goal,
@@ -88,10 +117,12 @@ class SearchRun {
   ChoiceOptions options_for(bool relaxed) const;
   void report(double share, std::string_view what) const;
 
-  SearchSpace space_;
-  SearchOptions options_;
   std::chrono::steady_clock::time_point start_;
+  SearchOptions options_;
   StopFlag stop_;
+  const Spec& spec_;
+  Requirements widest_;  ///< limits for which the obstacles were looked for
+  SearchSpace space_;
   std::vector<ContactChoice> choices_;
 };
 

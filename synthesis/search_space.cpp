@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kempe {
 namespace {
@@ -22,7 +23,8 @@ Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : s
 
 }  // namespace
 
-SearchSpace::SearchSpace(const Spec& spec) : spec_(spec), region_(spec.region) {
+SearchSpace::SearchSpace(Spec given) : spec_(std::move(given)), region_(spec_.region) {
+  const Spec& spec = spec_;
   if (!spec.pole.is_fixed()) area_.emplace(pole_region(spec.pole));
   layout_.pole_is_free = area_.has_value();
   if (area_) {

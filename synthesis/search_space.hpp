@@ -21,7 +21,7 @@ struct HalfPlane {
 /// Prepared from a spec; immutable and safe to share between threads.
 class SearchSpace {
  public:
-  explicit SearchSpace(const Spec& spec);
+  explicit SearchSpace(Spec spec);
 
   const Spec& spec() const { return spec_; }
   Complex k() const { return spec_.copy.k; }

@@ -1,11 +1,11 @@
 #pragma once
 // A nonlinear program as plain functions: what the solvers' backends are given. No solver is named here.
 
-#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "synthesis/design_vector.hpp"
 
 namespace kempe {
@@ -37,8 +37,5 @@ struct LocalResult {
   DesignVector x{};
   int evaluations = 0;
 };
-
-/// True once the search shall end: a solver asks this as often as it can.
-using StopFlag = std::function<bool()>;
 
 }  // namespace kempe

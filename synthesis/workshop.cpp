@@ -226,6 +226,7 @@ std::vector<Candidate> candidates_near(const SearchRun& run, const std::vector<S
     const DesignProblem problem(run.space(), task.choice->choice, limits, quick_goal(goal), task.allowed, {});
     for (const LengthPair& pair : pairs_in_order(shape.lengths, near_one_shape, away,
                                                  [&](double) { return std::exp(centre.lengths.v); })) {
+      if (run.stop()()) break;
       const DesignPoint point{{std::log(pair.VA), std::log(pair.VB)}, centre.pole};
       all.push_back({&shape, pair, merit_at(problem, point)});
     }
@@ -239,7 +240,7 @@ class LockedLengths {
  public:
   LockedLengths(const SearchRun& run, const Candidate& candidate, const Requirements& limits, Goal goal)
       : run_(run), candidate_(candidate), limits_(limits), goal_(goal),
-        spec_(locked(run.spec(), candidate.lengths.VA, candidate.lengths.VB)), space_(spec_) {}
+        spec_(locked(run.space().spec(), candidate.lengths.VA, candidate.lengths.VB)), space_(spec_) {}
 
   /// The best design over all layers, sought around `poles` too. Without contact first: where no pole does there, no layers
   /// need to be looked at, and a pole that does is a good place to start.
@@ -418,7 +419,7 @@ SearchResult best_with_ratio(const SearchRun& run, const std::vector<SearchTask>
   Spec other = run.spec();
   other.copy.k = ratio.k;
   other.objective.groundings = {ratio.vertex};
-  const SearchRun inner(other, run.options_from_now());
+  const SearchRun inner(other, run.options_of_part());
   return best_with_exact_ratio(inner, tasks_next_to(known, inner, limits, quick_goal(goal)), limits, goal,
                                {});
 }

@@ -64,10 +64,10 @@ constexpr double as_tight = 1e-7;
 
 /// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
 void improve(ClearanceFigure& best, double& named, const MapTask& task, const ContactScene& scene,
-             const Subdivision& cells) {
+             const Subdivision& cells, const StopFlag& stop) {
   const CopyingLinkage& linkage = cells.grid().linkage();
   const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
-  for (std::size_t i = 0; i < cells.open().size(); i += stride) {
+  for (std::size_t i = 0; i < cells.open().size() && !stop(); i += stride) {
     const auto point = cells.region_point_in(cells.open()[i]);
     if (!point) continue;
     const Point reach = *point - linkage.pole();
@@ -86,7 +86,7 @@ void improve(ClearanceFigure& best, double& named, const MapTask& task, const Co
 
 }  // namespace
 
-std::optional<ClearanceFigure> smallest_clearance(const MapTask& task) {
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop) {
   if (task.region.empty()) return std::nullopt;
   const OpeningInterval openings = openings_met(task.linkage, task.region);
   if (openings.empty()) return std::nullopt;
@@ -104,10 +104,10 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task) {
   Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
                     {.contacts_stay_open = true, .region_only = true});
   double named = best.gap;
-  while (!cells.open().empty() && cells.open().size() < most_cells) {
-    improve(best, named, task, scene, cells);
+  while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
+    improve(best, named, task, scene, cells, stop);
     cells.lower_clearance(best.gap - certain_to(task.linkage));
-    if (!cells.split([](const OpenCell&) { return true; })) break;
+    if (!cells.split(unless(stop))) break;
   }
   best.certified = cells.open().empty();
   return best;

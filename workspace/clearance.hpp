@@ -1,6 +1,7 @@
 #pragma once
 // The smallest gap while the tracer covers the region.
 
+#include "kinematics/stop_flag.hpp"
 #include "workspace/contact_scene.hpp"
 
 namespace kempe {
@@ -15,7 +16,7 @@ struct ClearanceFigure {
 /// The smallest gap of any two parts, or of a part and an obstacle, over the region; openings at which the
 /// assembly does not exist are left out. Self-contact in closed form, obstacles by branch and bound over the
 /// two angles. Nothing if the region is empty or nowhere reachable. A gap is at least minus the half widths:
-/// the depth of axes that cross is not measured.
-std::optional<ClearanceFigure> smallest_clearance(const MapTask& task);
+/// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified.
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {});
 
 }  // namespace kempe

@@ -101,13 +101,13 @@ struct Decided {
   std::vector<FreeCell> free;
 };
 
-Decided decide_region(const MapTask& task, const Subdivision& chart) {
+Decided decide_region(const MapTask& task, const Subdivision& chart, const StopFlag& stop) {
   if (chart.region_in_contact()) return {chart.region_in_contact()->second, std::nullopt, {}};
   Subdivision cells = chart;
   cells.look_at_region_only();
   cells.lower_clearance(task.clearance - touching * reachable_annulus(task.linkage).outer);
-  while (!cells.open().empty() && !cells.region_in_contact() && cells.open().size() < most_cells)
-    if (!cells.split([](const OpenCell&) { return true; })) break;
+  while (!cells.open().empty() && !cells.region_in_contact() && cells.open().size() < most_cells && !stop())
+    if (!cells.split(unless(stop))) break;
   Decided decided;
   if (cells.region_in_contact()) decided.in_contact = cells.region_in_contact()->second;
   if (!cells.open().empty()) decided.open = cells.region_point_in(cells.open().front());
@@ -175,24 +175,25 @@ bool connected_with_open(const Subdivision& chart, const std::vector<FreeCell>& 
   return component_points(chart.grid(), free, of_free).size() < 2;
 }
 
-Coverage connected(const MapTask& task, const Subdivision& chart, Decided decided) {
+Coverage connected(const MapTask& task, const Subdivision& chart, Decided decided, const StopFlag& stop) {
   Subdivision refined = chart;
   for (int cut = 0;; ++cut) {
     const std::vector<FreeCell>& free = decided.free;
     const auto points =
         component_points(chart.grid(), free, outline_of(cells_of(free), Corners::part).component_of);
     if (points.size() < 2) return covered();
-    if (cut == connecting_cuts || refined.open().size() > most_cells)
+    if (cut == connecting_cuts || refined.open().size() > most_cells || stop())
       return cut_off(task, points[0], points[1], !connected_with_open(refined, free));
-    refined.split([](const OpenCell&) { return true; });
-    decided = decide_region(task, refined);
+    refined.split(unless(stop));
+    decided = decide_region(task, refined, stop);
     if (decided.in_contact || decided.open) return cut_off(task, points[0], points[1], false);
   }
 }
 
 }  // namespace
 
-Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts, const EdgeTree& region) {
+Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts, const EdgeTree& region,
+                     const StopFlag& stop) {
   if (region.empty()) return covered();
   if (region.winds_around(Point::Zero()))
     return {false,
@@ -205,7 +206,7 @@ Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts
   std::vector<Decided> decided;
   std::optional<Point> open;
   for (const Subdivision& chart : charts) {
-    decided.push_back(decide_region(task, chart));
+    decided.push_back(decide_region(task, chart, stop));
     if (decided.back().in_contact) return not_covered_at(task, *decided.back().in_contact);
     if (decided.back().open) open = decided.back().open;
   }
@@ -228,7 +229,7 @@ Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts
     if (of_chart.empty()) continue;
     if (first) return cut_off(task, *first, of_chart.front(), true);  // another interval of openings
     first = of_chart.front();
-    result = connected(task, charts[i], decided[i]);
+    result = connected(task, charts[i], decided[i], stop);
   }
   return result.value_or(covered());
 }

@@ -7,7 +7,8 @@ namespace kempe {
 
 /// Decides the coverage of the task's region. `charts` are the subdivided free intervals of the opening,
 /// refined as far as the map asked; cells that meet the region are refined further here until each is decided
-/// or a limit of work is reached, so that the answer is certain or says that it is not.
-Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts, const EdgeTree& region);
+/// or a limit of work is reached or `stop` is set, so that the answer is certain or says that it is not.
+Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts, const EdgeTree& region,
+                     const StopFlag& stop = {});
 
 }  // namespace kempe

@@ -35,7 +35,8 @@ double widest_free(const MapTask& task) {
   return width;
 }
 
-LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compared& by, double best_gap) {
+LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compared& by, double best_gap,
+                        const StopFlag& stop) {
   task.layers = layers;
   const Tightest own = smallest_gap_over(task.linkage, task.style, layers, by.openings);
   LayerFinding finding{
@@ -43,7 +44,7 @@ LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compa
       true};
   if (by.of_region && own.gap < best_gap && !task.obstacles.empty()) {
     finding.compared = false;
-  } else if (const auto figure = by.of_region ? smallest_clearance(task) : std::nullopt) {
+  } else if (const auto figure = by.of_region ? smallest_clearance(task, stop) : std::nullopt) {
     finding.gap = figure->gap;
     finding.parts = figure->parts;
     finding.at = figure->at;
@@ -83,12 +84,13 @@ std::vector<LayerAssignment> compared_assignments(const MapTask& task, int layer
 
 }  // namespace
 
-LayerChoice choose_layers(const MapTask& task, int layers) {
+LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop) {
   LayerChoice choice;
   const Compared by = compared_openings(task);
   double best_gap = -std::numeric_limits<double>::infinity();
   for (const LayerAssignment& assignment : compared_assignments(task, layers)) {
-    choice.findings.push_back(finding_of(task, assignment, by, best_gap));
+    if (stop() && !choice.findings.empty()) break;
+    choice.findings.push_back(finding_of(task, assignment, by, best_gap, stop));
     if (choice.findings.back().compared) best_gap = std::max(best_gap, choice.findings.back().gap);
   }
   const auto order = [&](const LayerFinding& one) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "workspace/angle_grid.hpp"
 #include "workspace/contact_scene.hpp"
 
@@ -38,6 +39,11 @@ struct OpenCell {
   bool all_decided;            ///< false: only the tightest was looked at, the others are the parent's
   std::uint32_t region_first, region_count;
 };
+
+/// For Subdivision::split: every cell, until the work shall end. `stop` must outlive it.
+inline auto unless(const StopFlag& stop) {
+  return [&stop](const OpenCell&) { return !stop(); };
+}
 
 struct SubdivisionMode {
   bool contacts_stay_open = false;  ///< cells in contact are cut further instead of decided

@@ -26,11 +26,11 @@ void append(ArcRegion& region, ArcRegion more) {
 }
 
 /// Refines all charts until the open band is within the tolerance.
-void refine(std::vector<Subdivision>& charts, double tolerance) {
+void refine(std::vector<Subdivision>& charts, double tolerance, const StopFlag& stop) {
   double whole = 0;
   for (const Subdivision& chart : charts)
     whole += chart.grid().area({0, 0, AngleGrid::turn, AngleGrid::rise});
-  while (true) {
+  while (!stop()) {
     double open_area = 0, free_area = 0;
     std::size_t cells = 0;
     for (const Subdivision& chart : charts) {
@@ -41,7 +41,7 @@ void refine(std::vector<Subdivision>& charts, double tolerance) {
     if (cells == 0 || cells > most_cells || open_area <= tolerance * std::max(free_area, least_share * whole))
       return;
     bool any = false;
-    for (Subdivision& chart : charts) any = chart.split([](const OpenCell&) { return true; }) || any;
+    for (Subdivision& chart : charts) any = chart.split(unless(stop)) || any;
     if (!any) return;
   }
 }
@@ -195,7 +195,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
   map.clearance_min = HUGE_VAL;
-  if (const auto clearance = smallest_clearance(task)) {
+  if (const auto clearance = smallest_clearance(task, options.stop)) {
     map.clearance_min = clearance->gap;
     map.clearance_min_parts = clearance->parts;
     map.clearance_min_at = clearance->at;
@@ -209,12 +209,14 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   std::vector<Subdivision> charts;
   for (const FreeOpenings& one : free)
     charts.emplace_back(scene, region, AngleGrid(task.linkage, one.interval), task.clearance);
-  refine(charts, options.map_tolerance);
+  refine(charts, options.map_tolerance, options.stop);
   for (const Subdivision& chart : charts) add_cells(map, task, scene, chart);
   map.coverage = coverage_of(task, charts, region);
   if (!map.coverage.covered) add_losses(map, task.region);
   add_sheet_overlap(map, task);
-  if (options.largest_sheets) map.largest_sheets = largest_sheets(map.collision_free, task.region);
+  map.complete = !options.stop();
+  if (options.largest_sheets && map.complete)
+    map.largest_sheets = largest_sheets(map.collision_free, task.region);
   return map;
 }
 

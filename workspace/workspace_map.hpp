@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "workspace/self_contact.hpp"
 
 namespace kempe {
@@ -45,6 +46,7 @@ struct MapOptions {
   /// Refinement stops when the uncertain band takes less than this share of the collision-free area.
   double map_tolerance = 0.005;
   bool largest_sheets = true;  ///< look for them; the slowest part without obstacles
+  StopFlag stop{};             ///< set: the map stays as coarse as it is
 };
 
 /// The largest rectangle of a kind that fits the collision-free workspace.
@@ -92,9 +94,12 @@ struct WorkspaceMap {
   std::string clearance_min_parts;         ///< "link VA and link BCY"
   Point clearance_min_at = Point::Zero();  ///< tracer's place
   double map_tolerance = 0.005;            ///< of the options it was made with
+  /// False: stopped early. What is called free or lost is, but more is uncertain than the tolerance allows, a smaller gap
+  /// than the smallest may exist, and sheets were not looked for.
+  bool complete = true;
 };
 
-/// Maps a linkage. Deterministic.
+/// Maps a linkage. Deterministic unless stopped. Whether the region is covered is decided even then.
 WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options);
 
 /// Why the tracer cannot stand at a point, or nothing if it can. One sentence's worth.

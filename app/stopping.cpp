@@ -1,0 +1,50 @@
+#include "app/stopping.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace kempe::app {
+
+Stopping::Stopping(double seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
+
+double Stopping::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+StopFlag Stopping::flag(double grace) const {
+  return [this, grace] { return interrupted() || elapsed() > seconds_ + grace; };
+}
+
+double Stopping::left() const {
+  constexpr double least = 1e-9;
+  return std::max(least, seconds_ - elapsed());
+}
+
+std::string Stopping::reason() const {
+  return interrupted() ? "interrupted" : fmt::format("time limit of {:.6g} s", seconds_);
+}
+
+CLI::Option* add_time_limit(CLI::App& command, double& seconds, const std::string& description) {
+  const auto is_time = [](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > 0) return {};
+    return "a number of seconds above 0 is allowed, not " + text;
+  };
+  return command.add_option("--time-limit", seconds, description)->check(CLI::Validator(is_time, "SECONDS"));
+}
+
+int tell_stopped(const Session& session, const Stopping& stopping, const std::string& known,
+                 const std::optional<double>& lower_bound) {
+  const std::string sentence = fmt::format("stopped ({}) {}", stopping.reason(), known);
+  if (session.json) {
+    nlohmann::ordered_json object{
+        {"error", "stopped"}, {"reason", stopping.reason()}, {"sentence", sentence}};
+    object["lower_bound"] = lower_bound ? nlohmann::ordered_json(*lower_bound) : nlohmann::ordered_json();
+    print(object.dump(1) + "\n");
+  }
+  return fail(stopping.code(), sentence);
+}
+
+}  // namespace kempe::app
