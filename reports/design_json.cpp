@@ -110,9 +110,11 @@ Json workspace_json(const WorkspaceMap& map) {
             {"why_not_covered", map.coverage.why_not},
             {"largest_sheet", largest != nullptr ? sheet_json(*largest) : Json::object()},
             {"sheets", std::move(sheets)},
-            {"tightest_parts", map.clearance_min_parts},
-            {"map_tolerance", map.map_tolerance}};
-  if (!map.complete) json["complete"] = false;
+            {"tightest_parts", map.clearance_min_parts}};
+  if (map.complete)
+    json["map_tolerance"] = map.map_tolerance;
+  else
+    json["complete"] = false;
   return json;
 }
 

@@ -195,7 +195,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
   map.clearance_min = HUGE_VAL;
-  if (const auto clearance = smallest_clearance(task, options.stop)) {
+  if (const auto clearance = smallest_clearance(task)) {
     map.clearance_min = clearance->gap;
     map.clearance_min_parts = clearance->parts;
     map.clearance_min_at = clearance->at;

@@ -94,8 +94,8 @@ struct WorkspaceMap {
   std::string clearance_min_parts;         ///< "link VA and link BCY"
   Point clearance_min_at = Point::Zero();  ///< tracer's place
   double map_tolerance = 0.005;            ///< of the options it was made with
-  /// False: stopped early. What is called free or lost is, but more is uncertain than the tolerance allows, a smaller gap
-  /// than the smallest may exist, and sheets were not looked for.
+  /// False: stopped early. What is called free or lost is, but more is uncertain than the tolerance allows, and sheets were
+  /// not looked for.
   bool complete = true;
 };
 

@@ -306,8 +306,96 @@ class BadInput(Case):
         design.write_text(json.dumps(edited))
         self.assertEqual(kempe("verify", design).returncode, 2)
 
-    def test_time_limit_of_zero(self):
-        self.assertRefused(self.synthesize(TEN_LINES, "--time-limit", "0"), 2)
+
+LONG_SEARCH = """
+[copy]
+scale = 0.1
+rotation_deg = -89.999
+[region]
+circle_mm = {centre = [-57, 157], radius = 51}
+[links]
+width_mm = 20
+pin_diameter_mm = 10
+plate = "triangle"
+layers = 4
+longest_mm = 3000
+[limits]
+transmission_deg = 0
+[[obstacles]]
+rectangle_mm = {at = [111, 101], size = [28, 26]}
+layers = [2, 2]
+[[obstacles]]
+rectangle_mm = {at = [0, -66], size = [9, 4]}
+layers = [1, 8]
+[objective]
+minimize = "footprint"
+"""
+
+
+class TimeLimits(Case):
+    def test_stopped_before_an_answer_is_exit_6(self):
+        self.assertRefused(self.synthesize(LONG_SEARCH, "--time-limit", "0.001"), 6, "stopped (time limit of 0.001 s)")
+        run = self.synthesize(LONG_SEARCH, "--time-limit", "0.001", "--json")
+        self.assertEqual(run.returncode, 6)
+        self.assertEqual(json.loads(run.stdout)["error"], "stopped")
+
+    def test_a_proof_is_told_whatever_the_limit(self):
+        text = TEN_LINES + "[pole]\nat_mm = [65, 0]\n"
+        self.assertRefused(self.synthesize(text, "--time-limit", "0.001"), 3, "inside the region")
+
+    def test_a_limit_that_is_not_reached_changes_nothing(self):
+        out = self.scratch / "out"
+        self.assertEqual(self.synthesize(TEN_LINES).returncode, 0)
+        without = (out / "design.json").read_bytes()
+        self.assertEqual(self.synthesize(TEN_LINES, "--time-limit", "1e6").returncode, 0)
+        self.assertEqual((out / "design.json").read_bytes(), without)
+
+    def test_what_is_no_time_is_refused(self):
+        for seconds in ("nan", "inf", "-1", "0", "soon"):
+            self.assertRefused(self.synthesize(TEN_LINES, "--time-limit", seconds), 2)
+
+    def test_of_each_spec_of_a_batch(self):
+        specs, out = self.scratch / "specs", self.scratch / "out"
+        specs.mkdir()
+        (specs / "long.toml").write_text(LONG_SEARCH)
+        run = kempe("synthesize", "--batch", specs, "-o", out, "--time-limit", "0.001")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(json.loads((out / "results.jsonl").read_text())["status"], "stopped")
+
+    def test_of_a_front_and_of_a_map(self):
+        spec, out = self.spec(LONG_SEARCH), self.scratch / "out"
+        front = kempe("pareto", spec, "--between", "size,transmission", "-o", out, "--time-limit", "0.001")
+        self.assertRefused(front, 6, "stopped")
+        given = EXAMPLES / "report-mechanism.toml"
+        run = kempe("workspace", given, "-o", out, "--time-limit", "0.000001", "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIs(json.loads(run.stdout)["workspace"]["complete"], False)
+        self.assertEqual(kempe("verify", out / "design.json").returncode, 0)
+
+
+class ObstaclesOutOfReach(Case):
+    FAR = "".join(f"[[obstacles]]\nname = 'far {i}'\nrectangle_mm = {{at = [{2000 + 9 * i}, 2000], size = [5, 5]}}\n"
+                  for i in range(300))
+
+    def test_are_left_out_and_named(self):
+        out = self.scratch / "out"
+        run = self.synthesize(TEN_LINES + self.FAR)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("300 out of reach of any permitted instrument", run.stdout)
+        design = json.loads((out / "design.json").read_text())
+        self.assertEqual(design["search"]["obstacles_out_of_reach"], [f"far {i}" for i in range(300)])
+        self.assertEqual(len(design["obstacles"]), 300)
+        self.assertIn("far 199", (out / "report.html").read_text())
+        self.assertEqual(kempe("verify", out / "design.json").returncode, 0)
+        self.synthesize(TEN_LINES)
+        without = json.loads((out / "design.json").read_text())
+        self.assertEqual(without["mechanism"], design["mechanism"])
+
+    def test_are_named_where_there_is_no_design(self):
+        text = TEN_LINES + "[limits]\ntransmission_deg = 80\n" + self.FAR
+        run = self.synthesize(text, "--json")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertEqual(len(json.loads(run.stdout)["obstacles_out_of_reach"]), 300)
 
 
 class Faults(Case):
