@@ -175,7 +175,7 @@ std::optional<Relaxation> thinner_pins(const SearchRun& run, const Requirements&
   const auto with_pins = [&](double diameter) {
     Spec spec = run.spec();
     spec.links.style.pin_diameter = diameter;
-    SearchOptions options = run.options_from_now();
+    SearchOptions options = run.options_of_part();
     options.progress = nullptr;
     Requirements thinner = limits;
     thinner.shortest = least_joint_distance(spec);

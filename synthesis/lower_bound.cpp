@@ -443,9 +443,10 @@ class Tree {
   std::size_t boxes_ = 0, opened_ = 0;
 };
 
-ProvenBound back_to_the_table(ProvenBound bound, const Point& origin) {
-  if (bound.design) bound.design->pole += origin;
-  for (RelaxedDesign& place : bound.promising) place.pole += origin;
+std::optional<ProvenBound> back_to_the_table(std::optional<ProvenBound> bound, const Point& origin) {
+  if (!bound) return bound;
+  if (bound->design) bound->design->pole += origin;
+  for (RelaxedDesign& place : bound->promising) place.pole += origin;
   return bound;
 }
 

@@ -47,7 +47,7 @@ Annulus free_annulus(const MapTask& task) {
                           .interval);
 }
 
-constexpr MapOptions no_sheets{.largest_sheets = false};
+const MapOptions no_sheets{.largest_sheets = false};
 
 double all_areas(const WorkspaceMap& map) {
   double sum = area(map.collision_free) + area(map.uncertain);
