@@ -30,7 +30,8 @@ inline Ring star_ring(std::mt19937_64& random, int corners, double radius) {
 inline Ring tangled_ring(std::mt19937_64& random, int corners, int grid) {
   Ring ring;
   for (int i = 0; i < corners; ++i) {
-    Point corner(uniform(random, 0, 1), uniform(random, 0, 1));
+    const double x = uniform(random, 0, 1);
+    Point corner(x, uniform(random, 0, 1));
     if (grid > 0) corner = (corner * grid).array().floor().matrix();
     ring.push_back(corner);
   }
