@@ -164,7 +164,8 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   text += fmt::format("pole         ({:.{}f}, {:.{}f}) mm\n", pole.x(), decimals, pole.y(), decimals);
   text += "lengths\n" + lengths_table(design) + layers_line(design);
   if (design.search)
-    text += reach_line(design.search->obstacles_out_of_reach.size()) + objective_line(*design.search, decimals);
+    text +=
+        reach_line(design.search->obstacles_out_of_reach.size()) + objective_line(*design.search, decimals);
   text += bound_line(design);
   text += fmt::format("size         {:.{}f} mm\n", q.size, decimals);
   text +=

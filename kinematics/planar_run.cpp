@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "kinematics/planar_singularity.hpp"
@@ -91,8 +91,9 @@ std::vector<std::string> describe_giving_up(const PlanarLinkage& linkage, const 
     const double away = position[static_cast<std::size_t>(body)].at.norm() / linkage.size();
     if (away < far_away) continue;
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", away);
-    sentences.push_back(linkage.body_name(body) + " runs off: it is " + text.data() +
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), away, std::chars_format::general, 3);
+    sentences.push_back(linkage.body_name(body) + " runs off: it is " + std::string(text.data(), end.ptr) +
                         " sizes of the linkage away");
   }
   return sentences;

@@ -78,8 +78,8 @@ std::string quality(const Design& design) {
       "Small means stiff, cheap and light.");
   add("Smallest transmission angle", angle_text(q.transmission_min, 3),
       at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
-      std::string(
-          "How far the linkage stays from the positions where it jams or folds over, at the worst place of ") +
+      std::string("How far the linkage stays from the positions where it jams or folds over, at the worst "
+                  "place of ") +
           (design.region.empty() ? "its certified opening" : "the region") +
           ". 90° is best, 0° cannot be driven.");
   if (std::isfinite(q.clearance_min))
@@ -147,14 +147,15 @@ std::string workspace(const Design& design) {
 std::string verification(const Design& design) {
   const Verification& v = design.verification;
   Rows rows;
-  rows.push_back({"Result",
-                  v.certified ? "<b class=\"good\">certified</b>" : "<b class=\"bad\">not certified</b>",
-                  v.certified ? fmt::format("Driven over {} by a solver that shares no formula with the design.",
-                                            v.over_workspace ? "the free workspace" : "the region")
-                              : html_escaped(v.failure)});
+  rows.push_back(
+      {"Result", v.certified ? "<b class=\"good\">certified</b>" : "<b class=\"bad\">not certified</b>",
+       v.certified ? fmt::format("Driven over {} by a solver that shares no formula with the design.",
+                                 v.over_workspace ? "the free workspace" : "the region")
+                   : html_escaped(v.failure)});
   rows.push_back({"Positions driven", count_text(v.samples),
-                  v.over_workspace ? "Along the outline of the largest part of the free workspace and inside it."
-                                   : "Along the region's outline and inside it."});
+                  v.over_workspace
+                      ? "Along the outline of the largest part of the free workspace and inside it."
+                      : "Along the region's outline and inside it."});
   rows.push_back({"Greatest copy error", residual_text(v.copy_error_max),
                   "Distance between the pen and the exact image of the tracer, with exact lengths."});
   rows.push_back({"Greatest loop residual", residual_text(v.loop_residual_max),

@@ -19,8 +19,9 @@ std::vector<ErrorRipple> ripples_of(const GeneratorError& error, const Generator
 
 /// A limit on a design.
 struct GeneratorLimit {
-  std::string name;  ///< the spec's key; "dead point" where no transmission angle is asked for; "turning back"
-  Sloped excess;     ///< at most 0
+  std::string
+      name;       ///< the spec's key; "dead point" where no transmission angle is asked for; "turning back"
+  Sloped excess;  ///< at most 0
 };
 
 /// All limits at u, always in the same order.

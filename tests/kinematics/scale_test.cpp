@@ -45,11 +45,9 @@ Machine turning_slot(Random& random) {
   const double tilt = random.uniform(-pi, pi), from = random.uniform(-pi, pi);
   linkage.add(Revolute{{0, Point(0, 0)}, {crank, Point(0, 0)}}, "O");
   linkage.add(Revolute{{0, Point(ground, 0)}, {slot, Point(0, 0)}}, "D");
-  linkage.add(Coordinate{{crank, Point(arm, 0)},
-                         {slot, Point(0, offset)},
-                         Point(std::cos(tilt), std::sin(tilt)),
-                         0},
-              "pin");
+  linkage.add(
+      Coordinate{{crank, Point(arm, 0)}, {slot, Point(0, offset)}, Point(std::cos(tilt), std::sin(tilt)), 0},
+      "pin");
   linkage.drive(RelativeAngle{crank, 0, 0}, "crank");
   return {"slot", std::move(linkage), ranges({{from, from + 2 * pi, {}}}),
           test::random_position(random, 3, 3)};
@@ -114,8 +112,8 @@ Constraint scaled(Constraint constraint, double by) {
   const auto point = [by](BodyPoint& p) { p.local *= by; };
   std::visit(Overloaded{[&](Revolute& c) { point(c.a), point(c.b); },
                         [&](Coordinate& c) { point(c.point), point(c.origin), c.value *= by; },
-                        [&](Distance& c) { point(c.a), point(c.b), c.value *= by; },
-                        [&](RelativeAngle&) {}, [&](GearPair&) {},
+                        [&](Distance& c) { point(c.a), point(c.b), c.value *= by; }, [&](RelativeAngle&) {},
+                        [&](GearPair&) {},
                         [&](RackAndPinion& c) {
                           point(c.centre), point(c.rack_origin);
                           c.radius *= by;
@@ -201,7 +199,8 @@ void expect_same(const Told& large, const Told& small, double scale, double tole
     EXPECT_EQ(large.centres[i].kind, small.centres[i].kind);
     EXPECT_EQ(large.centres[i].source, small.centres[i].source);
     const double away = 1 + small.centres[i].at.norm();
-    EXPECT_LE((large.centres[i].at / scale - small.centres[i].at).norm(), 1e3 * tolerance * away * away + nothing);
+    EXPECT_LE((large.centres[i].at / scale - small.centres[i].at).norm(),
+              1e3 * tolerance * away * away + nothing);
   }
   ASSERT_EQ(large.run.has_value(), small.run.has_value());
   if (!small.run) return;
@@ -217,7 +216,8 @@ void expect_same(const Told& large, const Told& small, double scale, double tole
     if (b.rate.size() == 0) continue;  // at a stop angles go with the root of the driver
     ASSERT_EQ(a.rate.size(), b.rate.size());
     const double fast = 1 + b.rate.norm();
-    EXPECT_LE(difference(unknowns_of(a.position), unknowns_of(b.position), scale), tolerance * fast + nothing);
+    EXPECT_LE(difference(unknowns_of(a.position), unknowns_of(b.position), scale),
+              tolerance * fast + nothing);
     EXPECT_LE(difference(a.rate, b.rate, scale), 10 * tolerance * fast * fast * fast + nothing);
     EXPECT_LE(difference(a.second, b.second, scale), 100 * tolerance * std::pow(fast, 5) + nothing);
   }
@@ -231,7 +231,8 @@ TEST(Scale, APowerOfTwoChangesNoBit) {
     SCOPED_TRACE(machine.name + " " + std::to_string(i));
     const Told small = told_of(machine);
     moved += small.run ? 1 : 0;
-    for (const double scale : {0x1p-20, 0x1p20, 0x1p-3}) expect_same(told_of(scaled(machine, scale)), small, scale, 0);
+    for (const double scale : {0x1p-20, 0x1p20, 0x1p-3})
+      expect_same(told_of(scaled(machine, scale)), small, scale, 0);
     if (HasFailure()) return;
   }
   EXPECT_GT(moved, test::expected(80));
@@ -243,7 +244,8 @@ TEST(Scale, AnySizeFromAMillionthToAMillionGivesTheSameAnswer) {
     const Machine machine = random_machine(random, i);
     SCOPED_TRACE(machine.name + " " + std::to_string(i));
     const Told small = told_of(machine);
-    for (const double scale : {1e-6, 25.4, 1e3, 1e6}) expect_same(told_of(scaled(machine, scale)), small, scale, 1e-10);
+    for (const double scale : {1e-6, 25.4, 1e3, 1e6})
+      expect_same(told_of(scaled(machine, scale)), small, scale, 1e-10);
     if (HasFailure()) return;
   }
 }

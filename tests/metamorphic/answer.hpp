@@ -23,7 +23,7 @@ struct Answer {
 struct AnswerOptions {
   /// Without a search the design is the best that the bound met on its way, if it keeps all limits: a hundredth of the work.
   bool search = true;
-  double seconds = 1e9;      ///< of the processor's work, for a search
+  double seconds = 1e9;     ///< of the processor's work, for a search
   std::size_t boxes = 400;  ///< for each of the two bounds that are asked for beside the search's
 };
 
