@@ -200,8 +200,9 @@ def falsehoods(design):
     if workspace["sheets"]:
         add("workspace.sheets", lambda d: d["workspace"]["sheets"][0].update(centre_mm=d["mechanism"]["pole_position_mm"]))
         add("workspace.sheets", lambda d: d["workspace"]["largest_sheet"].update(width_mm=1e5))
-        for factor in (0.98, 1.02):
-            add("workspace.sheets", lambda d, f=factor: [s.update(width_mm=f * s["width_mm"]) for s in d["workspace"]["sheets"]])
+        for factor in (0.98, 1.02):  # both sides: a sheet that is only wider may still fit
+            add("workspace.sheets", lambda d, f=factor: [
+                s.update(width_mm=f * s["width_mm"], height_mm=f * s["height_mm"]) for s in d["workspace"]["sheets"]])
         add("workspace.largest_sheet", lambda d: d["workspace"]["largest_sheet"].update(
             height_mm=0.98 * d["workspace"]["largest_sheet"]["height_mm"]))
     scaled("search", "value")
