@@ -170,7 +170,7 @@ class Search {
       const int freedom = linear_.freedom(inside.size());
       Rows admitted;
       std::size_t nearest = outside.front();
-      double least = std::numeric_limits<double>::infinity(), nearest_chance = 0, sum = 0;
+      double least = std::numeric_limits<double>::infinity(), nearest_chance = 0;
       for (const std::size_t i : outside) {
         const double q = linear_.beyond(fit, i), chance = judge_.chance(q, 1, fit.square_sum, freedom);
         constexpr double surely_like_the_rest = 0.05;
@@ -180,7 +180,6 @@ class Search {
           nearest = i;
           nearest_chance = chance;
         }
-        sum += q;
       }
       if (admitted.empty()) {
         if (nearest_chance < single && beyond_chance(outside, inside) && is_told(outside, inside))
