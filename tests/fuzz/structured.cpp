@@ -62,6 +62,19 @@ Obstacle obstacle(Choices& choices) {
       {}};
 }
 
+/// Many small obstacles round about, most of them out of any instrument's reach.
+void add_crowd(Choices& choices, Spec& spec) {
+  const int count = 20 + choices.upto(180);
+  const double far = choices.between(500, 5000);
+  std::mt19937_64 random(static_cast<unsigned>(count));
+  const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  for (int i = 0; i < count; ++i) {
+    const double distance = far * (0.5 + share()), bearing = 2 * pi * share();
+    const Point at = distance * Point(std::cos(bearing), std::sin(bearing));
+    spec.obstacles.push_back({{{at, at + Point(5, 0), at + Point(5, 5), at + Point(0, 5)}, {}}, 1, 2, {}});
+  }
+}
+
 Objective objective(Choices& choices) {
   switch (choices.upto(8)) {
     case 0:
@@ -124,6 +137,7 @@ Spec spec_from(Choices& choices) {
     spec.objective.groundings = {all_vertices[static_cast<std::size_t>(choices.upto(3))]};
   spec.cutting = cutting(choices);
   if (choices.upto(3) == 1) spec.links.wall = choices.between(0.01, 5);
+  if (choices.upto(7) == 1) add_crowd(choices, spec);
   return spec;
 }
 
