@@ -166,7 +166,7 @@ class Search {
     const double single = named_by_chance / static_cast<double>(count_);
     while (inside.size() < count_) {
       const auto fit = linear_.agreed(inside);
-      const Rows outside = without(all_, inside);
+      Rows outside = without(all_, inside);
       const int freedom = linear_.freedom(inside.size());
       Rows admitted;
       std::size_t nearest = outside.front();
