@@ -48,7 +48,10 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   if (std::abs(result.design->linkage.k() - spec.copy.k) > 1e-12 * std::abs(spec.copy.k))
     return result;  // the bound is one of designs with the exact ratio
   const auto bound = lower_bound(run.space().spec(), {.incumbent = result.design->value, .stop = run.stop()});
-  if (run.stop()()) return told_with(result.bound, bound, goal, std::move(result));
+  if (run.stop()()) {
+    const std::optional<double> known = result.bound;
+    return told_with(known, bound, goal, std::move(result));
+  }
   if (!bound || bound->no_design) return result;
   const auto is_near = [&](const SearchResult& found) {
     return std::abs(found.design->value - bound->value) <= unproven_share * std::abs(bound->value);
