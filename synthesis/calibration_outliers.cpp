@@ -52,6 +52,12 @@ class Linear {
   Agreed agreed(const Rows& set) const {
     const Eigen::Index p = slopes_.cols(), first_length = static_cast<Eigen::Index>(2 * readings_);
     const Eigen::Index lengths = residuals_.size() - first_length;
+    Agreed result;
+    if (p == 0) {
+      result.square_sum = residuals_.tail(lengths).squaredNorm();
+      for (const std::size_t i : set) result.square_sum += residual(i).squaredNorm();
+      return result;
+    }
     Small normal = slopes_.bottomRows(lengths).transpose() * slopes_.bottomRows(lengths);
     SmallVector right = slopes_.bottomRows(lengths).transpose() * residuals_.tail(lengths);
     double sum = residuals_.tail(lengths).squaredNorm();
@@ -60,11 +66,6 @@ class Linear {
       normal.noalias() += own.transpose() * own;
       right.noalias() += own.transpose() * residual(i);
       sum += residual(i).squaredNorm();
-    }
-    Agreed result;
-    if (p == 0) {
-      result.square_sum = sum;
-      return result;
     }
     // A few readings alone need not tell all: a trace of the drawn instrument keeps the rest near it.
     constexpr double trace = 1e-12;

@@ -65,7 +65,7 @@ bool lengths_fit(const FunctionTask& task, const FourBar& l) {
 /// |cos mu| where it is largest over the range; beyond 1 where the loop does not close.
 double largest_cosine(const FunctionTask& task, const FunctionDesign& design) {
   const FourBar& l = design.linkage;
-  const auto [low, high] = std::minmax(design.input_start, design.input_start + task.input_range);
+  const auto [low, high] = std::minmax({design.input_start, design.input_start + task.input_range});
   const auto cosine = [&](double phi) {
     const double e_squared = l.input * l.input + l.ground * l.ground - 2 * l.input * l.ground * std::cos(phi);
     return std::abs(l.coupler * l.coupler + l.output * l.output - e_squared) / (2 * l.coupler * l.output);
