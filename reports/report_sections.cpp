@@ -166,8 +166,8 @@ std::string footer(const ReportExtras& extras, bool live) {
   html += live ? "<p>The moving picture uses JSXGraph 1.13, copyright its authors (University of Bayreuth), "
                  "under the MIT licence "
                  "or the LGPL, at your choice; its notice stands in this page's source.</p>\n"
-               : "<p class=\"not-live\">This build of Kempe has no moving picture (it was configured without "
-                 "<code>reports/web/node_modules</code>).</p>\n";
+               : "<p class=\"not-live\">This build of Kempe has no moving picture (it was configured with "
+                 "<code>-DKEMPE_WITH_LIVE_REPORT=OFF</code>).</p>\n";
   return html + "</footer>\n";
 }
 

@@ -1,7 +1,20 @@
 # Writes OUTPUT, a C++ source that holds the report's style sheets and scripts as bytes (web_assets.hpp).
 # cmake -DOUTPUT=... -DWEB=reports/web -DWITH_LIVE=ON|OFF -P embed.cmake
-set(geometry_package "${WEB}/node_modules/jsxgraph")
 get_filename_component(folder "${OUTPUT}" DIRECTORY)
+
+# check_sums(FOLDER): every file that FOLDER/SHA256SUMS names is the one it was written for.
+function(check_sums folder)
+  file(STRINGS "${folder}/SHA256SUMS" lines)
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "^([0-9a-f]+)  (.+)$" parsed "${line}")
+    set(name "${CMAKE_MATCH_2}")
+    set(wanted "${CMAKE_MATCH_1}")
+    file(SHA256 "${folder}/${name}" found)
+    if(NOT found STREQUAL wanted)
+      message(FATAL_ERROR "${folder}/${name} has the SHA-256 ${found}, SHA256SUMS says ${wanted}")
+    endif()
+  endforeach()
+endfunction()
 
 # asset(NAME FILE...): the files one after another, made safe to stand inside an element, as bytes and SHA-256.
 function(asset name)
@@ -33,11 +46,13 @@ asset(style "${WEB}/report.css")
 asset(animation "${WEB}/animation.js")
 asset(animation_style "${WEB}/animation.css")
 if(WITH_LIVE)
-  asset(geometry "${geometry_package}/distrib/jsxgraphcore.js")
+  set(geometry_folder "${WEB}/jsxgraph")
+  check_sums("${geometry_folder}")
+  asset(geometry "${geometry_folder}/jsxgraphcore.js")
   asset(live ${WEB}/kinematics.js ${WEB}/contact.js ${WEB}/places.js ${WEB}/frame.js ${WEB}/stage.js
         ${WEB}/live.js)
-  asset(live_style "${geometry_package}/distrib/jsxgraph.css")
-  asset(notice "${geometry_package}/LICENSE.MIT")
+  asset(live_style "${geometry_folder}/jsxgraph.css")
+  asset(notice "${geometry_folder}/LICENSE.MIT")
 else()
   foreach(name IN ITEMS geometry live live_style notice)
     string(APPEND sources "extern const Asset ${name}{};\n")

@@ -40,7 +40,7 @@ function checkPose({ model, pose, tracer, pen, k }) {
 test("The report that should be alive is alive", async () => {
   await on("plagiograph", {}, async (page) => {
     const found = await page.evaluate(() => Boolean(window.kempe && window.kempe.report));
-    assert.equal(found, isLive, isLive ? "report.html was built without jsxgraph: run scripts/bootstrap, then configure again" : "");
+    assert.equal(found, isLive, isLive ? "report.html was built without JSXGraph" : "");
   });
 });
 
