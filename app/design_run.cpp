@@ -10,6 +10,7 @@
 #include "reports/design_package.hpp"
 #include "reports/parts_fault.hpp"
 #include "reports/recheck.hpp"
+#include "reports/step_assembly.hpp"
 #include "specs/printable.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text_file.hpp"
@@ -281,8 +282,9 @@ int verify_write_and_tell(const Session& session, Design& design, const LoadedSp
   if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(*clash);
   if (const auto written = draft.put_in_place(); !written) return fail(cannot_write, written.error());
   const std::vector<std::string>& left_out = *drafted;
-  print(session.json ? summary_json(design, folder, files, left_out)
-                     : summary_text(design, folder, files, left_out));
+  std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
+  if (const auto lack = why_no_step(); lack && extras.why_no_parts.empty()) told.push_back(*lack);
+  print(session.json ? summary_json(design, folder, files, told) : summary_text(design, folder, files, told));
   for (const std::string& sentence : left_out) fail(done, sentence);
   return done;
 }

@@ -39,6 +39,13 @@ void add_nested(PartFiles& result, const std::vector<CutPart>& parts, const Cutt
     result.left_out.push_back("no nested.dxf: " + nested.error());
 }
 
+void add_assembly(PartFiles& result, const Design& design, const CuttingSpec& cutting) {
+  if (auto step = step_assembly(design, cutting))
+    result.files.push_back({"parts/assembly.step", std::move(*step)});
+  else
+    result.left_out.push_back(step.error());
+}
+
 }  // namespace
 
 PartFiles part_files(const Design& design, const CuttingSpec& cutting) {
@@ -48,8 +55,8 @@ PartFiles part_files(const Design& design, const CuttingSpec& cutting) {
   for (const CutPart& part : parts) add_link(result, part);
   if (fault)
     result.left_out.push_back("no files of the parts: " + fault->sentence);
-  else if (auto step = step_assembly(design, cutting))
-    result.files.push_back({"parts/assembly.step", std::move(*step)});
+  else if (!why_no_step())
+    add_assembly(result, design, cutting);
   result.files.push_back({"bom.csv", bom_csv(design)});
   if (cutting.sheet && !fault) add_nested(result, parts, cutting);
   return result;

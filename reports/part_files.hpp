@@ -11,12 +11,13 @@ namespace kempe {
 
 struct PartFiles {
   std::vector<OutputFile> files;
-  std::vector<std::string>
-      left_out;  ///< what is not among them and why, a sentence each: "no nested.dxf: link ..."
+  /// What is not among them and why, a sentence each: "no nested.dxf: link ...". What no design of this build has, the
+  /// assembly without its module (why_no_step), is not repeated here.
+  std::vector<std::string> left_out;
 };
 
-/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step if this build can
-/// write it (step_assembly.hpp), bom.csv, and nested.dxf if the cutting has a sheet that takes the parts. Of links that
+/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step where the module is
+/// that writes it (step_assembly.hpp), bom.csv, and nested.dxf if the cutting has a sheet that takes the parts. Of links that
 /// cannot be cut (parts_fault.hpp) only bom.csv.
 PartFiles part_files(const Design& design, const CuttingSpec& cutting);
 

@@ -1,7 +1,5 @@
-// STEP by OpenCASCADE. The plain STEP writer serves, its products named afterwards: the one that writes names itself
-// draws OpenCASCADE's display libraries into every start of the program.
-
-#include <unistd.h>
+// The module that writes STEP by OpenCASCADE. The plain STEP writer serves, its products named afterwards: the one that
+// writes names itself draws in OpenCASCADE's display libraries.
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -30,60 +28,53 @@
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <complex>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pnt.hxx>
 
-#include "reports/design_drawing.hpp"
-#include "reports/part_drawings.hpp"
-#include "reports/step_assembly.hpp"
-#include "specs/text_file.hpp"
+#include "reports/step_module.hpp"
 
 namespace kempe {
 namespace {
 
-gp_Pnt raised(const Point& point, double z) { return {point.x(), point.y(), z}; }
+using Complex = std::complex<double>;
 
-gp_Circ circle_about(const Point& centre, double radius, double z) {
-  return {gp_Ax2(raised(centre, z), gp_Dir(0, 0, 1)), radius};
+gp_Pnt raised(const Complex& at, double z) { return {at.real(), at.imag(), z}; }
+
+gp_Circ circle_about(const Complex& centre, double radius, double z, double axis = 1) {
+  return {gp_Ax2(raised(centre, z), gp_Dir(0, 0, axis)), radius};
 }
 
 /// An edge of the outline; an arc through its middle point's circle.
-TopoDS_Edge edge(const ArcVertex& from, const Point& to, double z) {
-  if (from.bulge == 0) return BRepBuilderAPI_MakeEdge(raised(from.at, z), raised(to, z));
-  const Complex a = as_complex(from.at), b = as_complex(to);
-  const Complex centre =
-      0.5 * (a + b) + Complex(0, 1) * (b - a) * (1 - from.bulge * from.bulge) / (4 * from.bulge);
-  gp_Circ arc = circle_about(as_point(centre), std::abs(a - centre), z);
-  if (from.bulge < 0)
-    arc = gp_Circ(gp_Ax2(raised(as_point(centre), z), gp_Dir(0, 0, -1)), std::abs(a - centre));
-  return BRepBuilderAPI_MakeEdge(arc, raised(from.at, z), raised(to, z));
+TopoDS_Edge edge(const StepCorner& from, const StepCorner& to, double z) {
+  const Complex a(from.x, from.y), b(to.x, to.y);
+  const double bulge = from.bulge;
+  if (bulge == 0) return BRepBuilderAPI_MakeEdge(raised(a, z), raised(b, z));
+  const Complex centre = 0.5 * (a + b) + Complex(0, 1) * (b - a) * (1 - bulge * bulge) / (4 * bulge);
+  const gp_Circ arc = circle_about(centre, std::abs(a - centre), z, bulge < 0 ? -1 : 1);
+  return BRepBuilderAPI_MakeEdge(arc, raised(a, z), raised(b, z));
 }
 
-TopoDS_Shape solid(const CutPart& part, const Placement& placement, double z) {
-  const ArcRing ring = placed(part.outline, placement);
+TopoDS_Shape solid(const StepPlate& plate) {
+  const auto& ring = plate.outline;
   BRepBuilderAPI_MakeWire outline;
-  for (std::size_t i = 0; i < ring.size(); ++i) outline.Add(edge(ring[i], ring[(i + 1) % ring.size()].at, z));
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    outline.Add(edge(ring[i], ring[(i + 1) % ring.size()], plate.bottom));
   BRepBuilderAPI_MakeFace face(outline.Wire(), Standard_True);
-  for (const CutPart::Hole& hole : part.holes) {
-    const gp_Circ rim = circle_about(placed(hole.centre, placement), 0.5 * part.hole_diameter, z);
+  for (const StepCorner& hole : plate.holes) {
+    const gp_Circ rim = circle_about({hole.x, hole.y}, 0.5 * plate.hole_diameter, plate.bottom);
     TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim));
     wire.Reverse();
     face.Add(wire);
   }
-  return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, part.thickness));
+  return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, plate.top - plate.bottom));
 }
 
-/// Where a part lies in the assembly: its first two holes on their joints.
-Placement in_pose(const CutPart& part, const Pose& pose) {
-  const Complex drawn = as_complex(part.holes[1].centre - part.holes[0].centre);
-  const Complex there = as_complex(pose[part.holes[1].joint] - pose[part.holes[0].joint]);
-  const double turn = std::arg(there / drawn);
-  return {pose[part.holes[0].joint] - as_point(as_complex(part.holes[0].centre) * std::polar(1.0, turn)),
-          turn};
+TopoDS_Shape solid(const StepCylinder& cylinder) {
+  const gp_Ax2 axis(raised({cylinder.x, cylinder.y}, cylinder.bottom), gp_Dir(0, 0, 1));
+  return BRepPrimAPI_MakeCylinder(axis, 0.5 * cylinder.diameter, cylinder.top - cylinder.bottom);
 }
 
 /// OpenCASCADE tells its progress on stdout, which belongs to the program's own output.
@@ -104,27 +95,27 @@ class Quiet {
 /// Named solids, written as the products of one assembly.
 class Assembly {
  public:
-  Assembly() { builder_.MakeCompound(whole_); }
+  explicit Assembly(std::string name) : name_(std::move(name)) { builder_.MakeCompound(whole_); }
 
   void add(const std::string& name, const TopoDS_Shape& shape) {
     builder_.Add(whole_, shape);
     named_.push_back({name, shape});
   }
 
-  bool write(const std::filesystem::path& path) {
+  bool write(const char* file) {
     const Quiet quiet;
     STEPControl_Writer writer;  // before the settings: its first one makes the defaults
     Interface_Static::SetCVal("write.step.unit", "MM");
     Interface_Static::SetIVal("write.step.assembly", 1);
     if (writer.Transfer(whole_, STEPControl_AsIs) != IFSelect_RetDone) return false;
-    set_name(writer, whole_, "copying linkage");
+    set_name(writer, whole_, name_);
     for (const auto& [name, shape] : named_) set_name(writer, shape, name);
     name_uses(writer);
     APIHeaderSection_MakeHeader header(writer.Model());
     header.SetName(new TCollection_HAsciiString("assembly.step"));
     // The same design gives the same bytes: no time of writing.
     header.SetTimeStamp(new TCollection_HAsciiString("2000-01-01T00:00:00"));
-    return writer.Write(path.c_str()) == IFSelect_RetDone;
+    return writer.Write(file) == IFSelect_RetDone;
   }
 
  private:
@@ -153,66 +144,30 @@ class Assembly {
     }
   }
 
+  std::string name_;
   BRep_Builder builder_;
   TopoDS_Compound whole_;
   std::vector<std::pair<std::string, TopoDS_Shape>> named_;
 };
 
-void add_cylinder(Assembly& assembly, const std::string& name, const Point& at, double diameter,
-                  double bottom, double top) {
-  assembly.add(name, BRepPrimAPI_MakeCylinder(gp_Ax2(raised(at, bottom), gp_Dir(0, 0, 1)), 0.5 * diameter,
-                                              top - bottom));
-}
-
-void add_pins(Assembly& assembly, const Design& design, const Pose& pose) {
-  const CopyingLinkage& linkage = design.linkage;
-  const double thickness = design.style.thickness;
-  for (const Joint joint : all_joints) {
-    int lowest = design.layers.highest(), highest = 0;
-    for (const Link link : all_links)
-      if (has_joint(link, joint)) {
-        lowest = std::min(lowest, design.layers[link]);
-        highest = std::max(highest, design.layers[link]);
-      }
-    const std::string role = joint == linkage.pole_joint()     ? "pole post "
-                             : joint == linkage.tracer_joint() ? "tracer "
-                             : joint == linkage.pen_joint()    ? "pen "
-                                                               : "pin ";
-    const double bottom = role == "pin " ? (lowest - 1) * thickness : 0;  // posts reach down to the table
-    add_cylinder(assembly, role + letter(joint), pose[joint], design.style.pin_diameter, bottom,
-                 highest * thickness);
+bool write_step(const StepParts& parts, const char* file, std::string& fault) {
+  try {
+    Assembly assembly(parts.name);
+    for (const StepPlate& plate : parts.plates) assembly.add(plate.name, solid(plate));
+    for (const StepCylinder& cylinder : parts.cylinders) assembly.add(cylinder.name, solid(cylinder));
+    if (assembly.write(file)) return true;
+    fault = "the file could not be written";
+  } catch (const Standard_Failure& failure) {
+    fault = failure.GetMessageString();
   }
-}
-
-tl::expected<std::string, std::string> written(Assembly& assembly) {
-  // OpenCASCADE writes to files only.
-  std::error_code none;
-  std::string pattern = (std::filesystem::temp_directory_path(none) / "kempe-XXXXXX.step").string();
-  const int file = ::mkstemps(pattern.data(), 5);
-  if (file < 0) return tl::unexpected(std::string("no temporary file for STEP"));
-  ::close(file);
-  const bool done = assembly.write(pattern);
-  auto text = read_text_file(pattern);
-  std::filesystem::remove(pattern, none);
-  if (!done || !text) return tl::unexpected(std::string("OpenCASCADE wrote no STEP"));
-  return std::move(*text);
+  return false;
 }
 
 }  // namespace
-
-bool can_write_step() { return true; }
-
-tl::expected<std::string, std::string> step_assembly(const Design& design, const CuttingSpec& cutting) {
-  try {
-    Assembly assembly;
-    const Pose pose = assembly_pose(design);
-    for (const CutPart& part : cut_parts(design, cutting))
-      assembly.add(part.name, solid(part, in_pose(part, pose), (part.layer - 1) * part.thickness));
-    add_pins(assembly, design, pose);
-    return written(assembly);
-  } catch (const Standard_Failure& failure) {
-    return tl::unexpected(std::string("OpenCASCADE: ") + failure.GetMessageString());
-  }
-}
-
 }  // namespace kempe
+
+extern "C" __attribute__((visibility("default"))) bool kempe_write_step(const kempe::StepParts& parts,
+                                                                        const char* file,
+                                                                        std::string& fault) {
+  return kempe::write_step(parts, file, fault);
+}

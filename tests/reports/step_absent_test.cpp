@@ -1,4 +1,5 @@
-// The build without OpenCASCADE says so and leaves the file out.
+// Without the module the file is left out, and a sentence says what would bring it.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "reports/part_files.hpp"
@@ -8,9 +9,12 @@
 namespace kempe {
 namespace {
 
-TEST(StepAssembly, IsLeftOutWhereTheBuildCannotWriteIt) {
-  EXPECT_FALSE(can_write_step());
-  EXPECT_FALSE(step_assembly(testing::plagiograph(), {}));
+TEST(StepAssembly, IsLeftOutWithoutItsModule) {
+  const auto lack = why_no_step();
+  ASSERT_TRUE(lack);
+  EXPECT_THAT(*lack, ::testing::HasSubstr("no parts/assembly.step: "));
+  EXPECT_THAT(*lack, ::testing::HasSubstr("scripts/bootstrap step"));
+  EXPECT_EQ(step_assembly(testing::plagiograph(), {}).error(), *lack);
   for (const OutputFile& file : part_files(testing::plagiograph(), {}).files)
     EXPECT_NE(file.name.extension(), ".step");
 }

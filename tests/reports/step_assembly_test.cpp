@@ -121,9 +121,19 @@ TEST(StepAssembly, SameDesignSameBytes) {
 }
 
 TEST(StepAssembly, StandsAmongTheParts) {
+  EXPECT_FALSE(why_no_step());
   const auto files = part_files(plagiograph(), {}).files;
   EXPECT_TRUE(std::any_of(files.begin(), files.end(),
                           [](const OutputFile& file) { return file.name == "parts/assembly.step"; }));
+}
+
+/// The module gets plain data and may refuse it: the sentence says whose fault it is.
+TEST(StepAssembly, OfPartsThatAreNoSolidsIsRefused) {
+  Design design = plagiograph();
+  design.style.thickness = 0;
+  const auto text = step_assembly(design, {});
+  ASSERT_FALSE(text);
+  EXPECT_THAT(text.error(), ::testing::HasSubstr("no parts/assembly.step: OpenCASCADE: "));
 }
 
 TEST(StepAssembly, SaysNothingOnStdout) {
