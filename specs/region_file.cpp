@@ -5,6 +5,7 @@
 
 #include "specs/dxf_reader.hpp"
 #include "specs/geojson_reader.hpp"
+#include "specs/region_growth.hpp"
 #include "specs/svg_reader.hpp"
 
 namespace kempe {
@@ -31,6 +32,13 @@ const RegionFileKind* region_file_kind(const std::filesystem::path& path) {
   const auto found = std::find_if(std::begin(kinds), std::end(kinds),
                                   [&](const RegionFileKind& kind) { return kind.extension == extension; });
   return found == std::end(kinds) ? nullptr : found;
+}
+
+tl::expected<Region, InputError> grown_region(const Region& region, double margin,
+                                              const std::string& file_name) {
+  auto result = grown(region, margin);
+  if (result) return std::move(*result);
+  return tl::unexpected(InputError{file_name, 0, "", result.error(), "a simpler drawing, or margin_mm = 0"});
 }
 
 }  // namespace kempe

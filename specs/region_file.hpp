@@ -44,4 +44,8 @@ std::span<const RegionFileKind> region_file_kinds();
 /// The kind for a path's extension (in any case), or null.
 const RegionFileKind* region_file_kind(const std::filesystem::path& path);
 
+/// grown() for a region that was read from a file, its error as InputError about region.margin_mm.
+tl::expected<Region, InputError> grown_region(const Region& region, double margin,
+                                              const std::string& file_name);
+
 }  // namespace kempe

@@ -5,7 +5,6 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "specs/input_error.hpp"
 #include "specs/region_checks.hpp"
 
 namespace kempe {
@@ -30,9 +29,5 @@ tl::expected<Region, std::string> united(const std::vector<Ring>& rings);
 /// plain: all of them. Everything else is refused as there. Faults after a union name polygons of the union.
 tl::expected<Region, RingFault> assemble_united_region(const std::vector<Ring>& outers,
                                                        const std::vector<Ring>& holes);
-
-/// grown() for a region that was read from a file, its error as InputError about region.margin_mm.
-tl::expected<Region, InputError> grown_region(const Region& region, double margin,
-                                              const std::string& file_name);
 
 }  // namespace kempe

@@ -52,14 +52,4 @@ CopyingLinkage shifted(const CopyingLinkage& linkage, const Point& by) {
       .value();
 }
 
-FoundDesign shifted(FoundDesign design, const Point& by) {
-  design.linkage = shifted(design.linkage, by);
-  return design;
-}
-
-NoDesign shifted(NoDesign none, const Point& by) {
-  for (Relaxation& relaxation : none.relaxations) relaxation.design = shifted(relaxation.design, by);
-  return none;
-}
-
 }  // namespace kempe

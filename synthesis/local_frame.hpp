@@ -2,7 +2,7 @@
 // A job seen from a place in its midst: coordinates far from the table's origin would cost digits in every difference
 // of places, and bounds would need slack for them.
 
-#include "synthesis/search.hpp"
+#include "specs/spec.hpp"
 
 namespace kempe {
 
@@ -15,9 +15,5 @@ Spec shifted(Spec spec, const Point& by);
 
 /// The same linkage, its pole shifted.
 CopyingLinkage shifted(const CopyingLinkage& linkage, const Point& by);
-
-/// The same design or reason, its poles shifted.
-FoundDesign shifted(FoundDesign design, const Point& by);
-NoDesign shifted(NoDesign none, const Point& by);
 
 }  // namespace kempe

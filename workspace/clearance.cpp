@@ -5,6 +5,7 @@
 
 #include "workspace/reach.hpp"
 #include "workspace/sector.hpp"
+#include "workspace/self_contact.hpp"
 #include "workspace/subdivision.hpp"
 
 namespace kempe {

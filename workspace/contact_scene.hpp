@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "workspace/gap_bounds.hpp"
-#include "workspace/workspace_map.hpp"
+#include "workspace/map_task.hpp"
 
 namespace kempe {
 

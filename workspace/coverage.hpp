@@ -2,6 +2,7 @@
 // Does one connected component of the free cells hold the whole region?
 
 #include "workspace/subdivision.hpp"
+#include "workspace/workspace_map.hpp"
 
 namespace kempe {
 

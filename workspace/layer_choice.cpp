@@ -10,6 +10,7 @@
 #include "workspace/clearance.hpp"
 #include "workspace/layer_demands.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/self_contact.hpp"
 
 namespace kempe {
 namespace {

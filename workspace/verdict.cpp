@@ -7,6 +7,7 @@
 
 #include "workspace/contact_scene.hpp"
 #include "workspace/reach.hpp"
+#include "workspace/self_contact.hpp"
 #include "workspace/workspace_map.hpp"
 
 namespace kempe {

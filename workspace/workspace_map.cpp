@@ -11,6 +11,7 @@
 #include "workspace/reach.hpp"
 #include "workspace/region_algebra.hpp"
 #include "workspace/region_losses.hpp"
+#include "workspace/self_contact.hpp"
 #include "workspace/sheets_gap.hpp"
 
 namespace kempe {

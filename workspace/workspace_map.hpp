@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kinematics/stop_flag.hpp"
-#include "workspace/self_contact.hpp"
+#include "workspace/map_task.hpp"
 
 namespace kempe {
 
@@ -28,18 +28,6 @@ struct LostArea {
   Cause cause;
   std::vector<std::string> parts;  ///< the two parts in contact ("link ACX", "obstacle 2"); else empty
   ArcRegion area;
-};
-
-/// What is mapped: a linkage with its parts, and what it must respect.
-struct MapTask {
-  CopyingLinkage linkage;
-  LinkStyle style;
-  LayerAssignment layers;
-  double clearance = 0;     ///< mm
-  double transmission = 0;  ///< rad
-  std::vector<Obstacle> obstacles{};
-  Region region{};                     ///< what must be covered; may be empty
-  std::optional<double> sheets_gap{};  ///< mm
 };
 
 struct MapOptions {
