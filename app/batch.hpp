@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "synthesis/search.hpp"
+#include "synthesis/search/search.hpp"
 
 namespace kempe::app {
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "specs/json_text.hpp"
-#include "specs/printable.hpp"
+#include "specs/text/json_text.hpp"
+#include "specs/text/printable.hpp"
 
 namespace kempe::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "specs/printable.hpp"
+#include "specs/text/printable.hpp"
 
 namespace kempe::app {
 

@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
-#include "reports/design_json.hpp"
+#include "reports/audit/recheck.hpp"
+#include "reports/data/design_json.hpp"
 #include "reports/design_package.hpp"
-#include "reports/parts_fault.hpp"
-#include "reports/recheck.hpp"
-#include "reports/step_assembly.hpp"
-#include "specs/printable.hpp"
+#include "reports/drawings/parts_fault.hpp"
+#include "reports/drawings/step_assembly.hpp"
 #include "specs/spec_reader.hpp"
-#include "specs/text_file.hpp"
-#include "synthesis/verification.hpp"
+#include "specs/text/printable.hpp"
+#include "specs/text/text_file.hpp"
+#include "synthesis/verification/verification.hpp"
 
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -8,8 +8,8 @@
 
 #include "app/command.hpp"
 #include "specs/spec.hpp"
-#include "synthesis/design.hpp"
-#include "synthesis/search.hpp"
+#include "synthesis/design/design.hpp"
+#include "synthesis/search/search.hpp"
 
 namespace kempe::app {
 

@@ -6,11 +6,11 @@
 #include <cstdio>
 
 #include "app/interrupt.hpp"
-#include "kinematics/mobility.hpp"
-#include "kinematics/planar_singularity.hpp"
-#include "reports/atomic_file.hpp"
-#include "reports/linkage_json.hpp"
-#include "specs/printable.hpp"
+#include "kinematics/planar/mobility.hpp"
+#include "kinematics/planar/singularity.hpp"
+#include "reports/data/atomic_file.hpp"
+#include "reports/linkages/json.hpp"
+#include "specs/text/printable.hpp"
 
 namespace kempe::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "specs/linkage_model.hpp"
+#include "specs/linkages/model.hpp"
 
 namespace kempe::app {
 

@@ -10,7 +10,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/command.hpp"
-#include "specs/printable.hpp"
+#include "specs/text/printable.hpp"
 
 namespace {
 

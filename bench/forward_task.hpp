@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/planar_path.hpp"
-#include "specs/linkage_model.hpp"
+#include "kinematics/planar/path.hpp"
+#include "specs/linkages/model.hpp"
 
 namespace kempe::bench {
 

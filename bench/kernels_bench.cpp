@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "forward_task.hpp"
-#include "kinematics/planar_factors.hpp"
+#include "kinematics/planar/factors.hpp"
 #include "kinematics/pose_batch.hpp"
 #include "map_task.hpp"
 #include "specs/spec_reader.hpp"
-#include "synthesis/search.hpp"
+#include "synthesis/search/search.hpp"
+#include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
-#include "workspace/self_contact.hpp"
 
 namespace kempe {
 namespace {

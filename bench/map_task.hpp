@@ -6,7 +6,7 @@
 #include <complex>
 #include <random>
 
-#include "workspace/workspace_map.hpp"
+#include "workspace/map/workspace_map.hpp"
 
 namespace kempe::bench {
 

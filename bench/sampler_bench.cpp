@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "map_task.hpp"
-#include "workspace/clearance.hpp"
-#include "workspace/contact_scene.hpp"
+#include "workspace/contact/clearance.hpp"
+#include "workspace/contact/contact_scene.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe::bench {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "map_task.hpp"
-#include "workspace/clearance.hpp"
-#include "workspace/layer_choice.hpp"
+#include "workspace/contact/clearance.hpp"
+#include "workspace/map/layer_choice.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {

@@ -14,8 +14,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "geometry/point.hpp"
 #include "kinematics/opening_interval.hpp"
-#include "kinematics/point.hpp"
 
 namespace kempe {
 

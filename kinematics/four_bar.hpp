@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "kinematics/point.hpp"
+#include "geometry/point.hpp"
 
 namespace kempe {
 

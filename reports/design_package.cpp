@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "reports/design_drawing.hpp"
-#include "reports/design_json.hpp"
-#include "reports/dxf_writer.hpp"
-#include "reports/links_csv.hpp"
-#include "reports/part_files.hpp"
-#include "reports/svg_writer.hpp"
-#include "reports/workspace_geojson.hpp"
+#include "reports/data/design_json.hpp"
+#include "reports/data/links_csv.hpp"
+#include "reports/data/workspace_geojson.hpp"
+#include "reports/drawings/design_drawing.hpp"
+#include "reports/drawings/dxf_writer.hpp"
+#include "reports/drawings/part_files.hpp"
+#include "reports/drawings/svg_writer.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {

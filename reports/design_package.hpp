@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/atomic_file.hpp"
-#include "reports/html_report.hpp"
-#include "synthesis/design.hpp"
+#include "reports/data/atomic_file.hpp"
+#include "reports/page/html_report.hpp"
+#include "synthesis/design/design.hpp"
 
 namespace kempe {
 

@@ -5,7 +5,7 @@ import json
 import sys
 
 ENOUGH = 0.9
-ROOMS = ("kinematics", "specs", "workspace", "synthesis")
+ROOMS = ("geometry", "kinematics", "specs", "workspace", "synthesis")
 
 
 def spans(numbers):

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "specs/similarity_fit.hpp"
+#include "geometry/similarity_fit.hpp"
 #include "specs/spec_keys.hpp"
 
 namespace kempe {

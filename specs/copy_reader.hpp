@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "specs/complaints.hpp"
 #include "specs/spec.hpp"
-#include "specs/toml_access.hpp"
+#include "specs/text/complaints.hpp"
+#include "specs/text/toml_access.hpp"
 
 namespace kempe {
 

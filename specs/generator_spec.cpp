@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "kinematics/point.hpp"
-#include "specs/complaints.hpp"
+#include "geometry/point.hpp"
 #include "specs/key_checks.hpp"
-#include "specs/toml_access.hpp"
+#include "specs/text/complaints.hpp"
+#include "specs/text/toml_access.hpp"
 
 namespace kempe {
 namespace {

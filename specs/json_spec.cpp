@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "specs/json_text.hpp"
+#include "specs/text/json_text.hpp"
 
 namespace kempe {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "specs/input_error.hpp"
+#include "specs/text/input_error.hpp"
 
 namespace kempe {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "specs/complaints.hpp"
-#include "specs/toml_access.hpp"
+#include "specs/text/complaints.hpp"
+#include "specs/text/toml_access.hpp"
 
 namespace kempe {
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "specs/complaints.hpp"
 #include "specs/measurements_table.hpp"
+#include "specs/text/complaints.hpp"
 
 namespace kempe {
 namespace {

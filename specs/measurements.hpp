@@ -9,8 +9,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "kinematics/point.hpp"
-#include "specs/input_error.hpp"
+#include "geometry/point.hpp"
+#include "specs/text/input_error.hpp"
 
 namespace kempe {
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "specs/printable.hpp"
-#include "specs/region_checks.hpp"
+#include "geometry/regions/region_checks.hpp"
+#include "geometry/regions/ring_loops.hpp"
 #include "specs/region_reader.hpp"
-#include "specs/ring_loops.hpp"
 #include "specs/shape_reader.hpp"
 #include "specs/spec_keys.hpp"
+#include "specs/text/printable.hpp"
 
 namespace kempe {
 namespace {

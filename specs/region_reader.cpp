@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "specs/region_file.hpp"
-#include "specs/region_growth.hpp"
+#include "geometry/regions/region_growth.hpp"
+#include "specs/drawings/region_file.hpp"
 #include "specs/shape_reader.hpp"
 #include "specs/spec_keys.hpp"
-#include "specs/text_file.hpp"
+#include "specs/text/text_file.hpp"
 
 namespace kempe {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "specs/complaints.hpp"
 #include "specs/spec.hpp"
-#include "specs/toml_access.hpp"
+#include "specs/text/complaints.hpp"
+#include "specs/text/toml_access.hpp"
 
 namespace kempe {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "specs/region_checks.hpp"
-#include "specs/region_growth.hpp"
+#include "geometry/regions/region_checks.hpp"
+#include "geometry/regions/region_growth.hpp"
 #include "specs/spec_keys.hpp"
 
 namespace kempe {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "specs/complaints.hpp"
-#include "specs/region.hpp"
-#include "specs/toml_access.hpp"
+#include "geometry/region.hpp"
+#include "specs/text/complaints.hpp"
+#include "specs/text/toml_access.hpp"
 
 namespace kempe {
 

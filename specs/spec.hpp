@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/region.hpp"
 #include "kinematics/copying_linkage.hpp"
-#include "specs/region.hpp"
 
 namespace kempe {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "specs/region_checks.hpp"
+#include "geometry/regions/region_checks.hpp"
 
 namespace kempe {
 namespace {

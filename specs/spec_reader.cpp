@@ -1,12 +1,12 @@
 #include "specs/spec_reader.hpp"
 
 #include "specs/build_reader.hpp"
-#include "specs/complaints.hpp"
 #include "specs/copy_reader.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/region_reader.hpp"
-#include "specs/text_file.hpp"
-#include "specs/toml_access.hpp"
+#include "specs/text/complaints.hpp"
+#include "specs/text/text_file.hpp"
+#include "specs/text/toml_access.hpp"
 
 namespace kempe {
 namespace {

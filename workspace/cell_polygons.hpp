@@ -1,7 +1,7 @@
 #pragma once
 // Sets of cells of the two angles as polygons of the tracer's plane, bounded by true arcs about the pole.
 
-#include "workspace/arc_polygon.hpp"
+#include "geometry/arc_polygon.hpp"
 #include "workspace/grid_outline.hpp"
 
 namespace kempe {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/arc_polygon.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "specs/spec.hpp"
-#include "workspace/arc_polygon.hpp"
 
 namespace kempe {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "geometry/arc_polygon.hpp"
 #include "kinematics/copying_linkage.hpp"
-#include "workspace/arc_polygon.hpp"
 
 namespace kempe {
 

@@ -59,4 +59,4 @@ else()
   endforeach()
 endif()
 file(WRITE "${OUTPUT}"
-  "// Made by reports/web/embed.cmake.\n#include \"reports/web_assets.hpp\"\n\nnamespace kempe::web_assets {\n${sources}}\n")
+  "// Made by reports/web/embed.cmake.\n#include \"reports/page/web_assets.hpp\"\n\nnamespace kempe::web_assets {\n${sources}}\n")

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "kinematics/instant_centres.hpp"
-#include "kinematics/mobility.hpp"
-#include "specs/linkage_model.hpp"
+#include "kinematics/planar/instant_centres.hpp"
+#include "kinematics/planar/mobility.hpp"
+#include "specs/linkages/model.hpp"
 #include "tests/fuzz/choices.hpp"
 
 namespace kempe::fuzz {

@@ -6,14 +6,14 @@
 #include <cstdlib>
 #include <random>
 
-#include "reports/design_audit.hpp"
+#include "reports/audit/design_audit.hpp"
+#include "reports/audit/recheck.hpp"
 #include "reports/design_package.hpp"
-#include "reports/recheck.hpp"
-#include "synthesis/assemble.hpp"
-#include "synthesis/search.hpp"
-#include "synthesis/verification.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/search/search.hpp"
+#include "synthesis/verification/verification.hpp"
 #include "tests/fuzz/choices.hpp"
-#include "tests/specs/grid_outlines.hpp"
+#include "tests/geometry/grid_outlines.hpp"
 
 namespace kempe::fuzz {
 namespace {

@@ -4,18 +4,18 @@
 #include <cstdlib>
 #include <vector>
 
-#include "reports/design_audit.hpp"
-#include "specs/drawing_cover.hpp"
-#include "specs/dxf_reader.hpp"
+#include "geometry/regions/region_checks.hpp"
+#include "reports/audit/design_audit.hpp"
+#include "specs/drawings/drawing_cover.hpp"
+#include "specs/drawings/dxf_reader.hpp"
+#include "specs/drawings/geojson_reader.hpp"
+#include "specs/drawings/svg_reader.hpp"
 #include "specs/generator_spec.hpp"
-#include "specs/geojson_reader.hpp"
 #include "specs/json_spec.hpp"
-#include "specs/linkage_file.hpp"
+#include "specs/linkages/linkage_file.hpp"
 #include "specs/measurements.hpp"
-#include "specs/region_checks.hpp"
 #include "specs/spec_reader.hpp"
-#include "specs/svg_reader.hpp"
-#include "synthesis/verification.hpp"
+#include "synthesis/verification/verification.hpp"
 #include "tests/fuzz/degenerate_linkages.hpp"
 #include "tests/fuzz/structured.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "random_linkages.hpp"
+#include "tests/kinematics/planar/random_linkages.hpp"
 
 namespace kempe {
 namespace {

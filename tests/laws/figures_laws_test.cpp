@@ -2,9 +2,9 @@
 // figure as the unit in the figure's name says.
 #include <nlohmann/json.hpp>
 
-#include "reports/design_json.hpp"
-#include "synthesis/assemble.hpp"
-#include "synthesis/verification.hpp"
+#include "reports/data/design_json.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/verification/verification.hpp"
 #include "tests/laws/law.hpp"
 #include "tests/laws/movement.hpp"
 #include "workspace/reach.hpp"

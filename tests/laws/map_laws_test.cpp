@@ -1,10 +1,10 @@
 // Laws of the map: it only shrinks when more clearance or wider links are asked for, and it moves with its task.
+#include "geometry/regions/region_algebra.hpp"
+#include "tests/geometry/grid_outlines.hpp"
 #include "tests/laws/law.hpp"
 #include "tests/laws/movement.hpp"
-#include "tests/specs/grid_outlines.hpp"
+#include "workspace/map/workspace_map.hpp"
 #include "workspace/reach.hpp"
-#include "workspace/region_algebra.hpp"
-#include "workspace/workspace_map.hpp"
 
 namespace kempe::laws {
 namespace {

@@ -1,7 +1,7 @@
 // What must become of the design when the whole task is moved, enlarged or mirrored: the same worth, enlarged with it.
-#include "law.hpp"
-#include "movement.hpp"
-#include "synthesis/search.hpp"
+#include "synthesis/search/search.hpp"
+#include "tests/laws/law.hpp"
+#include "tests/laws/movement.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
 namespace kempe {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "synthesis/lower_bound.hpp"
-#include "synthesis/search.hpp"
+#include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/search/search.hpp"
 #include "tests/metamorphic/task.hpp"
 
 namespace kempe::metamorphic {

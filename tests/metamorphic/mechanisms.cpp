@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/metamorphic/laws.hpp"
-#include "workspace/workspace_map.hpp"
+#include "workspace/map/workspace_map.hpp"
 
 namespace kempe::metamorphic {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "specs/spec_reader.hpp"
+#include "tests/geometry/grid_outlines.hpp"
 #include "tests/metamorphic/task_changes.hpp"
-#include "tests/specs/grid_outlines.hpp"
 
 namespace kempe::metamorphic {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "synthesis/copy_error.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
 
 namespace kempe::testing {
 namespace {

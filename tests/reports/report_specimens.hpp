@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/html_report.hpp"
+#include "reports/page/html_report.hpp"
 
 namespace kempe::testing {
 

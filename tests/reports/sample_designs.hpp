@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/design.hpp"
+#include "synthesis/design/design.hpp"
 
 namespace kempe::testing {
 

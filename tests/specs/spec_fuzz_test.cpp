@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "specs/geojson_reader.hpp"
-#include "specs/region_checks.hpp"
+#include "geometry/regions/region_checks.hpp"
+#include "specs/drawings/geojson_reader.hpp"
 #include "specs/spec_reader.hpp"
+#include "tests/geometry/random_rings.hpp"
 #include "tests/samples.hpp"
-#include "tests/specs/random_rings.hpp"
 
 namespace kempe {
 namespace {

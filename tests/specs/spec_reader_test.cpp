@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "tests/specs/random_rings.hpp"
+#include "tests/geometry/random_rings.hpp"
 
 namespace kempe {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "synthesis/assemble.hpp"
-#include "synthesis/copy_error.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
 
 namespace kempe::test {
 

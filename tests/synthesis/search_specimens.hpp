@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "synthesis/search.hpp"
-#include "tests/specs/grid_outlines.hpp"
+#include "synthesis/search/search.hpp"
+#include "tests/geometry/grid_outlines.hpp"
 
 namespace kempe::test {
 

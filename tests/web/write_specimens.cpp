@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "reports/atomic_file.hpp"
+#include "reports/data/atomic_file.hpp"
 #include "tests/reports/report_specimens.hpp"
-#include "workspace/contact_scene.hpp"
+#include "workspace/contact/contact_scene.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "random_linkage.hpp"
+#include "tests/workspace/random_linkage.hpp"
 #include "workspace/cell_polygons.hpp"
 
 namespace kempe {

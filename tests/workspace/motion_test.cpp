@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "random_linkage.hpp"
-#include "workspace/gap_bounds.hpp"
-#include "workspace/segment_distance.hpp"
+#include "geometry/segment_distance.hpp"
+#include "tests/workspace/random_linkage.hpp"
+#include "workspace/contact/gap_bounds.hpp"
 
 namespace kempe {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "random_linkage.hpp"
+#include "tests/workspace/random_linkage.hpp"
 
 namespace kempe {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "random_linkage.hpp"
+#include "tests/workspace/random_linkage.hpp"
 
 namespace kempe {
 namespace {

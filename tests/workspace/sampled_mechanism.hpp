@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "workspace/workspace_map.hpp"
+#include "workspace/map/workspace_map.hpp"
 
 namespace kempe::test {
 

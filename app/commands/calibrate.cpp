@@ -1,0 +1,137 @@
+// kempe calibrate: what is wrong with a real instrument, from what it drew.
+
+#include <filesystem>
+#include <memory>
+
+#include "app/all_commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/output_check.hpp"
+#include "app/progress.hpp"
+#include "reports/calibration/report.hpp"
+#include "reports/data/atomic_file.hpp"
+#include "reports/data/design_json.hpp"
+#include "specs/text/text_file.hpp"
+
+namespace kempe::app {
+namespace {
+
+struct CalibrateArguments {
+  std::string file, folder, method;
+  std::optional<double> target;
+  std::vector<std::string> ratios;
+  bool plan = false, simulate = false;
+  std::optional<int> plan_readings;
+  std::uint64_t seed = 1;
+};
+
+/// The options given on the command line over those of the file.
+tl::expected<Measurements, InputError> with_arguments(Measurements measurements,
+                                                      const CalibrateArguments& arguments) {
+  if (arguments.target) measurements.fit.target = *arguments.target;
+  if (arguments.method == "knight") measurements.fit.method = CalibrationMethod::knight;
+  if (arguments.method == "least_squares") measurements.fit.method = CalibrationMethod::least_squares;
+  if (measurements.fit.method == CalibrationMethod::knight && !measurements.instrument)
+    return tl::unexpected(InputError{"", 0, "--method", "Knight's method for a design", "least_squares"});
+  for (const std::string& text : arguments.ratios) {
+    const auto value = parse_ratio(text);
+    if (!value || *value < 0.01 || *value > 100)
+      return tl::unexpected(
+          InputError{"", 0, "--ratios", text, "ratios from 0.01 to 100, such as 1:3 or 0.4"});
+    measurements.ratios.push_back({text, *value});
+  }
+  if (arguments.plan && !measurements.plan) measurements.plan.emplace();
+  if (measurements.plan && arguments.plan_readings) measurements.plan->readings = *arguments.plan_readings;
+  if (arguments.simulate && !measurements.simulation) measurements.simulation.emplace();
+  if (!arguments.simulate) measurements.simulation.reset();
+  return measurements;
+}
+
+tl::expected<std::optional<DrawnDesign>, InputError> design_for(const Measurements& measurements,
+                                                                const std::string& file) {
+  if (measurements.design.empty()) return std::nullopt;
+  const auto path = (std::filesystem::path(file).parent_path() / measurements.design).string();
+  const auto text = read_text_file(path);
+  if (!text) return tl::unexpected(text.error());
+  const auto design = read_design(*text, path);
+  if (!design) return tl::unexpected(design.error());
+  const auto linkage = linkage_of(*design, path);
+  if (!linkage) return tl::unexpected(linkage.error());
+  return drawn_design(*linkage, design->mechanism.opening, design->region);
+}
+
+int write_report(const CalibrateArguments& arguments, const CalibrationRecord& record,
+                 const std::optional<SimulationRecord>& simulation, const std::string& json,
+                 const std::string& text, const std::string& design) {
+  std::vector<OutputFile> files{{"calibration.json", json}};
+  const CalibrationPage page{KEMPE_VERSION, std::filesystem::path(arguments.file).filename().string(), text};
+  files.push_back({"report.html", calibration_html(record, simulation, page)});
+  if (simulation) files.push_back({"simulated.toml", simulated_measurements(record, *simulation)});
+  std::vector<std::string> names;
+  for (const OutputFile& file : files) names.push_back(file.name.string());
+  std::vector<std::filesystem::path> inputs{arguments.file};
+  if (!design.empty()) inputs.push_back(std::filesystem::path(arguments.file).parent_path() / design);
+  if (const auto clash = output_clash(inputs, arguments.folder, names)) return fail(*clash);
+  const auto written = write_whole(std::filesystem::path(arguments.folder), files);
+  return written ? done : fail(cannot_write, written.error());
+}
+
+int run(const CalibrateArguments& arguments, bool quiet) {
+  const auto text = read_text_file(arguments.file);
+  if (!text) return fail(text.error());
+  auto read = read_measurements(*text, arguments.file);
+  if (!read) return fail(read.error());
+  const auto measurements = with_arguments(std::move(*read), arguments);
+  if (!measurements) return fail(measurements.error());
+  const auto design = design_for(*measurements, arguments.file);
+  if (!design) return fail(design.error());
+  const auto record = run_calibration(*measurements, *design, arguments.file);
+  if (!record) return fail(record.error());
+  std::optional<SimulationRecord> simulation;
+  if (measurements->simulation) {
+    const Interrupt interrupt;
+    Progress progress(quiet);
+    simulation = simulate_calibration(
+        *measurements, *design, arguments.seed, [&](double share) { progress.show(share, "simulating"); },
+        interrupt.requested());
+    if (!simulation) return fail(interrupted, "interrupted");
+  }
+  const std::string json = calibration_json(*record, simulation);
+  if (!arguments.folder.empty())
+    if (const int code = write_report(arguments, *record, simulation, json, *text, measurements->design);
+        code != done)
+      return code;
+  print(json);
+  return done;
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& program, Session& session) {
+  CLI::App* command = add_command(program, session, "calibrate",
+                                  "Find what is wrong with a real instrument from what it drew",
+                                  "kempe calibrate specs/examples/calibration/knight.toml");
+  auto arguments = std::make_shared<CalibrateArguments>();
+  command
+      ->add_option("MEASUREMENTS", arguments->file, "Instrument and readings (TOML; see docs/calibration.md)")
+      ->required();
+  command->add_option("-o,--output", arguments->folder,
+                      "Write calibration.json and report.html into this folder");
+  command->add_option("--target-mm", arguments->target, "Departure that is good enough")
+      ->check(number_between(1e-6, 1000));
+  command
+      ->add_option("--method", arguments->method,
+                   "knight or least_squares; otherwise knight for two readings a round")
+      ->check(CLI::IsMember({"knight", "least_squares"}));
+  command->add_option("--ratios", arguments->ratios, "Setting table for these ratios, such as 1:2,1:3,0.4")
+      ->delimiter(',');
+  command->add_flag("--plan", arguments->plan, "Propose the readings that tell most");
+  command->add_option("--plan-readings", arguments->plan_readings, "How many readings --plan proposes")
+      ->check(CLI::Range(1, 100));
+  command->add_flag("--simulate", arguments->simulate, "Play [simulate]: instruments with hidden errors");
+  command->add_option("--seed", arguments->seed, "Seed of the simulation");
+  command->callback([&session, arguments] {
+    session.chosen = [&session, arguments] { return run(*arguments, session.quiet); };
+  });
+}
+
+}  // namespace kempe::app

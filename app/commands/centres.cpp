@@ -1,0 +1,71 @@
+// kempe centres: every instant centre of a linkage at one step of its motion.
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/all_commands.hpp"
+#include "app/linkage_run.hpp"
+#include "app/output_check.hpp"
+#include "reports/linkages/centres_picture.hpp"
+#include "reports/linkages/json.hpp"
+
+namespace kempe::app {
+namespace {
+
+struct CentresArguments {
+  std::string linkage, picture;
+  double step = 0;
+  std::uint64_t seed = 1;
+};
+
+/// The moment at a step, whole or not, reached along the motion.
+tl::expected<RunFrame, int> frame_at(const LoadedLinkage& loaded, const PlanarPosition& start, double step) {
+  auto run = drive_to(loaded, start, step);
+  if (!run) return tl::unexpected(run.error());
+  if (!run->stop) return run->frames.back();
+  return tl::unexpected(
+      fail(no_design, fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
+                                  stop_sentence(loaded, *run, loaded.file.steps))));
+}
+
+int run(const Session& session, const CentresArguments& arguments) {
+  if (const auto clash = output_clash({arguments.linkage}, {arguments.picture})) return fail(*clash);
+  const auto loaded = load_linkage(session, arguments.linkage);
+  if (!loaded) return loaded.error();
+  if (!(arguments.step >= 0 && arguments.step <= loaded->file.steps))
+    return fail({arguments.linkage, 0, "--at", fmt::format("{:g}", arguments.step),
+                 fmt::format("a step from 0 to {}", loaded->file.steps)});
+  const auto assemblies = assemble_linkage(*loaded, arguments.seed);
+  if (!assemblies) return assemblies.error();
+  const auto frame = frame_at(*loaded, assemblies->front(), arguments.step);
+  if (!frame) return frame.error();
+  const auto centres = instant_centres(loaded->model.linkage, frame->position, frame->rate);
+  const std::vector<double> speeds = loaded->model.schedule.speeds_at(frame->share);
+  if (!arguments.picture.empty()) {
+    const PlanarRun moment{{*frame}, std::nullopt};
+    const LinkageScene scene = linkage_scene(loaded->file, loaded->model, moment, loaded->file.steps);
+    const int code = write_output(arguments.picture, centres_svg(scene, centres, loaded->file.unit.in_mm));
+    if (code != done) return code;
+  }
+  print(centres_json(loaded->file, loaded->model, arguments.step, *frame, speeds, centres));
+  return done;
+}
+
+}  // namespace
+
+void add_centres_command(CLI::App& program, Session& session) {
+  CLI::App* command =
+      add_command(program, session, "centres", "Every instant centre, by joints and Aronhold-Kennedy",
+                  "kempe centres specs/examples/linkages/plagiograph.toml --at 3 -o centres.svg");
+  auto arguments = std::make_shared<CentresArguments>();
+  command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)")
+      ->required();
+  command->add_option("--at", arguments->step, "Step of the motion")->capture_default_str();
+  command->add_option("-o,--svg", arguments->picture, "Draw them too: FILE.svg");
+  command->add_option("--seed", arguments->seed, "Of the search for assemblies")->capture_default_str();
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
+}
+
+}  // namespace kempe::app

@@ -1,0 +1,72 @@
+// kempe mobility: how many freedoms a linkage has, counted and in truth; and which links make up a linkage.
+
+#include <memory>
+
+#include "app/all_commands.hpp"
+#include "app/linkage_run.hpp"
+#include "reports/linkages/json.hpp"
+
+namespace kempe::app {
+namespace {
+
+struct MobilityArguments {
+  std::string linkage;
+  int links = 0, freedoms = 1;
+  std::uint64_t seed = 1;
+};
+
+/// A closed position with the drivers at their start, or, if they contradict each other, without them.
+tl::expected<PlanarPosition, int> closed_position(const LoadedLinkage& loaded, std::uint64_t seed) {
+  AssemblySearch search;
+  search.seed = seed;
+  if (const auto driven = start_assemblies(loaded.file, loaded.model, search)) return driven->front();
+  LoadedLinkage free{loaded.file, loaded.model};
+  free.model.linkage = loaded.model.linkage.undriven();
+  free.model.schedule = {};
+  free.file.bounds.clear();
+  auto found = assemble_linkage(free, seed);
+  if (!found) return tl::unexpected(found.error());
+  return found->front();
+}
+
+int run(const Session& session, const MobilityArguments& arguments) {
+  if (arguments.links > 0) {
+    print(number_synthesis_json(arguments.links, arguments.freedoms,
+                                number_synthesis(arguments.links, arguments.freedoms)));
+    return done;
+  }
+  const auto loaded = load_linkage(session, arguments.linkage);
+  if (!loaded) return loaded.error();
+  const auto closed = closed_position(*loaded, arguments.seed);
+  if (!closed) return closed.error();
+  const Mobility mobility = mobility_of(loaded->model.linkage, *closed, arguments.seed);
+  print(mobility_json(loaded->file, loaded->model, mobility));
+  return done;
+}
+
+}  // namespace
+
+void add_mobility_command(CLI::App& program, Session& session) {
+  CLI::App* command =
+      add_command(program, session, "mobility", "Gruebler's count beside the true mobility; number synthesis",
+                  "kempe mobility specs/examples/linkages/plagiograph.toml\n"
+                  "  kempe mobility --links 6 --dof 1");
+  auto arguments = std::make_shared<MobilityArguments>();
+  auto* linkage =
+      command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)");
+  auto* links =
+      command
+          ->add_option("--links", arguments->links, "Number synthesis: how many links, the ground included")
+          ->check(CLI::Range(2, 40));
+  command->add_option("--dof", arguments->freedoms, "and how many freedoms")
+      ->check(CLI::Range(0, 40))
+      ->needs(links);
+  command->add_option("--seed", arguments->seed, "Of the search for closed positions")->capture_default_str();
+  linkage->excludes(links);
+  command->callback([&session, arguments, linkage, links] {
+    if (linkage->empty() && links->empty()) throw CLI::RequiredError("LINKAGE or --links");
+    session.chosen = [&session, arguments] { return run(session, *arguments); };
+  });
+}
+
+}  // namespace kempe::app

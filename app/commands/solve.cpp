@@ -1,0 +1,186 @@
+// kempe solve: any planar linkage moved by its drivers.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/all_commands.hpp"
+#include "app/linkage_run.hpp"
+#include "app/output_check.hpp"
+#include "reports/linkages/animation.hpp"
+#include "reports/linkages/solve_table.hpp"
+#include "specs/text/printable.hpp"
+
+namespace kempe::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SolveArguments {
+  std::string linkage, table_file;
+  std::vector<std::string> animations, angles;
+  bool list_assemblies = false, velocities = false, accelerations = false;
+  int assembly = 0, steps = 0;
+  std::uint64_t seed = 1;
+};
+
+constexpr int least_animated_moments = 180;
+
+void apply(const SolveArguments& arguments, LinkageFile& file) {
+  file.output.velocities |= arguments.velocities;
+  file.output.accelerations |= arguments.accelerations;
+  for (const std::string& link : arguments.angles)
+    if (std::find(file.output.angles.begin(), file.output.angles.end(), link) == file.output.angles.end())
+      file.output.angles.push_back(link);
+  if (arguments.steps > 0) file.steps = arguments.steps;
+}
+
+/// Every link the arguments name must exist.
+int check_links(const LoadedLinkage& loaded, const SolveArguments& arguments) {
+  for (const std::string& link : arguments.angles)
+    if (!loaded.model.bodies.contains(link))
+      return fail({"", 0, "--angles", "the link " + link, "a link of " + loaded.file.file});
+  return done;
+}
+
+/// A row an assembly: where the points are.
+SolveTable assembly_table(const LoadedLinkage& loaded, const std::vector<PlanarPosition>& found) {
+  SolveTable table{{"assembly"}, {ColumnKind::step}, {}};
+  for (std::size_t i = 0; i < found.size(); ++i) table.rows.push_back({static_cast<double>(i)});
+  for (const ModelPoint& point : loaded.model.points) {
+    if (point.place.body == PlanarLinkage::ground) continue;
+    for (const int axis : {0, 1}) {
+      table.columns.push_back(
+          fmt::format("{}_{}_{}", point.name, axis == 0 ? 'x' : 'y', loaded.file.unit.name));
+      table.kinds.push_back(ColumnKind::place);
+      for (std::size_t i = 0; i < found.size(); ++i)
+        table.rows[i].push_back(place(found[i], point.place)[axis] / loaded.file.unit.in_mm);
+    }
+  }
+  return table;
+}
+
+Json table_json(const SolveTable& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json values = Json::array();
+    for (const auto& value : row) values.push_back(value ? Json(*value) : Json(nullptr));
+    rows.push_back(std::move(values));
+  }
+  return {{"columns", table.columns}, {"rows", std::move(rows)}};
+}
+
+int list_assemblies(const Session& session, const LoadedLinkage& loaded,
+                    const std::vector<PlanarPosition>& found) {
+  const SolveTable table = assembly_table(loaded, found);
+  Json object{{"linkage", loaded.file.name}, {"unit", loaded.file.unit.name}, {"assemblies", found.size()}};
+  object.update(table_json(table));
+  print(session.json ? object.dump() + "\n" : csv_text(table));
+  return done;
+}
+
+/// Enough moments to look smooth: the table's steps, each cut into equal parts.
+int write_animations(const LoadedLinkage& loaded, const PlanarPosition& start,
+                     const std::vector<std::string>& files) {
+  const int parts = (least_animated_moments + loaded.file.steps - 1) / loaded.file.steps,
+            steps = loaded.file.steps * parts;
+  const auto run = drive_linkage(loaded, start, steps);
+  if (!run) return run.error();
+  LinkageScene scene = linkage_scene(loaded.file, loaded.model, *run, loaded.file.steps);
+  for (const std::string& file : files) {
+    const bool page = std::filesystem::path(file).extension() == ".html";
+    if (const int code = write_output(file, page ? animation_html(scene) : animation_svg(scene));
+        code != done)
+      return code;
+  }
+  return done;
+}
+
+Json summary_json(const LoadedLinkage& loaded, const SolveTable& table, const PlanarRun& run) {
+  Json object{{"linkage", loaded.file.name}, {"unit", loaded.file.unit.name}, {"steps", loaded.file.steps}};
+  object["stop"] = nullptr;
+  if (run.stop)
+    object["stop"] = {{"kind", std::string(name(run.stop->end))},
+                      {"step", run.frames.back().share * loaded.file.steps},
+                      {"sentences", run.stop->sentences}};
+  object.update(table_json(table));
+  return object;
+}
+
+int tell(const Session& session, const SolveArguments& arguments, const LoadedLinkage& loaded,
+         const PlanarRun& run) {
+  const SolveTable table = solve_table(loaded.file, loaded.model, run, loaded.file.steps);
+  if (!arguments.table_file.empty())
+    if (const int code = write_output(arguments.table_file, csv_text(table)); code != done) return code;
+  if (session.json)
+    print(summary_json(loaded, table, run).dump() + "\n");
+  else if (arguments.table_file.empty())
+    print(csv_text(table));
+  else
+    print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(),
+                      printable(arguments.table_file)));
+  return done;
+}
+
+int run(const Session& session, const SolveArguments& arguments) {
+  for (const std::string& file : arguments.animations)
+    if (const auto kind = std::filesystem::path(file).extension(); kind != ".html" && kind != ".svg")
+      return fail({"", 0, "--animate", file, "a file that ends in .html or .svg"});
+  std::vector<std::filesystem::path> outputs{arguments.table_file};
+  outputs.insert(outputs.end(), arguments.animations.begin(), arguments.animations.end());
+  if (const auto clash = output_clash({arguments.linkage}, outputs)) return fail(*clash);
+  auto loaded = load_linkage(session, arguments.linkage);
+  if (!loaded) return loaded.error();
+  if (const int code = check_links(*loaded, arguments); code != done) return code;
+  if (arguments.steps > loaded->file.most_steps())
+    return fail({"", 0, "--steps", fmt::format("{}", arguments.steps),
+                 fmt::format("at most {} with so many links", loaded->file.most_steps())});
+  apply(arguments, loaded->file);
+  const auto assemblies = assemble_linkage(*loaded, arguments.seed);
+  if (!assemblies) return assemblies.error();
+  if (arguments.list_assemblies) return list_assemblies(session, *loaded, *assemblies);
+  if (arguments.assembly >= static_cast<int>(assemblies->size()))
+    return fail({"", 0, "--assembly", fmt::format("{}", arguments.assembly),
+                 fmt::format("0 to {}: so many are known (see --assemblies)", assemblies->size() - 1)});
+  const PlanarPosition& start = (*assemblies)[static_cast<std::size_t>(arguments.assembly)];
+  const auto motion = drive_linkage(*loaded, start, loaded->file.steps);
+  if (!motion) return motion.error();
+  if (const int code = tell(session, arguments, *loaded, *motion); code != done) return code;
+  if (!arguments.animations.empty())
+    if (const int code = write_animations(*loaded, start, arguments.animations); code != done) return code;
+  if (!motion->stop) return done;
+  return fail(no_design,
+              printable(arguments.linkage) + ": " + stop_sentence(*loaded, *motion, loaded->file.steps));
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& program, Session& session) {
+  CLI::App* command =
+      add_command(program, session, "solve", "Move any planar linkage: positions, velocities, accelerations",
+                  "kempe solve specs/examples/linkages/shear-press.toml -o press.csv --animate press.html");
+  auto arguments = std::make_shared<SolveArguments>();
+  command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)")
+      ->required();
+  command->add_option("-o,--output", arguments->table_file, "Table of positions (CSV); left out: on stdout");
+  command->add_option("--animate", arguments->animations,
+                      "The linkage moving: FILE.html or FILE.svg; may be given twice");
+  command->add_flag("--assemblies", arguments->list_assemblies,
+                    "List the ways to put it together at the start, and end");
+  command->add_option("--assembly", arguments->assembly, "Start in this one of them")
+      ->check(CLI::Range(0, 1000));
+  command->add_flag("--velocities", arguments->velocities, "Velocities of points and links");
+  command->add_flag("--accelerations", arguments->accelerations, "Accelerations of points and links");
+  command->add_option("--angles", arguments->angles, "Links whose angles are wanted, besides the file's")
+      ->delimiter(',');
+  command->add_option("--steps", arguments->steps, "Equal parts of the motion, instead of the file's")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--seed", arguments->seed, "Of the search for assemblies")->capture_default_str();
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
+}
+
+}  // namespace kempe::app

@@ -1,0 +1,102 @@
+// kempe synthesize: from a spec to the best design.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/all_commands.hpp"
+#include "app/batch.hpp"
+#include "app/design_run.hpp"
+#include "app/progress.hpp"
+#include "app/stopping.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/search/search.hpp"
+
+namespace kempe::app {
+namespace {
+
+struct SynthesizeArguments {
+  std::string spec_file, batch_source, folder;
+  std::uint64_t seed = 1;
+  int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  double time_limit = Stopping::unlimited;
+  double map_tolerance = MapOptions{}.map_tolerance;
+};
+
+/// A design found when the time was over is mapped for so much longer, s; then the map stays as coarse as it is.
+constexpr double time_to_map = 0.4;
+
+/// In the objective's unit.
+std::string known_bound(Objective objective, const std::optional<double>& bound) {
+  if (!bound || !std::isfinite(*bound)) return "";
+  if (objective == Objective::transmission)
+    return fmt::format("; none can be above {:.4f} degrees", degrees(*bound));
+  return fmt::format("; none can be below {:.4f} mm", *bound);
+}
+
+int run(const Session& session, const SynthesizeArguments& arguments) {
+  if (!arguments.batch_source.empty())
+    return run_batch(session, {arguments.batch_source, arguments.folder, arguments.threads, arguments.seed,
+                               arguments.time_limit});
+  const Stopping stopping(arguments.time_limit);
+  const auto loaded = load_spec(arguments.spec_file);
+  if (!loaded) return fail(loaded.error());
+  SearchOutcome outcome = NoDesign{};
+  {
+    Progress progress(session.quiet);
+    SearchOptions options;
+    options.seed = arguments.seed;
+    options.threads = arguments.threads;
+    if (std::isfinite(arguments.time_limit)) options.time_limit = stopping.left();
+    options.stop = stopping.flag();
+    options.progress = [&](double share, std::string_view what) { progress.show(share, what); };
+    outcome = synthesize(loaded->spec, options);
+  }
+  const Objective objective = loaded->spec.objective.objective;
+  if (const auto* early = std::get_if<Stopped>(&outcome))
+    return tell_stopped(session, stopping,
+                        "before a design was found or proven impossible; nothing is written" +
+                            known_bound(objective, early->lower_bound),
+                        early->lower_bound);
+  if (const auto* none = std::get_if<NoDesign>(&outcome)) return tell_no_design(session, *none);
+  const auto& found = std::get<FoundDesign>(outcome);
+  Design design = assemble_design(
+      loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag(time_to_map)});
+  if (!design.map.coverage.covered)
+    return fail(no_design, "no design exists that the map can certify: " + design.map.coverage.why_not);
+  const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
+  return code == done && stopping.interrupted() ? interrupted : code;
+}
+
+}  // namespace
+
+void add_synthesize_command(CLI::App& program, Session& session) {
+  CLI::App* command = add_command(program, session, "synthesize",
+                                  "Find the best design for a spec, map its workspace, verify it",
+                                  "kempe synthesize specs/examples/plagiograph.toml -o out/plagiograph");
+  auto arguments = std::make_shared<SynthesizeArguments>();
+  auto* spec = command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)");
+  auto* batch =
+      command->add_option("--batch", arguments->batch_source,
+                          "Many specs: a folder of *.toml, or a .jsonl file; resumable (docs/batch.md)");
+  spec->excludes(batch);
+  command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
+  command->add_option("--seed", arguments->seed, "Same seed, same design")->capture_default_str();
+  command->add_option("-j,--threads", arguments->threads, "The design does not depend on it")
+      ->check(CLI::Range(1, 256));
+  add_time_limit(*command, arguments->time_limit,
+                 "Seconds (a spec, in a batch); then the best so far, marked as such, or exit code 6 if "
+                 "nothing is known");
+  command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
+      ->check(number_between(1e-5, 0.5))
+      ->capture_default_str();
+  command->callback([&session, arguments, spec, batch] {
+    if (spec->empty() && batch->empty()) throw CLI::RequiredError("SPEC or --batch");
+    session.chosen = [&session, arguments] { return run(session, *arguments); };
+  });
+}
+
+}  // namespace kempe::app

@@ -1,0 +1,99 @@
+// kempe workspace: the map of a mechanism whose lengths the spec gives.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/all_commands.hpp"
+#include "app/design_run.hpp"
+#include "app/stopping.hpp"
+#include "geometry/regions/region_checks.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/search/diagnosis.hpp"
+
+namespace kempe::app {
+namespace {
+
+struct WorkspaceArguments {
+  std::string spec_file, folder;
+  std::vector<double> why;  // x, y
+  double map_tolerance = MapOptions{}.map_tolerance;
+  double time_limit = Stopping::unlimited;
+};
+
+InputError no_mechanism(const std::string& file) {
+  return {file, 0, "mechanism", "no such table",
+          "[mechanism] with vertex, VA_mm, VB_mm and assembly (kempe synthesize finds them)"};
+}
+
+tl::expected<CopyingLinkage, InputError> linkage_of(const LoadedSpec& loaded) {
+  const Spec& spec = loaded.spec;
+  if (!spec.mechanism) return tl::unexpected(no_mechanism(loaded.file));
+  if (!spec.pole.is_fixed())
+    return tl::unexpected(InputError{loaded.file, 0, "pole.within_mm", "an area",
+                                     "at_mm: a given mechanism stands at one place"});
+  const MechanismSpec& given = *spec.mechanism;
+  const auto linkage = CopyingLinkage::make(spec.copy.k, given.vertex, given.VA, given.VB, given.assembly,
+                                            std::get<Point>(spec.pole.place));
+  if (linkage) return *linkage;
+  const std::size_t count = assemblies(shape_of(spec.copy.k, given.vertex)).size();
+  return tl::unexpected(InputError{loaded.file, 0, "mechanism", std::string(name(linkage.error())),
+                                   fmt::format("positive lengths and an assembly below {}", count)});
+}
+
+int tell_why(const Session& session, const Design& design, const Point& tracer) {
+  const Verdict verdict = verdict_at(map_task(design), tracer);
+  if (!session.json) {
+    print(fmt::format("({:.6g}, {:.6g}): {}\n", tracer.x(), tracer.y(), verdict.sentence));
+    return done;
+  }
+  nlohmann::ordered_json object{
+      {"tracer_mm", {tracer.x(), tracer.y()}}, {"free", verdict.free}, {"uncertain", verdict.uncertain}};
+  if (verdict.cause) object["cause"] = std::string(name(*verdict.cause));
+  object["parts"] = verdict.parts;
+  object["sentence"] = verdict.sentence;
+  print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  return done;
+}
+
+int run(const Session& session, const WorkspaceArguments& arguments) {
+  const Stopping stopping(arguments.time_limit);
+  const auto loaded = load_spec(arguments.spec_file);
+  if (!loaded) return fail(loaded.error());
+  const auto linkage = linkage_of(*loaded);
+  if (!linkage) return fail(linkage.error());
+  if (const auto none = plainly_impossible(loaded->spec); none && none->requirement == "obstacles")
+    return tell_no_design(session, *none);
+  Design design = assemble_given(loaded->spec, *linkage,
+                                 {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});
+  if (!arguments.why.empty()) return tell_why(session, design, {arguments.why[0], arguments.why[1]});
+  const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
+  return code == done && stopping.interrupted() ? interrupted : code;
+}
+
+}  // namespace
+
+void add_workspace_command(CLI::App& program, Session& session) {
+  CLI::App* command =
+      add_command(program, session, "workspace", "Map a mechanism whose lengths the spec gives ([mechanism])",
+                  "kempe workspace specs/examples/report-mechanism.toml -o out/report-mechanism");
+  auto arguments = std::make_shared<WorkspaceArguments>();
+  command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)")->required();
+  auto* folder = command->add_option("-o,--output", arguments->folder, "Folder for the map's files");
+  auto* why =
+      command->add_option("--why", arguments->why, "Say why the tracer can or cannot stand at X,Y (mm)")
+          ->delimiter(',')
+          ->check(number_between(-largest_coordinate, largest_coordinate))
+          ->expected(2);
+  command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
+      ->check(number_between(1e-5, 0.5))
+      ->capture_default_str();
+  add_time_limit(*command, arguments->time_limit, "Seconds; then the map as fine as it is, marked as such");
+  command->callback([&session, arguments, folder, why] {
+    if (folder->empty() && why->empty()) throw CLI::RequiredError("--output or --why");
+    session.chosen = [&session, arguments] { return run(session, *arguments); };
+  });
+}
+
+}  // namespace kempe::app

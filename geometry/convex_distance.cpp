@@ -1,0 +1,79 @@
+#include "geometry/convex_distance.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace kempe {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t edge_count(ConvexCorners set) { return set.size() > 2 ? set.size() : set.size() - 1; }
+
+Complex next(ConvexCorners set, std::size_t i) { return set[i + 1 == set.size() ? 0 : i + 1]; }
+
+/// Side of its edges on which a polygon does not lie; 0 for a segment, which has two free sides.
+double free_side(ConvexCorners set) {
+  if (set.size() < 3) return 0;
+  double area = 0;
+  for (std::size_t i = 1; i + 1 < set.size(); ++i) area += cross(set[i] - set[0], set[i + 1] - set[0]);
+  return area > 0 ? -1 : 1;
+}
+
+/// The widest separation along the normals of `edges`' edges.
+void separate(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, NearestFeatures& best) {
+  const double outward = free_side(edges);
+  for (std::size_t i = 0; i < edge_count(edges); ++i) {
+    const Complex edge = next(edges, i) - edges[i];
+    const double length =
+        std::sqrt(std::norm(edge));  // lengths of links are far from overflow: no need of hypot
+    if (!(length > 0)) continue;
+    const Complex along = edge / length;
+    for (const double side : {1.0, -1.0}) {
+      if (outward * side < 0) continue;
+      NearestFeatures here{infinity, corner_of_first, 0, i, (i + 1) % edges.size(), true, side};
+      for (std::size_t j = 0; j < corners.size(); ++j) {
+        const double height = side * cross(along, corners[j] - edges[i]);
+        if (height < here.distance) here.distance = height, here.corner = j;
+      }
+      if (here.distance > best.distance) best = here;
+    }
+  }
+}
+
+/// The smallest distance of `corners` from the corners and edges of `edges`; squared in `best` on the way.
+void approach(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, NearestFeatures& best) {
+  for (std::size_t j = 0; j < corners.size(); ++j)
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const double squared = std::norm(corners[j] - edges[i]);
+      if (squared < best.distance) best = {squared, corner_of_first, j, i, i, false, 1};
+    }
+  for (std::size_t i = 0; i < edge_count(edges); ++i) {
+    const Complex edge = next(edges, i) - edges[i];
+    const double length_squared = std::norm(edge);
+    for (std::size_t j = 0; j < corners.size(); ++j) {
+      const Complex to_corner = corners[j] - edges[i];
+      const double along = dot(edge, to_corner);
+      if (along <= 0 || along >= length_squared) continue;
+      const double product = cross(edge, to_corner), squared = product * product / length_squared;
+      if (squared < best.distance)
+        best = {squared, corner_of_first, j, i, (i + 1) % edges.size(), true, product < 0 ? -1.0 : 1.0};
+    }
+  }
+}
+
+}  // namespace
+
+NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second) {
+  NearestFeatures best{.distance = -infinity};
+  separate(first, second, false, best);
+  separate(second, first, true, best);
+  if (best.is_edge && best.distance < 0) return best;
+  best = {.distance = infinity};
+  approach(first, second, false, best);
+  approach(second, first, true, best);
+  best.distance = std::sqrt(best.distance);
+  return best;
+}
+
+}  // namespace kempe

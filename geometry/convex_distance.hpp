@@ -1,0 +1,34 @@
+#pragma once
+// Signed distance of two convex sets of few corners, with the features that decide it.
+//
+// Apart: the smallest distance of a corner of one from the other. Overlapping: minus the smallest shift that
+// parts them; it is along the normal of an edge of one of them, because the Minkowski difference has the
+// edges of both (separating axes). Either way the distance is |corner - corner| or the height of a corner
+// over an edge's line.
+
+#include <cstddef>
+#include <span>
+
+#include "geometry/point.hpp"
+
+namespace kempe {
+
+/// A point, a segment, or a convex polygon in either direction.
+using ConvexCorners = std::span<const Complex>;
+
+struct NearestFeatures {
+  double distance = 0;          ///< mm, negative: depth of overlap
+  bool corner_of_first = true;  ///< which set has the corner; the other has the edge (or the other corner)
+  std::size_t corner = 0;
+  std::size_t from = 0;  ///< the edge's start, or the other corner
+  std::size_t to = 0;    ///< the edge's end
+  bool is_edge = false;
+  double side = 1;  ///< distance = side * (to - from) x (corner - from) / |to - from|
+};
+
+NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second);
+
+inline double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
+inline double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
+
+}  // namespace kempe

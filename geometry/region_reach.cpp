@@ -1,0 +1,154 @@
+#include "geometry/region_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace kempe {
+namespace {
+
+constexpr std::size_t edges_per_leaf = 8;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void append_edges(const Ring& ring, std::vector<BoundaryEdge>& edges) {
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+}
+
+/// Andrew's monotone chain.
+std::vector<Point> convex_hull(std::vector<Point> points) {
+  const auto before = [](const Point& a, const Point& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Point> hull;
+  const auto extend = [&hull](const Point& point, std::size_t keep) {
+    while (hull.size() >= keep + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
+      hull.pop_back();
+    hull.push_back(point);
+  };
+  for (const Point& point : points) extend(point, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (std::size_t i = points.size() - 1; i-- > 0;) extend(points[i], lower);
+  hull.pop_back();
+  return hull;
+}
+
+double squared_distance(const Box& box, const Point& point) {
+  return (point - point.cwiseMax(box.lower).cwiseMin(box.upper)).squaredNorm();
+}
+
+Box joined(const Box& a, const Box& b) { return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)}; }
+
+const Box no_box{Point(infinity, infinity), Point(-infinity, -infinity)};
+
+/// Does the edge cross the ray from `point` towards +x? Half open, so that a corner counts once.
+bool crosses_ray(const BoundaryEdge& edge, const Point& point) {
+  if ((edge.from.y() > point.y()) == (edge.to.y() > point.y())) return false;
+  const double share = (point.y() - edge.from.y()) / (edge.to.y() - edge.from.y());
+  return edge.from.x() + share * (edge.to.x() - edge.from.x()) > point.x();
+}
+
+}  // namespace
+
+Point nearest_on_segment(const Point& from, const Point& a, const Point& b) {
+  const Point along = b - a;
+  const double length2 = along.squaredNorm();
+  if (!(length2 > 0)) return a;
+  const double share = (from - a).dot(along) / length2;
+  if (share <= 0) return a;
+  if (share >= 1) return b;
+  return a + share * along;
+}
+
+RegionReach::RegionReach(const Region& region) {
+  std::vector<Point> corners;
+  for (const Polygon& polygon : region.polygons) {
+    append_edges(polygon.outer, edges_);
+    corners.insert(corners.end(), polygon.outer.begin(), polygon.outer.end());
+    for (const Ring& hole : polygon.holes) append_edges(hole, edges_);
+  }
+  hull_ = convex_hull(std::move(corners));
+  box_ = no_box;
+  for (const Point& corner : hull_) box_ = joined(box_, {corner, corner});
+  build_tree();
+}
+
+void RegionReach::build_tree() {
+  const std::size_t runs = (edges_.size() + edges_per_leaf - 1) / edges_per_leaf;
+  while (leaves_ < runs) leaves_ *= 2;
+  tree_.assign(2 * leaves_ - 1, no_box);
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    Box& box = tree_[leaves_ - 1 + i / edges_per_leaf];
+    box = joined(joined(box, {edges_[i].from, edges_[i].from}), {edges_[i].to, edges_[i].to});
+  }
+  for (std::size_t node = leaves_ - 1; node-- > 0;)
+    tree_[node] = joined(tree_[2 * node + 1], tree_[2 * node + 2]);
+}
+
+RegionReach::Nearest RegionReach::nearest(const Point& from) const {
+  Nearest best{.distance = infinity};
+  double best2 = infinity;
+  std::vector<std::size_t> open{0};
+  while (!open.empty()) {
+    const std::size_t node = open.back();
+    open.pop_back();
+    if (squared_distance(tree_[node], from) > best2) continue;
+    if (node + 1 < leaves_) {
+      const std::size_t left = 2 * node + 1;
+      const bool left_first = squared_distance(tree_[left], from) <= squared_distance(tree_[left + 1], from);
+      open.push_back(left_first ? left + 1 : left);
+      open.push_back(left_first ? left : left + 1);
+      continue;
+    }
+    const std::size_t first = (node + 1 - leaves_) * edges_per_leaf;
+    for (std::size_t i = first; i < std::min(first + edges_per_leaf, edges_.size()); ++i) {
+      const Point place = nearest_on_segment(from, edges_[i].from, edges_[i].to);
+      const double distance2 = (place - from).squaredNorm();
+      if (distance2 > best2 || (distance2 == best2 && i > best.edge)) continue;
+      best2 = distance2;
+      best.edge = i;
+      best.place = place;
+    }
+  }
+  best.distance = std::sqrt(best2) * (contains(from) ? -1 : 1);
+  return best;
+}
+
+RegionReach::Farthest RegionReach::farthest(const Point& from) const {
+  Farthest best{.distance = -1};
+  for (std::size_t i = 0; i < hull_.size(); ++i) {
+    const double distance2 = (hull_[i] - from).squaredNorm();
+    if (distance2 > best.distance) best = {distance2, i};
+  }
+  best.distance = std::sqrt(best.distance);
+  return best;
+}
+
+DistanceRange RegionReach::range(const Point& from) const {
+  return {std::max(0.0, nearest(from).distance), farthest(from).distance};
+}
+
+bool RegionReach::contains(const Point& point) const {
+  bool inside = false;
+  std::vector<std::size_t> open{0};
+  while (!open.empty()) {
+    const std::size_t node = open.back();
+    open.pop_back();
+    const Box& box = tree_[node];
+    if (point.y() < box.lower.y() || point.y() > box.upper.y() || point.x() > box.upper.x()) continue;
+    if (node + 1 < leaves_) {
+      open.push_back(2 * node + 2);
+      open.push_back(2 * node + 1);
+      continue;
+    }
+    const std::size_t first = (node + 1 - leaves_) * edges_per_leaf;
+    for (std::size_t i = first; i < std::min(first + edges_per_leaf, edges_.size()); ++i)
+      inside ^= crosses_ray(edges_[i], point);
+  }
+  return inside;
+}
+
+}  // namespace kempe

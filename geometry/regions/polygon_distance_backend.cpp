@@ -1,0 +1,117 @@
+// Distance of straight-edged regions: a tree of boxes and doubles first, exact arithmetic where they cannot
+// tell.
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/edge_tree.hpp"
+#include "geometry/regions/region_algebra.hpp"
+#include "geometry/segment_distance.hpp"
+
+namespace kempe {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+/// Doubles are believed beyond this share of the coordinates.
+constexpr double rounding = 1e-12;
+
+template <class Visit>
+void for_each_ring(const Region& region, Visit visit) {
+  for (const Polygon& polygon : region.polygons) {
+    visit(polygon.outer);
+    for (const Ring& hole : polygon.holes) visit(hole);
+  }
+}
+
+Box box_of(const EdgeTree::Edge& edge) { return {edge.from.cwiseMin(edge.to), edge.from.cwiseMax(edge.to)}; }
+
+/// Calls visit(edge of one, edge of other) for the pairs whose boxes are nearer than `near()`.
+template <class Near, class Visit>
+void for_near_pairs(const Region& one, const EdgeTree& other, Near near, Visit visit) {
+  for_each_ring(one, [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const EdgeTree::Edge edge{ring[i], ring[(i + 1) % ring.size()]};
+      const Box box = box_of(edge);
+      for_each_edge(
+          other, [&](const Box& there) { return distance(box, there) <= near(); },
+          [&](const EdgeTree::Edge& there) { visit(edge, there); });
+    }
+  });
+}
+
+/// Nearest points of two segments that do not cross.
+void offer(NearestPlaces& best, const EdgeTree::Edge& one, const EdgeTree::Edge& other) {
+  const auto offer_pair = [&](const Point& a, const Point& b) {
+    if (const double here = (a - b).norm(); here < best.distance) best = {here, a, b};
+  };
+  const auto on = [](const EdgeTree::Edge& edge, const Point& point) -> Point {
+    return edge.from + nearest_share(point, edge.from, edge.to) * (edge.to - edge.from);
+  };
+  if (properly_cross(one.from, one.to, other.from, other.to)) {
+    const Point along = one.to - one.from, across = other.to - other.from;
+    const Point meeting = one.from + cross(other.from - one.from, across) / cross(along, across) * along;
+    best = {0, meeting, meeting};
+    return;
+  }
+  for (const Point& end : {one.from, one.to}) offer_pair(end, on(other, end));
+  for (const Point& end : {other.from, other.to}) offer_pair(on(one, end), end);
+}
+
+/// A corner of one region inside the other: then they overlap though no edges cross.
+std::optional<Point> corner_inside(const Region& one, const Region& other) {
+  std::optional<Point> found;
+  const EdgeTree tree(other, Point::Zero());
+  for_each_ring(one, [&](const Ring& ring) {
+    if (!found && tree.winds_around(ring.front())) found = ring.front();
+  });
+  return found;
+}
+
+Kernel::Segment_2 exact(const EdgeTree::Edge& edge) {
+  return {{edge.from.x(), edge.from.y()}, {edge.to.x(), edge.to.y()}};
+}
+
+/// No two edges are nearer than `gap`, exactly.
+bool edges_are_apart(const Region& one, const Region& other, double gap, double slack) {
+  const EdgeTree tree(other, Point::Zero());
+  const Kernel::FT squared = Kernel::FT(gap) * Kernel::FT(gap);
+  bool apart = true;
+  for_near_pairs(
+      one, tree, [&] { return apart ? gap + slack : -1.0; },
+      [&](const EdgeTree::Edge& a, const EdgeTree::Edge& b) {
+        if (CGAL::squared_distance(exact(a), exact(b)) < squared) apart = false;
+      });
+  return apart;
+}
+
+}  // namespace
+
+std::optional<NearestPlaces> nearest_places(const Region& one, const Region& other) {
+  if (one.empty() || other.empty()) return std::nullopt;
+  if (const auto corner = corner_inside(one, other)) return NearestPlaces{0, *corner, *corner};
+  if (const auto corner = corner_inside(other, one)) return NearestPlaces{0, *corner, *corner};
+  const EdgeTree tree(other, Point::Zero());
+  NearestPlaces best{std::numeric_limits<double>::infinity(), Point::Zero(), Point::Zero()};
+  for_near_pairs(
+      one, tree, [&] { return best.distance; },
+      [&](const EdgeTree::Edge& a, const EdgeTree::Edge& b) { offer(best, a, b); });
+  return best;
+}
+
+bool are_apart(const Region& one, const Region& other, double gap) {
+  const auto nearest = nearest_places(one, other);
+  if (!nearest) return true;
+  const double size = std::max(
+      {std::abs(gap), EdgeTree(one, Point::Zero()).magnitude(), EdgeTree(other, Point::Zero()).magnitude()});
+  const double slack = rounding * size;
+  if (nearest->distance > gap + slack) return true;
+  if (nearest->distance < gap - slack) return false;
+  if (gap > slack) return edges_are_apart(one, other, gap, slack);
+  // Interiors must be disjoint: a matter of areas, not of distance.
+  return intersection(as_arcs(one), as_arcs(other)).empty() && edges_are_apart(one, other, gap, slack);
+}
+
+}  // namespace kempe

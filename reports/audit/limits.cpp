@@ -1,0 +1,214 @@
+// A stored design against its limits, over every point of its region: closed forms and the map.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/regions/region_algebra.hpp"
+#include "reports/audit/record.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+#include "workspace/contact/clearance.hpp"
+#include "workspace/contact/contact_scene.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr double angle_slack = 1e-7;  ///< rad
+/// The map takes clearances as kept that are missed by less than this share of the outer reach.
+constexpr double touching = 1e-8;
+
+/// The region's place nearest to the pole, or its farthest corner.
+Point extreme_place(const Region& region, const Point& pole, bool farthest) {
+  Point best = region.polygons.front().outer.front();
+  for (const Polygon& polygon : region.polygons)
+    for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
+      const Point& a = polygon.outer[i];
+      const Point along = polygon.outer[(i + 1) % polygon.outer.size()] - a;
+      const double squared = along.squaredNorm();
+      const double share =
+          farthest || squared == 0 ? 0 : std::clamp((pole - a).dot(along) / squared, 0.0, 1.0);
+      const Point place = a + share * along;
+      const double here = (place - pole).norm(), there = (best - pole).norm();
+      if (farthest ? here > there : here < there) best = place;
+    }
+  return best;
+}
+
+/// The end of the openings needed with the smaller transmission angle, and where the tracer then stands.
+struct Weakest {
+  double angle = 0;
+  std::optional<Point> where;
+};
+Weakest weakest(const AuditTask& task) {
+  const CopyingLinkage& linkage = task.linkage;
+  const Region& region = task.design.region;
+  const OpeningInterval& openings = region.empty() ? task.design.mechanism.opening : *task.needed;
+  const double lower = linkage.transmission_angle(openings.lower);
+  const double upper = linkage.transmission_angle(openings.upper);
+  if (region.empty()) return {std::min(lower, upper), std::nullopt};
+  const bool farthest = (upper < lower) == linkage.radius_grows_with_opening();
+  return {std::min(lower, upper), extreme_place(region, linkage.pole(), farthest)};
+}
+
+void check_transmission(const AuditTask& task, double limit, AuditRecord& record) {
+  const bool reached =
+      task.design.region.empty() ? !task.design.mechanism.opening.empty() : task.needed.has_value();
+  if (!reached)
+    return record.not_checked("limits.transmission_deg", "the assembly does not reach all of the region");
+  const Weakest found = weakest(task);
+  record.checked("limits.transmission_deg");
+  if (found.angle < limit - angle_slack)
+    record.broken(
+        {.limit = "limits.transmission_deg",
+         .attained = degrees(found.angle),
+         .allowed = degrees(limit),
+         .where = found.where,
+         .sentence = fmt::format("the transmission angle falls to {:.6f} degrees; {:.6f} are required",
+                                 degrees(found.angle), degrees(limit))});
+}
+
+BrokenLimit too_near(const std::string& key, const ClearanceFigure& figure, double clearance) {
+  return {.limit = key,
+          .attained = figure.gap,
+          .allowed = clearance,
+          .where = figure.at,
+          .sentence = fmt::format(
+              "{} {}; {:.6g} mm are required", figure.parts,
+              figure.gap > 0 ? fmt::format("come within {:.6g} mm", figure.gap) : std::string("overlap"),
+              clearance)};
+}
+
+/// Over the region; without one over the opening stated, obstacles left out: they bind at bearings.
+std::optional<ClearanceFigure> clearance_of(const AuditTask& task, bool with_obstacles) {
+  MapTask mapped = task.map_task;
+  if (!with_obstacles) mapped.obstacles.clear();
+  if (!mapped.region.empty()) return smallest_clearance(mapped);
+  const OpeningInterval& openings = task.design.mechanism.opening;
+  if (openings.empty()) return std::nullopt;
+  const Tightest own = smallest_gap_over(mapped.linkage, mapped.style, mapped.layers, openings);
+  ClearanceFigure figure{own.gap, own.pair ? name(*own.pair) : "", mapped.linkage.tracer_at(own.opening, 0),
+                         true};
+  if (const auto post = tightest_at_pole(mapped); with_obstacles && post)
+    figure = {post->gap, post->post + " and " + obstacle_name(mapped, post->obstacle), mapped.linkage.pole(),
+              true};
+  return figure;
+}
+
+void check_clearance(const AuditTask& task, AuditRecord& record) {
+  const double clearance = task.map_task.clearance;
+  const double least = clearance - touching * reachable_annulus(task.linkage).outer - task.slack;
+  const auto own = clearance_of(task, false);
+  if (!own) {
+    record.not_checked("limits.clearance_mm", "no place of the region is reached");
+  } else {
+    record.checked("limits.clearance_mm");
+    if (own->gap < least) record.broken(too_near("limits.clearance_mm", *own, clearance));
+  }
+  if (task.map_task.obstacles.empty()) return;
+  const auto any = clearance_of(task, true);
+  if (!any) return record.not_checked("obstacles", "no place of the region is reached");
+  record.checked("obstacles");
+  if (!(any->gap < least) || (own && any->gap >= own->gap && !task.design.region.empty())) return;
+  record.broken(too_near("obstacles", *any, clearance));
+  record.broken(too_near("limits.clearance_mm", *any, clearance));
+}
+
+void check_coverage(const AuditTask& task, AuditRecord& record) {
+  if (task.design.region.empty()) return;
+  record.checked("region");
+  const Coverage& coverage = task.map.coverage;
+  if (coverage.covered) return;
+  double lost = 0;
+  for (const RegionLoss& loss : coverage.losses) lost += loss.share;
+  record.broken({.limit = "region",
+                 .attained = coverage.losses.empty() ? std::nullopt : std::optional(1 - std::min(lost, 1.0)),
+                 .allowed = 1,
+                 .where = coverage.witness,
+                 .sentence = coverage.why_not});
+}
+
+void check_opening(const AuditTask& task, AuditRecord& record) {
+  const OpeningInterval& stated = task.design.mechanism.opening;
+  const OpeningInterval& found = task.map.certified_opening;
+  record.checked("mechanism.opening_deg");
+  if (stated.empty()) return;
+  const MapTask& m = task.map_task;
+  const auto free = contact_free_openings(m.linkage, m.style, m.layers, m.clearance,
+                                          m.linkage.openings_with_transmission(m.transmission));
+  if (std::any_of(free.begin(), free.end(), [&](const FreeOpenings& one) {
+        return one.interval.lower - angle_slack <= stated.lower &&
+               stated.upper <= one.interval.upper + angle_slack;
+      }))
+    return;
+  const bool below = found.empty() || stated.lower < found.lower - angle_slack;
+  record.broken(
+      {.limit = "mechanism.opening_deg",
+       .attained = degrees(below ? stated.lower : stated.upper),
+       .allowed = found.empty() ? std::nullopt : std::optional(degrees(below ? found.lower : found.upper)),
+       .sentence = found.empty()
+                       ? "no opening keeps transmission and clearance"
+                       : fmt::format("transmission and clearance are kept from {:.6f} to {:.6f} degrees, "
+                                     "not all over {:.6f} .. {:.6f}",
+                                     degrees(found.lower), degrees(found.upper), degrees(stated.lower),
+                                     degrees(stated.upper))});
+}
+
+void check_sheets(const AuditTask& task, double gap, AuditRecord& record) {
+  const Region& region = task.design.region;
+  const auto nearest = nearest_places(region, similar_image(region, task.linkage.k(), task.linkage.pole()));
+  if (!nearest) return record.not_checked("limits.sheets_gap_mm", "the file has no region");
+  record.checked("limits.sheets_gap_mm");
+  if (nearest->distance > 0 && nearest->distance >= gap - task.slack) return;
+  if (nearest->distance == 0 &&
+      are_apart(region, similar_image(region, task.linkage.k(), task.linkage.pole()), gap))
+    return;
+  record.broken(
+      {.limit = "limits.sheets_gap_mm",
+       .attained = nearest->distance,
+       .allowed = gap,
+       .where = nearest->on_one,
+       .sentence = fmt::format("the original and its copy {}; {:.6g} mm are required",
+                               nearest->distance > 0 ? fmt::format("are {:.6g} mm apart", nearest->distance)
+                                                     : std::string("overlap or touch"),
+                               gap)});
+}
+
+void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) {
+  if (!task.design.tolerance)
+    return record.broken({.limit = "limits.copy_error_mm",
+                          .allowed = limit,
+                          .sentence = "the file states no tolerance under which it could be kept"});
+  const auto error =
+      copy_error_over(task.linkage, CopyTolerance::uniform(*task.design.tolerance), task.design.region);
+  if (!error)
+    return record.not_checked("limits.copy_error_mm", "the assembly does not reach all of the region");
+  record.checked("limits.copy_error_mm");
+  if (error->worst <= limit * (1 + 1e-9)) return;
+  record.broken(
+      {.limit = "limits.copy_error_mm",
+       .attained = error->worst,
+       .allowed = limit,
+       .where = error->worst_at,
+       .sentence = fmt::format("the copy error under the tolerance reaches {:.6g} mm; {:.6g} mm are allowed",
+                               error->worst, limit)});
+}
+
+}  // namespace
+
+void audit_limits(const AuditTask& task, AuditRecord& record) {
+  check_coverage(task, record);
+  check_clearance(task, record);
+  if (std::find(task.design.tables.begin(), task.design.tables.end(), "obstacles") ==
+      task.design.tables.end())
+    record.not_checked("obstacles", "the file does not say whether there are any");
+  if (!task.design.limits)
+    return record.not_checked("limits", "the file states none: transmission and clearance are taken as 0");
+  check_opening(task, record);
+  check_transmission(task, task.design.limits->transmission, record);
+  if (task.design.limits->sheets_gap) check_sheets(task, *task.design.limits->sheets_gap, record);
+  if (task.design.limits->copy_error) check_copy_error(task, *task.design.limits->copy_error, record);
+}
+
+}  // namespace kempe

@@ -1,0 +1,241 @@
+#include "reports/calibration/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/picture_labels.hpp"
+#include "reports/pictures/svg_path.hpp"
+#include "synthesis/calibration/plan.hpp"
+
+namespace kempe {
+namespace {
+
+/// An error at a place.
+struct Vector {
+  Point at, error;
+  bool outlier = false;
+};
+
+double round_down(double wanted) {
+  const double power = std::pow(10, std::floor(std::log10(wanted)));
+  for (const double factor : {5.0, 2.0, 1.0})
+    if (wanted >= factor * power) return factor * power;
+  return power;
+}
+
+class Box {
+ public:
+  void add(const Point& at) {
+    lower_ = lower_.cwiseMin(at);
+    upper_ = upper_.cwiseMax(at);
+  }
+  Point lower() const { return lower_; }
+  Point size() const { return upper_ - lower_; }
+
+ private:
+  Point lower_ = Point::Constant(std::numeric_limits<double>::infinity());
+  Point upper_ = Point::Constant(-std::numeric_limits<double>::infinity());
+};
+
+class Picture {
+ public:
+  Picture(const CalibrationRecord& record, ErrorVectors which) : record_(record), which_(which) {
+    for (const ReadingRecord& reading : record.readings)
+      vectors_.push_back({reading.wanted,
+                          which == ErrorVectors::before ? reading.fit.departure : reading.fit.left,
+                          reading.fit.outlier});
+    if (which == ErrorVectors::before) field_ = field();
+    frame();
+  }
+
+  VectorPicture draw() const {
+    if (vectors_.empty()) return {};
+    const Point lower = box_.lower() - Point::Constant(margin_),
+                size = box_.size() + Point::Constant(2 * margin_);
+    std::string svg = fmt::format(
+        "<svg class=\"map\" viewBox=\"{} {} {} {}\" font-size=\"{}\" role=\"img\" aria-label=\"{}\">\n",
+        coordinate(lower.x()), coordinate(-lower.y() - size.y()), coordinate(size.x()),
+        coordinate(size.y() + strip()), coordinate(19 * unit_),
+        which_ == ErrorVectors::before ? "Error vectors as read" : "Error vectors that are left");
+    svg += linkage() + arrows() + key(Point(lower.x() + margin_, lower.y() - 0.55 * strip())) + "</svg>\n";
+    return {svg, magnification_};
+  }
+
+ private:
+  /// Departures all over the reach by the fitted measures.
+  std::vector<Vector> field() const {
+    const Instrument& drawn = record_.setups.front();
+    std::vector<Candidate> places;
+    if (record_.design) {
+      places = candidates_over_reach(*record_.design, false, 0, 7, 9);
+    } else {
+      CalibrationTask task;
+      task.setups = {drawn};
+      const ArmAngles& angles = record_.measurements.arm_angles;
+      places =
+          candidates_on_axis(task, 0, record_.measurements.instrument->arm, angles.lower, angles.upper, 21);
+    }
+    std::vector<Vector> all;
+    for (const Candidate& place : places) {
+      const auto output = output_at(drawn, drawn.drawn + record_.calibration.deviations, place.input);
+      const Point wanted = wanted_output(drawn, place.input);
+      if (output) all.push_back({wanted, output->at - wanted});
+    }
+    return all;
+  }
+
+  void frame() {
+    double longest = 0;
+    for (const Vector& vector : vectors_) {
+      box_.add(vector.at);
+      if (!vector.outlier || which_ == ErrorVectors::before) longest = std::max(longest, vector.error.norm());
+    }
+    for (const Vector& vector : field_) box_.add(vector.at);
+    const auto pose = shown_pose();
+    if (pose)
+      for (const Joint joint : all_joints) box_.add((*pose)[joint]);
+    unit_ = std::max(box_.size().x(), 0.8 * box_.size().y()) / 620;
+    longest = std::max(longest, which_ == ErrorVectors::after ? record_.measurements.fit.target : 0.0);
+    magnification_ = longest > 0 ? round_down(70 * unit_ / longest) : 1;
+    margin_ = 90 * unit_;
+  }
+
+  tl::expected<Pose, ClosureFault> shown_pose() const {
+    const Instrument& drawn = record_.setups.front();
+    if (record_.design) {
+      return pose_of(drawn, drawn.drawn, record_.design->place(0.5, 0.5));
+    }
+    return pose_of(drawn, drawn.drawn, Point(std::sqrt(2.0) * record_.measurements.instrument->arm, 0));
+  }
+
+  double strip() const { return 62 * unit_; }
+
+  std::string linkage() const {
+    const auto pose = shown_pose();
+    if (!pose) return {};
+    const auto bar = [&](std::initializer_list<Joint> joints) {
+      std::vector<Point> line;
+      for (const Joint joint : joints) line.push_back((*pose)[joint]);
+      const std::string path = svg_line(line);
+      return fmt::format(
+          "<g class=\"link layer-2\"><path class=\"rim\" d=\"{0}\" stroke-width=\"{1}\"/><path "
+          "class=\"face\" d=\"{0}\" stroke-width=\"{2}\"/></g>\n",
+          path, coordinate(7 * unit_), coordinate(4.6 * unit_));
+    };
+    std::string svg = bar({Joint::V, Joint::A}) + bar({Joint::V, Joint::B}) +
+                      bar({Joint::C, Joint::A, Joint::X}) + bar({Joint::C, Joint::B, Joint::Y});
+    LabelPlacer placer(
+        {0.5 * (box_.lower() + box_.lower() + box_.size()), 0.5 * box_.size() + Point::Constant(margin_)},
+        unit_);
+    for (const auto& [from, to] : {std::pair{Joint::V, Joint::A},
+                                   {Joint::V, Joint::B},
+                                   {Joint::A, Joint::C},
+                                   {Joint::A, Joint::X},
+                                   {Joint::B, Joint::C},
+                                   {Joint::B, Joint::Y}})
+      placer.avoid((*pose)[from], (*pose)[to], 3.5 * unit_);
+    for (const Joint joint : all_joints) placer.avoid({(*pose)[joint], Point::Constant(5 * unit_)});
+    for (const Joint joint : all_joints) svg += joint_svg(joint, (*pose)[joint], placer);
+    return svg;
+  }
+
+  /// Knight's letters on his instrument, ours on a design.
+  std::string letter_of(Joint joint) const {
+    if (record_.design) return std::string(1, letter(joint));
+    switch (joint) {
+      case Joint::V: return "E";
+      case Joint::A: return "B";
+      case Joint::B: return "D";
+      case Joint::C: return "C";
+      case Joint::X: return "A";
+      case Joint::Y: break;
+    }
+    return "F";
+  }
+
+  std::string joint_svg(Joint joint, const Point& at, LabelPlacer& placer) const {
+    const Mounting& mounting = record_.setups.front().mounting;
+    const char* role = joint == mounting.pole     ? "mark pole"
+                       : joint == mounting.input  ? "mark tracer"
+                       : joint == mounting.output ? "mark pen"
+                                                  : "pin";
+    const Point words = placer.place_around(at, 5 * unit_, Point(6, 8) * unit_, Point(0, 1));
+    return fmt::format(
+        "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><g class=\"words\"><text class=\"letter\" "
+        "x=\"{}\" y=\"{}\" dy=\".35em\">{}</text></g>\n",
+        role, coordinate(at.x()), coordinate(-at.y()), coordinate(5 * unit_), coordinate(words.x()),
+        coordinate(-words.y()), letter_of(joint));
+  }
+
+  /// A shaft and two barbs as one open path.
+  std::string arrow_path(const Vector& vector) const {
+    const Point tip = vector.at + magnification_ * vector.error;
+    const double length = (tip - vector.at).norm();
+    std::string path = svg_line({vector.at, tip});
+    if (length < 3 * unit_) return path;
+    const Complex back = as_complex(vector.at - tip) / length * std::min(7 * unit_, 0.6 * length);
+    return path + svg_line({tip + as_point(back * std::polar(1.0, 0.45)), tip,
+                            tip + as_point(back * std::polar(1.0, -0.45))});
+  }
+
+  std::string arrows() const {
+    const bool before = which_ == ErrorVectors::before;
+    std::string svg = "<g>\n";
+    for (const Vector& vector : field_)
+      svg += fmt::format(
+          "<path class=\"curve worst\" opacity=\".3\" stroke-width=\"1\" d=\"{}\" "
+          "vector-effect=\"non-scaling-stroke\"/>\n",
+          arrow_path(vector));
+    const double target = record_.measurements.fit.target * magnification_;
+    for (std::size_t i = 0; i < vectors_.size(); ++i) {
+      const Vector& vector = vectors_[i];
+      if (!before)
+        svg += fmt::format(
+            "<circle class=\"m-target\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\".3\" "
+            "vector-effect=\"non-scaling-stroke\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
+            coordinate(vector.at.x()), coordinate(-vector.at.y()), coordinate(target));
+      svg += fmt::format(
+          "<path class=\"curve {}\" d=\"{}\" vector-effect=\"non-scaling-stroke\"><title>{}: "
+          "{}</title></path>\n",
+          before || vector.outlier ? "worst" : "rss", arrow_path(vector),
+          html_escaped(record_.measurements.readings[record_.readings[i].reading].name),
+          length_text(vector.error.norm()));
+      svg += fmt::format("<circle class=\"core pen\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
+                         coordinate(vector.at.x()), coordinate(-vector.at.y()), coordinate(2.4 * unit_));
+    }
+    return svg + "</g>\n";
+  }
+
+  /// Two scales: of the table, and of the arrows.
+  std::string key(const Point& at) const {
+    const double table = round_down(140 * unit_), error = round_down(140 * unit_ / magnification_);
+    const auto bar = [&](double x, double length, const std::string& words) {
+      const Point from(x, at.y()), tick(0, 4 * unit_);
+      return fmt::format(
+          "<path class=\"scale-bar\" d=\"{}{}{}\"/><text class=\"tick strong\" x=\"{}\" y=\"{}\">{}</text>\n",
+          svg_line({from, from + Point(length, 0)}), svg_line({from - tick, from + tick}),
+          svg_line({from + Point(length, 0) - tick, from + Point(length, 0) + tick}),
+          coordinate(x + 0.5 * length), coordinate(-at.y() + 20 * unit_), words);
+    };
+    return "<g class=\"m-scale\">\n" + bar(at.x(), table, "table " + length_text(table)) +
+           bar(at.x() + 220 * unit_, error * magnification_, "arrows " + length_text(error)) + "</g>\n";
+  }
+
+  const CalibrationRecord& record_;
+  ErrorVectors which_;
+  std::vector<Vector> vectors_, field_;
+  Box box_;
+  double unit_ = 1, margin_ = 0, magnification_ = 1;
+};
+
+}  // namespace
+
+VectorPicture vector_picture(const CalibrationRecord& record, ErrorVectors which) {
+  return record.readings.empty() ? VectorPicture{} : Picture(record, which).draw();
+}
+
+}  // namespace kempe

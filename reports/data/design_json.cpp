@@ -1,0 +1,262 @@
+#include "reports/data/design_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/data/geojson_geometry.hpp"
+#include "reports/data/link_shape.hpp"
+#include "reports/data/stated_angle.hpp"
+
+namespace kempe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Infinity (no pair of parts can touch) has no JSON form, and NaN must never pass for a figure.
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json finite_or_null(const std::optional<double>& value) {
+  return value ? finite_or_null(*value) : Json(nullptr);
+}
+
+Json opening_json(const OpeningInterval& opening) {
+  return opening.empty() ? Json(nullptr)
+                         : Json::array({stated_degrees(opening.lower), stated_degrees(opening.upper)});
+}
+
+Json lengths_json(const LinkLengths& lengths) {
+  Json json = Json::object();
+  const auto values = lengths.values();
+  for (std::size_t i = 0; i < values.size(); ++i) json[std::string(LinkLengths::names[i])] = values[i];
+  return json;
+}
+
+Json links_json(const Design& design) {
+  Json links = Json::array();
+  for (const Link link : all_links) {
+    const LinkJoints joints = joints_of(link);
+    Json letters = Json::array();
+    for (int i = 0; i < joints.count; ++i)
+      letters.push_back(std::string(1, letter(joints.joints[static_cast<std::size_t>(i)])));
+    links.push_back({{"name", name(link)},
+                     {"joints", std::move(letters)},
+                     {"shape", shape_name(link, design.style)},
+                     {"layer", design.layers[link]}});
+  }
+  return links;
+}
+
+Json mechanism_json(const Design& design) {
+  const CopyingLinkage& linkage = design.linkage;
+  const auto orientation = linkage.orientation();
+  const auto text = [](Joint joint) { return std::string(1, letter(joint)); };
+  return {{"vertex", name(linkage.vertex())},
+          {"pole", text(linkage.pole_joint())},
+          {"tracer", text(linkage.tracer_joint())},
+          {"pen", text(linkage.pen_joint())},
+          {"pole_position_mm", position(linkage.pole())},
+          {"shape", Json::array({linkage.shape().real(), linkage.shape().imag()})},
+          {"assembly", linkage.assembly()},
+          {"opening_deg", opening_json(design.opening)},
+          {"lengths_mm", lengths_json(linkage.lengths())},
+          {"orientation",
+           {{"parallelogram", orientation.parallelogram},
+            {"plate_ACX", orientation.plate_ACX},
+            {"plate_BCY", orientation.plate_BCY}}},
+          {"links", links_json(design)},
+          {"link_width_mm", design.style.width},
+          {"pin_diameter_mm", design.style.pin_diameter},
+          {"thickness_mm", design.style.thickness}};
+}
+
+/// A figure of the objective in the file's unit: degrees for a transmission angle, mm or mm^2 as it is.
+Json in_file_unit(const std::optional<double>& value, const std::optional<SearchRecord>& search) {
+  const bool is_angle = search && search->objective == Objective::transmission;
+  return value ? finite_or_null(is_angle ? degrees(*value) : *value) : Json(nullptr);
+}
+
+Json quality_json(const Design& design) {
+  const Quality& quality = design.quality;
+  const Json swept = design.region.empty() ? Json(nullptr) : finite_or_null(quality.footprint);
+  return {{"size_mm", finite_or_null(quality.size)},
+          {"transmission_min_deg", finite_or_null(degrees(quality.transmission_min))},
+          {"clearance_min_mm", finite_or_null(quality.clearance_min)},
+          {"copy_error_worst_mm", finite_or_null(quality.copy_error_worst)},
+          {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
+          {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
+          {"footprint_mm2", swept},
+          {"lower_bound", in_file_unit(quality.lower_bound, design.search)}};
+}
+
+Json sheet_json(const FittingSheet& sheet) {
+  return {{"name", sheet.name},
+          {"width_mm", sheet.width},
+          {"height_mm", sheet.height},
+          {"centre_mm", position(sheet.centre)},
+          {"turn_deg", degrees(sheet.turn)}};
+}
+
+Json workspace_json(const WorkspaceMap& map) {
+  Json sheets = Json::array();
+  const FittingSheet* largest = nullptr;
+  for (const FittingSheet& sheet : map.largest_sheets) {
+    sheets.push_back(sheet_json(sheet));
+    if (largest == nullptr || sheet.width * sheet.height > largest->width * largest->height) largest = &sheet;
+  }
+  Json json{{"reachable_mm2", area(map.reachable)},
+            {"usable_mm2", area(map.usable)},
+            {"collision_free_mm2", area(map.collision_free)},
+            {"uncertain_mm2", area(map.uncertain)},
+            {"region_covered", map.coverage.covered},
+            {"why_not_covered", map.coverage.why_not},
+            {"largest_sheet", largest != nullptr ? sheet_json(*largest) : Json::object()},
+            {"sheets", std::move(sheets)},
+            {"tightest_parts", map.clearance_min_parts}};
+  if (map.complete)
+    json["map_tolerance"] = map.map_tolerance;
+  else
+    json["complete"] = false;
+  return json;
+}
+
+Json verification_json(const Verification& verification) {
+  Json json{{"samples", verification.samples},
+            {"copy_error_max_mm", finite_or_null(verification.copy_error_max)},
+            {"loop_residual_max_mm", finite_or_null(verification.loop_residual_max)},
+            {"scale", finite_or_null(verification.scale)},
+            {"rotation_deg", finite_or_null(stated_degrees(verification.rotation))},
+            {"flips", verification.flips},
+            {"certified", verification.certified},
+            {"failure", verification.failure}};
+  if (verification.over_workspace) json["driven_over"] = "workspace";
+  return json;
+}
+
+/// `kempe workspace` searches nothing: the same keys, without values.
+Json search_json(const std::optional<SearchRecord>& search) {
+  if (!search)
+    return {{"objective", nullptr},
+            {"value", nullptr},
+            {"solvers", Json::array()},
+            {"evaluations", 0},
+            {"seed", 0}};
+  Json json{{"objective", name(search->objective)},
+            {"value", in_file_unit(search->value, search)},
+            {"solvers", search->solvers},
+            {"evaluations", search->evaluations},
+            {"seed", search->seed},
+            {"complete", search->complete}};
+  if (!search->obstacles_out_of_reach.empty())
+    json["obstacles_out_of_reach"] = search->obstacles_out_of_reach;
+  return json;
+}
+
+Json limits_json(const Limits& limits) {
+  return {{"clearance_mm", limits.clearance},
+          {"transmission_deg", stated_degrees(limits.transmission)},
+          {"sheets_gap_mm", finite_or_null(limits.sheets_gap)},
+          {"copy_error_mm", finite_or_null(limits.copy_error)}};
+}
+
+Json tolerance_json(const std::optional<Tolerance>& tolerance) {
+  if (!tolerance) return nullptr;
+  return {{"length_mm", tolerance->length}, {"play_mm", tolerance->play}};
+}
+
+Json obstacles_json(const std::vector<Obstacle>& obstacles) {
+  Json json = Json::array();
+  for (const Obstacle& obstacle : obstacles)
+    json.push_back({{"name", obstacle.name},
+                    {"shape", multi_polygon(Region{{obstacle.shape}})},
+                    {"layers", Json::array({obstacle.lowest_layer, obstacle.highest_layer})}});
+  return json;
+}
+
+Json copy_json(const Design& design) {
+  Json json{{"scale", design.scale}, {"rotation_deg", stated_degrees(design.rotation)}};
+  if (design.wanted) {
+    json["wanted_scale"] = design.wanted->scale;
+    json["wanted_rotation_deg"] = stated_degrees(design.wanted->rotation);
+    json["ratio_error"] = design.wanted->error;
+  }
+  return json;
+}
+
+Json tool_json(const std::optional<ToolAdvice>& tool) {
+  if (!tool) return nullptr;
+  return {{"follower_radius_mm", finite_or_null(tool->follower_radius)},
+          {"cutter_radius_mm", finite_or_null(tool->cutter_radius)},
+          {"exact_follower_radius_mm", finite_or_null(tool->exact_follower_radius)},
+          {"exact_cutter_radius_mm", finite_or_null(tool->exact_cutter_radius)},
+          {"cut_outside_mm", finite_or_null(tool->cut_outside)},
+          {"template_offset_mm", finite_or_null(tool->template_offset)}};
+}
+
+Json pole_json(const std::optional<Allowed>& allowed) {
+  if (!allowed) return nullptr;
+  if (allowed->pole.is_fixed()) return {{"at_mm", position(std::get<Point>(allowed->pole.place))}};
+  return {{"within_mm", multi_polygon(std::get<Region>(allowed->pole.place))}};
+}
+
+Json links_limits_json(const std::optional<Allowed>& allowed) {
+  if (!allowed) return nullptr;
+  Json json{{"layers", allowed->layers},
+            {"shortest_mm", allowed->shortest},
+            {"longest_mm", allowed->longest},
+            {"wall_mm", finite_or_null(allowed->wall)},
+            {"grid_mm", finite_or_null(allowed->workshop.grid)},
+            {"stock_mm", allowed->workshop.stock}};
+  for (std::size_t i = 0; i < allowed->workshop.locked.size(); ++i)
+    if (allowed->workshop.locked[i])
+      json[std::string(LinkLengths::names[i]) + "_mm"] = *allowed->workshop.locked[i];
+  return json;
+}
+
+Json objective_json(const std::optional<Allowed>& allowed) {
+  if (!allowed) return nullptr;
+  Json groundings = Json::array();
+  for (const Vertex vertex : allowed->groundings) groundings.push_back(name(vertex));
+  return {{"groundings", std::move(groundings)}};
+}
+
+Json cutting_json(const CuttingSpec& cutting) {
+  return {{"hole_fit_mm", cutting.hole_fit},
+          {"kerf_mm", cutting.kerf},
+          {"sheet_mm", cutting.sheet ? position(*cutting.sheet) : Json(nullptr)},
+          {"gap_mm", cutting.gap}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json design_values(const Design& design) {
+  return {{"format", "kempe-design/1"},
+          {"copy", copy_json(design)},
+          {"region", nullptr},
+          {"mechanism", mechanism_json(design)},
+          {"quality", quality_json(design)},
+          {"workspace", workspace_json(design.map)},
+          {"verification", verification_json(design.verification)},
+          {"search", search_json(design.search)},
+          {"limits", limits_json(design.limits)},
+          {"tolerance", tolerance_json(design.tolerance)},
+          {"obstacles", obstacles_json(design.obstacles)},
+          {"why_not_fewer_layers", design.why_not_fewer_layers},
+          {"tool", tool_json(design.tool)},
+          {"pole", pole_json(design.allowed)},
+          {"links", links_limits_json(design.allowed)},
+          {"objective", objective_json(design.allowed)},
+          {"cutting", cutting_json(design.cutting)}};
+}
+
+std::string design_json(const Design& design) {
+  constexpr int indent = 1;
+  constexpr std::string_view key = "\"region\": ", nothing = "null";
+  const std::string rest =
+      design_values(design).dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::size_t place = rest.find(key) + key.size();  // what stands before is numbers
+  std::string text = rest.substr(0, place);
+  append_multi_polygon(text, design.region, indent, 1);
+  text.append(rest, place + nothing.size());
+  return text;
+}
+
+}  // namespace kempe

@@ -1,0 +1,32 @@
+#include "reports/data/links_csv.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/data/link_shape.hpp"
+
+namespace kempe {
+namespace {
+
+/// The link whose two joints the length's name gives.
+Link link_of_length(std::string_view length) {
+  for (const Link link : all_links)
+    if (name(link).find(length[0]) != std::string_view::npos &&
+        name(link).find(length[1]) != std::string_view::npos)
+      return link;
+  return Link::VA;
+}
+
+}  // namespace
+
+std::string links_csv(const Design& design) {
+  std::string text = "link,length,mm,layer,shape\n";
+  const auto values = design.linkage.lengths().values();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Link link = link_of_length(LinkLengths::names[i]);
+    text += fmt::format("{},{},{},{},{}\n", name(link), LinkLengths::names[i], values[i], design.layers[link],
+                        shape_name(link, design.style));
+  }
+  return text;
+}
+
+}  // namespace kempe

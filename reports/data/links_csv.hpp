@@ -1,0 +1,14 @@
+#pragma once
+// links.csv: every length between joints of one link, a row each.
+
+#include <string>
+
+#include "synthesis/design/design.hpp"
+
+namespace kempe {
+
+/// Columns link, length, mm, layer, shape: "ACX,CX,43.0116...,2,bent". Full double precision, RFC 4180 with
+/// LF.
+std::string links_csv(const Design& design);
+
+}  // namespace kempe

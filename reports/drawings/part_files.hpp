@@ -1,0 +1,24 @@
+#pragma once
+// The files of the parts: each link alone, all of them nested on a sheet, the bill of materials.
+
+#include <string>
+#include <vector>
+
+#include "reports/data/atomic_file.hpp"
+#include "synthesis/design/design.hpp"
+
+namespace kempe {
+
+struct PartFiles {
+  std::vector<OutputFile> files;
+  /// What is not among them and why, a sentence each: "no nested.dxf: link ...". What no design of this build has, the
+  /// assembly without its module (why_no_step), is not repeated here.
+  std::vector<std::string> left_out;
+};
+
+/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step where the module is
+/// that writes it (step_assembly.hpp), bom.csv, and nested.dxf if the cutting has a sheet that takes the parts. Of links that
+/// cannot be cut (parts_fault.hpp) only bom.csv.
+PartFiles part_files(const Design& design, const CuttingSpec& cutting);
+
+}  // namespace kempe

@@ -1,0 +1,55 @@
+#include "reports/drawings/parts_fault.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/drawings/part_drawings.hpp"
+
+namespace kempe {
+namespace {
+
+std::optional<PartsFault> no_hole(double hole, double pin, const CuttingSpec& cutting) {
+  if (hole <= 0)
+    return PartsFault{
+        "the fit leaves nothing of their holes",
+        fmt::format("cutting.hole_fit_mm = {:.6g} leaves nothing of the holes for pins of {:.6g} mm",
+                    cutting.hole_fit, pin)};
+  if (hole - cutting.kerf > least_wall_share * hole) return std::nullopt;
+  return PartsFault{
+      "the kerf is wider than their holes",
+      fmt::format("cutting.kerf_mm = {:.6g} is too wide to cut holes of {:.6g} mm", cutting.kerf, hole)};
+}
+
+std::optional<PartsFault> no_wall_beside(double hole, double width) {
+  if (0.5 * (width - hole) > least_wall_share * hole) return std::nullopt;
+  return PartsFault{"their holes are as wide as the links",
+                    fmt::format("holes of {:.6g} mm leave no wall in links {:.6g} mm wide; thinner pins "
+                                "(links.pin_diameter_mm) or wider links would do",
+                                hole, width)};
+}
+
+std::optional<PartsFault> no_wall_between(const CutPart& part, double hole) {
+  for (std::size_t i = 0; i < part.holes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double apart = (part.holes[i].centre - part.holes[j].centre).norm();
+      if (apart - hole > least_wall_share * hole) continue;
+      return PartsFault{
+          "their holes run into each other",
+          fmt::format("link {} has its holes {} and {}, {:.6g} mm wide, {:.6g} mm apart, which leaves no "
+                      "wall between them; thinner pins (links.pin_diameter_mm) or longer links would do",
+                      part.name, letter(part.holes[j].joint), letter(part.holes[i].joint), hole, apart)};
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PartsFault> parts_fault(const Design& design, const CuttingSpec& cutting) {
+  const double hole = design.style.pin_diameter + cutting.hole_fit;
+  if (auto fault = no_hole(hole, design.style.pin_diameter, cutting)) return fault;
+  if (auto fault = no_wall_beside(hole, design.style.width)) return fault;
+  for (const CutPart& part : cut_parts(design, cutting))
+    if (auto fault = no_wall_between(part, hole)) return fault;
+  return std::nullopt;
+}
+
+}  // namespace kempe

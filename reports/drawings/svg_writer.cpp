@@ -1,0 +1,110 @@
+#include "reports/drawings/svg_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "reports/pictures/html_text.hpp"
+
+namespace kempe {
+namespace {
+
+/// Numbers as exactly as a thing of some size (mm) needs.
+class Figures {
+ public:
+  explicit Figures(double size) : decimals_(decimals_for(size)) {}
+
+  std::string of(double value) const {
+    std::string text = fmt::format("{:.{}f}", value, decimals_);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+  }
+  std::string of(const Point& point) const { return of(point.x()) + "," + of(-point.y()); }
+
+ private:
+  int decimals_;
+};
+
+double size_of(const ArcRing& ring) {
+  const Box box = bounding_box(ring);
+  return (box.upper - box.lower).maxCoeff();
+}
+
+/// The edge from one corner to the next.
+std::string edge(const ArcVertex& from, const Point& to, const Figures& figures) {
+  if (from.bulge == 0) return "L" + figures.of(to);
+  const double bulge = std::abs(from.bulge);
+  const std::string radius = figures.of((to - from.at).norm() * (1 + bulge * bulge) / (4 * bulge));
+  return fmt::format("A{0},{0} 0 {1} {2} {3}", radius, bulge > 1 ? 1 : 0, from.bulge < 0 ? 1 : 0,
+                     figures.of(to));
+}
+
+std::string element(const OutlineShape& outline) {
+  return fmt::format("<path d=\"{}\"/>\n", outline_path(outline.ring, outline.closed));
+}
+
+std::string element(const CircleShape& circle) {
+  const Figures figures(circle.radius);
+  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", figures.of(circle.centre.x()),
+                     figures.of(-circle.centre.y()), figures.of(circle.radius));
+}
+
+std::string element(const TextShape& text) {
+  // A capital of DejaVu Sans and its like is about 0.73 of the font size high.
+  const Figures figures(text.height);
+  const std::string x = figures.of(text.at.x()), y = figures.of(-text.at.y());
+  const std::string turned =
+      text.turn == 0 ? ""
+                     : fmt::format(" transform=\"rotate({} {} {})\"", figures.of(-degrees(text.turn)), x, y);
+  return fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n", x, y, figures.of(text.height / 0.73),
+      text.anchor == Anchor::middle ? " text-anchor=\"middle\"" : "", turned, html_escaped(text.text));
+}
+
+const std::string& layer_of(const Shape& shape) {
+  return std::visit([](const auto& one) -> const std::string& { return one.layer; }, shape);
+}
+
+std::string group(const DrawingLayer& layer, const std::vector<Shape>& shapes) {
+  std::string text = fmt::format("<g id=\"{}\" stroke=\"{}\" fill=\"none\" stroke-width=\"{}\">\n",
+                                 html_escaped(layer.name), layer.svg_colour, layer.is_cut ? "0.25" : "0.18");
+  std::string texts;
+  for (const Shape& shape : shapes) {
+    if (layer_of(shape) != layer.name) continue;
+    (std::holds_alternative<TextShape>(shape) ? texts : text) +=
+        std::visit([](const auto& one) { return element(one); }, shape);
+  }
+  if (!texts.empty())
+    text += fmt::format("<g stroke=\"none\" fill=\"{}\">\n{}</g>\n", layer.svg_colour, texts);
+  return text + "</g>\n";
+}
+
+}  // namespace
+
+std::string outline_path(const ArcRing& ring, bool closed) {
+  if (ring.empty()) return "";
+  const Figures figures(size_of(ring));
+  std::string path = "M" + figures.of(ring.front().at);
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) path += edge(ring[i], ring[i + 1].at, figures);
+  if (closed && ring.back().bulge != 0) path += edge(ring.back(), ring.front().at, figures);
+  return closed ? path + "Z" : path;
+}
+
+std::string svg_text(const Drawing& drawing, std::string_view title, double margin) {
+  const Box box = bounding_box(drawing);
+  const Point size = box.upper - box.lower + Point(2 * margin, 2 * margin);
+  const Figures figures(size.maxCoeff());
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" "
+      "viewBox=\"{2} {3} {0} {1}\" font-family=\"DejaVu Sans, Helvetica, Arial, "
+      "sans-serif\">\n<title>{4}</title>\n",
+      figures.of(size.x()), figures.of(size.y()), figures.of(box.lower.x() - margin),
+      figures.of(-box.upper.y() - margin), html_escaped(title));
+  for (const DrawingLayer& layer : drawing.layers) text += group(layer, drawing.shapes);
+  return text + "</svg>\n";
+}
+
+}  // namespace kempe

@@ -1,0 +1,198 @@
+#include "reports/linkages/centres_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "reports/linkages/picture.hpp"
+#include "reports/pictures/html_text.hpp"
+
+namespace kempe {
+namespace {
+
+using Kind = InstantCentre::Kind;
+
+constexpr double reach = 1.6;  ///< extents from the linkage's middle: what lies farther away is an arrow
+
+class CentresPicture {
+ public:
+  CentresPicture(const LinkageScene& scene, const std::vector<InstantCentre>& centres, double unit)
+      : scene_(scene), centres_(centres), unit_(unit), middle_(0.5 * (scene.lower + scene.upper)) {
+    number_links();
+    Point lower = scene.lower, upper = scene.upper;
+    for (const InstantCentre& centre : centres)
+      if (is_near(centre)) {
+        lower = lower.cwiseMin(on_page(centre.at));
+        upper = upper.cwiseMax(on_page(centre.at));
+      }
+    scale_ = PictureScale::of(lower, upper);
+    legend_ = (upper - lower).maxCoeff() * 0.5;
+  }
+
+  std::string draw() {
+    const double width = scale_.upper.x() - scale_.lower.x() + legend_,
+                 height = scale_.upper.y() - scale_.lower.y();
+    std::string text = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"1100\" role=\"img\">\n"
+        "<title>Instant centres of {}</title>\n<style>{}</style>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
+        "height=\"{}\" "
+        "fill=\"#fff\"/>\n",
+        scale_.number(scale_.lower.x()), scale_.number(scale_.lower.y()), scale_.number(width),
+        scale_.number(height), html_escaped(scene_.title), own_style(), scale_.number(scale_.lower.x()),
+        scale_.number(scale_.lower.y()), scale_.number(width), scale_.number(height));
+    for (const InstantCentre& centre : centres_)
+      if (centre.lines && is_near(centre)) text += draw_lines(centre);
+    text += draw_linkage();
+    text += draw_points();
+    return text + draw_legend() + "</svg>\n";
+  }
+
+ private:
+  Point on_page(const Point& p) const { return {p.x() / unit_, -p.y() / unit_}; }
+  bool is_near(const InstantCentre& centre) const {
+    return centre.kind == Kind::finite && (on_page(centre.at) - middle_).norm() < reach * scene_.extent();
+  }
+
+  void number_links() {
+    for (const InstantCentre& centre : centres_)
+      for (const int body : {centre.first, centre.second}) numbers_.try_emplace(body, 0);
+    int next = 1;
+    for (auto& [body, number] : numbers_) number = next++;
+  }
+  std::string label(int a, int b) const { return fmt::format("{}-{}", numbers_.at(a), numbers_.at(b)); }
+
+  std::string own_style() const {
+    return fmt::format(
+        ".line{{stroke:#b7312c;stroke-width:{0};stroke-opacity:.3}}.normal{{stroke-dasharray:{3} "
+        "{3}}}.primary{{fill:#222}}.found{{fill:#b7312c}"
+        "}"
+        ".rates{{fill:#8e3b8f}}.centre{{font:{1}px "
+        "system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:{2}}}"
+        ".legend{{font:{1}px system-ui,sans-serif;fill:#333}}",
+        scale_.number(scale_.stroke), scale_.number(0.75 * scale_.letter), scale_.number(2 * scale_.stroke),
+        scale_.number(3 * scale_.stroke));
+  }
+
+  /// The lines through the picture on which a centre was found.
+  std::string draw_lines(const InstantCentre& centre) const {
+    std::string text;
+    const Point at = on_page(centre.at);
+    for (const CentreLine& line : *centre.lines) {
+      const Point along(line.direction.x(), -line.direction.y());
+      if (along == Point::Zero()) continue;
+      const double far = 3 * (scale_.upper - scale_.lower).maxCoeff();
+      text += fmt::format("<path class=\"{}\" d=\"M{} L{}\"/>\n",
+                          line.from == CentreLine::From::slider ? "line normal" : "line",
+                          scale_.pair(clipped(at, along, far)), scale_.pair(clipped(at, -along, far)));
+    }
+    return text;
+  }
+
+  /// Where a ray from inside the view leaves it.
+  Point clipped(const Point& at, const Point& along, double far) const {
+    double way = far;
+    for (const int axis : {0, 1}) {
+      if (along[axis] > 0) way = std::min(way, (scale_.upper[axis] - at[axis]) / along[axis]);
+      if (along[axis] < 0) way = std::min(way, (scale_.lower[axis] - at[axis]) / along[axis]);
+    }
+    return at + std::max(way, 0.0) * along;
+  }
+
+  std::string draw_linkage() const {
+    const auto& moment = scene_.moments.front();
+    std::string text =
+        fmt::format("<g color=\"{}\">{}</g>\n", link_colour(0), body_shape(scene_.bodies[0], 0, scale_));
+    for (const ScenePoint& point : scene_.points)
+      if (point.fixed) text += ground_sign(point, scale_);
+    for (std::size_t body = 1; body < scene_.bodies.size(); ++body)
+      text += fmt::format(
+          "<g color=\"{}\" opacity=\".7\" transform=\"translate({}) rotate({:.5f})\">{}</g>\n",
+          link_colour(static_cast<int>(body)), scale_.pair(moment.at[body]), degrees(moment.angle[body]),
+          body_shape(scene_.bodies[body], static_cast<int>(body), scale_));
+    return text;
+  }
+
+  static std::string style_of(InstantCentre::Source source) {
+    if (source == InstantCentre::Source::primary) return "primary";
+    return source == InstantCentre::Source::rates ? "rates" : "found";
+  }
+
+  /// Centres at one place share one dot and one label.
+  std::string draw_points() const {
+    std::vector<std::pair<Point, std::vector<const InstantCentre*>>> places;
+    for (const InstantCentre& centre : centres_) {
+      if (!is_near(centre)) continue;
+      const Point at = on_page(centre.at);
+      const auto same = std::find_if(places.begin(), places.end(), [&](const auto& place) {
+        return (place.first - at).norm() < 3 * scale_.pin;
+      });
+      if (same != places.end())
+        same->second.push_back(&centre);
+      else
+        places.push_back({at, {&centre}});
+    }
+    std::string text;
+    for (const auto& [at, here] : places) {
+      std::string labels;
+      for (const InstantCentre* centre : here) {
+        labels += (labels.empty() ? "" : ", ") + label(centre->first, centre->second);
+        const Point exact = on_page(centre->at);
+        text +=
+            fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", style_of(centre->source),
+                        scale_.number(exact.x()), scale_.number(exact.y()), scale_.number(0.7 * scale_.pin));
+      }
+      text += fmt::format("<text class=\"centre {}\" x=\"{}\" y=\"{}\">{}</text>\n",
+                          style_of(here.front()->source), scale_.number(at.x() + 1.4 * scale_.pin),
+                          scale_.number(at.y() - 1.2 * scale_.pin), labels);
+    }
+    return text;
+  }
+
+  std::string draw_legend() const {
+    std::vector<std::string> lines{scene_.title, ""};
+    for (const auto& [body, number] : numbers_)
+      lines.push_back(fmt::format("{}  {}", number, scene_.bodies[static_cast<std::size_t>(body)].name));
+    lines.push_back("");
+    for (const InstantCentre& centre : centres_) {
+      if (is_near(centre)) continue;
+      const std::string name = label(centre.first, centre.second);
+      if (centre.kind == Kind::at_infinity)
+        lines.push_back(fmt::format("{}  at infinity, {:.2f}°", name,
+                                    degrees(std::atan2(centre.direction.y(), centre.direction.x()))));
+      else if (centre.kind == Kind::finite)
+        lines.push_back(fmt::format("{}  at ({:.4g}, {:.4g}), outside", name, centre.at.x() / unit_,
+                                    centre.at.y() / unit_));
+      else
+        lines.push_back(fmt::format("{}  none: no relative motion", name));
+    }
+    std::string text;
+    double y = scale_.lower.y() + 1.5 * scale_.letter;
+    const double step =
+        std::min(1.15 * scale_.letter, (scale_.upper.y() - y) / static_cast<double>(lines.size()));
+    for (const std::string& line : lines) {
+      text += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{}\">{}</text>\n",
+                          scale_.number(scale_.upper.x() + 0.5 * scale_.letter), scale_.number(y),
+                          html_escaped(line));
+      y += step;
+    }
+    return text;
+  }
+
+  const LinkageScene& scene_;
+  const std::vector<InstantCentre>& centres_;
+  double unit_;
+  Point middle_;
+  PictureScale scale_{};
+  double legend_ = 0;
+  std::map<int, int> numbers_;  ///< of links, from 1
+};
+
+}  // namespace
+
+std::string centres_svg(const LinkageScene& scene, const std::vector<InstantCentre>& centres, double unit) {
+  return CentresPicture(scene, centres, unit).draw();
+}
+
+}  // namespace kempe

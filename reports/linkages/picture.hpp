@@ -1,0 +1,41 @@
+#pragma once
+// The parts of a linkage's picture that page, animation and the picture of centres share.
+
+#include <string>
+#include <string_view>
+
+#include "reports/linkages/scene.hpp"
+
+namespace kempe {
+
+/// Sizes of a picture in its own unit, from the extent of what it shows.
+struct PictureScale {
+  Point lower, upper;  ///< of the view, margins included
+  double stroke;       ///< width of a thin line
+  double pin;          ///< radius of a pin
+  double letter;       ///< height of letters
+  int decimals;        ///< that coordinates need
+
+  static PictureScale of(const Point& lower, const Point& upper);
+  std::string view_box() const;
+  std::string number(double value) const;
+  std::string pair(const Point& p) const;  ///< "x,y"
+};
+
+/// Colour of a link by its number, as a CSS colour; the ground is grey.
+std::string link_colour(int body);
+
+/// A link in its own frame: hull or bar, wheels, guides, pins; for a <g>.
+std::string body_shape(const SceneBody& body, int number, const PictureScale& scale);
+
+/// The sign of a fixed pivot, or of a mere mark, in the table's frame.
+std::string ground_sign(const ScenePoint& point, const PictureScale& scale);
+
+/// The curve of a traced point as an SVG element.
+std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);
+
+/// How a kind of element looks (link, pin, block, guide, wheel, spoke, ground, hatch, trace, name), as its class and
+/// attributes: a page needs no style sheet for it, which its security policy would have to allow.
+std::string look(std::string_view kind, const PictureScale& scale);
+
+}  // namespace kempe

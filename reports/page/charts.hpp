@@ -1,0 +1,25 @@
+#pragma once
+// Small charts of the report as inline SVG.
+
+#include <string>
+
+#include "reports/page/html_report.hpp"
+
+namespace kempe {
+
+/// A bar of `share` (0..1) of its cell.
+std::string share_bar(double share);
+/// The copy error over the opening, rad and mm.
+struct CopyErrorChart {
+  struct Row {
+    double opening, worst, rss;
+  };
+  std::vector<Row> rows;        ///< in the order of the opening; at least two, else nothing is drawn
+  OpeningInterval used;         ///< the openings at which the region is traced
+  std::optional<double> limit;  ///< of the worst case, mm
+};
+std::string copy_error_chart(const CopyErrorChart& chart);
+/// The front between two objectives, this design marked.
+std::string pareto_chart(const ParetoFront& front);
+
+}  // namespace kempe

@@ -1,0 +1,150 @@
+#include "reports/page/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/pictures/mechanism_picture.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+#include "workspace/contact/self_contact.hpp"
+
+namespace kempe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(const Point& at) { return Json::array({at.x(), at.y()}); }
+Json complex(Complex z) { return Json::array({z.real(), z.imag()}); }
+Json interval(const OpeningInterval& openings) { return Json::array({openings.lower, openings.upper}); }
+
+/// Corners at least `detail` apart, rounded to a thousandth of a millimetre.
+Json ring(const Ring& corners, double detail) {
+  Json points = Json::array();
+  for (const Point& at : thinned(corners, detail))
+    points.push_back({std::round(at.x() * 1000) / 1000, std::round(at.y() * 1000) / 1000});
+  return points;
+}
+
+Json rings(const Polygon& polygon, double detail) {
+  Json all = Json::array({ring(polygon.outer, detail)});
+  for (const Ring& hole : polygon.holes) all.push_back(ring(hole, detail));
+  return all;
+}
+
+Json parts(const Design& design, const std::vector<Part>& of_linkage) {
+  Json all = Json::array();
+  for (const Part& part : of_linkage) {
+    Json pieces = Json::array();
+    for (const JointHull& hull : axis_of(part, design.linkage.shape(), design.style.plate)) {
+      Json joints = Json::array();
+      for (int i = 0; i < hull.count; ++i)
+        joints.push_back(static_cast<int>(hull.joints[static_cast<std::size_t>(i)]));
+      pieces.push_back(joints);
+    }
+    all.push_back({{"name", name(part)},
+                   {"is_link", part.kind == Part::Kind::link},
+                   {"layers", {part.lowest_layer, part.highest_layer}},
+                   {"half_width", half_width(part, design.style)},
+                   {"pieces", pieces}});
+  }
+  return all;
+}
+
+/// Pairs that may touch, as indices into the parts.
+Json pairs(const Design& design, const std::vector<Part>& of_linkage) {
+  const auto index = [&](const Part& part) {
+    return std::find(of_linkage.begin(), of_linkage.end(), part) - of_linkage.begin();
+  };
+  Json all = Json::array();
+  for (const ContactPair& pair : contact_pairs(design.linkage, design.layers))
+    all.push_back({index(pair.first), index(pair.second)});
+  return all;
+}
+
+/// How each link is drawn: the joints along its body, from the lowest layer upward.
+Json bodies(const Design& design) {
+  std::array<Link, 4> upward = all_links;
+  std::stable_sort(upward.begin(), upward.end(),
+                   [&](Link a, Link b) { return design.layers[a] < design.layers[b]; });
+  Json all = Json::array();
+  for (const Link link : upward) {
+    Json line = Json::array();
+    for (const Joint joint : body_line(link)) line.push_back(static_cast<int>(joint));
+    all.push_back({{"name", "link " + std::string(name(link))},
+                   {"layer", design.layers.rank(link)},
+                   {"line", line},
+                   {"filled", design.style.plate == PlateStyle::triangle && line.size() == 3}});
+  }
+  return all;
+}
+
+Json obstacles(const Design& design, double detail) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < design.obstacles.size(); ++i) {
+    const Obstacle& obstacle = design.obstacles[i];
+    all.push_back({{"name", called(design.obstacles, i)},
+                   {"layers", {obstacle.lowest_layer, obstacle.highest_layer}},
+                   {"rings", rings(obstacle.shape, detail)}});
+  }
+  return all;
+}
+
+/// [opening, worst, rss] over the assembly but for its ends, where the error grows beyond all bounds.
+Json copy_errors(const Design& design) {
+  Json rows = Json::array();
+  if (!design.tolerance) return rows;
+  const CopyErrorProfile profile =
+      copy_error_profile(design.linkage, CopyTolerance::uniform(*design.tolerance));
+  const OpeningInterval openings = shrink(design.linkage.assembly_interval(), radians(2));
+  constexpr int steps = 240;
+  for (int i = 0; i <= steps && !openings.empty(); ++i) {
+    const double opening = openings.lower + openings.width() * i / steps;
+    const CopyErrorAt error = profile.at(opening);
+    if (std::isfinite(error.worst) && std::isfinite(error.rss))
+      rows.push_back({opening, error.worst, error.rss});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string report_model(const Design& design, const MapPicture& picture) {
+  const CopyingLinkage& linkage = design.linkage;
+  const std::vector<Part> of_linkage = parts_of(linkage, design.layers);
+  const PictureView& view = picture.view;
+  const double detail = picture.detail;
+  Json region = Json::array();
+  for (const Polygon& polygon : design.region.polygons)
+    for (const Json& one : rings(polygon, detail)) region.push_back(one);
+  const Json model = {{"k", complex(linkage.k())},
+                      {"s", complex(linkage.shape())},
+                      {"vertex", name(linkage.vertex())},
+                      {"VA", linkage.VA()},
+                      {"VB", linkage.VB()},
+                      {"pole", point(linkage.pole())},
+                      {"assembly", interval(linkage.assembly_interval())},
+                      {"joints",
+                       {{"pole", static_cast<int>(linkage.pole_joint())},
+                        {"tracer", static_cast<int>(linkage.tracer_joint())},
+                        {"pen", static_cast<int>(linkage.pen_joint())}}},
+                      {"transmission", design.limits.transmission},
+                      {"clearance", design.limits.clearance},
+                      {"width", design.style.width},
+                      {"pin_radius", design.style.pin_diameter / 2},
+                      {"bodies", bodies(design)},
+                      {"parts", parts(design, of_linkage)},
+                      {"pairs", pairs(design, of_linkage)},
+                      {"obstacles", obstacles(design, detail)},
+                      {"copy_errors", copy_errors(design)},
+                      {"region", region},
+                      {"tracer", point(picture.tracer)},
+                      {"view",
+                       {{"left", view.left},
+                        {"top", view.top},
+                        {"width", view.width},
+                        {"height", view.height},
+                        {"unit", view.unit}}}};
+  return model.dump();
+}
+
+}  // namespace kempe

@@ -1,0 +1,178 @@
+// The links as pictures with their dimensions, all to one scale.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/drawings/bom.hpp"
+#include "reports/page/html_table.hpp"
+#include "reports/page/sections.hpp"
+#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/picture_labels.hpp"
+#include "reports/pictures/svg_path.hpp"
+
+namespace kempe::report_sections {
+namespace {
+
+/// Nominal width of a picture, px.
+constexpr double nominal_width = 330;
+
+/// A link lying on its longest side, seen from above.
+struct LyingLink {
+  Link link;
+  std::vector<Joint> joints;
+  std::vector<Point> holes;
+  ArcPolygon outline;
+  Point lower, upper;  ///< of its outline
+};
+
+std::pair<std::size_t, std::size_t> longest_side(const std::vector<Point>& corners) {
+  std::pair<std::size_t, std::size_t> longest{0, 1};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j)
+      if ((corners[i] - corners[j]).norm() > (corners[longest.first] - corners[longest.second]).norm())
+        longest = {i, j};
+  return longest;
+}
+
+LyingLink lying(Link link, const Design& design, const Pose& pose) {
+  LyingLink part{link, {}, {}, link_outline(link, pose, design.style), {}, {}};
+  const LinkJoints of_link = joints_of(link);
+  part.joints.assign(of_link.joints.begin(), of_link.joints.begin() + of_link.count);
+  for (const Joint joint : part.joints) part.holes.push_back(pose[joint]);
+  const auto [from, to] = longest_side(part.holes);
+  const Point origin = part.holes[from];
+  const Complex along = as_complex(part.holes[to] - origin), turn = std::conj(along) / std::abs(along);
+  const auto laid = [&](const Point& at) -> Point { return as_point(turn * as_complex(at - origin)); };
+  for (Point& hole : part.holes) hole = laid(hole);
+  for (ArcVertex& vertex : part.outline.outer) vertex.at = laid(vertex.at);
+  for (ArcRing& hole : part.outline.holes)
+    for (ArcVertex& vertex : hole) vertex.at = laid(vertex.at);
+  part.lower = part.upper = part.holes.front();
+  for (const Point& hole : part.holes) {
+    part.lower = part.lower.cwiseMin(hole - Point::Constant(design.style.width / 2));
+    part.upper = part.upper.cwiseMax(hole + Point::Constant(design.style.width / 2));
+  }
+  return part;
+}
+
+std::string text(std::string_view css, const Point& at, const std::string& words) {
+  return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" dy=\".35em\">{}</text>\n", css, coordinate(at.x()),
+                     coordinate(-at.y()), words);
+}
+
+/// Letters at the holes and a dimension on every distance between two of them.
+std::string words(const LyingLink& part, const Design& design, const PictureBox& frame, double unit) {
+  LabelPlacer placer(frame, unit);
+  std::string svg;
+  const Point centre = 0.5 * (part.lower + part.upper),
+              clear_of_body = Point::Constant(0.5 * design.style.width);
+  for (std::size_t i = 0; i < part.holes.size(); ++i) {
+    placer.avoid({part.holes[i], Point::Constant(design.style.pin_diameter / 2)});
+    for (std::size_t j = i + 1; j < part.holes.size(); ++j) placer.avoid(part.holes[i], part.holes[j], unit);
+  }
+  for (std::size_t i = 0; i < part.holes.size(); ++i) {
+    const Point away = part.holes[i] - centre;
+    const Point at = placer.place_around(part.holes[i], design.style.width / 2, Point(6, 7) * unit,
+                                         away.norm() > 0 ? away : Point(0, 1));
+    svg += text("letter", at, std::string(1, letter(part.joints[i])));
+  }
+  for (std::size_t i = 0; i < part.holes.size(); ++i)
+    for (std::size_t j = i + 1; j < part.holes.size(); ++j) {
+      const double length = (part.holes[i] - part.holes[j]).norm();
+      std::string figure = fmt::format("{:.3f}", length);
+      double characters = static_cast<double>(figure.size());
+      if (part.holes.size() > 2) {  // between which holes does not go without saying
+        figure = fmt::format("{}–{}\u2002{}", letter(part.joints[i]), letter(part.joints[j]), figure);
+        characters += 4;
+      }
+      const Point half = Point(3.8 * characters, 7) * unit;
+      svg += text("size", placer.place_beside({0.5 * (part.holes[i] + part.holes[j]), clear_of_body}, half),
+                  figure);
+    }
+  return svg;
+}
+
+std::string picture(const LyingLink& part, const Design& design, double unit) {
+  const Point room = Point(0.5 * nominal_width, 0.5 * (part.upper.y() - part.lower.y()) / unit + 42) * unit;
+  const PictureBox frame{0.5 * (part.lower + part.upper), room};
+  std::string inside = fmt::format("<path class=\"body\" d=\"{}\"/>\n", svg_path(part.outline, 0));
+  for (std::size_t i = 0; i < part.holes.size(); ++i) {
+    for (std::size_t j = i + 1; j < part.holes.size(); ++j)
+      inside += fmt::format("<path class=\"line\" d=\"{}\"/>\n", svg_line({part.holes[i], part.holes[j]}));
+    inside +=
+        fmt::format("<circle class=\"hole\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", coordinate(part.holes[i].x()),
+                    coordinate(-part.holes[i].y()), coordinate(design.style.pin_diameter / 2));
+  }
+  return fmt::format(
+      "<figure><svg role=\"img\" aria-label=\"Link {0} with its dimensions\" viewBox=\"{1} {2} {3} {4}\" "
+      "font-size=\"{5}\">\n{6}</svg>\n"
+      "<figcaption><b>{0}</b>, layer {7}, {8} thick, holes for pins of {9}</figcaption></figure>\n",
+      name(part.link), coordinate(frame.lower().x()), coordinate(-frame.upper().y()),
+      coordinate(2 * room.x()), coordinate(2 * room.y()), coordinate(13 * unit, 5),
+      inside + words(part, design, frame, unit), design.layers[part.link],
+      length_text(design.style.thickness), length_text(design.style.pin_diameter));
+}
+
+std::string dimensioned_links(const Design& design) {
+  const OpeningInterval& openings =
+      design.opening.empty() ? design.linkage.assembly_interval() : design.opening;
+  const Pose pose = design.linkage.pose_at(openings.middle(), 0);
+  std::vector<LyingLink> links;
+  double widest = 0;
+  for (const Link link : all_links) {
+    links.push_back(lying(link, design, pose));
+    widest = std::max(widest, links.back().upper.x() - links.back().lower.x());
+  }
+  const double unit = widest / (nominal_width - 50);
+  std::string html;
+  for (const LyingLink& part : links) html += picture(part, design, unit);
+  return "<p class=\"note\">To one scale, seen from above, lengths between the centres of the holes in "
+         "millimetres.</p>\n<div class=\"dimensioned\">\n" +
+         html + "</div>\n";
+}
+
+/// Pins, posts, spacers and washers: what bom.csv lists beside the links.
+std::string hardware(const Design& design) {
+  std::vector<std::vector<std::string>> rows;
+  for (const BomItem& item : bill_of_materials(design)) {
+    if (item.item == "link") continue;
+    rows.push_back({html_escaped(item.name), std::to_string(item.quantity), number_text(item.diameter, 3),
+                    item.length > 0 ? number_text(item.length, 3) : "–", html_escaped(item.remark)});
+  }
+  return "<h3>Pins, posts, spacers</h3>\n" +
+         html_table("hardware",
+                    {{"Item"}, {"Number", true}, {"Diameter, mm", true}, {"Grips, mm", true}, {"Use"}}, rows);
+}
+
+std::string given_pictures(const std::vector<PartPicture>& pictures) {
+  std::string html;
+  for (const PartPicture& part : pictures)
+    // As an image an SVG runs no script and loads nothing, whatever it holds.
+    html += fmt::format(
+        "<figure class=\"part\"><img alt=\"Drawing of {0}\" "
+        "src=\"data:image/svg+xml;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
+        html_escaped(part.name), base64(part.svg));
+  return html.empty() ? html : "<div class=\"parts\">\n" + html + "</div>\n";
+}
+
+std::string files_note(const ReportExtras& extras) {
+  if (extras.pareto) return "";  // a front's folder holds no drawings
+  if (!extras.why_no_parts.empty())
+    return fmt::format(
+        "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "
+        "<code>drawing.dxf</code> shows them; there are no files of the parts.</p>\n",
+        html_escaped(extras.why_no_parts));
+  return "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
+         "<code>parts/VA.dxf</code>, <code>.svg</code> and <code>.stl</code> and so on.</p>\n";
+}
+
+}  // namespace
+
+std::string parts(const Design& design, const ReportExtras& extras) {
+  return html_section(
+      "parts", "Parts",
+      dimensioned_links(design) + given_pictures(extras.parts) + files_note(extras) + hardware(design));
+}
+
+}  // namespace kempe::report_sections

@@ -1,0 +1,174 @@
+#include "reports/page/sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/page/html_table.hpp"
+#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/mechanism_picture.hpp"
+
+namespace kempe::report_sections {
+namespace {
+
+std::string ratio_text(const Design& design) {
+  return design.scale >= 1 ? number_text(design.scale, 4) + "\u00a0:\u00a01"
+                           : "1\u00a0:\u00a0" + number_text(1 / design.scale, 4);
+}
+
+std::string turn_text(double rotation) {
+  if (rotation == 0) return "not turned";
+  const std::string angle = angle_text(std::abs(rotation));
+  if (std::abs(degrees(rotation)) > 179.9999) return "turned " + angle;
+  return fmt::format("turned {} {}", angle, rotation > 0 ? "counter-clockwise" : "clockwise");
+}
+
+std::string point_text(const Point& at) {
+  return fmt::format("({}, {})\u00a0mm", number_text(at.x(), 3), number_text(at.y(), 3));
+}
+
+std::string joint_of(const CopyingLinkage& linkage, std::string_view what) {
+  for (const Joint joint : all_joints)
+    if (role(linkage, joint) == what) return std::string(1, letter(joint));
+  return {};
+}
+
+std::string badge(bool good, std::string_view yes, std::string_view no) {
+  return fmt::format("<li class=\"badge {}\">{} {}</li>\n", good ? "good" : "bad", good ? "✓" : "✗",
+                     good ? yes : no);
+}
+
+std::string notice(const std::string& sentence) {
+  return sentence.empty() ? std::string()
+                          : fmt::format("<p class=\"notice\">{}</p>\n", html_escaped(sentence));
+}
+
+std::string key_figure(std::string_view name, const std::string& value, const std::string& note) {
+  return fmt::format("<div class=\"key\"><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", name, value, note);
+}
+
+std::string size_text(double scale) {
+  return scale == 1 ? "at the same size" : number_text(scale, 4) + " times as large";
+}
+
+/// What the page's scripts bring to life; hidden until they run.
+constexpr std::string_view controls =
+    R"(<div id="controls" class="controls" hidden>
+<div class="buttons">
+<button type="button" id="play" aria-pressed="false">▶ Play</button>
+<label>Speed <select id="speed"><option value="0.25">¼</option><option value="0.5">½</option>)"
+    R"(<option value="1" selected>1</option><option value="2">2</option></select></label>
+<label><input type="checkbox" id="draw" checked> Draw</label>
+<button type="button" id="clear">Clear</button>
+<span class="space"></span>
+<span class="zoom"><button type="button" id="zoom-out" aria-label="Zoom out">−</button>
+<button type="button" id="zoom-in" aria-label="Zoom in">+</button>
+<button type="button" id="zoom-all">All</button></span>
+</div>
+<p class="help">Drag the tracer or the pen, or tap a place; point at a place to ask about it. Keyboard: arrows move the tracer (Shift 10 mm, Alt 0.1 mm), space plays, Home goes back.</p>
+</div>
+)";
+
+/// What is so with the tracer where it stands.
+constexpr std::string_view readings = R"(<div id="readings" class="readings" hidden>
+<h3>At the tracer</h3>
+<p id="verdict" class="verdict" role="status"></p>
+<dl>
+<dt>Tracer, mm</dt><dd id="at-tracer"></dd>
+<dt>Pen, mm</dt><dd id="at-pen"></dd>
+<dt>Opening</dt><dd id="at-opening"></dd>
+<dt>Transmission</dt><dd id="at-transmission"></dd>
+<dt>Smallest gap</dt><dd><span id="at-gap"></span><small id="at-parts"></small></dd>
+<dt>Copy error, worst</dt><dd id="at-error"></dd>
+</dl>
+</div>
+)";
+
+}  // namespace
+
+std::string title(const Design& design, const ReportExtras& extras) {
+  if (!extras.title.empty()) return extras.title;
+  return fmt::format("Copying linkage {}, {}", ratio_text(design), turn_text(design.rotation));
+}
+
+std::string header(const Design& design, const ReportExtras& extras) {
+  const CopyingLinkage& linkage = design.linkage;
+  std::string badges = design.region.empty()
+                           ? badge(true, "Workspace mapped, no region given", "")
+                           : badge(design.map.coverage.covered, "Region covered", "Region not covered");
+  badges += badge(design.verification.certified, "Verified by driving it", "Not verified");
+  if (design.search && !design.search->complete) badges += badge(false, "", "Search stopped early");
+  return fmt::format(
+      "<header>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
+      "<p class=\"lead\">What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> "
+      "is fixed "
+      "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.</p>\n<ul "
+      "class=\"badges\">\n{}</ul>\n{}{}"
+      "</header>\n",
+      design.search ? "Kempe · design" : "Kempe · workspace of a given linkage",
+      html_escaped(title(design, extras)), size_text(design.scale), turn_text(design.rotation),
+      joint_of(linkage, "pole"), point_text(linkage.pole()), joint_of(linkage, "tracer"),
+      joint_of(linkage, "pen"), badges, notice(design.map.coverage.why_not),
+      notice(design.verification.failure));
+}
+
+std::string key_figures(const Design& design) {
+  const Quality& q = design.quality;
+  std::string html = key_figure("Size", length_text(q.size, 1), "links, half their outline");
+  html += key_figure("Smallest transmission", angle_text(q.transmission_min, 1),
+                     "limit " + angle_text(design.limits.transmission, 1));
+  if (std::isfinite(q.clearance_min))
+    html += key_figure("Smallest clearance", length_text(q.clearance_min, 2),
+                       "limit " + length_text(design.limits.clearance, 2));
+  if (q.copy_error_worst)
+    html += key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
+                       design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
+                                                : "under the tolerances");
+  html += key_figure("Free workspace", area_text(area(design.map.collision_free)), "without contact");
+  html += key_figure(
+      "Opening", angle_text(design.opening.width(), 1),
+      fmt::format("{} to {}", angle_text(design.opening.lower, 1), angle_text(design.opening.upper, 1)));
+  return "<dl class=\"keys\">\n" + html + "</dl>\n";
+}
+
+std::string map(const MapPicture& picture, bool live) {
+  static constexpr std::array<std::array<std::string_view, 2>, 3> groups{
+      {{"things", "Shown"}, {"map", "Where the tracer can be"}, {"lost", "Lost, and why"}}};
+  std::string legend;
+  for (const auto& [group, heading] : groups) {
+    std::string entries;
+    for (const MapLayer& layer : picture.layers)
+      if (layer.group == group)
+        entries += fmt::format(
+            "<li><label><input type=\"checkbox\" id=\"layer-{0}\"{1}><svg class=\"swatch m-{0}\" viewBox=\"0 "
+            "0 24 16\" "
+            "aria-hidden=\"true\"><rect class=\"{2}\" x=\"1\" y=\"1\" width=\"22\" height=\"14\" "
+            "rx=\"2\"/></svg>"
+            "<span>{3}</span><span class=\"figure\">{4}</span></label></li>\n",
+            layer.id, layer.shown ? " checked" : "", layer.group == "lost" ? "lost" : "area",
+            html_escaped(layer.label), layer.figure);
+    if (!entries.empty()) legend += fmt::format("<h3>{}</h3>\n<ul>\n{}</ul>\n", heading, entries);
+  }
+  const std::string board = "<div class=\"board\" id=\"board\">\n" + picture.svg +
+                            (live ? "<div id=\"tip\" class=\"tip\" hidden></div>\n" : "") + "</div>\n";
+  return fmt::format(
+      "<figure class=\"map-figure\" id=\"map-figure\">\n<div class=\"stage\">\n{}{}</div>\n"
+      "<aside class=\"legend\" aria-label=\"Legend\">\n{}{}</aside>\n</figure>\n",
+      board, live ? controls : "", live ? readings : "", legend);
+}
+
+std::string footer(const ReportExtras& extras, bool live) {
+  std::string html = fmt::format(
+      "<footer>\n<p>Made by Kempe {}. Lengths in millimetres, angles counter-clockwise, seen from "
+      "above. Full precision stands in <code>design.json</code>.</p>\n",
+      html_escaped(extras.program_version));
+  html += live ? "<p>The moving picture uses JSXGraph 1.13, copyright its authors (University of Bayreuth), "
+                 "under the MIT licence "
+                 "or the LGPL, at your choice; its notice stands in this page's source.</p>\n"
+               : "<p class=\"not-live\">This build of Kempe has no moving picture (it was configured with "
+                 "<code>-DKEMPE_WITH_LIVE_REPORT=OFF</code>).</p>\n";
+  return html + "</footer>\n";
+}
+
+}  // namespace kempe::report_sections

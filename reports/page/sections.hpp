@@ -1,0 +1,35 @@
+#pragma once
+// The report's sections, each as an HTML fragment; an empty string where there is nothing to say.
+
+#include <string>
+
+#include "reports/page/html_report.hpp"
+#include "reports/pictures/map_picture.hpp"
+
+namespace kempe::report_sections {
+
+/// Title, one sentence about what the linkage does, and whether it may be believed.
+std::string header(const Design& design, const ReportExtras& extras);
+/// The few figures a reader looks for first.
+std::string key_figures(const Design& design);
+/// The picture with its legend; the live part hooks in here.
+std::string map(const MapPicture& picture, bool live);
+/// Lengths to cut, joints and layers.
+std::string making(const Design& design);
+std::string quality(const Design& design);
+std::string workspace(const Design& design);
+/// What the tolerances cost, source by source, and over the opening. Computed here
+/// (synthesis/tolerance/copy_error.hpp).
+std::string tolerance(const Design& design);
+std::string verification(const Design& design);
+std::string search(const Design& design);
+std::string pareto(const ReportExtras& extras);
+/// The links with their dimensions, and the pictures that the extras bring.
+std::string parts(const Design& design, const ReportExtras& extras);
+std::string spec(const ReportExtras& extras);
+std::string footer(const ReportExtras& extras, bool live);
+
+/// "Copying linkage 1.4 : 1, turned 90°" unless the extras name one; not escaped.
+std::string title(const Design& design, const ReportExtras& extras);
+
+}  // namespace kempe::report_sections

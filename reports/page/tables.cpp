@@ -1,0 +1,252 @@
+// The report's tables: figures with a line of explanation each.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/page/charts.hpp"
+#include "reports/page/html_table.hpp"
+#include "reports/page/sections.hpp"
+#include "reports/pictures/html_text.hpp"
+
+namespace kempe::report_sections {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string objective_text(Objective objective) {
+  switch (objective) {
+    case Objective::size: return "smallest size";
+    case Objective::transmission: return "largest transmission angle";
+    case Objective::copy_error: return "smallest copy error";
+    case Objective::footprint: return "smallest footprint";
+  }
+  return {};
+}
+
+std::string objective_value(Objective objective, double value) {
+  switch (objective) {
+    case Objective::transmission: return angle_text(value, 4);
+    case Objective::footprint: return area_text(value);
+    default: return length_text(value, 4);
+  }
+}
+
+/// A figure of merit beside what was asked for; in red if it falls short.
+struct Requirement {
+  std::string text = "–";
+  bool met = true;
+};
+Requirement at_least(double value, double limit, const std::string& text) {
+  return {"≥ " + text, value >= limit * (1 - 1e-9)};
+}
+Requirement at_most(double value, const std::optional<double>& limit) {
+  return limit ? Requirement{"≤ " + length_text(*limit), value <= *limit * (1 + 1e-9)} : Requirement{};
+}
+
+/// The bound as a sentence: how much better any design could be.
+std::string bound_explanation(const Design& design) {
+  if (!design.search) return "No design of any lengths can do better than this.";
+  const double value = design.search->value, bound = *design.quality.lower_bound;
+  const double share = value != 0 ? std::abs(value - bound) / std::abs(value) * 100 : 0;
+  return fmt::format(
+      "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
+      number_text(share, share < 1 ? 3 : 1));
+}
+
+std::string clearance_explanation(const Design& design) {
+  std::string text = "The narrowest gap between two parts while the tracer covers the region";
+  if (!design.map.clearance_min_parts.empty())
+    text += fmt::format(": {}, with the tracer at ({}, {})", html_escaped(design.map.clearance_min_parts),
+                        number_text(design.map.clearance_min_at.x(), 2),
+                        number_text(design.map.clearance_min_at.y(), 2));
+  return text + ".";
+}
+
+}  // namespace
+
+std::string quality(const Design& design) {
+  const Quality& q = design.quality;
+  Rows rows;
+  const auto add = [&](const char* what, const std::string& value, const Requirement& required,
+                       std::string why) {
+    rows.push_back(
+        {what, required.met ? value : "<b class=\"bad\">" + value + "</b>", required.text, std::move(why)});
+  };
+  add("Size", length_text(q.size, 3), {},
+      "Sum over the four moving links of half the perimeter round their joints; a bar counts its length. "
+      "Small means stiff, cheap and light.");
+  add("Smallest transmission angle", angle_text(q.transmission_min, 3),
+      at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
+      std::string("How far the linkage stays from the positions where it jams or folds over, at the worst "
+                  "place of ") +
+          (design.region.empty() ? "its certified opening" : "the region") +
+          ". 90° is best, 0° cannot be driven.");
+  if (std::isfinite(q.clearance_min))
+    add("Smallest clearance", length_text(q.clearance_min, 3),
+        at_least(q.clearance_min, design.limits.clearance, length_text(design.limits.clearance)),
+        clearance_explanation(design));
+  if (q.copy_error_worst)
+    add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
+        at_most(*q.copy_error_worst, design.limits.copy_error),
+        "How far the pen can be off if every length and every pin play errs in the worst direction at once.");
+  if (q.copy_error_rss)
+    add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
+        "The same with errors that do not conspire: root of the sum of squares.");
+  if (q.distortion_worst)
+    add("Distortion, worst case", length_text(*q.distortion_worst, 4), {},
+        "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
+        "part that is seen.");
+  if (!design.region.empty())
+    add("Footprint", area_text(q.footprint), {},
+        "Area that all links sweep while the tracer covers the region: keep it clear.");
+  if (q.lower_bound)
+    add("Best possible",
+        design.search ? objective_value(design.search->objective, *q.lower_bound)
+                      : number_text(*q.lower_bound, 4),
+        {}, bound_explanation(design));
+  return html_section(
+      "quality", "Quality",
+      html_table("explained", {{"Figure"}, {"Value", true}, {"Required", true}, {"What it says"}}, rows));
+}
+
+std::string workspace(const Design& design) {
+  const WorkspaceMap& map = design.map;
+  Rows rows;
+  rows.push_back({"Reachable", area_text(area(map.reachable)), "The chosen assembly reaches it."});
+  rows.push_back({"Usable", area_text(area(map.usable)),
+                  fmt::format("Reachable with a transmission angle of {} or more.",
+                              angle_text(design.limits.transmission))});
+  rows.push_back(
+      {"Collision-free", area_text(area(map.collision_free)),
+       fmt::format("Usable, and every part certainly keeps {} from every other and from the obstacles.",
+                   length_text(design.limits.clearance))});
+  if (!map.uncertain.empty())
+    rows.push_back({"Uncertain", area_text(area(map.uncertain)),
+                    "A band neither proven free nor proven in contact. Treat it as lost."});
+  for (const LostArea& lost : map.lost) {
+    if (lost.area.empty() || lost.parts.empty()) continue;
+    std::string names;
+    for (const std::string& part : lost.parts) names += (names.empty() ? "" : " and ") + html_escaped(part);
+    rows.push_back(
+        {"Lost", area_text(area(lost.area)),
+         (lost.cause == Cause::obstacle_contact ? "Too near an obstacle: " : "Too near each other: ") +
+             names + "."});
+  }
+  for (const FittingSheet& sheet : map.largest_sheets)
+    rows.push_back({"Largest sheet",
+                    number_text(sheet.width, 1) + " × " + number_text(sheet.height, 1) + "\u00a0mm",
+                    fmt::format("{}, centred at ({}, {}), turned by {}.", html_escaped(sheet.name),
+                                number_text(sheet.centre.x(), 1), number_text(sheet.centre.y(), 1),
+                                angle_text(sheet.turn, 1))});
+  return html_section(
+      "workspace", "Workspace",
+      html_table("explained", {{"Part of the plane"}, {"Size", true}, {"What it says"}}, rows));
+}
+
+std::string verification(const Design& design) {
+  const Verification& v = design.verification;
+  Rows rows;
+  rows.push_back(
+      {"Result", v.certified ? "<b class=\"good\">certified</b>" : "<b class=\"bad\">not certified</b>",
+       v.certified ? fmt::format("Driven over {} by a solver that shares no formula with the design.",
+                                 v.over_workspace ? "the free workspace" : "the region")
+                   : html_escaped(v.failure)});
+  rows.push_back({"Positions driven", count_text(v.samples),
+                  v.over_workspace
+                      ? "Along the outline of the largest part of the free workspace and inside it."
+                      : "Along the region's outline and inside it."});
+  rows.push_back({"Greatest copy error", residual_text(v.copy_error_max),
+                  "Distance between the pen and the exact image of the tracer, with exact lengths."});
+  rows.push_back({"Greatest loop residual", residual_text(v.loop_residual_max),
+                  "How far the closed chain of links is from closing: rounding only, if all is well."});
+  rows.push_back({"Scale found", number_text(v.scale, 9),
+                  fmt::format("Of the similarity fitted to the driven pairs; wanted {}.",
+                              number_text(design.scale, 9))});
+  rows.push_back({"Rotation found", angle_text(v.rotation, 9),
+                  fmt::format("Wanted {}.", angle_text(design.rotation, 9))});
+  rows.push_back({"Changes of assembly", std::to_string(v.flips),
+                  "How often the linkage folded over to another assembly; must be 0."});
+  return html_section("verification", "Verification",
+                      html_table("explained", {{"Check"}, {"Found", true}, {"What it says"}}, rows));
+}
+
+namespace {
+
+/// All of a few names, or the first of many.
+std::string names_text(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 200;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i > 0 ? ", " : "") + html_escaped(names[i]);
+  if (names.size() > most) text += fmt::format(" and {} more, which design.json names", names.size() - most);
+  return text;
+}
+
+}  // namespace
+
+std::string search(const Design& design) {
+  if (!design.search) return {};
+  const SearchRecord& s = *design.search;
+  std::string solvers;
+  for (const std::string& solver : s.solvers) solvers += (solvers.empty() ? "" : ", ") + html_escaped(solver);
+  Rows rows;
+  rows.push_back({"Searched for", objective_text(s.objective),
+                  s.complete ? "The search ran to its end."
+                             : "The search was stopped early: a better design may exist."});
+  rows.push_back({"Value reached", objective_value(s.objective, s.value),
+                  "Computed anew at the design, not taken from a solver."});
+  if (!s.obstacles_out_of_reach.empty())
+    rows.push_back({"Obstacles out of reach", count_text(s.obstacles_out_of_reach.size()),
+                    "No permitted instrument can touch them, so the search left them out: " +
+                        names_text(s.obstacles_out_of_reach) + "."});
+  rows.push_back({"Evaluations", count_text(s.evaluations), "Mechanisms tried."});
+  rows.push_back({"Solvers", solvers, "In the order of use."});
+  rows.push_back({"Seed", std::to_string(s.seed), "The same seed gives the same design."});
+  return html_section("search", "Search",
+                      html_table("explained", {{"Item"}, {"Value", true}, {"What it says"}}, rows));
+}
+
+std::string pareto(const ReportExtras& extras) {
+  if (!extras.pareto || extras.pareto->rows.empty()) return {};
+  const ParetoFront& front = *extras.pareto;
+  Rows rows;
+  for (const ParetoRow& row : front.rows)
+    rows.push_back({html_escaped(row.name) + (row.is_this_design ? " <b>(this design)</b>" : ""),
+                    number_text(row.first, 4), number_text(row.second, 4)});
+  const std::string table = html_table(
+      "pareto",
+      {{"Design"},
+       {fmt::format("{}, {}", html_escaped(front.first_name), html_escaped(front.first_unit)), true},
+       {fmt::format("{}, {}", html_escaped(front.second_name), html_escaped(front.second_unit)), true}},
+      rows);
+  return html_section(
+      "pareto", "What one figure costs in the other",
+      "<div class=\"columns\"><div>" + pareto_chart(front) + "</div><div>" + table + "</div></div>\n");
+}
+
+std::string spec(const ReportExtras& extras) {
+  if (extras.spec_text.empty()) return {};
+  constexpr std::size_t head = 16000, tail = 2000;
+  std::string_view text = extras.spec_text;
+  std::string shown;
+  if (text.size() > head + tail + 1000) {
+    const auto at_line = [&](std::size_t from) {
+      const auto end = text.find('\n', from);
+      return end == text.npos || end > from + 400 ? from : end + 1;
+    };
+    const std::size_t first = at_line(head), second = at_line(text.size() - tail);
+    shown =
+        html_escaped(text.substr(0, first)) +
+        fmt::format("<i class=\"left-out\">… {} bytes left out here …\n</i>", count_text(second - first)) +
+        html_escaped(text.substr(second));
+  } else {
+    shown = html_escaped(text);
+  }
+  const std::string name = extras.spec_name.empty() ? ""
+                                                    : fmt::format("<p class=\"note\"><code>{}</code></p>\n",
+                                                                  html_escaped(extras.spec_name));
+  return html_section("spec", "The spec", name + "<pre tabindex=\"0\">" + shown + "</pre>\n");
+}
+
+}  // namespace kempe::report_sections

@@ -1,0 +1,129 @@
+#include "reports/pictures/html_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "geometry/point.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr std::string_view no_break_space = "\u00a0";
+constexpr std::string_view narrow_space = "\u202f";
+constexpr std::string_view replacement = "\ufffd";
+
+std::string_view reference_of(char c) {
+  switch (c) {
+    case '&': return "&amp;";
+    case '<': return "&lt;";
+    case '>': return "&gt;";
+    case '"': return "&quot;";
+    case '\'': return "&#39;";
+    default: return {};
+  }
+}
+
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f;
+}
+
+std::string superscript(int exponent) {
+  static constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
+  return text;
+}
+
+}  // namespace
+
+std::string html_escaped(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size() + text.size() / 8);
+  for (const char c : text) {
+    if (const auto reference = reference_of(c); !reference.empty()) {
+      escaped += reference;
+    } else if (is_control(c)) {
+      if (c != '\r') escaped += replacement;
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string script_escaped(std::string_view json) {
+  std::string escaped;
+  escaped.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      escaped += "\\u003c";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string base64(std::string_view bytes) {
+  static constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t j = 0; j < 3; ++j)
+      group = group << 8 | (j < count ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for (std::size_t j = 0; j < 4; ++j) text += j <= count ? digits[group >> (18 - 6 * j) & 63u] : '=';
+  }
+  return text;
+}
+
+std::string coordinate(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string number_text(double value, int decimals) {
+  std::string text = coordinate(value, decimals);
+  if (text.front() == '-') text.replace(0, 1, "\u2212");
+  return text;
+}
+
+std::string length_text(double mm, int decimals) {
+  return fmt::format("{}{}mm", number_text(mm, decimals), no_break_space);
+}
+
+std::string angle_text(double rad, int decimals) { return number_text(degrees(rad), decimals) + "°"; }
+
+std::string area_text(double mm2) {
+  if (std::abs(mm2) < 100) return fmt::format("{}{}mm²", number_text(mm2, 1), no_break_space);
+  return fmt::format("{}{}cm²", number_text(mm2 / 100, std::abs(mm2) < 10000 ? 2 : 1), no_break_space);
+}
+
+std::string residual_text(double mm) {
+  if (mm == 0) return fmt::format("0{}mm", no_break_space);
+  if (std::abs(mm) >= 1e-3) return length_text(mm);
+  const std::string text = fmt::format("{:.1e}", mm);  // rounds before the exponent is chosen
+  const std::size_t e = text.find('e');
+  double mantissa = 0;  // not by stod: it obeys the locale's decimal comma
+  std::from_chars(text.data(), text.data() + e, mantissa);
+  return fmt::format("{}·10{}{}mm", number_text(mantissa, 1), superscript(std::stoi(text.substr(e + 1))),
+                     no_break_space);
+}
+
+std::string count_text(unsigned long long count) {
+  std::string text = std::to_string(count);
+  for (auto end = static_cast<std::ptrdiff_t>(text.size()) - 3; end > 0; end -= 3)
+    text.insert(static_cast<std::size_t>(end), narrow_space);
+  return text;
+}
+
+}  // namespace kempe

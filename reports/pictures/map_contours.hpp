@@ -1,0 +1,23 @@
+#pragma once
+// Contours of what depends on the opening alone: circles about the pole.
+
+#include <vector>
+
+#include "synthesis/design/design.hpp"
+
+namespace kempe {
+
+/// On this circle about the pole a quantity has one value.
+struct ContourCircle {
+  double level;
+  double radius;  ///< mm
+};
+
+/// Where the transmission angle is 10, 20 ... 80 degrees (level in rad); two circles a level.
+std::vector<ContourCircle> transmission_circles(const CopyingLinkage& linkage);
+
+/// Where the worst copy error under the design's tolerance is a round number of mm: about six levels of what the
+/// certified openings have, circles all over the assembly. Empty without tolerance.
+std::vector<ContourCircle> copy_error_circles(const Design& design);
+
+}  // namespace kempe

@@ -1,0 +1,30 @@
+#pragma once
+// What of the table a drawing covers: the region that its strokes ask for.
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "specs/drawings/curve_flattening.hpp"
+#include "specs/drawings/region_file.hpp"
+#include "specs/text/input_error.hpp"
+
+namespace kempe {
+
+/// The region of a drawing's strokes:
+///  - hull: the convex hull of all strokes, grown by the margin (a drawing on one line needs a margin);
+///  - outline: what closed strokes enclose by the even-odd rule (an O has its hole); if outlines meet or
+///  cross, all
+///    that any of them encloses, holes filled. Grown by the margin;
+///  - strokes: all that is within the margin (> 0) of a stroke.
+/// Open strokes whose ends meet to 1e-3 mm are joined before outlines are looked for. `remark` says what else
+/// the drawing held; it becomes part of the error if there is nothing to cover.
+tl::expected<Region, InputError> covered_region(const std::vector<DrawnStroke>& strokes,
+                                                const std::string& remark, const std::string& file_name,
+                                                const RegionFileOptions& options);
+
+/// Corners of the convex hull, counter-clockwise, none between two others on a line. Fewer than three if all
+/// points lie on one line. (Andrew's monotone chain with exact orientations.)
+Ring convex_hull(std::vector<Point> points);
+
+}  // namespace kempe

@@ -1,0 +1,319 @@
+// Interval arithmetic for the proven bound. Every double that leaves is rounded to the safe side; sines,
+// cosines and arcs of the few angles that occur are taken from the C library and widened by four units in the
+// last place.
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "synthesis/bound/box.hpp"
+
+namespace kempe::bounding {
+namespace {
+
+using Interval = CGAL::Interval_nt<false>;
+/// Switches the processor to upward rounding as long as it lives.
+using Rounding = Interval::Protector;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double four_ulp = 4 * std::numeric_limits<double>::epsilon();
+
+Interval widened(double value) {
+  const double slack = four_ulp * std::max(1.0, std::abs(value));
+  return Interval(value - slack, value + slack);
+}
+Interval cosine(double angle) { return widened(std::cos(angle)); }
+
+Interval whole(const Range& range) { return Interval(range.lower, range.upper); }
+
+void keep(Range& range, const Interval& values) {
+  range.lower = std::max(range.lower, values.inf());
+  range.upper = std::min(range.upper, values.sup());
+}
+void keep_at_least(Range& range, double lower) { range.lower = std::max(range.lower, lower); }
+void keep_at_most(Range& range, double upper) { range.upper = std::min(range.upper, upper); }
+
+Interval H_at(double t) { return (Interval(t) + 1.0 / Interval(t)) / 2.0; }
+
+/// H over a range of t: convex, least at 1.
+Interval H_over(const Range& t) {
+  const Interval at_lower = H_at(t.lower), at_upper = H_at(t.upper);
+  const bool has_one = t.lower <= 1 && 1 <= t.upper;
+  const double least = has_one ? 1 : std::max(1.0, std::min(at_lower.inf(), at_upper.inf()));
+  return Interval(least, std::max(at_lower.sup(), at_upper.sup()));
+}
+
+Interval chain_squared(const Assembly& assembly, double distance) {
+  return CGAL::square(widened(assembly.chain) * Interval(distance));
+}
+
+struct Cosines {
+  double far_at_most, near_at_least;
+};
+/// Largest cosine that the far end may have and smallest of the near end.
+Cosines cosines(const Assembly& assembly, double transmission) {
+  const Range psi = assembly.usable(transmission);
+  return {cosine(psi.lower).sup(), cosine(psi.upper).inf()};
+}
+
+Interval ratio_squared(const PoleDistances& distances) {
+  const Interval plain = Interval(distances.farthest_at_least) / Interval(distances.nearest_at_most);
+  return CGAL::square(Interval(std::max(plain.inf(), distances.ratio_at_least)));
+}
+
+/// H(t) may not exceed (cos far - q^2 cos near) / (q^2 - 1), q = farthest / nearest: eliminates w from the
+/// reach.
+double H_limit(const PoleDistances& distances, const Cosines& limit) {
+  if (!(distances.nearest_at_most > 0)) return (-Interval(limit.near_at_least)).sup();
+  const Interval q2 = ratio_squared(distances);
+  if (!(q2.inf() > 1)) return infinity;
+  const Interval spread = Interval(limit.far_at_most) - q2 * Interval(limit.near_at_least);
+  return (spread / (q2 - 1.0)).sup();
+}
+
+void keep_t_with_H_at_most(Range& t, double limit) {
+  if (!(limit < 1e150)) return;
+  const Interval H(limit);
+  const Interval root = CGAL::sqrt(
+      Interval(std::max(0.0, (CGAL::square(H) - 1.0).inf()), std::max(0.0, (CGAL::square(H) - 1.0).sup())));
+  const Interval largest = H + root;
+  keep_at_most(t, largest.sup());
+  keep_at_least(t, (1.0 / Interval(largest.sup())).inf());
+}
+
+void keep_lengths_in_limits(const Assembly& assembly, LengthBox& lengths) {
+  const Interval a2 = CGAL::square(whole(assembly.a)), b2 = CGAL::square(whole(assembly.b));
+  keep(lengths.w, 2.0 * whole(lengths.t) * a2);
+  if (lengths.w.empty()) return;
+  keep(lengths.w, 2.0 * b2 / whole(lengths.t));
+  if (lengths.w.empty()) return;
+  keep(lengths.t, whole(lengths.w) / (2.0 * a2));
+  if (lengths.t.empty()) return;
+  keep(lengths.t, 2.0 * b2 / whole(lengths.w));
+}
+
+void keep_reach(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit,
+                LengthBox& lengths) {
+  const Interval H = H_over(lengths.t);
+  const Interval far = Interval(H.sup()) + Interval(limit.far_at_most);
+  if (far.sup() > 0)
+    keep_at_least(lengths.w,
+                  (chain_squared(assembly, distances.farthest_at_least) / Interval(far.sup())).inf());
+  const Interval between = Interval(limit.far_at_most) - Interval(limit.near_at_least);
+  if (between.sup() > 0 && distances.squares_at_least > 0)
+    keep_at_least(lengths.w, (CGAL::square(widened(assembly.chain)) * Interval(distances.squares_at_least) /
+                              Interval(between.sup()))
+                                 .inf());
+  const Interval near = Interval(H.inf()) + Interval(limit.near_at_least);
+  if (near.inf() > 0)
+    keep_at_most(lengths.w,
+                 (chain_squared(assembly, distances.nearest_at_most) / Interval(near.inf())).sup());
+}
+
+/// Size of the smallest linkage with this t that reaches the farthest place:
+/// c r (A + B t) / sqrt(t^2 + 2 t cos far + 1). Along t it has no minimum but at the ends of a range.
+double size_on_far_limit(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit,
+                         double t) {
+  const Interval T(t);
+  const Interval under = CGAL::square(T) + 2.0 * T * Interval(limit.far_at_most) + 1.0;
+  if (!(under.sup() > 0)) return infinity;
+  const Interval reach = widened(assembly.chain) * Interval(distances.farthest_at_least);
+  const Interval weight = widened(assembly.size_per_a) + widened(assembly.size_per_b) * T;
+  return (reach * weight / CGAL::sqrt(Interval(under.sup()))).inf();
+}
+
+/// (A / sqrt t + B sqrt t) / sqrt 2, least over the range: size = sqrt(w) times this.
+double size_per_root_w(const Assembly& assembly, const Range& t) {
+  const Interval A = widened(assembly.size_per_a), B = widened(assembly.size_per_b);
+  const auto at = [&](const Interval& T) { return ((A + B * T) / CGAL::sqrt(2.0 * T)).inf(); };
+  const Interval best = A / B;  // where the sum is least: sqrt(2 A B)
+  if (best.sup() >= t.lower && best.inf() <= t.upper) return CGAL::sqrt(2.0 * A * B).inf();
+  return std::min(at(Interval(t.lower)), at(Interval(t.upper)));
+}
+
+/// Largest transmission angle at which cos(far_end + mu) - weight cos(near_end - mu) >= needed: the left side
+/// falls.
+double transmission_with(const Assembly& assembly, double weight, double needed) {
+  const double widest = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
+  const double along = std::cos(assembly.far_end) - weight * std::cos(assembly.near_end);
+  const double across = std::sin(assembly.far_end) + weight * std::sin(assembly.near_end);
+  const double size = std::hypot(along, across);
+  if (!(size > 0)) return widest;
+  const double guess = std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
+  const auto impossible = [&](double mu) {
+    const Interval left = cosine(assembly.far_end + mu) - Interval(weight) * cosine(assembly.near_end - mu);
+    return left.sup() < needed;
+  };
+  if (impossible(0)) return -1;
+  for (double slack = 1e-14; slack < 1; slack *= 10) {
+    const double mu = std::max(0.0, guess) + slack;
+    if (mu >= widest) break;
+    if (impossible(mu)) return mu;
+  }
+  return widest;
+}
+
+double arc_at_most(double cosine_at_least) {
+  return std::min(pi, std::acos(std::clamp(cosine_at_least, -1.0, 1.0)) + 1e-14);
+}
+double arc_at_least(double cosine_at_most) {
+  return std::max(0.0, std::acos(std::clamp(cosine_at_most, -1.0, 1.0)) - 1e-14);
+}
+
+struct IntervalComplex {
+  Interval re, im;
+};
+IntervalComplex exact(Complex z) { return {Interval(z.real()), Interval(z.imag())}; }
+IntervalComplex widened_complex(Complex z) { return {widened(z.real()), widened(z.imag())}; }
+IntervalComplex operator*(const IntervalComplex& u, const IntervalComplex& v) {
+  return {u.re * v.re - u.im * v.im, u.re * v.im + u.im * v.re};
+}
+IntervalComplex difference(Complex u, Complex v) {
+  const IntervalComplex a = exact(u), b = exact(v);
+  return {a.re - b.re, a.im - b.im};
+}
+
+struct Lengths {
+  Interval a, b;
+};
+Lengths lengths_of(double t, double w) {
+  return {CGAL::sqrt(Interval(w) / (2.0 * Interval(t))), CGAL::sqrt(Interval(w) * Interval(t) / 2.0)};
+}
+
+/// Five corners whose hull holds every (a, b) of a box: its four corners, and where the tangents meet that
+/// touch the lower hyperbola ab = w/2 at its ends (the upper hyperbola lies within its chord already).
+std::array<Lengths, 5> hull_of(const LengthBox& lengths) {
+  const Lengths left = lengths_of(lengths.t.upper, lengths.w.lower),
+                right = lengths_of(lengths.t.lower, lengths.w.lower);
+  const Interval sum = left.a + right.a;
+  const Lengths tangents{2.0 * left.a * right.a / sum, Interval(lengths.w.lower) / sum};
+  return {left, right, tangents, lengths_of(lengths.t.lower, lengths.w.upper),
+          lengths_of(lengths.t.upper, lengths.w.upper)};
+}
+
+}  // namespace
+
+Range Assembly::usable(double transmission) const {
+  return {std::max(far_end + transmission, allowed.lower), std::min(near_end - transmission, allowed.upper)};
+}
+
+bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission,
+              LengthBox& lengths) {
+  const Rounding rounding;
+  if (assembly.usable(transmission).lower > assembly.usable(transmission).upper + 1e-12) return false;
+  const Cosines limit = cosines(assembly, transmission);
+  const double H_most = H_limit(distances, limit);
+  if (H_most < 1) return false;
+  keep_t_with_H_at_most(lengths.t, H_most);
+  for (int round = 0; round < 2; ++round) {
+    if (lengths.t.empty() || lengths.w.empty()) return false;
+    keep_lengths_in_limits(assembly, lengths);
+    if (lengths.t.empty() || lengths.w.empty()) return false;
+    keep_reach(assembly, distances, limit, lengths);
+  }
+  return !lengths.t.empty() && !lengths.w.empty();
+}
+
+double size_at_least(const Assembly& assembly, const PoleDistances& distances, double transmission,
+                     const LengthBox& lengths) {
+  const Rounding rounding;
+  const Cosines limit = cosines(assembly, transmission);
+  const double by_reach = std::min(size_on_far_limit(assembly, distances, limit, lengths.t.lower),
+                                   size_on_far_limit(assembly, distances, limit, lengths.t.upper));
+  const Interval by_lengths =
+      CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(assembly, lengths.t));
+  return std::max(by_reach, by_lengths.inf());
+}
+
+bool contract_by_size(const Assembly& assembly, double size, LengthBox& lengths) {
+  const Rounding rounding;
+  if (size < infinity)
+    keep_at_most(lengths.w,
+                 CGAL::square(Interval(size) / Interval(size_per_root_w(assembly, lengths.t))).sup());
+  return !lengths.w.empty();
+}
+
+double transmission_at_most(const Assembly& assembly, const PoleDistances& distances,
+                            const LengthBox& lengths) {
+  const Rounding rounding;
+  const Interval H = H_over(lengths.t);
+  double most = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
+  if (distances.nearest_at_most > 0) {  // w eliminated
+    const double q2 = ratio_squared(distances).inf();
+    if (q2 > 1)
+      most =
+          std::min(most, transmission_with(assembly, q2, ((Interval(q2) - 1.0) * Interval(H.inf())).inf()));
+  }
+  if (distances.squares_at_least > 0)  // H eliminated
+    most = std::min(most, transmission_with(assembly, 1,
+                                            (CGAL::square(widened(assembly.chain)) *
+                                             Interval(distances.squares_at_least) / Interval(lengths.w.upper))
+                                                .inf()));
+  const Interval far =
+      chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
+  const Interval near =
+      chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
+  most = std::min(most, arc_at_most(far.inf()) - assembly.far_end);
+  most = std::min(most, assembly.near_end - arc_at_least(near.sup()));
+  return most;
+}
+
+Range passed_by_all(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths) {
+  const Rounding rounding;
+  const Interval H = H_over(lengths.t);
+  const Interval near =
+      chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
+  const Interval far =
+      chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
+  if (!(near.sup() < far.inf()) || far.inf() < -1 || near.sup() > 1) return {};
+  return {arc_at_most(far.inf()), arc_at_least(near.sup())};
+}
+
+bool always_nearer(const Assembly& assembly, const LengthBox& lengths, double psi, const MaterialPoint& first,
+                   const MaterialPoint& second, double needed) {
+  const Rounding rounding;
+  const IntervalComplex direction = widened_complex(std::polar(1.0, assembly.bend * psi));
+  const IntervalComplex by_a = difference(first.of_a, second.of_a);
+  const IntervalComplex by_b = difference(first.of_b, second.of_b) * direction;
+  const Interval limit = CGAL::square(Interval(needed));
+  // The distance is a convex function of (a, b): its largest value over a hull is at a corner.
+  for (const Lengths& corner : hull_of(lengths)) {
+    const Interval x = by_a.re * corner.a + by_b.re * corner.b, y = by_a.im * corner.a + by_b.im * corner.b;
+    if (!((CGAL::square(x) + CGAL::square(y)).sup() < limit.inf())) return false;
+  }
+  return true;
+}
+
+Spread spread_over(const Point& far, const Point& near, double rounding, const Range& x, const Range& y) {
+  const Rounding guard;
+  Spread least{infinity, infinity};
+  for (const double px : {x.lower, x.upper})
+    for (const double py : {y.lower, y.upper}) {
+      const auto from = [&](const Point& place) {
+        return CGAL::sqrt(CGAL::square(Interval(px) - place.x()) + CGAL::square(Interval(py) - place.y()));
+      };
+      const Interval nearest = from(near) + rounding, farthest = from(far);
+      least.ratio = std::min(least.ratio, nearest.inf() > 0 ? (farthest / nearest).inf() : 0.0);
+      least.squares = std::min(least.squares, (CGAL::square(farthest) - CGAL::square(nearest)).inf());
+    }
+  return {std::max(1.0, least.ratio), least.squares};
+}
+
+Range distance_from_box(const Point& corner, const Range& x, const Range& y) {
+  const Rounding rounding;
+  const auto apart = [](const Range& range, double at) {
+    return std::max({0.0, (Interval(range.lower) - at).inf(), (Interval(at) - range.upper).inf()});
+  };
+  const auto across = [](const Range& range, double at) {
+    return std::max((Interval(range.upper) - at).sup(), (Interval(at) - range.lower).sup());
+  };
+  const Interval nearest =
+      CGAL::sqrt(CGAL::square(Interval(apart(x, corner.x()))) + CGAL::square(Interval(apart(y, corner.y()))));
+  const Interval farthest = CGAL::sqrt(CGAL::square(Interval(across(x, corner.x()))) +
+                                       CGAL::square(Interval(across(y, corner.y()))));
+  return {nearest.inf(), farthest.sup()};
+}
+
+}  // namespace kempe::bounding

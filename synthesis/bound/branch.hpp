@@ -1,0 +1,28 @@
+#pragma once
+// One grounding and assembly of a spec, as the proven bound sees it.
+
+#include <optional>
+#include <vector>
+
+#include "specs/spec.hpp"
+#include "synthesis/bound/box.hpp"
+#include "synthesis/bound/contact.hpp"
+
+namespace kempe::bounding {
+
+/// An assembly with what is needed to turn |psi| into openings.
+struct Branch {
+  Assembly assembly;
+  double middle = 0, middle_psi = 0;  // the interval's middle: opening and |psi|, rad
+  std::vector<LayerChoice> layers;
+
+  double psi_of(double opening) const { return middle_psi + assembly.bend * (opening - middle); }
+  double opening_of(double psi) const { return middle + assembly.bend * (psi - middle_psi); }
+};
+
+/// From the spec: the limits of lengths with locks, the openings that the copy error leaves, the layer
+/// assignments worth a look. `least_distance` of two joints of a link, mm; absent: the spec's.
+Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers,
+                   std::optional<double> least_distance = std::nullopt);
+
+}  // namespace kempe::bounding

@@ -1,0 +1,42 @@
+#pragma once
+// Contact for the proven bound: which pairs of parts can matter, and which two points of theirs are nearest.
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "synthesis/bound/box.hpp"
+#include "workspace/contact/self_contact.hpp"
+
+namespace kempe::bounding {
+
+/// A part whatever its layers, and two of them in a fixed order: what makes pairs of two layer assignments
+/// the same.
+using PartKey = std::tuple<int, int, int>;
+using PairKey = std::pair<PartKey, PartKey>;
+PairKey key_of(const ContactPair& pair);
+
+/// A layer assignment with the pairs of parts that must keep their clearance in it, sorted.
+struct LayerChoice {
+  LayerAssignment layers;
+  std::vector<PairKey> pairs;
+  std::size_t like = 0;  ///< the place of the first assignment with the same pairs
+  bool has(const PairKey& pair) const { return std::binary_search(pairs.begin(), pairs.end(), pair); }
+};
+
+/// The least demanding layer assignments of a grounding (layer_demands.hpp): if no design keeps its clearance in one of
+/// these, none does in any. With obstacles more contact among the links may be worth it.
+std::vector<LayerChoice> layer_choices(Complex k, Vertex vertex, int layers,
+                                       const std::vector<Obstacle>& obstacles);
+
+/// Two points, one of each part of a pair, that are nearest (or coincide) in a pose with these lengths and
+/// opening, and how far apart they must stay, mm.
+struct NearestPoints {
+  MaterialPoint first, second;
+  double needed = 0;
+};
+NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkStyle& style, double a,
+                             double b, double psi);
+
+}  // namespace kempe::bounding

@@ -1,0 +1,36 @@
+#include "synthesis/bound/sheets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kempe::bounding {
+
+SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
+    : region_(region), k_(spec.copy.k), gap_(spec.limits.sheets_gap) {
+  if (!gap_) return;
+  constexpr std::size_t most = 24;
+  const auto& edges = region.edges();
+  for (std::size_t i = 0; i < edges.size(); i += 1 + edges.size() / most) places_.push_back(edges[i].from);
+  places_.insert(places_.end(), region.hull().begin(),
+                 region.hull().begin() + static_cast<std::ptrdiff_t>(std::min(most, region.hull().size())));
+}
+
+SheetsGap::Verdict SheetsGap::verdict(const Point& pole, double radius) const {
+  if (!gap_) return Verdict::far_enough;
+  const double moved = std::abs(1.0 - k_) * radius;
+  bool far_enough = true;
+  for (const Point& place : places_) {
+    const Complex from_pole = as_complex(place - pole);
+    const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
+    const double distance =
+        std::min(region_.nearest(image).distance, std::abs(k_) * region_.nearest(source).distance);
+    const double rounding =
+        1e-12 * (region_.diagonal() + *gap_ + (1 + std::abs(k_)) * (place.norm() + pole.norm()));
+    const double slack = moved + rounding;
+    if (distance + slack < *gap_) return Verdict::too_near;
+    far_enough = far_enough && distance - slack >= *gap_;
+  }
+  return far_enough ? Verdict::far_enough : Verdict::undecided;
+}
+
+}  // namespace kempe::bounding

@@ -1,0 +1,32 @@
+#pragma once
+// The gap between original and copy over a box of poles.
+
+#include <optional>
+#include <vector>
+
+#include "geometry/region_reach.hpp"
+#include "specs/spec.hpp"
+
+namespace kempe::bounding {
+
+/// Where the sheets are looked at: some places of the region. The copy's distance from the region at a pole
+/// is at most the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
+/// `region` must outlive it.
+class SheetsGap {
+ public:
+  SheetsGap(const Spec& spec, const RegionReach& region);
+
+  enum class Verdict { too_near, undecided, far_enough };
+
+  /// Whether original and copy come too near for every pole within `radius` of `pole`, or for none (as far as
+  /// the places tell).
+  Verdict verdict(const Point& pole, double radius) const;
+
+ private:
+  const RegionReach& region_;
+  Complex k_;
+  std::optional<double> gap_;
+  std::vector<Point> places_;
+};
+
+}  // namespace kempe::bounding

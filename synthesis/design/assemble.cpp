@@ -1,0 +1,136 @@
+#include "synthesis/design/assemble.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/problem/obstacle_reach.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+#include "workspace/footprint.hpp"
+#include "workspace/map/layer_choice.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// A point of a front was searched for another objective than the spec's.
+std::optional<Objective> objective_of(Goal goal) {
+  for (const Objective objective :
+       {Objective::size, Objective::transmission, Objective::copy_error, Objective::footprint})
+    if (goal_of(objective) == goal) return objective;
+  return std::nullopt;
+}
+
+/// Over the region, or without one over the certified opening; where the region is not reached 0.
+double smallest_transmission(const CopyingLinkage& linkage, const Region& region,
+                             const OpeningInterval& certified) {
+  const bool anywhere = region.empty() && !certified.empty();
+  const auto openings = anywhere ? std::optional(certified) : openings_over(linkage, region);
+  if (!openings) return 0;
+  return std::min(linkage.transmission_angle(openings->lower), linkage.transmission_angle(openings->upper));
+}
+
+void measure_copy_error(Design& design) {
+  if (!design.tolerance) return;
+  const auto error =
+      copy_error_over(design.linkage, CopyTolerance::uniform(*design.tolerance), design.region);
+  if (!error) return;
+  design.quality.copy_error_worst = error->worst;
+  design.quality.copy_error_rss = error->rss;
+  design.quality.distortion_worst = error->distortion_worst;
+}
+
+/// With workshop lengths k may be off: the design then states what it attains, and what was wanted beside it.
+void note_ratio(Design& design, const CopySpec& copy) {
+  const double error = std::abs(design.linkage.k() - copy.k);
+  if (error <= 1e-12 * std::abs(copy.k)) return;
+  design.wanted = WantedCopy{copy.scale, copy.rotation, error};
+  design.scale = std::abs(design.linkage.k());
+  design.rotation = std::arg(design.linkage.k());
+}
+
+Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
+                 const MapOptions& options) {
+  Design design{.linkage = linkage,
+                .scale = spec.copy.scale,
+                .rotation = spec.copy.rotation,
+                .region = spec.region,
+                .style = spec.links.style,
+                .layers = layers,
+                .limits = spec.limits,
+                .tolerance = spec.tolerance,
+                .obstacles = spec.obstacles,
+                .tool = tool_advice(spec.tool, std::abs(linkage.k())),
+                .cutting = spec.cutting};
+  note_ratio(design, spec.copy);
+  design.map = map_workspace(map_task(design), options);
+  design.opening = design.map.certified_opening;
+  Footprint swept = footprint(linkage, design.style, design.region);
+  design.footprint = std::move(swept.outline);
+  design.quality.footprint = swept.area;
+  design.quality.size = linkage.size();
+  design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
+  design.quality.clearance_min = design.map.clearance_min;
+  measure_copy_error(design);
+  return design;
+}
+
+/// Every assignment compared by its gap over the region, obstacles included.
+LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers,
+                         const StopFlag& stop) {
+  const MapTask task{.linkage = linkage,
+                     .style = spec.links.style,
+                     .layers = {},
+                     .clearance = spec.limits.clearance,
+                     .transmission = spec.limits.transmission,
+                     .obstacles = spec.obstacles,
+                     .region = spec.region,
+                     .sheets_gap = spec.limits.sheets_gap};
+  return choose_layers(task, most_layers, stop);
+}
+
+}  // namespace
+
+Allowed allowed_by(const Spec& spec) {
+  return {spec.pole,           spec.links.layers,         spec.links.shortest, spec.links.longest,
+          spec.links.workshop, spec.objective.groundings, least_wall(spec)};
+}
+
+MapTask map_task(const Design& design) {
+  return {.linkage = design.linkage,
+          .style = design.style,
+          .layers = design.layers,
+          .clearance = design.limits.clearance,
+          .transmission = design.limits.transmission,
+          .obstacles = design.obstacles,
+          .region = design.region,
+          .sheets_gap = design.limits.sheets_gap};
+}
+
+Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options) {
+  Design design = assembled(spec, found.linkage, found.layers, options);
+  if (found.layers.highest() > 2 && !options.stop()) {
+    LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
+    if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
+  }
+  design.search = SearchRecord{.objective = objective_of(found.goal).value_or(spec.objective.objective),
+                               .value = found.value,
+                               .solvers = found.solvers,
+                               .evaluations = found.evaluations,
+                               .seed = found.seed,
+                               .complete = found.complete,
+                               .obstacles_out_of_reach = names_out_of_reach(spec)};
+  design.quality.lower_bound = found.lower_bound;
+  design.allowed = allowed_by(spec);
+  return design;
+}
+
+Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
+  if (spec.mechanism && spec.mechanism->layers)
+    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options);
+  const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
+  Design design = assembled(spec, linkage, choice.best, options);
+  design.why_not_fewer_layers = choice.why_not_fewer;
+  return design;
+}
+
+}  // namespace kempe

@@ -1,0 +1,21 @@
+#pragma once
+// From a linkage to a finished design: opening certified, workspace mapped, quality measured. Verification is
+// not part of it (verification.hpp).
+
+#include "synthesis/design/design.hpp"
+#include "synthesis/search/search.hpp"
+
+namespace kempe {
+
+/// The design that a search found, with the record of the search.
+Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options);
+
+/// A given linkage in the spec's layers, or without them in the assignment that covers the region with the
+/// widest contact-free opening (the first of equals). It need not keep any limit of the spec: the map says
+/// where it does.
+Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options);
+
+/// What map_workspace() and verdict_at() need to know about a design. The task's region is the design's.
+MapTask map_task(const Design& design);
+
+}  // namespace kempe

@@ -1,0 +1,100 @@
+#pragma once
+// A finished design as a value: everything design.json holds.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "synthesis/design/tool_advice.hpp"
+#include "workspace/map/workspace_map.hpp"
+
+namespace kempe {
+
+/// Figures of merit. NaN never appears: an absent value is an empty optional.
+struct Quality {
+  double size = 0;              ///< mm
+  double transmission_min = 0;  ///< rad, smallest over the region
+  double clearance_min = 0;     ///< mm, smallest over the region
+  /// mm; absent without [tolerance]
+  std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;
+  double footprint = 0;  ///< mm^2, outer bound of the area swept while the tracer covers the region
+  /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
+  std::optional<double> lower_bound;
+};
+
+/// Something that a design or its file states and that does not hold.
+struct BrokenLimit {
+  std::string limit;                            ///< its key: "limits.clearance_mm", "obstacles", "region"
+  std::optional<double> attained{}, allowed{};  ///< in the key's unit; absent where no number says it
+  std::optional<Point> where{};                 ///< the tracer's place, mm; absent where it is no one place
+  std::string sentence;                         ///< for a person
+};
+
+/// What the independent verification found (verification.hpp).
+struct Verification {
+  std::size_t samples = 0;
+  double copy_error_max = 0;       ///< mm
+  double loop_residual_max = 0;    ///< mm
+  double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
+  int flips = 0;                   ///< changes of assembly seen
+  bool certified = false;
+  bool over_workspace =
+      false;              ///< driven over the free workspace: there is no region, or none of it within reach
+  std::string failure{};  ///< a sentence; empty if certified
+  std::vector<BrokenLimit> broken{};  ///< the first breach of each limit
+};
+
+struct SearchRecord {
+  Objective objective = Objective::size;
+  double value = 0;                    ///< mm, rad or mm^2
+  std::vector<std::string> solvers{};  ///< names with versions, in the order of use
+  std::uint64_t evaluations = 0;
+  std::uint64_t seed = 0;
+  bool complete = true;  ///< false if stopped early (time limit, Ctrl-C)
+  /// Names of the obstacles that no permitted instrument can touch: the search left them out (obstacle_reach.hpp).
+  std::vector<std::string> obstacles_out_of_reach{};
+};
+
+/// The ratio that the spec wants where the workshop's lengths do not allow it.
+struct WantedCopy {
+  double scale = 1, rotation = 0;  ///< rotation rad
+  double error = 0;                ///< |k attained - k wanted|: mm of error per mm of distance from the pole
+};
+
+/// What the spec allows beside its limits: with it a design can be judged from its file alone.
+struct Allowed {
+  PoleSpec pole{};
+  int layers = 2;                    ///< at most
+  double shortest = 0, longest = 0;  ///< mm, of every length
+  WorkshopSpec workshop{};
+  std::vector<Vertex> groundings{};
+  std::optional<double>
+      wall{};  ///< mm, least between two holes of a link; absent: an older file does not say it
+};
+Allowed allowed_by(const Spec& spec);
+
+struct Design {
+  CopyingLinkage linkage;
+  /// That the lengths give: as the spec gave them unless `wanted`; rotation rad.
+  double scale = 1, rotation = 0;
+  std::optional<WantedCopy> wanted{};
+  Region region{};
+  LinkStyle style{};
+  LayerAssignment layers{};
+  std::vector<std::string> why_not_fewer_layers{};  ///< sentences; empty with two layers
+  Limits limits{};
+  std::optional<Tolerance> tolerance{};
+  std::vector<Obstacle> obstacles{};
+  std::optional<ToolAdvice> tool{};
+  OpeningInterval opening{};  ///< certified
+  Quality quality{};
+  WorkspaceMap map{};
+  Region footprint{};  ///< outer bound of what all links sweep; empty if it was not asked for
+  Verification verification{};
+  std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
+  std::optional<Allowed> allowed{};      ///< absent for `kempe workspace`, whose mechanism is given
+  CuttingSpec cutting{};
+};
+
+}  // namespace kempe

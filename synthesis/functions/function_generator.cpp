@@ -1,0 +1,108 @@
+// Steps: lay out the wanted pairs of angles; search the four-bars through precision points, or those of least error; say
+// what was found.
+
+#include "synthesis/functions/function_generator.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/functions/refinement.hpp"
+
+namespace kempe {
+
+std::string_view name(FunctionMethod method) {
+  switch (method) {
+    case FunctionMethod::precision_points: return "precision_points";
+    case FunctionMethod::least_squares: return "least_squares";
+    case FunctionMethod::minimax: return "minimax";
+  }
+  return "";
+}
+
+std::string_view name(FunctionDefect defect) {
+  switch (defect) {
+    case FunctionDefect::none: return "none";
+    case FunctionDefect::does_not_assemble: return "the loop comes apart within the range";
+    case FunctionDefect::branch: return "the precision points lie on both branches";
+    case FunctionDefect::order: return "the output crank turns back within the range";
+    case FunctionDefect::transmission: return "the transmission angle falls below the limit";
+    case FunctionDefect::lengths: return "a link vanishes or grows too long";
+    case FunctionDefect::start: return "a crank would have to start half a turn from the start given";
+  }
+  return "";
+}
+
+std::optional<FreudensteinCoefficients> freudenstein_three_points(const std::vector<double>& phi,
+                                                                  const std::vector<double>& psi) {
+  if (phi.size() != 3 || psi.size() != 3) return std::nullopt;
+  Eigen::Matrix3d rows;
+  Eigen::Vector3d right;
+  for (int i = 0; i < 3; ++i) {
+    const auto j = static_cast<std::size_t>(i);
+    rows.row(i) << std::cos(psi[j]), -std::cos(phi[j]), 1;
+    right[i] = std::cos(phi[j] - psi[j]);
+  }
+  const Eigen::FullPivLU<Eigen::Matrix3d> lu(rows);
+  if (lu.rcond() < 1e-12) return std::nullopt;
+  const Eigen::Vector3d k = lu.solve(right);
+  return FreudensteinCoefficients{k[0], k[1], k[2]};
+}
+
+namespace {
+
+FunctionDefect commonest(const std::array<std::size_t, defect_kinds>& seen) {
+  const auto most = std::max_element(seen.begin() + 1, seen.end());
+  return *most == 0 ? FunctionDefect::none : static_cast<FunctionDefect>(most - seen.begin());
+}
+
+std::size_t count(const std::array<std::size_t, defect_kinds>& seen, FunctionDefect defect) {
+  return seen[static_cast<std::size_t>(defect)];
+}
+
+/// The design with the rejections counted, or what was looked at in vain.
+tl::expected<FunctionDesign, NoFunctionDesign> verdict(const std::optional<FunctionDesign>& chosen,
+                                                       const std::array<std::size_t, defect_kinds>& seen,
+                                                       const std::string& extent) {
+  if (!chosen) {
+    const FunctionDefect most = commonest(seen);
+    const std::string found =
+        most == FunctionDefect::none
+            ? "no four-bar came near enough to be judged"
+            : "every four-bar judged has a defect; the commonest: " + std::string(name(most));
+    return tl::unexpected(NoFunctionDesign{most, found + ". Searched: " + extent});
+  }
+  FunctionDesign design = *chosen;
+  design.rejected_branch = count(seen, FunctionDefect::branch);
+  design.rejected_order = count(seen, FunctionDefect::order);
+  design.rejected_other = count(seen, FunctionDefect::does_not_assemble) +
+                          count(seen, FunctionDefect::transmission) + count(seen, FunctionDefect::lengths) +
+                          count(seen, FunctionDefect::start);
+  return design;
+}
+
+}  // namespace
+
+tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& asked) {
+  FunctionTask task = asked;
+  if (task.method != FunctionMethod::precision_points) task.points = 3;  // of the starts of the search
+  const WantedAngles wanted(task);
+  if (!wanted.usable())
+    return tl::unexpected(
+        NoFunctionDesign{FunctionDefect::none, "the function is constant or not finite on its range"});
+  if (task.method == FunctionMethod::precision_points) {
+    PrecisionSearch precise = search_precision_points(task, wanted);
+    if (precise.best) complete_design(task, wanted, *precise.best);
+    return verdict(precise.best, precise.seen, precise.extent);
+  }
+  FunctionSearch search = search_function(task, wanted);
+  if (search.best) {
+    complete_design(task, wanted, *search.best);
+    search.best->precision_points = zeros_of(wanted, *search.best);
+  }
+  return verdict(search.best, search.seen, search.extent);
+}
+
+}  // namespace kempe

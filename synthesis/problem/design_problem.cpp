@@ -1,0 +1,233 @@
+#include "synthesis/problem/design_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "workspace/footprint.hpp"
+
+namespace kempe {
+namespace {
+
+/// Kept inside the transmission limit, rad, so that rounding the result cannot pass it.
+constexpr double inward_angle = 1e-9;
+/// Rounding allowed in a reach, in shares of the task's size.
+constexpr double reach_slack = 1e-13;
+/// Stands for no contact at all, in shares of the task's size.
+constexpr double far_apart = 1e3;
+/// Openings looked at for contact where only a first impression is wanted.
+constexpr int search_openings = 9;
+/// Fine enough to tell a better footprint from a worse one.
+constexpr FootprintGrid search_footprint{16, 48, 0};
+
+/// What is missing to a wanted least value.
+double missing(double wanted, double attained) { return std::max(0.0, wanted - attained); }
+
+LogRange overlap(const LogRange& a, const LogRange& b) {
+  return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+}
+
+/// Within the range by share; the middle between its ends if it is empty.
+double at_share(const LogRange& range, double share) {
+  return range.empty() ? 0.5 * (range.lower + range.upper) : range.lower + share * range.width();
+}
+
+bool goal_is_variable(Goal goal) { return goal != Goal::size && goal != Goal::footprint; }
+
+}  // namespace
+
+DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits,
+                             Goal goal, const OpeningInterval& allowed, ContactTerms terms)
+    : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed),
+      terms_(std::move(terms)), grounding_(grounding_of(choice.vertex)),
+      reach_(space.k(), choice.vertex, choice.assembly),
+      box_(length_box(reach_, limits, space.spec().links.workshop)), layout_(space.layout()) {
+  layout_.pole_is_free = space.pole_is_free(limits) || goal == Goal::pole_margin;
+  layout_.has_goal = goal_is_variable(goal);
+  if (!terms_.obstacles.empty()) places_ = space.tracer_places();
+  if (goal == Goal::copy_error && space.spec().tolerance)
+    copy_error_.emplace(space.k(), choice.vertex, CopyTolerance::uniform(*space.spec().tolerance));
+}
+
+OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
+  return shrink(reach.interval(), std::max(transmission, least_usable_angle) + inward_angle);
+}
+
+bool DesignProblem::possible() const { return !box_.u.empty() && !box_.v.empty() && !allowed_.empty(); }
+
+double DesignProblem::cost_of(const Attained& attained) const {
+  return is_maximized(goal_) ? -attained.of(goal_) : attained.of(goal_);
+}
+
+Box DesignProblem::pole_box() const {
+  return space_.pole_box(goal_ == Goal::pole_margin ? 2 * layout_.unit : limits_.pole_margin);
+}
+
+Point DesignProblem::unit_pole(double x, double y) const {
+  const Box box = pole_box();
+  Point pole = box.lower + (box.upper - box.lower).cwiseProduct(Point(x, y));
+  const double outside = space_.pole_distance(pole) - limits_.pole_margin;
+  if (goal_ == Goal::pole_margin || outside <= 0) return pole;
+  const Point home = space_.nearest_pole(pole);
+  return home + (pole - home).normalized() * limits_.pole_margin;
+}
+
+LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, double of_m) const {
+  if (lengths_are_locked()) return {box_.u.lower, box_.v.lower};
+  const SearchSpace::Annulus annulus = space_.annulus(pole);
+  const double r_max = annulus.farthest, r_min = std::max(annulus.nearest, 1e-6 * r_max);
+  const double limit = reach_.lambda_limit(r_min, r_max, allowed_).value_or(0);
+  const double lambda = at_share(overlap({-limit, limit}, reach_.lambda_range(box_)), of_lambda);
+  const LogRange log_m =
+      overlap(reach_.log_m_range(lambda, r_min, r_max, allowed_), reach_.log_m_range(lambda, box_));
+  return reach_.lengths(lambda, at_share(log_m, of_m));
+}
+
+DesignPoint DesignProblem::unit_point(std::span<const double> z) const {
+  const Point pole = layout_.pole_is_free ? unit_pole(z[z.size() - 2], z[z.size() - 1]) : layout_.origin;
+  return {lengths_are_locked() ? unit_lengths(pole, 0, 0) : unit_lengths(pole, z[0], z[1]), pole};
+}
+
+double DesignProblem::smallest_gap(const LogLengths& lengths, double from, double to, int openings) const {
+  double smallest = far_apart * layout_.unit;
+  for (int i = 0; i < openings && !terms_.gaps.empty(); ++i) {
+    const double share = openings > 1 ? i / (openings - 1.0) : 0.5;
+    const JointFrame frame(reach_.shape(), lengths, from + share * (to - from));
+    for (const GapTerm& term : terms_.gaps) smallest = std::min(smallest, gap_value(term, frame));
+  }
+  return smallest;
+}
+
+double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double enough) const {
+  double smallest = enough;
+  for (const Point& place : places_) {
+    const PlacedJoints joints(reach_, grounding_, point.lengths, point.pole, place);
+    for (const ObstacleTerm& term : terms_.obstacles)
+      smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest));
+  }
+  return smallest;
+}
+
+double DesignProblem::footprint_at(const DesignPoint& point) const {
+  const auto linkage = CopyingLinkage::make(space_.k(), choice_.vertex, std::exp(point.lengths.u),
+                                            std::exp(point.lengths.v), choice_.assembly, point.pole);
+  return linkage
+             ? footprint_estimate(*linkage, space_.spec().links.style, space_.spec().region, search_footprint)
+             : 0;
+}
+
+bool DesignProblem::tighten(Goal limit, double shortfall) {
+  const double more = 1.5 * shortfall;
+  switch (limit) {
+    case Goal::clearance: limits_.clearance += more + 1e-12 * layout_.unit; return true;
+    case Goal::transmission: allowed_ = shrink(allowed_, more + 1e-12); return !allowed_.empty();
+    case Goal::sheets_gap:
+      limits_.sheets_gap = *limits_.sheets_gap + more + 1e-12 * layout_.unit;
+      return true;
+    default: return false;
+  }
+}
+
+double DesignProblem::goal_scale() const {
+  switch (goal_) {
+    case Goal::transmission: return 1;
+    case Goal::footprint: return layout_.unit * layout_.unit;
+    case Goal::copy_error:
+      return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play, 1e-9);
+    default: return layout_.unit;
+  }
+}
+
+double DesignProblem::violation_of(const Attained& has) const {
+  const double unit = layout_.unit;
+  double sum = missing(limits_.transmission, has.transmission);
+  sum += missing(limits_.clearance, has.clearance) / unit;
+  sum += missing(limits_.shortest * (1 - 1e-12), has.shortest) / unit;
+  sum += missing(has.longest * (1 - 1e-12), limits_.longest) / unit;
+  sum += missing(has.pole_margin, limits_.pole_margin + 1e-12 * unit) / unit;
+  if (limits_.size) sum += missing(has.size, *limits_.size) / unit;
+  if (limits_.footprint) sum += missing(has.footprint, *limits_.footprint) / (unit * unit);
+  if (limits_.sheets_gap) sum += missing(*limits_.sheets_gap, has.sheets_gap) / unit;
+  return sum;
+}
+
+Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
+  Assessment result;
+  Attained& has = result.attained;
+  const LogLengths& lengths = point.lengths;
+  const double unit = layout_.unit, VA = std::exp(lengths.u), VB = std::exp(lengths.v);
+  const SearchSpace::Annulus annulus = space_.annulus(point.pole);
+  result.near_opening = reach_.opening_at(lengths, std::max(annulus.nearest, 0.0));
+  result.far_opening = reach_.opening_at(lengths, annulus.farthest);
+  const Reach::LengthFactors& f = reach_.factors();
+  has.size = f.size_per_VA * VA + f.size_per_VB * VB;
+  has.shortest = std::min(VA * f.least_of_VA, VB * f.least_of_VB);
+  has.longest = std::max(VA * f.most_of_VA, VB * f.most_of_VB);
+  has.transmission =
+      std::min(reach_.from_near_end(result.near_opening), reach_.from_far_end(result.far_opening));
+  has.pole_margin = space_.pole_distance(point.pole);
+  has.clearance = smallest_gap(lengths, result.near_opening, result.far_opening, openings);
+  if (!terms_.obstacles.empty())
+    has.clearance = smallest_obstacle_gap(point, std::min(has.clearance, far_apart * unit));
+  if (goal_ == Goal::footprint || limits_.footprint) has.footprint = footprint_at(point);
+  if (limits_.sheets_gap || goal_ == Goal::sheets_gap)
+    has.sheets_gap = space_.smallest_sheet_gap(point.pole).distance;
+  if (copy_error_)
+    has.copy_error =
+        std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
+  // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
+  const double too_near =
+      missing(reach_.radius_value(lengths, result.near_opening) - reach_slack * unit, annulus.nearest);
+  const double too_far =
+      missing(annulus.farthest, reach_.radius_value(lengths, result.far_opening) + reach_slack * unit);
+  result.violation = (too_near + too_far) / unit + violation_of(has);
+  result.feasible = result.violation == 0;
+  result.cost = cost_of(has);
+  return result;
+}
+
+DesignVector DesignProblem::vector_of(const DesignPoint& point) const {
+  DesignVector x(layout_.size());
+  const SearchSpace::Annulus annulus = space_.annulus(point.pole);
+  x[DesignLayout::log_VA] = point.lengths.u;
+  x[DesignLayout::log_VB] = point.lengths.v;
+  x[DesignLayout::near_opening] = reach_.opening_at(point.lengths, std::max(annulus.nearest, 0.0));
+  x[DesignLayout::far_opening] = reach_.opening_at(point.lengths, annulus.farthest);
+  layout_.set_pole(x, point.pole);
+  if (layout_.has_goal) x[layout_.goal()] = goal_in_vector(assess(point, search_openings).attained.of(goal_));
+  return x.cwiseMax(lower_bounds()).cwiseMin(upper_bounds());
+}
+
+DesignPoint DesignProblem::point_of(const DesignVector& x) const {
+  return {{x[DesignLayout::log_VA], x[DesignLayout::log_VB]}, layout_.pole(x)};
+}
+
+double DesignProblem::goal_in_vector(double value) const {
+  switch (goal_) {
+    case Goal::transmission: return value;
+    case Goal::copy_error: return value / goal_scale();
+    case Goal::shortest:
+    case Goal::longest: return std::log(value);
+    default: return value / layout_.unit;
+  }
+}
+
+DesignVector DesignProblem::lower_bounds() const {
+  DesignVector bound(layout_.size());
+  bound.head<4>() << box_.u.lower, box_.v.lower, allowed_.lower, allowed_.lower;
+  if (layout_.pole_is_free)
+    bound.segment<2>(DesignLayout::pole_x) = (pole_box().lower - layout_.origin) / layout_.unit;
+  if (layout_.has_goal) bound[layout_.goal()] = goal_ == Goal::transmission ? 0 : -far_apart;
+  return bound;
+}
+
+DesignVector DesignProblem::upper_bounds() const {
+  DesignVector bound(layout_.size());
+  bound.head<4>() << box_.u.upper, box_.v.upper, allowed_.upper, allowed_.upper;
+  if (layout_.pole_is_free)
+    bound.segment<2>(DesignLayout::pole_x) = (pole_box().upper - layout_.origin) / layout_.unit;
+  if (layout_.has_goal) bound[layout_.goal()] = goal_ == Goal::transmission ? pi / 2 : far_apart;
+  return bound;
+}
+
+}  // namespace kempe

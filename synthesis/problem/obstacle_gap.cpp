@@ -1,0 +1,211 @@
+#include "synthesis/problem/obstacle_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "geometry/convex_distance.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr Complex i_unit{0, 1};
+
+struct PieceCorners {
+  std::array<Complex, 3> at;
+  std::size_t count;
+  PieceCorners(const JointHull& hull, const PlacedJoints& joints)
+      : at{}, count(static_cast<std::size_t>(hull.count)) {
+    for (std::size_t i = 0; i < count; ++i) at[i] = joints[hull.joints[i]];
+  }
+  ConvexCorners span() const { return {at.data(), count}; }
+};
+
+/// Distance of a point from a bar's axis, or a lower bound of it from a plate's.
+double distance_below(const PieceCorners& piece, Complex point) {
+  if (piece.count > 2) return nearest_features(piece.span(), {&point, 1}).distance;
+  const Complex from = piece.at[0], to_point = point - from;
+  if (piece.count == 1) return std::sqrt(std::norm(to_point));
+  const Complex axis = piece.at[1] - from;
+  const double share = std::clamp(dot(axis, to_point) / std::norm(axis), 0.0, 1.0);
+  return std::sqrt(std::norm(to_point - share * axis));
+}
+
+/// The middle of the corners' box, and the radius around it that holds them.
+template <typename Corners>
+std::pair<Complex, double> circle_around(const Corners& corners) {
+  Complex lower = corners.front(), upper = lower;
+  for (const Complex& z : corners) {
+    lower = {std::min(lower.real(), z.real()), std::min(lower.imag(), z.imag())};
+    upper = {std::max(upper.real(), z.real()), std::max(upper.imag(), z.imag())};
+  }
+  const Complex centre = 0.5 * (lower + upper);
+  double radius = 0;
+  for (const Complex& z : corners) radius = std::max(radius, std::abs(z - centre));
+  return {centre, radius};
+}
+
+void add_line(const Ring& ring, double step, std::vector<Point>& places) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    const int pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / step)));
+    for (int j = 0; j < pieces; ++j)
+      if (places.empty() || pieces > 1 || (a - places.back()).norm() > 0.25 * step)
+        places.push_back(a + (b - a) * j / pieces);
+  }
+}
+
+double length_of(const Ring& ring) {
+  double length = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) length += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  return length;
+}
+
+}  // namespace
+
+std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstacle>& obstacles) {
+  std::vector<ObstacleShape> shapes;
+  for (const Obstacle& obstacle : obstacles) {
+    ObstacleShape shape;
+    std::vector<Complex> outer;
+    for (const Point& corner : obstacle.shape.outer) outer.push_back(as_complex(corner));
+    std::tie(shape.centre, shape.radius) = circle_around(outer);
+    for (ConvexPart& part : convex_parts(obstacle.shape)) {
+      const auto [centre, radius] = circle_around(part);
+      shape.parts.push_back({std::move(part), centre, radius});
+    }
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
+                                         const Spec& spec) {
+  std::vector<ObstacleTerm> terms;
+  for (std::size_t i = 0; i < spec.obstacles.size(); ++i)
+    for (const Part& part : parts_of(linkage, layers)) {
+      const Obstacle& obstacle = spec.obstacles[i];
+      if (part.lowest_layer > obstacle.highest_layer || obstacle.lowest_layer > part.highest_layer) continue;
+      for (const JointHull& hull : axis_of(part, linkage.shape(), spec.links.style.plate))
+        terms.push_back({{hull, half_width(part, spec.links.style)}, i});
+    }
+  return terms;
+}
+
+Grounding grounding_of(Vertex vertex) {
+  switch (vertex) {
+    case Vertex::pole: return {Joint::V, Joint::X};
+    case Vertex::tracer: return {Joint::X, Joint::V};
+    case Vertex::pen: break;
+  }
+  return {Joint::X, Joint::Y};
+}
+
+PlacedJoints::PlacedJoints(const Reach& reach, const Grounding& grounding, const LogLengths& lengths,
+                           const Point& pole, const Point& tracer)
+    : reach_(reach), grounding_(grounding), lengths_(lengths), reach_vector_(as_complex(tracer - pole)),
+      opening_(reach.opening_at(lengths, std::abs(reach_vector_))), frame_(reach.shape(), lengths, opening_) {
+  const Complex ground = frame_[grounding.pole], arm = frame_[grounding.tracer] - ground;
+  // Where the opening had to be clamped the arm is too long or too short: its direction is right, which is enough.
+  const Complex turn = reach_vector_ / arm;
+  for (const Joint joint : all_joints)
+    at_[static_cast<std::size_t>(joint)] = as_complex(pole) + turn * (frame_[joint] - ground);
+}
+
+PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
+  const Complex arm = frame_[grounding_.tracer] - frame_[grounding_.pole];
+  const Complex xi = (frame_[joint] - frame_[grounding_.pole]) / arm;
+  const auto ratio_change = [&](Complex of_joint, Complex of_pole, Complex of_tracer) {
+    return ((of_joint - of_pole) - xi * (of_tracer - of_pole)) / arm;
+  };
+  const auto change = [&](auto part) {
+    return ratio_change(part(joint), part(grounding_.pole), part(grounding_.tracer));
+  };
+  const Complex xi_u = change([&](Joint j) { return frame_.of_p(j); });
+  const Complex xi_v = change([&](Joint j) { return frame_.of_q(j); });
+  const Complex xi_d = change([&](Joint j) { return i_unit * frame_.of_q(j); });
+  const LinkageJet radius = reach_.radius(lengths_, opening_);
+  const double slope = radius.gradient[2];
+  // At a serial dead point the opening has no derivative; no design comes near one.
+  const double per_slope = std::abs(slope) > 1e-9 * radius.value ? 1 / slope : 0;
+  const Complex by_opening = reach_vector_ * xi_d;
+  const Complex direction = reach_vector_ / std::abs(reach_vector_);
+  return {reach_vector_ * xi_u - by_opening * radius.gradient[0] * per_slope,
+          reach_vector_ * xi_v - by_opening * radius.gradient[1] * per_slope,
+          1.0 - xi - by_opening * direction.real() * per_slope,
+          i_unit * (1.0 - xi) - by_opening * direction.imag() * per_slope};
+}
+
+double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
+                    double enough) {
+  const PieceCorners piece(term.piece.hull, joints);
+  const double below = distance_below(piece, obstacle.centre) - obstacle.radius - term.piece.half_width;
+  if (below > enough) return below;
+  double gap = std::numeric_limits<double>::infinity();
+  for (const EncircledPart& part : obstacle.parts) {
+    const double part_below = distance_below(piece, part.centre) - part.radius;
+    gap = std::min(gap, part_below > std::min(gap, enough + term.piece.half_width)
+                            ? part_below
+                            : nearest_features(piece.span(), part.corners).distance);
+  }
+  return gap - term.piece.half_width;
+}
+
+PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
+                           const PlacedJoints& joints) {
+  const PieceCorners piece(term.piece.hull, joints);
+  NearestFeatures nearest{.distance = std::numeric_limits<double>::infinity()};
+  const ConvexPart* of_part = nullptr;
+  for (const EncircledPart& part : obstacle.parts) {
+    const NearestFeatures here = nearest_features(piece.span(), part.corners);
+    if (here.distance < nearest.distance) nearest = here, of_part = &part.corners;
+  }
+  PlacedJet jet{.value = nearest.distance - term.piece.half_width};
+  if (!of_part) return jet;  // nothing stands there, or lengths overflow: no slope to go by
+  // Unit vector along which the piece's deciding place leaves the obstacle; that place as a mixture of joints.
+  const auto joint = [&](std::size_t corner) { return term.piece.hull.joints[corner]; };
+  const auto add = [&](Joint moving, double weight, Complex normal) {
+    const PlacedJoints::Motion motion = joints.motion(moving);
+    jet.by_u += weight * dot(normal, motion.by_u);
+    jet.by_v += weight * dot(normal, motion.by_v);
+    jet.by_pole += weight * Point(dot(normal, motion.by_pole_x), dot(normal, motion.by_pole_y));
+  };
+  if (!nearest.is_edge) {
+    const std::size_t own = nearest.corner_of_first ? nearest.corner : nearest.from;
+    const std::size_t other = nearest.corner_of_first ? nearest.from : nearest.corner;
+    const Complex apart = piece.at[own] - (*of_part)[other];
+    add(joint(own), 1, std::abs(apart) > 0 ? apart / std::abs(apart) : Complex{1, 0});
+  } else if (nearest.corner_of_first) {
+    const Complex edge = (*of_part)[nearest.to] - (*of_part)[nearest.from];
+    add(joint(nearest.corner), 1, nearest.side * i_unit * edge / std::abs(edge));
+  } else {
+    const Complex from = piece.at[nearest.from], edge = piece.at[nearest.to] - from;
+    const double share = dot((*of_part)[nearest.corner] - from, edge) / std::norm(edge);
+    const Complex normal = -nearest.side * i_unit * edge / std::abs(edge);
+    add(joint(nearest.from), 1 - share, normal);
+    add(joint(nearest.to), share, normal);
+  }
+  return jet;
+}
+
+std::vector<Point> tracer_places(const Region& region, int about) {
+  double outline = 0;
+  for (const Polygon& polygon : region.polygons) {
+    outline += length_of(polygon.outer);
+    for (const Ring& hole : polygon.holes) outline += length_of(hole);
+  }
+  std::vector<Point> places;
+  for (const Polygon& polygon : region.polygons) {
+    add_line(polygon.outer, outline / (0.6 * about), places);
+    for (const Ring& hole : polygon.holes) add_line(hole, outline / (0.6 * about), places);
+  }
+  const Box box = bounding_box(region);
+  const double step = std::sqrt(area(region) / (0.4 * about));
+  for (double x = box.lower.x() + step / 2; x < box.upper.x(); x += step)
+    for (double y = box.lower.y() + step / 2; y < box.upper.y(); y += step)
+      if (contains(region, {x, y})) places.push_back({x, y});
+  return places;
+}
+
+}  // namespace kempe

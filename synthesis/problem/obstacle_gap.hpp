@@ -1,0 +1,85 @@
+#pragma once
+// The gap between a part of the linkage and an obstacle with the tracer at a given place, with exact derivatives by the
+// lengths and the pole.
+//
+// In the linkage's own frame (link_gap.hpp) a joint stands at F_j(u, v, d); seen from pole and tracer it stands at
+//     z_j = P + (T - P) xi_j,   xi_j = (F_j - F_pole) / (F_tracer - F_pole),
+// where the opening d(u, v, P) is that at which the tracer is |T - P| from the pole, so that with r(u, v, d) of reach.hpp
+//     d_u = -r_u / r_d,   d_v = -r_v / r_d,   grad_P d = -(T - P) / (|T - P| r_d).
+// The gap is that of convex_distance.hpp; with its features held, its derivative is that of the features' places.
+
+#include <vector>
+
+#include "geometry/regions/convex_parts.hpp"
+#include "synthesis/problem/link_gap.hpp"
+
+namespace kempe {
+
+/// Convex corners with a circle around them.
+struct EncircledPart {
+  ConvexPart corners;
+  Complex centre;
+  double radius = 0;
+};
+
+/// An obstacle's convex parts with a circle around all of them.
+struct ObstacleShape {
+  std::vector<EncircledPart> parts;
+  Complex centre;
+  double radius = 0;
+};
+std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstacle>& obstacles);
+
+/// A piece of a part and an obstacle in a layer of that part.
+struct ObstacleTerm {
+  AxisPiece piece{};
+  std::size_t obstacle = 0;
+};
+std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
+                                         const Spec& spec);
+
+/// Value and derivatives by u, v and the pole's place, mm.
+struct PlacedJet {
+  double value = 0;
+  double by_u = 0, by_v = 0;
+  Point by_pole = Point::Zero();
+};
+
+/// Which joints stand still and which follow the tracer.
+struct Grounding {
+  Joint pole, tracer;
+};
+Grounding grounding_of(Vertex vertex);
+
+/// The joints in the table's frame with the tracer at a place.
+class PlacedJoints {
+ public:
+  PlacedJoints(const Reach& reach, const Grounding& grounding, const LogLengths& lengths, const Point& pole,
+               const Point& tracer);
+  Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }
+
+  struct Motion {
+    Complex by_u, by_v, by_pole_x, by_pole_y;
+  };
+  Motion motion(Joint joint) const;
+
+ private:
+  const Reach& reach_;
+  Grounding grounding_;
+  LogLengths lengths_;
+  Complex reach_vector_;  ///< tracer - pole
+  double opening_;
+  JointFrame frame_;
+  std::array<Complex, 6> at_;
+};
+
+/// A lower bound of the gap where it is larger than `enough`, else the gap, mm; negative: depth.
+double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
+                    double enough);
+PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
+                           const PlacedJoints& joints);
+
+/// Places of the tracer at which obstacles are looked at: along the region's outline and inside, about `about` of them.
+std::vector<Point> tracer_places(const Region& region, int about);
+
+}  // namespace kempe

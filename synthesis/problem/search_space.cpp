@@ -1,0 +1,204 @@
+#include "synthesis/problem/search_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace kempe {
+namespace {
+
+/// Relative distance kept from a bound of lengths, so that rounding a length cannot pass it.
+constexpr double inward = 1e-11;
+
+/// Poles looked at first: a lattice of so many squared, and so many places along the outline.
+constexpr int pole_lattice = 16;
+constexpr int pole_outline = 96;
+/// Places of the tracer at which obstacles are looked at first.
+constexpr int obstacle_places = 90;
+/// Regions with more corners are seen as their hull when the sheets must keep apart.
+constexpr std::size_t most_sheet_corners = 128;
+
+Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : std::get<Region>(pole.place); }
+
+}  // namespace
+
+SearchSpace::SearchSpace(Spec given) : spec_(std::move(given)), region_(spec_.region) {
+  const Spec& spec = spec_;
+  if (!spec.pole.is_fixed()) area_.emplace(pole_region(spec.pole));
+  layout_.pole_is_free = area_.has_value();
+  if (area_) {
+    layout_.origin = region_.centre();
+    layout_.unit = std::max(region_.diagonal(), std::abs(area_->nearest(region_.centre()).distance));
+  } else {
+    layout_.origin = std::get<Point>(spec.pole.place);
+    fixed_annulus_ =
+        Annulus{region_.nearest(layout_.origin).distance, region_.farthest(layout_.origin).distance};
+    layout_.unit = fixed_annulus_->farthest;
+  }
+  sample_poles();
+  obstacles_ = obstacle_shapes(spec.obstacles);
+  if (!obstacles_.empty()) places_ = kempe::tracer_places(spec.region, obstacle_places);
+  if (spec.limits.sheets_gap) list_sheet_corners();
+}
+
+void SearchSpace::list_sheet_corners() {
+  std::vector<Point> corners;
+  if (region_.edges().size() <= most_sheet_corners)
+    for (const BoundaryEdge& edge : region_.edges()) corners.push_back(edge.from);
+  else  // the hull's gap is never larger than the region's: the safe side
+    for (std::size_t i = 0; i < region_.hull().size(); i += 1 + region_.hull().size() / most_sheet_corners)
+      corners.push_back(region_.hull()[i]);
+  for (const Point& corner : corners)
+    sheet_corners_.insert(sheet_corners_.end(), {{corner, true}, {corner, false}});
+}
+
+SearchSpace::SheetGap SearchSpace::sheet_gap(const SheetCorner& corner, const Point& pole) const {
+  // A corner of the copy lies at pole + k (z - pole). A corner z of the region against the copy is, |k| times as large,
+  // pole + (z - pole)/k against the region.
+  const Complex factor = corner.is_copied ? k() : 1.0 / k();
+  const double scale = corner.is_copied ? 1 : std::abs(k());
+  const Point place = pole + as_point(factor * as_complex(corner.corner - pole));
+  const RegionReach::Nearest nearest = region_.nearest(place);
+  const BoundaryEdge& edge = region_.edges()[nearest.edge];
+  const double away = std::abs(nearest.distance);
+  const Point normal = away > 0 ? Point((place - nearest.place) / nearest.distance) : Point(1, 0);
+  const bool at_corner = nearest.place == edge.from || nearest.place == edge.to;
+  return {scale * nearest.distance, scale * normal, 1.0 - factor,
+          at_corner && away > 0 ? scale / nearest.distance : 0};
+}
+
+SearchSpace::SmallestSheetGap SearchSpace::smallest_sheet_gap(const Point& pole) const {
+  SmallestSheetGap smallest{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < sheet_corners_.size(); ++i) {
+    const double distance = sheet_gap(sheet_corners_[i], pole).distance;
+    if (distance < smallest.distance) smallest = {distance, i};
+  }
+  return smallest;
+}
+
+void SearchSpace::sample_poles() {
+  if (!area_) {
+    samples_.push_back({layout_.origin, *fixed_annulus_});
+    return;
+  }
+  const auto add = [&](const Point& pole) { samples_.push_back({pole, annulus(pole)}); };
+  const Box& box = area_->box();
+  for (int i = 0; i < pole_lattice; ++i)
+    for (int j = 0; j < pole_lattice; ++j) {
+      const Point share((i + 0.5) / pole_lattice, (j + 0.5) / pole_lattice);
+      const Point pole = box.lower + (box.upper - box.lower).cwiseProduct(share);
+      if (area_->contains(pole)) add(pole);
+    }
+  double outline = 0;
+  for (const BoundaryEdge& edge : area_->edges()) outline += (edge.to - edge.from).norm();
+  double walked = 0;
+  int next = 0;  // places evenly along the outline, whatever the edges' lengths
+  for (const BoundaryEdge& edge : area_->edges()) {
+    const double length = (edge.to - edge.from).norm();
+    for (; next < pole_outline && next * outline / pole_outline < walked + length; ++next)
+      add(edge.from + (next * outline / pole_outline - walked) / length * (edge.to - edge.from));
+    walked += length;
+  }
+}
+
+SearchSpace::Annulus SearchSpace::annulus(const Point& pole) const {
+  if (fixed_annulus_ && pole == layout_.origin) return *fixed_annulus_;
+  return {region_.nearest(pole).distance, region_.farthest(pole).distance};
+}
+
+double SearchSpace::pole_distance(const Point& place) const {
+  return area_ ? std::max(0.0, area_->nearest(place).distance) : (place - layout_.origin).norm();
+}
+
+Point SearchSpace::nearest_pole(const Point& place) const {
+  if (!area_) return layout_.origin;
+  const RegionReach::Nearest nearest = area_->nearest(place);
+  return nearest.distance <= 0 ? place : nearest.place;
+}
+
+bool SearchSpace::is_on_edge(const Point& place) const {
+  if (!area_) return false;
+  const BoundaryEdge& edge = area_->edges()[area_->nearest(place).edge];
+  return place != edge.from && place != edge.to;
+}
+
+Box SearchSpace::pole_box(double margin) const {
+  const Box box = area_ ? area_->box() : Box{layout_.origin, layout_.origin};
+  return {box.lower - Point(margin, margin), box.upper + Point(margin, margin)};
+}
+
+std::vector<HalfPlane> SearchSpace::room_around(const Point& pole) const {
+  struct Cut {
+    double distance;
+    Point place;
+    std::size_t edge;
+  };
+  std::vector<Cut> cuts;
+  for (std::size_t i = 0; i < area_->edges().size(); ++i) {
+    const BoundaryEdge& edge = area_->edges()[i];
+    const Point place = nearest_on_segment(pole, edge.from, edge.to);
+    cuts.push_back({(place - pole).norm(), place, i});
+  }
+  std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.edge < b.edge);
+  });
+  std::vector<HalfPlane> room;
+  const double touching = 1e-9 * layout_.unit;
+  for (const Cut& cut : cuts) {
+    const Point &from = area_->edges()[cut.edge].from, &to = area_->edges()[cut.edge].to;
+    const auto beyond = [&](const HalfPlane& plane) {
+      return plane.inside(from) <= touching && plane.inside(to) <= touching;
+    };
+    if (std::any_of(room.begin(), room.end(), beyond)) continue;
+    const Point along = (to - from).normalized();
+    const HalfPlane edge_line{Point(along.y(), -along.x()), cut.place};
+    const bool at_corner = cut.place == from || cut.place == to;
+    const bool on_hull = std::all_of(area_->hull().begin(), area_->hull().end(), [&](const Point& corner) {
+      return edge_line.inside(corner) >= -touching;
+    });
+    if (at_corner && !on_hull && cut.distance > touching)
+      room.push_back({(cut.place - pole) / cut.distance, cut.place});
+    else
+      room.push_back(edge_line);
+  }
+  return room;
+}
+
+namespace {
+
+/// To one value, which may lie on a limit, or be another locked length's up to its last digits.
+void lock(LogRange& range, double locked) {
+  constexpr double slack = 2 * inward;
+  if (locked < range.lower - slack || locked > range.upper + slack)
+    range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  else if (range.width() > 0)
+    range = {locked, locked};
+}
+
+}  // namespace
+
+LogBox length_box(const Reach& reach, const Requirements& limits, const WorkshopSpec& workshop) {
+  const Reach::LengthFactors& f = reach.factors();
+  const double low = std::max(limits.shortest, 1e-9 * limits.longest);
+  LogBox box{{std::log(low / f.least_of_VA) + inward, std::log(limits.longest / f.most_of_VA) - inward},
+             {std::log(low / f.least_of_VB) + inward, std::log(limits.longest / f.most_of_VB) - inward}};
+  const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
+  // VA, VB, AC, BC, AX, CX, BY, CY as multiples of VA (true) or VB
+  const std::array<std::pair<bool, double>, 8> multiples{{{true, 1},
+                                                          {false, 1},
+                                                          {false, 1},
+                                                          {true, 1},
+                                                          {false, 1 / scale},
+                                                          {false, turn / scale},
+                                                          {true, scale},
+                                                          {true, turn}}};
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (!workshop.locked[i]) continue;
+    LogRange& range = multiples[i].first ? box.u : box.v;
+    lock(range, std::log(*workshop.locked[i] / multiples[i].second));
+  }
+  return box;
+}
+
+}  // namespace kempe

@@ -1,0 +1,17 @@
+#pragma once
+// Why a spec has no design: every limit moved alone, as little as makes a design possible.
+
+#include "synthesis/search/search_run.hpp"
+
+namespace kempe {
+
+/// Each limit made a goal of its own while all others hold; then the spec is searched again with that limit
+/// moved to a round value, so that every relaxation comes with a design.
+/// `nothing`: the outcome of the search for the spec itself.
+/// Obstacles are taken away one by one.
+NoDesign diagnose(const SearchRun& run, const SearchResult& nothing);
+
+/// What no search is needed for: a fixed pole inside the region, or an obstacle over it.
+std::optional<NoDesign> plainly_impossible(const Spec& spec);
+
+}  // namespace kempe

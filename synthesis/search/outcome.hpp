@@ -1,0 +1,63 @@
+#pragma once
+// What a search comes back with: a design, the reason why there is none, or that it was stopped.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "synthesis/problem/requirements.hpp"
+
+namespace kempe {
+
+/// A design found: everything that assemble_design() needs beside the spec.
+struct FoundDesign {
+  CopyingLinkage linkage;
+  LayerAssignment layers;
+  Goal goal = Goal::size;
+  double value = 0;                    ///< of the goal: mm, rad or mm^2
+  OpeningInterval opening{};           ///< certified: transmission and contact kept all over it
+  Attained attained{};                 ///< evaluated anew at the design returned
+  std::vector<std::string> solvers{};  ///< names with versions, in the order of use
+  std::uint64_t evaluations = 0;
+  std::uint64_t seed = 0;
+  bool complete = true;                 ///< false: stopped early, a better one may exist
+  std::optional<double> lower_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
+};
+
+/// One limit that, moved so far and alone, makes a design possible; or one obstacle that, taken away alone, does.
+struct Relaxation {
+  std::optional<Goal> limit{};        ///< absent: an obstacle
+  std::string key{};                  ///< what a person would change: "links.longest_mm"; "obstacles"
+  double demanded = 0, possible = 0;  ///< of the limit, mm or rad; 0 for an obstacle
+  std::string sentence;               ///< "transmission_deg = 30 is in the way; 27.4 would do"
+  FoundDesign design;                 ///< that keeps all other limits
+};
+
+/// Why there is no design.
+struct NoDesign {
+  std::string requirement{};              ///< the limit's key, "limits.transmission_deg"
+  std::string sentence{};                 ///< for a person
+  std::vector<Relaxation> relaxations{};  ///< the least share first
+  /// Plain, or proven by interval arithmetic (bound/proven_bound.hpp); else a search found nothing.
+  bool proven = false;
+  bool diagnosed = true;  ///< false: stopped before every limit had been moved
+  /// Names of the obstacles that no permitted instrument can touch.
+  std::vector<std::string> obstacles_out_of_reach{};
+  std::uint64_t evaluations = 0;
+};
+
+/// The search was stopped before it found a design, or the proof that there is none: neither is known.
+struct Stopped {
+  std::uint64_t evaluations = 0;
+  std::optional<double> lower_bound{};  ///< what no design can beat, mm or rad, as far as proven
+};
+
+using SearchOutcome = std::variant<FoundDesign, NoDesign, Stopped>;
+
+/// The same design or reason, its poles shifted.
+FoundDesign shifted(FoundDesign design, const Point& by);
+NoDesign shifted(NoDesign none, const Point& by);
+
+}  // namespace kempe

@@ -1,0 +1,105 @@
+#include "synthesis/search/pareto.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/problem/local_frame.hpp"
+#include "synthesis/search/diagnosis.hpp"
+#include "synthesis/search/search_run.hpp"
+#include "workspace/footprint.hpp"
+
+namespace kempe {
+namespace {
+
+/// The limits with a limit on an objective.
+Requirements limited(Requirements limits, Objective objective, double value) {
+  switch (objective) {
+    case Objective::size: limits.size = value; break;
+    case Objective::transmission: limits.transmission = value; break;
+    case Objective::copy_error: limits.copy_error = value; break;
+    case Objective::footprint: limits.footprint = value; break;
+  }
+  return limits;
+}
+
+/// A copy of `value` that a design with exactly this value still keeps.
+double slackened(Objective objective, double value) {
+  return value * (is_maximized(objective) ? 1 - 1e-7 : 1 + 1e-7);
+}
+
+double value_of(const Spec& spec, const FoundDesign& design, Objective objective) {
+  if (objective == Objective::footprint && design.attained.footprint == 0)
+    return footprint(design.linkage, spec.links.style, spec.region).area;
+  return design.attained.of(goal_of(objective));
+}
+
+/// Differences of this share of a figure are rounding: no user pays for them with the other figure.
+constexpr double same = 1e-7;
+
+bool is_no_worse(Objective objective, double one, double other) {
+  return is_maximized(objective) ? one >= other * (1 - same) : one <= other * (1 + same);
+}
+
+/// Without those that another beats in one and equals in the other, in the order of `a`.
+std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective a, Objective b) {
+  std::vector<ParetoPoint> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bool beaten = false;
+    for (std::size_t j = 0; j < points.size() && !beaten; ++j) {
+      const bool as_good =
+          is_no_worse(a, points[j].a, points[i].a) && is_no_worse(b, points[j].b, points[i].b);
+      const bool equal = is_no_worse(a, points[i].a, points[j].a) && is_no_worse(b, points[i].b, points[j].b);
+      beaten = j != i && as_good && (!equal || j < i);
+    }
+    if (!beaten) kept.push_back(points[i]);
+  }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const ParetoPoint& x, const ParetoPoint& y) { return x.a < y.a; });
+  return kept;
+}
+
+using Front = tl::expected<std::vector<ParetoPoint>, NoDesign>;
+
+Front front_here(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+  if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
+  const SearchRun run(spec, options);
+  const Requirements limits = requirements_of(spec);
+  // The footprint is the one that is hard to limit: then the other is limited.
+  const Objective limited_one = a == Objective::footprint ? b : a, other = a == Objective::footprint ? a : b;
+  std::vector<ParetoPoint> found;
+  const auto add = [&](const SearchResult& result) {
+    if (result.design)
+      found.push_back({value_of(spec, *result.design, a), value_of(spec, *result.design, b), *result.design});
+    return result.design.has_value();
+  };
+  const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };
+  const SearchResult first = run.best(limits, goal_of(limited_one));
+  if (!first.design && first.stopped && !first.proven_none) return found;
+  if (!first.design) return tl::unexpected(diagnose(run, first));
+  const double from = value_of(spec, *first.design, limited_one);
+  add(run.best(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other)));
+  if (found.empty()) add(first);
+  if (run.stop()() || !add(run.best(limits, goal_of(other)))) return found;
+  const double to = limited_value(found.back());
+  const int steps = std::max(2, points) - 1;
+  for (int i = 1; i < steps && !run.stop()(); ++i) {
+    if (options.progress) options.progress(static_cast<double>(i) / steps, "front");
+    // Even steps in the logarithm: both ends may differ by much.
+    const double at = from * std::pow(to / from, static_cast<double>(i) / steps);
+    add(run.best(limited(limits, limited_one, at), goal_of(other)));
+  }
+  return undominated(std::move(found), a, b);
+}
+
+}  // namespace
+
+Front pareto_front(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+  const Point origin = local_origin(spec);
+  if (origin.isZero(0)) return front_here(spec, a, b, points, options);
+  Front front = front_here(shifted(spec, -origin), a, b, points, options);
+  if (!front) return tl::unexpected(shifted(std::move(front.error()), origin));
+  for (ParetoPoint& point : *front) point.design = shifted(point.design, origin);
+  return front;
+}
+
+}  // namespace kempe

@@ -1,0 +1,14 @@
+// solvers/polish.hpp for builds without Ipopt: SLSQP once more, from where the first solution ended.
+#include "synthesis/solvers/nlopt_backend.hpp"
+#include "synthesis/solvers/polish.hpp"
+
+namespace kempe {
+
+std::string last_digits_solver() { return nlopt_name() + " SLSQP"; }
+
+LocalResult minimize_to_last_digits(const SmoothProgram& program, const DesignVector& start,
+                                    const StopFlag& stop) {
+  return minimize_by_sqp(program, start, 400, stop);
+}
+
+}  // namespace kempe

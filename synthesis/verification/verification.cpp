@@ -1,0 +1,264 @@
+// Steps: bodies from lengths - a first position near the middle of the opening - drive to the region - follow its rings
+// and hatch its inside - compare the pen with k - fit a similarity - check the limits.
+
+#include "synthesis/verification/verification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/verification/drive.hpp"
+#include "synthesis/verification/obstacles.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// Complex least squares of pen = m * tracer + t over what was driven; m alone is wanted.
+class SimilarityFit {
+ public:
+  void add(Complex tracer, Complex pen) { pairs_.emplace_back(tracer, pen); }
+
+  Complex ratio() const {
+    Complex tracer_mean = 0, pen_mean = 0;
+    const double count = static_cast<double>(pairs_.size());
+    for (const auto& [tracer, pen] : pairs_) {
+      tracer_mean += tracer / count;
+      pen_mean += pen / count;
+    }
+    Complex moment = 0;
+    double spread = 0;
+    for (const auto& [tracer, pen] : pairs_) {
+      moment += std::conj(tracer - tracer_mean) * (pen - pen_mean);
+      spread += std::norm(tracer - tracer_mean);
+    }
+    return spread > 0 ? moment / spread : 0;
+  }
+
+ private:
+  std::vector<std::pair<Complex, Complex>> pairs_;
+};
+
+constexpr double opening_slack = 1e-7;       // rad
+constexpr double transmission_slack = 1e-7;  // rad
+constexpr double length_slack = 1e-9;        // share of the length
+constexpr double loop_residual_share = 1e-12;
+constexpr double clearance_share = 1e-8;  // of the size: the map takes clearances as kept so far
+
+/// The checks of one task while it is driven; remembers the first failure.
+class Checks {
+ public:
+  Checks(const VerificationTask& task, double size, double copy_error_allowed)
+      : task_(task), size_(size), copy_error_allowed_(copy_error_allowed) {
+    const Vertex vertex = task.mechanism.pole == Joint::V     ? Vertex::pole
+                          : task.mechanism.tracer == Joint::V ? Vertex::tracer
+                                                              : Vertex::pen;
+    const auto roles =
+        CopyingLinkage::make(task.k, vertex, task.mechanism.lengths.VA, task.mechanism.lengths.VB, 0);
+    if (roles) {
+      pairs_ = contact_pairs(*roles, task.layers);
+      shape_ = roles->shape();
+      watch_.emplace(*roles, task);
+    }
+    check_lengths();
+  }
+
+  /// `pose` as seen from the pole.
+  void see(const Pose& pose, double residual) {
+    ++result_.samples;
+    const Point& tracer = pose[task_.mechanism.tracer];
+    const Point& pen = pose[task_.mechanism.pen];
+    const Complex reach = as_complex(tracer);
+    const double copy_error = std::abs(as_complex(pen) - task_.k * reach);
+    result_.copy_error_max = std::max(result_.copy_error_max, copy_error);
+    result_.loop_residual_max = std::max(result_.loop_residual_max, residual);
+    fit_.add(reach, as_complex(pen));
+    if (!(residual <= loop_residual_share * size_))
+      fail({"mechanism.lengths_mm", residual, loop_residual_share * size_, tracer,
+            fmt::format("the loops stay open by {:.3g} mm", residual)});
+    if (!(copy_error <= copy_error_allowed_))
+      fail({"copy", copy_error, copy_error_allowed_, tracer,
+            fmt::format("the pen is {:.3g} mm from where the ratio puts it", copy_error)});
+    check_assembly(pose, tracer);
+    check_transmission(pose, tracer);
+    check_clearance(pose, tracer);
+    check_obstacles(pose, tracer);
+  }
+
+  /// Remembers the first breach of each limit, and the first of all as the failure.
+  /// `where` as seen from the pole.
+  void fail(BrokenLimit breach) {
+    if (breach.where) {
+      *breach.where += task_.mechanism.pole_position;
+      breach.sentence +=
+          fmt::format(" with the tracer at ({:.10g}, {:.10g})", breach.where->x(), breach.where->y());
+    }
+    if (result_.failure.empty()) result_.failure = breach.sentence;
+    const bool known = std::any_of(result_.broken.begin(), result_.broken.end(),
+                                   [&](const BrokenLimit& one) { return one.limit == breach.limit; });
+    if (!known) result_.broken.push_back(std::move(breach));
+  }
+
+  bool has_driven() const { return result_.samples > 0 || !result_.failure.empty(); }
+  void is_over_workspace() { result_.over_workspace = true; }
+
+  Verification result() {
+    const Complex ratio = fit_.ratio();
+    result_.scale = std::abs(ratio);
+    result_.rotation = std::arg(ratio);
+    if (result_.samples < 3) fail({.limit = "region", .sentence = "the tracer could not be driven anywhere"});
+    const double ratio_allowed = 1e-8 * (1 + std::abs(task_.k));
+    if (result_.samples >= 3 && std::abs(ratio - task_.k) > ratio_allowed)
+      fail({.limit = "copy",
+            .attained = std::abs(ratio - task_.k),
+            .allowed = ratio_allowed,
+            .sentence = fmt::format("the driven pairs fit scale {:.9g} and rotation {:.9g} degrees",
+                                    result_.scale, degrees(result_.rotation))});
+    result_.certified = result_.failure.empty();
+    return result_;
+  }
+
+ private:
+  void check_lengths() {
+    const auto values = task_.mechanism.lengths.values();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (const bool short_ = values[i] < task_.shortest * (1 - length_slack);
+          short_ || values[i] > task_.longest * (1 + length_slack))
+        fail({.limit = short_ ? "links.shortest_mm" : "links.longest_mm",
+              .attained = values[i],
+              .allowed = short_ ? task_.shortest : task_.longest,
+              .sentence = fmt::format("{} = {:.6g} mm lies outside {:.6g} .. {:.6g} mm",
+                                      LinkLengths::names[i], values[i], task_.shortest, task_.longest)});
+  }
+
+  void check_assembly(const Pose& pose, const Point& tracer) {
+    const auto side = [](const Point& a, const Point& b) { return (cross(a, b) > 0) - (cross(a, b) < 0); };
+    const std::array<int, 2> sides{side(pose.A - pose.V, pose.B - pose.V),
+                                   side(pose.A - pose.V, pose.X - pose.A)};
+    if (result_.samples > 1 && sides != sides_) {
+      ++result_.flips;
+      fail({"mechanism.assembly", std::nullopt, std::nullopt, tracer, "the linkage changed its assembly"});
+    }
+    sides_ = sides;
+    const OpeningInterval& allowed = task_.mechanism.opening;
+    double opening = std::arg(as_complex(pose.B - pose.V) / as_complex(pose.A - pose.V));
+    opening -= 2 * pi * std::round((opening - allowed.middle()) / (2 * pi));
+    if (opening < allowed.lower - opening_slack || opening > allowed.upper + opening_slack)
+      fail({"mechanism.opening_deg", degrees(opening),
+            degrees(opening < allowed.lower ? allowed.lower : allowed.upper), tracer,
+            fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening),
+                        degrees(allowed.lower), degrees(allowed.upper))});
+  }
+
+  void check_transmission(const Pose& pose, const Point& tracer) {
+    const auto angle = [](const Point& a, const Point& b) {
+      return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b)));
+    };
+    const double seen =
+        std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
+    if (seen < task_.transmission - transmission_slack)
+      fail({"limits.transmission_deg", degrees(seen), degrees(task_.transmission), tracer,
+            fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
+                        degrees(task_.transmission))});
+  }
+
+  void check_clearance(const Pose& pose, const Point& tracer) {
+    if (!task_.clearance) return;
+    for (const ContactPair& pair : pairs_) {
+      const double free = gap(pair, pose, shape_, task_.style);
+      if (free < *task_.clearance - clearance_share * size_)
+        fail({"limits.clearance_mm", free, *task_.clearance, tracer,
+              fmt::format("{} are {:.6g} mm apart, less than {:.6g}", name(pair), free, *task_.clearance)});
+    }
+  }
+
+  void check_obstacles(const Pose& pose, const Point& tracer) {
+    if (!task_.clearance || !watch_) return;
+    const auto near = watch_->nearest(pose, *task_.clearance - clearance_share * size_);
+    if (near)
+      fail({"obstacles", near->gap, *task_.clearance, tracer,
+            fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near->part, near->obstacle,
+                        near->gap, *task_.clearance)});
+  }
+
+  const VerificationTask& task_;
+  double size_, copy_error_allowed_;
+  std::vector<ContactPair> pairs_;
+  Complex shape_{};
+  std::array<int, 2> sides_{};
+  std::optional<ObstacleWatch> watch_;
+  SimilarityFit fit_;
+  Verification result_;
+};
+
+double sum_of_lengths(const LinkLengths& lengths) {
+  double sum = 0;
+  for (const double length : lengths.values()) sum += length;
+  return sum;
+}
+
+/// Drives over all stations, as far as they are reached where the region need not be covered.
+void drive_over(const std::vector<Point>& stations, const VerificationTask& task, Checks& checks) {
+  auto drive = Drive::make(task.mechanism, stations.front());
+  if (!drive) return checks.fail({.limit = "mechanism.lengths_mm", .sentence = drive.error()});
+  for (const Point& station : stations) {
+    if (const auto arrived = drive->go_to(station))
+      checks.see(drive->pose(), drive->residual());
+    else if (task.region_covered)
+      return checks.fail({"region", std::nullopt, std::nullopt, station, arrived.error()});
+  }
+}
+
+constexpr double fine_outline = 1e-4;  ///< of the reach: how closely arcs of the workspace are followed
+
+}  // namespace
+
+Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
+  const ArcRegion& parts = map.collision_free.empty() ? map.usable : map.collision_free;
+  const auto largest = std::max_element(
+      parts.begin(), parts.end(), [](const ArcPolygon& a, const ArcPolygon& b) { return area(a) < area(b); });
+  if (largest == parts.end()) return {};
+  const double tolerance = fine_outline * chain_annulus(task.linkage).outer;
+  return {{flattened(*largest, tolerance, Flatten::shrinks)}};
+}
+
+VerificationTask verification_task(const Design& design) {
+  const CopyingLinkage& l = design.linkage;
+  VerificationTask task;
+  task.mechanism = {l.lengths(),   l.orientation(), l.pole_joint(), l.tracer_joint(),
+                    l.pen_joint(), l.pole(),        design.opening, l.shape()};
+  task.k = l.k();
+  task.region = design.region;
+  task.region_covered = design.map.coverage.covered;
+  if (task.region.empty() || !task.region_covered)
+    task.workspace = part_to_drive_over(map_task(design), design.map);
+  if (design.opening
+          .empty()) {  // the linkage touches itself everywhere: what is left to show is that it copies
+    task.mechanism.opening = l.openings_with_transmission(design.limits.transmission);
+    task.region_covered = false;
+  }
+  task.style = design.style;
+  task.layers = design.layers;
+  if (task.region_covered) {
+    task.transmission = design.limits.transmission;
+    task.clearance = design.limits.clearance;
+    task.obstacles = design.obstacles;
+  }
+  return task;
+}
+
+Verification verify(const VerificationTask& task, const VerificationOptions& options) {
+  const double size = sum_of_lengths(task.mechanism.lengths);
+  Checks checks(task, size, options.copy_error_share * size);
+  const Point& pole = task.mechanism.pole_position;
+  if (!task.region.empty()) drive_over(stations_over(task.region, pole, options), task, checks);
+  if (checks.has_driven() || task.workspace.empty()) return checks.result();
+  checks.is_over_workspace();
+  drive_over(stations_over(task.workspace, pole, options), task, checks);
+  return checks.result();
+}
+
+}  // namespace kempe

@@ -1,0 +1,146 @@
+// The assembly read again by OpenCASCADE: solids, volumes, holes.
+#include "reports/drawings/step_assembly.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gp_Cylinder.hxx>
+
+#include "reports/drawings/design_drawing.hpp"
+#include "reports/drawings/part_drawings.hpp"
+#include "reports/drawings/part_files.hpp"
+#include "tests/reports/sample_designs.hpp"
+
+namespace kempe {
+namespace {
+
+using testing::plagiograph;
+using testing::sample_design;
+
+/// A solid as the reader finds it.
+struct FoundSolid {
+  double volume = 0;
+  std::vector<Point> axes;  ///< of its whole cylinders of the wanted radius
+};
+
+TopoDS_Shape read_step(const std::string& text) {
+  const auto path = std::filesystem::path(KEMPE_BINARY_DIR) / "test-output" / "assembly.step";
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+  STEPControl_Reader reader;
+  EXPECT_EQ(reader.ReadFile(path.c_str()), IFSelect_RetDone);
+  reader.TransferRoots();
+  return reader.OneShape();
+}
+
+/// Axes of the cylinders of this radius, each once however many faces it has.
+std::vector<Point> cylinder_axes(const TopoDS_Shape& shape, double radius) {
+  std::vector<Point> axes;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(face.Current()));
+    if (surface.GetType() != GeomAbs_Cylinder || std::abs(surface.Cylinder().Radius() - radius) > 1e-7)
+      continue;
+    const gp_Pnt at = surface.Cylinder().Axis().Location();
+    const Point axis(at.X(), at.Y());
+    if (std::none_of(axes.begin(), axes.end(),
+                     [&](const Point& known) { return (known - axis).norm() < 1e-6; }))
+      axes.push_back(axis);
+  }
+  return axes;
+}
+
+std::vector<FoundSolid> solids_of(const TopoDS_Shape& shape, double hole_radius) {
+  std::vector<FoundSolid> found;
+  for (TopExp_Explorer one(shape, TopAbs_SOLID); one.More(); one.Next()) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(one.Current(), properties, 1e-9);
+    found.push_back({properties.Mass(), cylinder_axes(one.Current(), hole_radius)});
+  }
+  return found;
+}
+
+std::vector<Design> designs() {
+  std::vector<Design> list{plagiograph()};
+  list.push_back(sample_design(2.5, Vertex::tracer, 90, 70, 1, PlateStyle::bent, {20, -10}));
+  list.push_back(
+      sample_design(std::polar(1.0, radians(60)), Vertex::pen, 90, 70, 1, PlateStyle::triangle, {0, 5}));
+  return list;
+}
+
+TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
+  CuttingSpec cutting;
+  cutting.hole_fit = 0.1;  // so that a hole is no pin
+  for (const Design& design : designs()) {
+    const auto text = step_assembly(design, cutting);
+    ASSERT_TRUE(text) << text.error();
+    const Pose pose = assembly_pose(design);
+    const auto parts = cut_parts(design, cutting);
+    const auto solids = solids_of(read_step(*text), 0.5 * parts[0].hole_diameter);
+    ASSERT_EQ(solids.size(), 10U) << "four links, three pins, three posts";
+    for (const CutPart& part : parts) {
+      const double volume = area(part) * part.thickness;
+      const auto same = std::find_if(solids.begin(), solids.end(), [&](const FoundSolid& solid) {
+        return solid.axes.size() == part.holes.size() &&
+               std::all_of(part.holes.begin(), part.holes.end(), [&](const CutPart::Hole& hole) {
+                 return std::any_of(solid.axes.begin(), solid.axes.end(), [&](const Point& axis) {
+                   return (axis - pose[hole.joint]).norm() < 1e-6;
+                 });
+               });
+      });
+      ASSERT_NE(same, solids.end()) << part.name << " has no solid with its holes on its joints";
+      EXPECT_NEAR(same->volume, volume, 1e-6 * volume) << part.name;
+    }
+  }
+}
+
+TEST(StepAssembly, NamesEveryPart) {
+  const auto text = step_assembly(plagiograph(), {});
+  ASSERT_TRUE(text) << text.error();
+  for (const char* name : {"copying linkage", "VA", "VB", "ACX", "BCY", "pole post V", "pin A", "pin B",
+                           "pin C", "tracer X", "pen Y"})
+    EXPECT_THAT(*text, ::testing::HasSubstr("PRODUCT('" + std::string(name) + "'")) << name;
+}
+
+TEST(StepAssembly, SameDesignSameBytes) {
+  const auto one = step_assembly(plagiograph(), {}), other = step_assembly(plagiograph(), {});
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(*one, *other);
+}
+
+TEST(StepAssembly, StandsAmongTheParts) {
+  EXPECT_FALSE(why_no_step());
+  const auto files = part_files(plagiograph(), {}).files;
+  EXPECT_TRUE(std::any_of(files.begin(), files.end(),
+                          [](const OutputFile& file) { return file.name == "parts/assembly.step"; }));
+}
+
+/// The module gets plain data and may refuse it: the sentence says whose fault it is.
+TEST(StepAssembly, OfPartsThatAreNoSolidsIsRefused) {
+  Design design = plagiograph();
+  design.style.thickness = 0;
+  const auto text = step_assembly(design, {});
+  ASSERT_FALSE(text);
+  EXPECT_THAT(text.error(), ::testing::HasSubstr("no parts/assembly.step: OpenCASCADE: "));
+}
+
+TEST(StepAssembly, SaysNothingOnStdout) {
+  ::testing::internal::CaptureStdout();
+  ASSERT_TRUE(step_assembly(plagiograph(), {}));
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+}
+
+}  // namespace
+}  // namespace kempe

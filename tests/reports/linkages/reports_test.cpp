@@ -1,0 +1,238 @@
+// The table, the animation, the JSON and the pictures of a moving linkage.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "kinematics/planar/mobility.hpp"
+#include "reports/linkages/animation.hpp"
+#include "reports/linkages/centres_picture.hpp"
+#include "reports/linkages/json.hpp"
+#include "reports/linkages/solve_table.hpp"
+
+namespace kempe {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+struct Moved {
+  LinkageFile file;
+  LinkageModel model;
+  PlanarPosition start;
+  PlanarRun run;
+  int steps;
+
+  explicit Moved(LinkageFile read) : file(std::move(read)), model(linkage_model(file)), steps(file.steps) {
+    start = start_assemblies(file, model)->front();
+    run = *run_motion(model.linkage, start, model.schedule, steps);
+  }
+  LinkageScene scene() const { return linkage_scene(file, model, run, steps); }
+};
+
+Moved example(const std::string& name) {
+  return Moved(*read_linkage_file(KEMPE_SOURCE_DIR "/specs/examples/linkages/" + name + ".toml"));
+}
+
+/// A rocker that the crank drives into its dead point.
+Moved stopping() {
+  return Moved(*parse_linkage_file(R"(
+name = "<b>A & \"B\"</b>"
+[ground]
+A = [0, 0]
+D = [60, 0]
+[links]
+crank = { joints = ["A", "B"], A-B = 45 }
+rod = { joints = ["B", "C"], B-C = 50 }
+rocker = { joints = ["D", "C"], D-C = 40 }
+[[drivers]]
+angle = "crank"
+from_deg = 30
+to_deg = 180
+[motion]
+steps = 10
+[guess]
+C = [70, 38]
+[output]
+velocities = true
+accelerations = true
+angles = ["rocker"]
+)",
+                                   "stop.toml"));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(SolveTable, NamesUnitsInItsColumns) {
+  const Moved press = example("shear-press");
+  const auto lines = lines_of(csv_text(solve_table(press.file, press.model, press.run, press.steps)));
+  ASSERT_EQ(lines.size(), 10u);
+  EXPECT_EQ(
+      lines[0],
+      "step,time_s,P_x_m,P_y_m,B_x_m,B_y_m,C_x_m,C_y_m,lever_angle_deg,rod_angle_deg,transmission_B_C_G_deg");
+  EXPECT_THAT(lines[1], testing::StartsWith("0,0,0.415331193145904,0.5,"));
+  EXPECT_THAT(lines[9], testing::StartsWith("8,1,0.57662812973354,0.3,"));
+}
+
+TEST(SolveTable, EndsWithTheLastGoodPositionAndNeverWithNaN) {
+  const Moved moved = stopping();
+  ASSERT_TRUE(moved.run.stop);
+  const SolveTable table = solve_table(moved.file, moved.model, moved.run, moved.steps);
+  const double step = *table.rows.back()[0];
+  EXPECT_NE(step, std::floor(step));
+  const auto lines = lines_of(csv_text(table));
+  EXPECT_THAT(lines.back(), HasSubstr(",,"));  // no rates at a dead point
+  for (const std::string& line : lines) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','),
+              static_cast<std::ptrdiff_t>(table.columns.size()) - 1);
+    if (&line == &lines[0]) continue;
+    EXPECT_FALSE(std::regex_search(line, std::regex("[a-z]"))) << line;
+  }
+}
+
+TEST(LinkageAnimation, IsOneFileThatAsksTheNetworkForNothing) {
+  for (const std::string& page :
+       {animation_html(example("hart").scene()), animation_svg(example("hart").scene())}) {
+    std::string bare = page;
+    for (std::size_t at; (at = bare.find("http://www.w3.org/2000/svg")) != std::string::npos;)
+      bare.erase(at, 26);
+    for (const char* reference : {"http:", "https:", "src=", "href=", "url(", "@import"})
+      EXPECT_THAT(bare, Not(HasSubstr(reference)));
+    EXPECT_THAT(page, Not(HasSubstr("nan")));
+    EXPECT_THAT(page, Not(HasSubstr("inf\"")));
+  }
+}
+
+TEST(LinkageAnimation, EscapesNamesAndTellsAnEarlyEnd) {
+  const std::string page = animation_html(stopping().scene());
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+  EXPECT_THAT(page, HasSubstr("&lt;b&gt;A &amp;"));
+  EXPECT_THAT(page, HasSubstr("The motion ends early: dead point."));
+}
+
+TEST(LinkageAnimation, HoldsEveryMomentOfEveryLink) {
+  const Moved moved = example("six-bar-plagiograph");
+  const std::string page = animation_html(moved.scene());
+  const std::string mark = "<script type=\"application/json\" id=\"scene\">";
+  const std::size_t start = page.find(mark) + mark.size();
+  const auto scene = nlohmann::json::parse(page.substr(start, page.find("</script>", start) - start));
+  ASSERT_EQ(scene["moments"].size(), 121u);
+  EXPECT_TRUE(scene["closed"]);
+  const auto& moment = scene["moments"][40];
+  ASSERT_EQ(moment.size(), 1u + 3u * 5u);
+  EXPECT_NEAR(moment[1].get<double>(), moved.run.frames[40].position[1].at.x(), 1e-6);
+  EXPECT_NEAR(moment[2].get<double>(), -moved.run.frames[40].position[1].at.y(), 1e-6);  // y downward
+  EXPECT_NEAR(moment[3].get<double>(), -moved.run.frames[40].position[1].angle, 1e-6);
+}
+
+TEST(LinkageScene, BoxHoldsEveryPointOfEveryMoment) {
+  for (const char* name : {"shear-press", "geared-five-bar", "right-angle-inversor"}) {
+    const LinkageScene scene = example(name).scene();
+    for (const auto& moment : scene.moments)
+      for (const ScenePoint& point : scene.points) {
+        const Point at = scene.place(point, moment);
+        EXPECT_TRUE((at.array() >= scene.lower.array() - 1e-9).all() &&
+                    (at.array() <= scene.upper.array() + 1e-9).all());
+      }
+  }
+}
+
+TEST(MobilityJson, SaysWhyCountAndTruthDiffer) {
+  const Moved wrong = example("pantograph-by-distances");
+  const auto object = nlohmann::json::parse(
+      mobility_json(wrong.file, wrong.model, mobility_of(wrong.model.linkage, wrong.start)));
+  EXPECT_EQ(object["mobility"], 2);
+  EXPECT_EQ(object["notes"].size(), 2u);
+
+  const LinkageFile cranks = *parse_linkage_file(R"(
+[ground]
+A = [0, 0]
+D = [60, 0]
+E = [30, 0]
+[links]
+crank = { joints = ["A", "B"], A-B = 20 }
+rod = { joints = ["B", "F", "C"], along = [0, 30, 60] }
+rocker = { joints = ["D", "C"], D-C = 20 }
+middle = { joints = ["E", "F"], E-F = 20 }
+[guess]
+B = [10, 17]
+F = [40, 17]
+C = [70, 17]
+)",
+                                                 "cranks.toml");
+  const LinkageModel model = linkage_model(cranks);
+  const auto closed = solve_from(model.linkage, guessed_position(cranks, model));
+  ASSERT_TRUE(closed);
+  const auto three =
+      nlohmann::json::parse(mobility_json(cranks, model, mobility_of(model.linkage, closed->position)));
+  EXPECT_EQ(three["gruebler"], 0);
+  EXPECT_EQ(three["mobility"], 1);
+  ASSERT_EQ(three["redundant"].size(), 1u);
+  EXPECT_EQ(three["sentences"][0], "Gruebler counts 0, the true mobility is 1: 1 equation is redundant");
+  EXPECT_THAT(three["sentences"][1].get<std::string>(), HasSubstr("joint F (rod, middle)"));
+}
+
+TEST(MobilityJson, ListsAssortments) {
+  const auto six = nlohmann::json::parse(number_synthesis_json(6, 1, number_synthesis(6, 1)));
+  EXPECT_EQ(six["joints"], 7);
+  EXPECT_EQ(six["assortments"], nlohmann::json::parse(R"([{"n2": 4, "n3": 2, "n4": 0}])"));
+  EXPECT_THAT(number_synthesis_json(5, 1, number_synthesis(5, 1)), HasSubstr("no joints fit"));
+}
+
+TEST(CentresJson, HoldsAllPairsWithTheirLines) {
+  const Moved moved = example("watt-six-bar");
+  const RunFrame& frame = moved.run.frames[17];
+  const auto centres = instant_centres(moved.model.linkage, frame.position, frame.rate);
+  const auto object =
+      nlohmann::json::parse(centres_json(moved.file, moved.model, 17, frame, {2 * pi}, centres));
+  EXPECT_EQ(object["count"], 15);
+  int primary = 0, found = 0;
+  for (const auto& centre : object["centres"]) {
+    EXPECT_LT(centre["velocity_error"].get<double>(), 1e-9);
+    primary += centre["source"] == "primary" ? 1 : 0;
+    if (centre["source"] == "aronhold-kennedy") {
+      ++found;
+      EXPECT_EQ(centre["lines"].size(), 2u);
+      EXPECT_EQ(centre["lines"][0]["through"].size(), 2u);
+    }
+  }
+  EXPECT_EQ(primary, 7);
+  EXPECT_EQ(found, 8);
+}
+
+TEST(CentresPicture, LabelsEveryCentreOnceAndLosesNone) {
+  const Moved moved = example("plagiograph");
+  const PlanarRun moment{{moved.run.frames[3]}, std::nullopt};
+  const auto centres = instant_centres(moved.model.linkage, moment.frames[0].position, moment.frames[0].rate);
+  const std::string picture =
+      centres_svg(linkage_scene(moved.file, moved.model, moment, moved.steps), centres, 10);
+  for (int i = 1; i <= 5; ++i)
+    for (int j = i + 1; j <= 5; ++j)
+      EXPECT_THAT(picture, HasSubstr(std::to_string(i) + "-" + std::to_string(j)));
+  EXPECT_THAT(picture, HasSubstr("2-5  at infinity"));
+  EXPECT_THAT(picture, HasSubstr("3-4  at infinity"));
+}
+
+TEST(CentresPicture, DrawsTheNormalOfASlider) {
+  const Moved moved = example("shear-press");
+  const PlanarRun moment{{moved.run.frames[0]}, std::nullopt};
+  const auto centres = instant_centres(moved.model.linkage, moment.frames[0].position, moment.frames[0].rate);
+  const std::string picture =
+      centres_svg(linkage_scene(moved.file, moved.model, moment, moved.steps), centres, 1000);
+  std::smatch line;  // of the blade's guide, which is upright: level, through the blade
+  ASSERT_TRUE(std::regex_search(
+      picture, line,
+      std::regex("class=\"line normal\" d=\"M[-0-9.]+[ ,]([-0-9.]+) L[-0-9.]+[ ,]([-0-9.]+)\"")));
+  EXPECT_EQ(line[1], line[2]);
+}
+
+}  // namespace
+}  // namespace kempe

@@ -1,0 +1,178 @@
+#include "reports/page/html_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/map_picture.hpp"
+#include "tests/reports/report_specimens.hpp"
+
+namespace kempe::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string report_of(const ReportSpecimen& specimen) {
+  return html_report(specimen.design, specimen.extras);
+}
+
+/// The page without the scripts and styles that the build inlines: what is made of the design.
+std::string without_assets(std::string page) {
+  for (const char* tag : {"style", "script"}) {
+    const std::string open = std::string("<") + tag, close = std::string("</") + tag + ">";
+    for (auto from = page.find(open); from != std::string::npos; from = page.find(open, from)) {
+      if (page.compare(from, 31, "<script type=\"application/json\"") == 0) {
+        ++from;
+        continue;
+      }
+      page.erase(from, page.find(close, from) + close.size() - from);
+    }
+  }
+  return page;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(HtmlReport, NamesEveryLengthWithTheLettersOfTheDrawing) {
+  const std::string page = report_of(plagiograph_specimen());
+  for (const char* row : {"V – A</td><td class=\"number\">50.000", "V – B</td><td class=\"number\">35.000",
+                          "A – C</td><td class=\"number\">35.000", "B – C</td><td class=\"number\">50.000",
+                          "A – X</td><td class=\"number\">25.000", "C – X</td><td class=\"number\">43.012",
+                          "B – Y</td><td class=\"number\">70.000", "C – Y</td><td class=\"number\">86.023"})
+    EXPECT_THAT(page, HasSubstr(row));
+  for (const char letter : {'V', 'A', 'B', 'C', 'X', 'Y'})
+    EXPECT_THAT(page, HasSubstr(std::string("<tspan class=\"letter\">") + letter + "</tspan>"));
+}
+
+TEST(HtmlReport, SaysWhatPassesAnEmptyLayer) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  specimen.design.layers.of = {2, 3, 3, 2};
+  const std::string page = report_of(specimen);
+  EXPECT_THAT(page, HasSubstr("empty; pole post V, tracer X, pen Y pass"));
+  EXPECT_THAT(page, HasSubstr("link VA, layer 2"));
+}
+
+TEST(HtmlReport, LoadsNothingFromElsewhere) {
+  for (const ReportSpecimen& specimen : report_specimens()) {
+    const std::string page = without_assets(report_of(specimen));
+    EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(page, Not(HasSubstr("unsafe-")));
+    EXPECT_THAT(page, Not(HasSubstr("<link"))) << specimen.name;
+    EXPECT_THAT(page, Not(HasSubstr("@import"))) << specimen.name;
+    EXPECT_EQ(count_of(page, " src=\""), count_of(page, " src=\"data:image/svg+xml;base64,"))
+        << specimen.name;
+    const std::regex address(R"((href|url|src)\s*[=(]\s*["']?\s*(https?:)?//)");
+    EXPECT_FALSE(std::regex_search(page, address)) << specimen.name;
+  }
+}
+
+TEST(HtmlReport, EscapesEverythingFromOutside) {
+  const std::string page = without_assets(report_of(hostile_specimen()));
+  EXPECT_THAT(page, Not(HasSubstr("<script>")));
+  EXPECT_THAT(page, Not(HasSubstr("<b>links")));
+  EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(page, Not(HasSubstr("x\" onload")));
+  EXPECT_THAT(page, HasSubstr("&lt;/pre&gt;&lt;script&gt;window.hostile = 1&lt;/script&gt;"));
+  EXPECT_EQ(page.find('\x01'), std::string::npos);
+}
+
+TEST(HtmlReport, OfTheSameDesignHasTheSameBytes) {
+  EXPECT_EQ(report_of(plagiograph_specimen()), report_of(plagiograph_specimen()));
+}
+
+TEST(HtmlReport, SaysWhatIsNotCoveredAndNotVerified) {
+  const std::string page = report_of(hostile_specimen());
+  EXPECT_THAT(page, HasSubstr("Region not covered"));
+  EXPECT_THAT(page, HasSubstr("Not verified"));
+  EXPECT_THAT(page, HasSubstr("The region leaves the workspace near (12.3, 45.6)"));
+}
+
+TEST(HtmlReport, OfAGivenLinkageHasNoSearch) {
+  const std::string page = report_of(matlab_circle_specimen());
+  EXPECT_THAT(page, HasSubstr("workspace of a given linkage"));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"search\"")));
+  EXPECT_THAT(report_of(plagiograph_specimen()), HasSubstr("id=\"search\""));
+}
+
+TEST(HtmlReport, OfAMillionCornersStaysBelowTwoMegabytes) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  Ring ring;
+  constexpr int corners = 1000000;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * pi * i / corners;
+    ring.push_back(Point(67.5, 0) +
+                   (3 + 0.3 * std::sin(50000 * angle)) * Point(std::cos(angle), std::sin(angle)));
+  }
+  specimen.design.region = {{Polygon{ring, {}}}};
+  specimen.extras.spec_text.assign(20000000, 'x');
+  const std::string page = report_of(specimen);
+  EXPECT_LT(page.size(), 2000000u);
+  EXPECT_THAT(page, HasSubstr("bytes left out here"));
+}
+
+TEST(MapPicture, ShowsAllOfMapRegionCopyAndLinkage) {
+  for (const ReportSpecimen& specimen : report_specimens()) {
+    const Design& design = specimen.design;
+    const MapPicture picture = map_picture(design);
+    const PictureView& view = picture.view;
+    const auto inside = [&](const Point& at) {
+      return at.x() > view.left && at.x() < view.left + view.width && -at.y() > view.top &&
+             -at.y() < view.top + view.height;
+    };
+    const auto reach = design.linkage.radii_over(design.linkage.assembly_interval());
+    for (int i = 0; i < 360; ++i)
+      EXPECT_TRUE(inside(design.linkage.pole() + as_point(std::polar(reach.upper, radians(i)))))
+          << specimen.name;
+    for (const Region& region :
+         {design.region, similar_image(design.region, design.linkage.k(), design.linkage.pole())})
+      for (const Polygon& polygon : region.polygons)
+        for (const Point& at : polygon.outer) EXPECT_TRUE(inside(at)) << specimen.name;
+    const auto pose = design.linkage.pose_with_tracer_at(picture.tracer);
+    ASSERT_TRUE(pose.has_value()) << specimen.name;
+    for (const Joint joint : all_joints) EXPECT_TRUE(inside((*pose)[joint])) << specimen.name;
+  }
+}
+
+TEST(MapPicture, HasASwitchForEveryLayerThatIsDrawn) {
+  for (const ReportSpecimen& specimen : report_specimens()) {
+    const MapPicture picture = map_picture(specimen.design);
+    const std::string page = report_of(specimen);
+    for (const MapLayer& layer : picture.layers) {
+      EXPECT_THAT(picture.svg, HasSubstr("class=\"m-" + layer.id + "\"")) << specimen.name;
+      EXPECT_THAT(page, HasSubstr("id=\"layer-" + layer.id + "\"")) << specimen.name;
+      EXPECT_THAT(page, HasSubstr("#layer-" + layer.id + ":not(:checked)")) << specimen.name;
+    }
+  }
+}
+
+TEST(HtmlText, EncodesBase64AsTheStandardSays) {
+  // RFC 4648, section 10.
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(HtmlText, WritesNumbersAsAPersonWould) {
+  EXPECT_EQ(number_text(50, 3), "50");
+  EXPECT_EQ(number_text(-7.5, 3), "\u22127.5");
+  EXPECT_EQ(number_text(-1e-9, 3), "0");
+  EXPECT_EQ(count_text(1234567), "1\u202f234\u202f567");
+  EXPECT_EQ(residual_text(3.1e-13), "3.1·10⁻¹³\u00a0mm");
+  EXPECT_EQ(residual_text(0), "0\u00a0mm");
+  EXPECT_EQ(residual_text(9.99e-5), "1·10⁻⁴\u00a0mm");
+}
+
+}  // namespace
+}  // namespace kempe::testing

@@ -1,0 +1,103 @@
+// Boxes that the proven bound throws away for an obstacle, filled with random designs: each must really be hit.
+#include "synthesis/bound/obstacles.hpp"
+
+#include <gtest/gtest.h>
+
+#include "synthesis/bound/branch.hpp"
+#include "synthesis/bound/contact.hpp"
+#include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/search_specimens.hpp"
+#include "workspace/contact/clearance.hpp"
+
+namespace kempe {
+namespace {
+
+Spec spec_with_obstacles(test::SpecDice& dice) {
+  Spec spec = dice.spec();
+  for (int i = 0; i < 3; ++i) spec.obstacles.push_back(dice.obstacle_beside(spec));
+  return spec;
+}
+
+/// The smallest gap over the region by the map's own clearance search, obstacles included; nothing if it is not reached.
+std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& linkage,
+                                      const LayerAssignment& layers) {
+  const MapTask task{.linkage = linkage,
+                     .style = spec.links.style,
+                     .layers = layers,
+                     .clearance = spec.limits.clearance,
+                     .transmission = 0,
+                     .obstacles = spec.obstacles,
+                     .region = spec.region,
+                     .sheets_gap = std::nullopt};
+  const auto figure = smallest_clearance(task);
+  return figure ? std::optional(figure->gap) : std::nullopt;
+}
+
+TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
+  test::SpecDice dice(83);
+  int boxes_hit = 0, designs = 0;
+  for (int i = 0; i < test::samples(150); ++i) {
+    const Spec spec = spec_with_obstacles(dice);
+    const Vertex vertex = all_vertices[static_cast<std::size_t>(i) % 3];
+    const int number = i % static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
+    const auto layers = layer_assignments(2);
+    const bounding::Branch branch =
+        bounding::make_branch(spec, vertex, number, bounding::layer_choices(spec.copy.k, vertex, 2, {}));
+    const bounding::ObstacleTest test(spec, branch.assembly, layers);
+    for (int j = 0; j < 30; ++j) {
+      const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),
+                   grow = std::exp(dice.uniform(0.0005, 0.04));
+      const bounding::DesignBox box{{{t / grow, t * grow}, {w / grow, w * grow}},
+                                    Point(dice.uniform(-20, 20), dice.uniform(-20, 20)),
+                                    dice.uniform(0, 2)};
+      std::optional<bounding::Hit> hint;
+      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(2), hint, false);
+      if (left.has(0) && left.has(1)) continue;
+      ++boxes_hit;
+      for (int n = 0; n < 12; ++n) {
+        const double one_t = dice.log_uniform(box.lengths.t.lower, box.lengths.t.upper);
+        const double one_w = dice.log_uniform(box.lengths.w.lower, box.lengths.w.upper);
+        const Point pole =
+            box.pole + box.radius * as_point(std::polar(dice.uniform(0, 1), dice.uniform(-pi, pi)));
+        const auto linkage =
+            CopyingLinkage::make(spec.copy.k, vertex, std::sqrt(one_w / one_t / 2),
+                                 std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly.s), number, pole);
+        if (!linkage) continue;
+        for (std::size_t one = 0; one < layers.size(); ++one) {
+          if (left.has(one)) continue;
+          const auto gap = gap_over_region(spec, *linkage, layers[one]);
+          if (!gap) continue;  // does not reach the region: no design either
+          ++designs;
+          EXPECT_LT(*gap, spec.limits.clearance) << "spec " << i << " box " << j;
+        }
+      }
+    }
+  }
+  EXPECT_GT(boxes_hit, test::expected(100));
+  EXPECT_GT(designs, test::expected(200));
+}
+
+TEST(LowerBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
+  test::SpecDice dice(89);
+  int compared = 0, near = 0;
+  for (int i = 0; i < test::samples(20); ++i) {
+    Spec spec = spec_with_obstacles(dice);
+    spec.pole.place = Point(Point::Zero());
+    const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+    const auto bound = lower_bound(spec);
+    ASSERT_TRUE(bound);
+    if (const auto* found = std::get_if<FoundDesign>(&outcome)) {
+      ++compared;
+      EXPECT_FALSE(bound->no_design) << i;
+      EXPECT_LE(bound->value, found->value) << i;
+      near += bound->value > 0.99 * found->value;
+    }
+  }
+  EXPECT_GT(compared, test::expected(6));
+  EXPECT_TRUE(test::shortened() || near > 0.9 * compared) << near << " of " << compared;
+}
+
+}  // namespace
+}  // namespace kempe

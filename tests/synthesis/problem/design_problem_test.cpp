@@ -1,0 +1,142 @@
+// Every row and every goal of the search's problem against differences of its own values, on random specs of every kind.
+#include "synthesis/problem/design_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include "synthesis/problem/choices.hpp"
+#include "synthesis/solvers/gradient_check.hpp"
+#include "tests/synthesis/search_specimens.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr std::array goals{Goal::size,     Goal::transmission, Goal::copy_error, Goal::clearance,
+                           Goal::shortest, Goal::longest,      Goal::sheets_gap, Goal::pole_margin};
+
+/// A spec with everything in it: obstacles, sheets, tolerance.
+Spec full_spec(test::SpecDice& dice) {
+  Spec spec = dice.spec();
+  spec.tolerance = Tolerance{0.05, 0.02};
+  spec.limits.sheets_gap = dice.uniform(0, 10);
+  for (int i = 0; i < 3; ++i) spec.obstacles.push_back(dice.obstacle_beside(spec));
+  return spec;
+}
+
+struct Tally {
+  int seen = 0, kinks = 0, rough = 0;  // rough: a second derivative whose own differences meet a kink
+  double gradient = 0, hessian = 0;    // largest deviations, relative to 1 + |derivative|
+};
+
+/// False where the linkage is too short or too long for the row's place of the tracer: there the opening is clamped, and the
+/// row is only a value.
+bool is_reached(const DesignProblem& problem, const SearchSpace& space, const Row& row,
+                const DesignVector& x) {
+  if (row.kind != Row::Kind::obstacle) return true;
+  const DesignPoint point = problem.point_of(x);
+  const double distance = (space.tracer_places()[row.place] - point.pole).norm();
+  const double opening = problem.reach().opening_at(point.lengths, distance);
+  const LinkageJet radius = problem.reach().radius(point.lengths, opening);
+  return std::abs(radius.value - distance) < 1e-9 * distance &&
+         std::abs(radius.gradient[2]) > 1e-3 * distance;
+}
+
+RowJet row_at(const DesignProblem& problem, const Row* row, const DesignVector& x) {
+  return row ? problem.row(*row, x) : problem.objective(x);
+}
+
+/// One row, or the goal, by central differences. Where the nearest features change within a step there is a kink: the
+/// gradient changes by more than its own derivative says.
+void compare(const DesignProblem& problem, const Row* row, const DesignVector& x, Tally& tally) {
+  constexpr double step = 1e-6;
+  const RowJet here = row_at(problem, row, x);
+  ASSERT_TRUE(std::isfinite(here.value) && here.gradient.allFinite() && here.hessian.allFinite());
+  ++tally.seen;
+  double off_gradient = 0, off_hessian = 0;
+  for (int i = 0; i < x.size(); ++i) {
+    DesignVector ahead = x, behind = x;
+    ahead[i] += step;
+    behind[i] -= step;
+    const RowJet after = row_at(problem, row, ahead), before = row_at(problem, row, behind);
+    const double jump = (after.gradient - here.gradient).norm() + (here.gradient - before.gradient).norm();
+    if (jump > 1e-7 * (1 + here.gradient.norm()) + 3 * step * here.hessian.norm()) {
+      ++tally.kinks;
+      return;
+    }
+    const double slope = (after.value - before.value) / (2 * step);
+    off_gradient = std::max(off_gradient, std::abs(slope - here.gradient[i]) / (1 + std::abs(slope)));
+    const DesignVector bend = (after.gradient - before.gradient) / (2 * step);
+    off_hessian = std::max(off_hessian, (bend - here.hessian.col(i)).norm() / (1 + bend.norm()));
+  }
+  tally.gradient = std::max(tally.gradient, off_gradient);
+  const bool by_differences = row && (row->kind == Row::Kind::obstacle || row->kind == Row::Kind::copy_error);
+  if (by_differences)
+    tally.rough += off_hessian > 1e-2;
+  else
+    tally.hessian = std::max(tally.hessian, off_hessian);
+}
+
+TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
+  test::SpecDice dice(71);
+  std::map<Row::Kind, Tally> rows;
+  Tally objectives;
+  for (int i = 0; i < 640; ++i) {
+    const Spec spec = full_spec(dice);
+    const Goal goal = goals[static_cast<std::size_t>(i) % goals.size()];
+    Requirements limits = requirements_of(spec);
+    limits.size = 5000;
+    const SearchSpace space(spec);
+    const auto choices = choices_of(spec);
+    ASSERT_FALSE(choices.empty());
+    const ContactChoice& choice = choices[static_cast<std::size_t>(i) % choices.size()];
+    const Reach reach(spec.copy.k, choice.choice.vertex, choice.choice.assembly);
+    DesignProblem problem(space, choice.choice, limits, goal,
+                          openings_with_transmission(reach, limits.transmission), choice.terms);
+    if (!problem.possible()) continue;
+    const std::array<double, 4> z{dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.9), dice.uniform(0.1, 0.9),
+                                  dice.uniform(0.1, 0.9)};
+    const DesignPoint point =
+        problem.unit_point(std::span(z).first(static_cast<std::size_t>(problem.cube_dimensions())));
+    problem.set_room(point.pole);
+    DesignVector x = problem.vector_of(point);
+    // Away from the corners that unit_point() likes; the openings stay inside the assembly's interval.
+    for (int j = 0; j < x.size(); ++j) x[j] += dice.uniform(-0.01, 0.01);
+    for (const Row& row : problem.rows_at(x))
+      if (is_reached(problem, space, row, x)) compare(problem, &row, x, rows[row.kind]);
+    compare(problem, nullptr, x, objectives);
+  }
+  for (const auto& [kind, tally] : rows) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    EXPECT_GT(tally.seen, 10);
+    // A contact's rows stand at its worst opening, and a gap of two axes that cross has its kink right there.
+    EXPECT_LT(tally.kinks, (kind == Row::Kind::contact ? 0.2 : 0.05) * tally.seen + 3);
+    EXPECT_LT(tally.rough, 0.05 * tally.seen + 3);
+    EXPECT_LT(tally.gradient, 5e-6);
+    EXPECT_LT(tally.hessian, 2e-4);
+  }
+  EXPECT_EQ(rows.size(), 13U) << "a kind of row was never met";
+  EXPECT_LT(objectives.gradient, 1e-7);
+  EXPECT_LT(objectives.hessian, 1e-6);
+}
+
+TEST(DesignProblem, TheProductsOwnCheckFindsAWrongDerivative) {
+  SmoothProgram program;
+  program.lower = DesignVector::Constant(2, -1);
+  program.upper = DesignVector::Constant(2, 1);
+  program.objective = [](const DesignVector& x, DesignVector* gradient) {
+    if (gradient) *gradient = DesignVector::Zero(2), (*gradient)[0] = 2 * x[0], (*gradient)[1] = 1;
+    return x[0] * x[0] + 3 * x[1];  // the second derivative given is 1 and not 3
+  };
+  program.hessian = [](const DesignVector&, double factor, const Eigen::VectorXd&) {
+    DesignMatrix h = DesignMatrix::Zero(2, 2);
+    h(0, 0) = 2 * factor;
+    return h;
+  };
+  const DesignVector x = DesignVector::Constant(2, 0.3);
+  const DerivativeDeviation deviation = check_derivatives(program, x, Eigen::VectorXd());
+  EXPECT_NEAR(deviation.objective_gradient, 2.0 / (1 + 1), 1.1);
+  EXPECT_GT(deviation.objective_gradient, 0.4);
+  EXPECT_LT(deviation.hessian, 1e-6);
+}
+
+}  // namespace
+}  // namespace kempe

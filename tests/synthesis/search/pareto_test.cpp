@@ -1,0 +1,73 @@
+// Fronts: ends that equal the single searches, no point beaten, every point a design that keeps the limits.
+#include "synthesis/search/pareto.hpp"
+
+#include <gtest/gtest.h>
+
+#include "specs/spec_reader.hpp"
+#include "synthesis/search/design_check.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+
+namespace kempe {
+namespace {
+
+Spec example(const std::string& name) {
+  Spec spec = *read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
+  if (!spec.tolerance) spec.tolerance = Tolerance{0.05, 0.02};
+  return spec;
+}
+
+bool is_no_worse(Objective objective, double a, double b) {
+  return is_maximized(objective) ? a >= b : a <= b;
+}
+
+void check_front(const Spec& spec, Objective a, Objective b, int points) {
+  const auto front = pareto_front(spec, a, b, points, {});
+  ASSERT_TRUE(front);
+  EXPECT_GE(front->size(), 3U);
+  EXPECT_LE(front->size(), static_cast<std::size_t>(points));
+  for (const ParetoPoint& one : *front) {
+    EXPECT_TRUE(check_design(spec, requirements_of(spec), one.design.linkage, one.design.layers).feasible);
+    for (const ParetoPoint& other : *front)
+      if (&one != &other) {
+        EXPECT_FALSE(is_no_worse(a, other.a, one.a) && is_no_worse(b, other.b, one.b));
+      }
+  }
+  for (std::size_t i = 1; i < front->size(); ++i) EXPECT_LT((*front)[i - 1].a, (*front)[i].a);
+  // The ends are the best of each alone.
+  for (const Objective objective : {a, b}) {
+    Spec alone = spec;
+    alone.objective.objective = objective;
+    const SearchOutcome outcome = synthesize(alone, {});
+    const auto* best = std::get_if<FoundDesign>(&outcome);
+    ASSERT_TRUE(best);
+    double met = objective == a ? front->front().a : front->front().b;
+    for (const ParetoPoint& one : *front) {
+      const double value = objective == a ? one.a : one.b;
+      if (is_no_worse(objective, value, met)) met = value;
+    }
+    EXPECT_NEAR(met, best->value, 2e-3 * std::abs(best->value)) << name(objective);
+  }
+}
+
+TEST(Pareto, BetweenSizeAndTransmission) {
+  check_front(example("nameplate"), Objective::size, Objective::transmission, 9);
+}
+
+TEST(Pareto, BetweenSizeAndCopyError) {
+  check_front(example("plagiograph"), Objective::size, Objective::copy_error, 9);
+}
+
+TEST(Pareto, BetweenTransmissionAndCopyErrorWithAFreePole) {
+  check_front(example("sixty"), Objective::transmission, Objective::copy_error, 6);
+}
+
+TEST(Pareto, OfASpecWithoutDesignsSaysWhy) {
+  Spec spec = example("plagiograph");
+  spec.limits.transmission = radians(80);
+  const auto front = pareto_front(spec, Objective::size, Objective::transmission, 5, {});
+  ASSERT_FALSE(front);
+  EXPECT_FALSE(front.error().sentence.empty());
+}
+
+}  // namespace
+}  // namespace kempe

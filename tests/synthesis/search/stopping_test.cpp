@@ -1,0 +1,207 @@
+// A search that is told to stop at any moment ends soon, and what it says is true. Soon is counted in polls of the flag,
+// not in seconds.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "specs/spec_reader.hpp"
+#include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/search/design_check.hpp"
+#include "synthesis/search/obstacle_check.hpp"
+#include "synthesis/search/pareto.hpp"
+#include "synthesis/search/search.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/search_specimens.hpp"
+
+namespace kempe {
+namespace {
+
+/// Set at its n-th poll, and counts.
+class CountingStop {
+ public:
+  explicit CountingStop(std::size_t at) : at_(at) {}
+  StopFlag flag() {
+    return [this] { return ++polls_ >= at_; };
+  }
+  std::size_t polls() const { return polls_; }
+  bool was_set() const { return polls_ >= at_; }
+  std::size_t after() const { return was_set() ? polls_ - at_ : 0; }
+
+ private:
+  std::size_t at_;
+  std::atomic<std::size_t> polls_{0};
+};
+
+constexpr std::size_t never = ~std::size_t{0};
+
+Spec example(const std::string& name) {
+  auto spec = read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
+  EXPECT_TRUE(spec) << spec.error().message();
+  return *spec;
+}
+
+/// Specs whose searches are as different as can be: obstacles, four layers, footprint, lengths of the workshop, no design.
+std::vector<Spec> specimens() {
+  Spec clamped = example("clamped-plate");
+  Spec layers = example("nameplate");
+  layers.links.layers = 4;
+  Spec footprint = example("plagiograph");
+  footprint.objective.objective = Objective::footprint;
+  Spec workshop = example("plagiograph");
+  workshop.links.workshop.grid = 5;
+  Spec impossible = example("clamped-plate");
+  impossible.links.longest = 0.7 * impossible.links.longest;
+  impossible.limits.clearance = 4;
+  return {clamped, layers, footprint, workshop, impossible};
+}
+
+SearchOutcome outcome_of(const Spec& spec, CountingStop& stop, double time_limit) {
+  SearchOptions options;
+  options.stop = stop.flag();
+  options.time_limit = time_limit;
+  return synthesize(spec, options);
+}
+
+constexpr double forever = std::numeric_limits<double>::infinity(), very_long = 1e9;
+
+/// A poll or two a choice and phase that is left out: four layers past obstacles make some hundred choices (873 polls of 2.5
+/// million were seen).
+constexpr std::size_t most_polls_after = 2000;
+
+bool keeps_all_limits(const Spec& spec, const FoundDesign& design) {
+  const Requirements limits = requirements_of(spec);
+  const DesignCheck check = check_design(spec, limits, design.linkage, design.layers);
+  return check.feasible &&
+         (spec.obstacles.empty() ||
+          check_obstacles(spec, limits, design.linkage, design.layers, check.opening).clear);
+}
+
+/// No design can beat it: the whole search's design does not either.
+bool holds(double bound, const FoundDesign& best) {
+  const double slack = 1e-9 * std::abs(best.value);
+  return is_maximized(best.goal) ? best.value <= bound + slack : best.value >= bound - slack;
+}
+
+void check_stopped_at(const Spec& spec, std::size_t at, double time_limit, const SearchOutcome& whole) {
+  CountingStop stop(at);
+  const SearchOutcome outcome = outcome_of(spec, stop, time_limit);
+  const auto* best = std::get_if<FoundDesign>(&whole);
+  ASSERT_TRUE(stop.was_set());
+  EXPECT_LE(stop.after(), most_polls_after) << "of " << stop.polls();
+  if (const auto* design = std::get_if<FoundDesign>(&outcome)) {
+    EXPECT_FALSE(design->complete);
+    ASSERT_TRUE(best);
+    EXPECT_TRUE(keeps_all_limits(spec, *design));
+    EXPECT_TRUE(!design->lower_bound || holds(*design->lower_bound, *best));
+  } else if (const auto* none = std::get_if<NoDesign>(&outcome)) {
+    EXPECT_FALSE(best);
+    EXPECT_FALSE(none->diagnosed);
+  } else if (const auto& bound = std::get<Stopped>(outcome).lower_bound; bound && best) {
+    EXPECT_TRUE(holds(*bound, *best));
+  }
+}
+
+TEST(Stopping, AtAnyPollTheSearchEndsSoonAndTellsTheTruth) {
+  for (const Spec& spec : specimens())
+    for (const double time_limit : {very_long, forever}) {
+      CountingStop none(never);
+      const SearchOutcome whole = outcome_of(spec, none, time_limit);
+      ASSERT_GT(none.polls(), 500U);
+      for (const double share : time_limit < forever ? std::vector{1e-9, 0.05, 0.4} : std::vector{0.2, 0.9}) {
+        const auto at = 1 + static_cast<std::size_t>(share * static_cast<double>(none.polls()));
+        check_stopped_at(spec, at, time_limit, whole);
+      }
+    }
+}
+
+TEST(Stopping, ATimeLimitThatIsNotReachedChangesNothing) {
+  for (const Spec& spec : specimens()) {
+    CountingStop one(never), other(never);
+    const SearchOutcome without = outcome_of(spec, one, forever), with = outcome_of(spec, other, very_long);
+    ASSERT_EQ(without.index(), with.index());
+    const auto *a = std::get_if<FoundDesign>(&without), *b = std::get_if<FoundDesign>(&with);
+    if (!a) continue;
+    EXPECT_EQ(a->linkage, b->linkage);
+    EXPECT_EQ(a->layers, b->layers);
+    EXPECT_EQ(a->value, b->value);
+    EXPECT_EQ(a->lower_bound, b->lower_bound);
+    EXPECT_EQ(a->evaluations, b->evaluations);
+    EXPECT_TRUE(b->complete);
+  }
+}
+
+TEST(Stopping, UnderATimeLimitADesignIsFoundEarly) {
+  for (const std::string name : {"clamped-plate", "plagiograph"}) {
+    const Spec spec = example(name);
+    CountingStop none(never);
+    outcome_of(spec, none, very_long);
+    CountingStop half(none.polls() / 2);
+    const SearchOutcome outcome = outcome_of(spec, half, very_long);
+    EXPECT_TRUE(std::holds_alternative<FoundDesign>(outcome)) << name;
+  }
+}
+
+TEST(Stopping, ABoundStoppedEarlyIsABound) {
+  test::SpecDice dice(31);
+  int stopped = 0;
+  for (int n = 0; n < test::samples(40); ++n) {
+    Spec spec = dice.spec();
+    if (n % 2 == 0) spec.obstacles.push_back(dice.obstacle_beside(spec));
+    CountingStop none(never);
+    const auto whole = lower_bound(spec, Objective::size, {.boxes = 4000, .stop = none.flag()});
+    ASSERT_TRUE(whole);
+    EXPECT_GE(4 * none.polls(), whole->boxes);
+    if (whole->no_design || !whole->relaxation) continue;
+    for (const double share : {0.0, 0.1, 0.5, 0.9}) {
+      CountingStop stop(1 + static_cast<std::size_t>(share * static_cast<double>(none.polls())));
+      const auto early = lower_bound(spec, Objective::size, {.boxes = 4000, .stop = stop.flag()});
+      EXPECT_LE(stop.after(), 300U);
+      if (!early) continue;
+      ++stopped;
+      EXPECT_FALSE(early->no_design);
+      EXPECT_LE(early->value, *whole->relaxation * (1 + 1e-12));
+    }
+  }
+  EXPECT_GT(stopped, test::expected(20));
+}
+
+TEST(Stopping, AMapStoppedEarlyCallsNothingFreeThatIsNot) {
+  const Spec spec = example("clamped-plate");
+  SearchOptions options;
+  options.diagnose = false;
+  const auto found = std::get<FoundDesign>(synthesize(spec, options));
+  CountingStop none(never);
+  const Design whole = assemble_design(spec, found, {.stop = none.flag()});
+  EXPECT_TRUE(whole.map.complete);
+  for (const double share : {0.0, 0.2, 0.6}) {
+    CountingStop stop(1 + static_cast<std::size_t>(share * static_cast<double>(none.polls())));
+    const Design early = assemble_design(spec, found, {.stop = stop.flag()});
+    EXPECT_FALSE(early.map.complete);
+    EXPECT_TRUE(early.map.coverage.covered);
+    EXPECT_LE(stop.after(), 10000U);  // a poll a cell that stays as it is
+    EXPECT_LE(area(early.map.collision_free), area(whole.map.collision_free) + area(whole.map.uncertain));
+    EXPECT_GE(area(early.map.collision_free) + area(early.map.uncertain),
+              area(whole.map.collision_free) * (1 - 1e-9));
+  }
+}
+
+TEST(Stopping, AFrontStoppedEarlyIsWhatThereWas) {
+  const Spec spec = example("plagiograph");
+  CountingStop none(never);
+  SearchOptions options;
+  options.stop = none.flag();
+  const auto whole = pareto_front(spec, Objective::size, Objective::transmission, 6, options);
+  ASSERT_TRUE(whole);
+  for (const double share : {0.0, 0.3, 0.8}) {
+    CountingStop stop(1 + static_cast<std::size_t>(share * static_cast<double>(none.polls())));
+    options.stop = stop.flag();
+    const auto early = pareto_front(spec, Objective::size, Objective::transmission, 6, options);
+    EXPECT_LE(stop.after(), 600U);
+    if (!early) continue;
+    for (const ParetoPoint& point : *early) EXPECT_TRUE(keeps_all_limits(spec, point.design));
+  }
+}
+
+}  // namespace
+}  // namespace kempe

@@ -1,0 +1,117 @@
+#include "workspace/contact/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/sector.hpp"
+#include "workspace/contact/self_contact.hpp"
+#include "workspace/contact/subdivision.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// To what the figure is certified: mm, and a share of the outer reach for small linkages.
+double certain_to(const CopyingLinkage& linkage) {
+  return std::min(1e-2, 1e-4 * reachable_annulus(linkage).outer);
+}
+
+constexpr std::size_t most_cells = 200'000;
+constexpr std::size_t tried_each_level = 400;
+
+/// The openings of the assembly at which the tracer stands at some distance of the region; perhaps empty.
+OpeningInterval openings_met(const CopyingLinkage& linkage, const Region& region) {
+  const Annulus reach = reachable_annulus(linkage);
+  const DistanceRange range = distance_range(region, linkage.pole());
+  const double near = std::max(range.nearest, reach.inner), far = std::min(range.farthest, reach.outer);
+  if (!(near <= far)) return {};
+  const auto a = linkage.opening_at(near), b = linkage.opening_at(far);
+  if (!a || !b) return {};
+  return {std::min(*a, *b), std::max(*a, *b)};
+}
+
+/// A point of the region's outlines at a distance from the pole, or the nearest of their points to it.
+Point place_at_distance(const Region& region, const Point& pole, double radius) {
+  Point best = pole;
+  double miss = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Point& point) {
+    const double here = std::abs(point.norm() - radius);
+    if (here < miss) best = pole + point, miss = here;
+  };
+  const auto offer_edge = [&](const Point& from, const Point& to) {
+    const Point along = to - from;
+    const double squared = along.squaredNorm();
+    if (!(squared > 0)) return offer(from);
+    const double foot = -from.dot(along) / squared;
+    const double half =
+        std::sqrt(std::max(0.0, radius * radius / squared - (from + foot * along).squaredNorm() / squared));
+    for (const double share : {0.0, 1.0, foot - half, foot + half, foot})
+      if (share >= 0 && share <= 1) offer(from + share * along);
+  };
+  const auto offer_ring = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      offer_edge(ring[i] - pole, ring[(i + 1) % ring.size()] - pole);
+  };
+  for (const Polygon& polygon : region.polygons) {
+    offer_ring(polygon.outer);
+    for (const Ring& hole : polygon.holes) offer_ring(hole);
+  }
+  return best;
+}
+
+/// Gaps nearer to each other than this share of what the figure is certain to are equally tight, and the pair found first is named: a design that is best where
+/// several pairs are at their limit would else name one of them by rounding.
+constexpr double as_tight = 1e-7;
+
+/// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
+void improve(ClearanceFigure& best, double& named, const MapTask& task, const ContactScene& scene,
+             const Subdivision& cells, const StopFlag& stop) {
+  const CopyingLinkage& linkage = cells.grid().linkage();
+  const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
+  for (std::size_t i = 0; i < cells.open().size() && !stop(); i += stride) {
+    const auto point = cells.region_point_in(cells.open()[i]);
+    if (!point) continue;
+    const Point reach = *point - linkage.pole();
+    const auto opening = linkage.opening_at(reach.norm());
+    if (!opening) continue;
+    const ObstacleGap here = tightest_obstacle(scene, *opening, std::atan2(reach.y(), reach.x()));
+    if (here.gap < named - as_tight * certain_to(linkage)) {
+      best.parts = name(scene.pieces[here.between.piece].part) + " and " +
+                   obstacle_name(task, scene.obstacles[here.between.obstacle].number);
+      best.at = *point;
+      named = here.gap;
+    }
+    best.gap = std::min(best.gap, here.gap);
+  }
+}
+
+}  // namespace
+
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop) {
+  if (task.region.empty()) return std::nullopt;
+  const OpeningInterval openings = openings_met(task.linkage, task.region);
+  if (openings.empty()) return std::nullopt;
+  const Tightest own = smallest_gap_over(task.linkage, task.style, task.layers, openings);
+  ClearanceFigure best{
+      own.gap, name(*own.pair),
+      place_at_distance(task.region, task.linkage.pole(), task.linkage.radius_at(own.opening)), true};
+  if (const auto post = tightest_at_pole(task); post && post->gap < best.gap) {
+    best.gap = post->gap;
+    best.parts = post->post + " and " + obstacle_name(task, post->obstacle);
+  }
+  const ContactScene scene(task, best.gap);
+  if (scene.encounters.empty() || !(openings.width() > 0)) return best;
+  const EdgeTree region(task.region, task.linkage.pole());
+  Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
+                    {.contacts_stay_open = true, .region_only = true});
+  double named = best.gap;
+  while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
+    improve(best, named, task, scene, cells, stop);
+    cells.lower_clearance(best.gap - certain_to(task.linkage));
+    if (!cells.split(unless(stop))) break;
+  }
+  best.certified = cells.open().empty();
+  return best;
+}
+
+}  // namespace kempe

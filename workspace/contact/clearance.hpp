@@ -1,0 +1,22 @@
+#pragma once
+// The smallest gap while the tracer covers the region.
+
+#include "kinematics/stop_flag.hpp"
+#include "workspace/contact/contact_scene.hpp"
+
+namespace kempe {
+
+struct ClearanceFigure {
+  double gap = 0;            ///< mm; attained at `at`
+  std::string parts;         ///< "link VA and obstacle 2"
+  Point at = Point::Zero();  ///< the tracer's place, in the region
+  bool certified = false;    ///< no point of the region has a gap smaller by more than 0.01 mm
+};
+
+/// The smallest gap of any two parts, or of a part and an obstacle, over the region; openings at which the
+/// assembly does not exist are left out. Self-contact in closed form, obstacles by branch and bound over the
+/// two angles. Nothing if the region is empty or nowhere reachable. A gap is at least minus the half widths:
+/// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified.
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {});
+
+}  // namespace kempe

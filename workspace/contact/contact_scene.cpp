@@ -1,0 +1,126 @@
+#include "workspace/contact/contact_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kempe {
+namespace {
+
+/// Distances are rounded by less than this share of the coordinates they come from.
+constexpr double rounding = 1e-14;
+
+bool share_layer(const Part& part, const SceneObstacle& obstacle) {
+  return std::max(part.lowest_layer, obstacle.lowest_layer) <=
+         std::min(part.highest_layer, obstacle.highest_layer);
+}
+
+double farthest_of(const LinkageMotion& motion, const JointHull& hull) {
+  double farthest = 0;
+  for (int corner = 0; corner < hull.count; ++corner)
+    farthest = std::max(farthest, motion.farthest(hull.joints[static_cast<std::size_t>(corner)]));
+  return farthest;
+}
+
+/// Distance from the origin to a box: nothing inside can be nearer.
+double distance_from_origin(const Box& box) { return distance(box, {Point::Zero(), Point::Zero()}); }
+
+}  // namespace
+
+ContactScene::ContactScene(const MapTask& task, double within) : motion(task.linkage) {
+  for (const Part& part : parts_of(task.linkage, task.layers)) {
+    if (part.kind == Part::Kind::pole_post || part.lowest_layer > part.highest_layer) continue;
+    for (const JointHull& hull : axis_of(part, task.linkage.shape(), task.style.plate))
+      pieces.push_back({part, hull, half_width(part, task.style), farthest_of(motion, hull)});
+  }
+  double size = 0;
+  for (const ScenePiece& piece : pieces) size = std::max(size, piece.farthest + piece.half_width);
+  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
+    const Obstacle& given = task.obstacles[number];
+    SceneObstacle obstacle{EdgeTree(given.shape, task.linkage.pole()), number, given.lowest_layer,
+                           given.highest_layer, 0};
+    if (obstacle.edges.empty()) continue;
+    obstacle.slack =
+        rounding * (size + task.clearance + obstacle.edges.magnitude() + task.linkage.pole().norm());
+    const std::size_t before = encounters.size();
+    const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (share_layer(pieces[i].part, obstacle) &&
+          nearest < pieces[i].farthest + pieces[i].half_width + within)
+        encounters.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(obstacles.size())});
+    if (encounters.size() > before) obstacles.push_back(std::move(obstacle));
+  }
+}
+
+std::string obstacle_name(const MapTask& task, std::size_t index) {
+  const std::string& given = task.obstacles[index].name;
+  return given.empty() ? "obstacle " + std::to_string(index + 1) : given;
+}
+
+namespace {
+
+/// Distance between a hull and an obstacle, 0 if it lies inside, or some figure >= `enough` if it is larger.
+double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double enough) {
+  double least = enough;
+  for_each_edge(
+      obstacle.edges, [&](const Box& box) { return distance_from_box(hull, box) < least; },
+      [&](const EdgeTree::Edge& edge) { least = std::min(least, distance_to_edge(hull, edge)); });
+  return obstacle.edges.winds_around(hull[0].at) ? 0 : least;
+}
+
+}  // namespace
+
+ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing) {
+  ObstacleGap tightest{std::numeric_limits<double>::infinity()};
+  const MovingJoints joints = scene.motion.over(opening, 0, bearing, 0);
+  for (const Encounter& pair : scene.encounters) {
+    const ScenePiece& piece = scene.pieces[pair.piece];
+    const double gap = distance_to(scene.obstacles[pair.obstacle], {joints, piece.hull, {}},
+                                   tightest.gap + piece.half_width) -
+                       piece.half_width;
+    if (gap < tightest.gap) tightest = {gap, pair};
+  }
+  return tightest;
+}
+
+namespace {
+
+Part pole_post_of(const MapTask& task) {
+  Part post;
+  for (const Part& part : parts_of(task.linkage, task.layers))
+    if (part.kind == Part::Kind::pole_post) post = part;
+  return post;
+}
+
+/// Distance of an obstacle from the pole, if it reaches the post's layers.
+std::optional<double> distance_from_pole(const MapTask& task, const Part& post, const Obstacle& obstacle) {
+  // A pole in the lowest layer's link stands in its layer too: the joint itself must be clear.
+  if (obstacle.lowest_layer > std::max(post.highest_layer, 1)) return std::nullopt;
+  return distance(Region{{obstacle.shape}}, task.linkage.pole());
+}
+
+}  // namespace
+
+std::optional<std::size_t> obstacle_at_pole(const MapTask& task) {
+  const Part post = pole_post_of(task);
+  const double needed = half_width(post, task.style) + task.clearance;
+  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
+    const auto away = distance_from_pole(task, post, task.obstacles[number]);
+    if (away && *away < needed) return number;
+  }
+  return std::nullopt;
+}
+
+std::optional<PoleGap> tightest_at_pole(const MapTask& task) {
+  const Part post = pole_post_of(task);
+  std::optional<PoleGap> tightest;
+  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
+    const auto away = distance_from_pole(task, post, task.obstacles[number]);
+    if (!away) continue;
+    const double gap = *away - half_width(post, task.style);
+    if (!tightest || gap < tightest->gap) tightest = PoleGap{name(post), number, gap};
+  }
+  return tightest;
+}
+
+}  // namespace kempe

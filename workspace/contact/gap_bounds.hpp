@@ -1,0 +1,67 @@
+#pragma once
+// Bounds of the distance between a moving hull of joints and an edge at rest, over a rectangle of openings
+// and bearings.
+//
+// Let n point from the edge's nearest point to the hull's in the middle of the rectangle. A line at right
+// angles to n separates the two as far as n.z - n.y says for all corners z of the hull and ends y of the
+// edge, so
+//     distance >= min over corners ( n.z - |n.dz/dd| D - |n.dz/dt| T - rest ) - max over ends ( n.y ),
+// D and T being half the rectangle. The hull's nearest point itself moves by at most u along n and by at most
+// v across it,
+//     distance <= sqrt((distance in the middle + u)^2 + v^2).
+
+#include "geometry/edge_tree.hpp"
+#include "workspace/linkage_motion.hpp"
+#include "workspace/parts.hpp"
+
+namespace kempe {
+
+/// Half the sides of a rectangle of openings and bearings, rad.
+struct HalfSides {
+  double opening = 0, bearing = 0;
+};
+
+/// A hull of moving joints over a rectangle of openings and bearings.
+class MovingHull {
+ public:
+  /// `joints` are those of the rectangle and must outlive the object.
+  MovingHull(const MovingJoints& joints, const JointHull& hull, const HalfSides& half);
+
+  std::size_t size() const { return size_; }  ///< number of corners: 1, 2 or 3
+  const MovingJoint& operator[](std::size_t corner) const { return *corners_[corner]; }
+  const HalfSides& half() const { return half_; }
+  double reach() const { return reach_; }  ///< how far any of its points gets from its middle place, mm
+
+ private:
+  std::array<const MovingJoint*, 3> corners_;
+  std::size_t size_;
+  HalfSides half_;
+  double reach_;
+};
+
+struct GapBounds {
+  double lower, upper;            ///< mm, of the distance of hull and edge all over the rectangle
+  double middle;                  ///< mm, distance in the middle of the rectangle
+  double by_opening, by_bearing;  ///< mm, what either half side contributes to the uncertainty
+};
+
+/// Bounds of the distance between a hull and an edge.
+GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge);
+
+/// What is asked of bounds, mm: is the upper one below a distance, does the lower one reach another that is no
+/// smaller?
+struct GapQuestion {
+  double upper_below, lower_from;
+};
+
+/// The same bounds, but only as close as the answers need. Where the distance in the middle and the reach
+/// alone say yes, by_opening and by_bearing are 0.
+GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge, const GapQuestion& question);
+
+/// The distance between the hull in the middle of the rectangle and an edge, mm.
+double distance_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge);
+
+/// A lower bound of the distance between the hull in the middle of the rectangle and a box, mm.
+double distance_from_box(const MovingHull& hull, const Box& box);
+
+}  // namespace kempe

@@ -1,0 +1,127 @@
+#include "workspace/contact/layer_demands.hpp"
+
+#include <algorithm>
+
+#include "workspace/contact/self_contact.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr std::size_t first_joint = all_links.size();
+
+std::size_t body_of(const Part& part) {
+  return part.kind == Part::Kind::link ? static_cast<std::size_t>(part.link)
+                                       : first_joint + static_cast<std::size_t>(part.joint);
+}
+
+/// The body and, of a link, the joints' pins and posts that its outline holds.
+std::vector<std::size_t> held_by(std::size_t body) {
+  std::vector<std::size_t> held{body};
+  if (body >= first_joint) return held;
+  const LinkJoints joints = joints_of(all_links[body]);
+  for (int i = 0; i < joints.count; ++i)
+    held.push_back(first_joint + static_cast<std::size_t>(joints.joints[static_cast<std::size_t>(i)]));
+  return held;
+}
+
+/// Links hold their joints and share joints with their neighbours: such bodies are never kept apart.
+bool are_joined(std::size_t one, std::size_t other) {
+  const auto of_one = held_by(one), of_other = held_by(other);
+  return std::any_of(of_one.begin(), of_one.end(), [&](std::size_t body) {
+    return std::find(of_other.begin(), of_other.end(), body) != of_other.end();
+  });
+}
+
+struct Candidate {
+  LayerAssignment layers;
+  LayerDemands implied;
+};
+
+std::vector<Candidate> candidates(const CopyingLinkage& linkage, int layers,
+                                  const std::vector<Obstacle>& obstacles) {
+  const ObstacleLayers of_obstacles(obstacles, layers);
+  std::vector<Candidate> result;
+  // Without obstacles links above an empty layer may move down: what shared no layer before shares none then.
+  const bool are_alike = of_obstacles.ranges.empty();
+  for (const LayerAssignment& each : layer_assignments(are_alike ? std::min(layers, 4) : layers)) {
+    if (are_alike && !each.is_stacked()) continue;
+    result.push_back({each, LayerDemands(linkage, each, of_obstacles).implied()});
+  }
+  return result;
+}
+
+/// The layers of candidates that no other one beats; `beats` must be transitive, and of two that beat each other the
+/// first stays.
+template <typename Beats>
+std::vector<LayerAssignment> unbeaten(const std::vector<Candidate>& all, const Beats& beats) {
+  std::vector<const Candidate*> kept;
+  for (const Candidate& one : all) {
+    const auto beats_it = [&](const Candidate* other) { return beats(*other, one); };
+    if (std::any_of(kept.begin(), kept.end(), beats_it)) continue;
+    std::erase_if(kept, [&](const Candidate* other) { return beats(one, *other); });
+    kept.push_back(&one);
+  }
+  std::vector<LayerAssignment> result;
+  for (const Candidate* one : kept) result.push_back(one->layers);
+  return result;
+}
+
+}  // namespace
+
+ObstacleLayers::ObstacleLayers(const std::vector<Obstacle>& obstacles, int layers) {
+  for (const Obstacle& obstacle : obstacles) {
+    const LayerRange range{obstacle.lowest_layer, std::min(obstacle.highest_layer, layers)};
+    if (range.lowest <= range.highest && std::find(ranges.begin(), ranges.end(), range) == ranges.end())
+      ranges.push_back(range);
+  }
+}
+
+LayerDemands::LayerDemands(const CopyingLinkage& linkage, const LayerAssignment& layers,
+                           const ObstacleLayers& obstacles) {
+  for (const ContactPair& pair : contact_pairs(linkage, layers)) {
+    const std::size_t first = body_of(pair.first), second = body_of(pair.second);
+    pairs_[first] = static_cast<std::uint16_t>(pairs_[first] | 1u << second);
+    pairs_[second] = static_cast<std::uint16_t>(pairs_[second] | 1u << first);
+  }
+  for (const Part& part : parts_of(linkage, layers))
+    for (std::size_t i = 0; i < obstacles.ranges.size(); ++i)
+      if (std::max(part.lowest_layer, obstacles.ranges[i].lowest) <=
+          std::min(part.highest_layer, obstacles.ranges[i].highest))
+        obstacles_[body_of(part)] |= std::uint64_t{1} << i;
+}
+
+LayerDemands LayerDemands::implied() const {
+  LayerDemands all;
+  for (std::size_t one = 0; one < bodies; ++one)
+    for (const std::size_t held : held_by(one)) {
+      all.obstacles_[held] |= obstacles_[one];
+      for (std::size_t other = 0; other < bodies; ++other)
+        if (pairs_[one] >> other & 1)
+          for (const std::size_t of_other : held_by(other))
+            if (!are_joined(held, of_other))
+              all.pairs_[held] = static_cast<std::uint16_t>(all.pairs_[held] | 1u << of_other);
+    }
+  return all;
+}
+
+bool LayerDemands::within(const LayerDemands& other) const {
+  for (std::size_t i = 0; i < bodies; ++i)
+    if ((pairs_[i] & ~other.pairs_[i]) != 0 || (obstacles_[i] & ~other.obstacles_[i]) != 0) return false;
+  return true;
+}
+
+std::vector<LayerAssignment> least_demanding_assignments(const CopyingLinkage& linkage, int layers,
+                                                         const std::vector<Obstacle>& obstacles) {
+  return unbeaten(candidates(linkage, layers, obstacles), [](const Candidate& less, const Candidate& more) {
+    return less.implied.within(more.implied);
+  });
+}
+
+std::vector<LayerAssignment> assignments_worth_trying(const CopyingLinkage& linkage, int layers,
+                                                      const std::vector<Obstacle>& obstacles) {
+  return unbeaten(candidates(linkage, layers, obstacles), [](const Candidate& less, const Candidate& more) {
+    return less.layers.highest() <= more.layers.highest() && less.implied.within(more.implied);
+  });
+}
+
+}  // namespace kempe

@@ -1,0 +1,343 @@
+// Contact of the linkage with itself, in closed form.
+//
+// With V at the origin every joint is alpha p + beta q with fixed complex alpha, beta. A link is either
+// parallel to p (VA and BCY: alpha varies along the link, beta does not) or to q (VB and ACX: the other way
+// round); a pin or post is a point and passes for either. Links of different kind share a joint, so every
+// pair is of one kind, say p. Seen from p, its parts are the fixed outlines {alpha |p|} and only translate
+// against each other by
+//     t = (beta_2 - beta_1) |q| exp(i d):
+// a point on a circle, with |dt/dd| = |beta_2 - beta_1| |q|. The distance of their axes is that of t from the
+// convex polygon P = axis_1 - axis_2 (Minkowski), so
+//     distance = h  where the circle crosses P grown by h: its sides moved out by h, and circles of radius h
+//     about its
+// corners. These crossings are two closed-form angles each; between neighbouring crossings the sign of
+// distance - h is constant, and one test in the middle decides it. The smallest distance over an arc of the
+// circle is taken at an end of the arc, at the circle's crossings with P, or where t points to a corner of P
+// or against the normal of a side.
+
+#include "workspace/contact/self_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "geometry/segment_distance.hpp"
+
+namespace kempe {
+namespace {
+
+/// A convex polygon of few corners, counter-clockwise; one or two corners are a point and a segment.
+struct SmallPolygon {
+  std::array<Point, 18> corner;
+  std::size_t count = 0;
+
+  const Point& next(std::size_t i) const { return corner[i + 1 == count ? 0 : i + 1]; }
+
+  double distance(const Point& point) const {
+    double least = std::numeric_limits<double>::infinity();
+    bool within = count > 2;
+    for (std::size_t i = 0; i < count; ++i) {
+      least = std::min(least, squared_distance(point, corner[i], next(i)));
+      within = within && cross(next(i) - corner[i], point - corner[i]) > 0;
+    }
+    return within ? 0 : std::sqrt(least);
+  }
+};
+
+/// By insertion: the few points of a hull are sorted faster so.
+void sort_from_left(std::array<Point, 9>& points, std::size_t count) {
+  const auto before = [](const Point& a, const Point& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  };
+  for (std::size_t i = 1; i < count; ++i)
+    for (std::size_t j = i; j > 0 && before(points[j], points[j - 1]); --j)
+      std::swap(points[j], points[j - 1]);
+}
+
+/// Hull of at most nine points (monotone chain).
+SmallPolygon hull_of(std::array<Point, 9>& points, std::size_t count) {
+  sort_from_left(points, count);
+  SmallPolygon hull;
+  const auto turns_left = [&](const Point& next) {
+    const Point& a = hull.corner[hull.count - 2];
+    const Point& b = hull.corner[hull.count - 1];
+    return cross(b - a, next - a) > 0;
+  };
+  const auto add = [&](const Point& next, std::size_t keep) {
+    while (hull.count > keep && !turns_left(next)) --hull.count;
+    hull.corner[hull.count++] = next;
+  };
+  for (std::size_t i = 0; i < count; ++i) add(points[i], 1);
+  const std::size_t lower = hull.count;
+  for (std::size_t i = count - 1; i-- > 0;) add(points[i], lower);
+  if (hull.count > 1) --hull.count;  // the last corner is the first again
+  if (hull.count == 2 && hull.corner[0] == hull.corner[1]) hull.count = 1;
+  return hull;
+}
+
+/// alpha and beta of a joint.
+struct Weights {
+  Complex alpha, beta;
+};
+
+Weights weights_of(Joint joint, Complex s) {
+  switch (joint) {
+    case Joint::V: return {0, 0};
+    case Joint::A: return {1, 0};
+    case Joint::B: return {0, 1};
+    case Joint::C: return {1, 1};
+    case Joint::X: return {1, 1.0 / s};
+    case Joint::Y: break;
+  }
+  return {s, 1};
+}
+
+/// A piece of one part against a piece of another, seen from the direction they share.
+struct RelativeMotion {
+  SmallPolygon polygon;
+  double radius = 0;  ///< of the circle, mm
+  double phase = 0;   ///< the circle's angle is phase + sense d
+  double sense = 1;
+  double kept = 0;  ///< sum of the half widths, mm
+
+  double angle_at(double opening) const { return phase + sense * opening; }
+  double distance_at(double angle) const { return polygon.distance(as_point(std::polar(radius, angle))); }
+  double scale() const { return radius + polygon.corner[0].norm() + kept; }
+};
+
+/// Angles on a circle; at most four for each corner of a polygon, and two ends.
+struct Angles {
+  std::array<double, 76> at;
+  std::size_t count = 0;
+  void add(double angle) { at[count++] = angle; }
+  /// Both angles whose cosine against `direction` is `cosine`, if there are any.
+  void add_both(double direction, double cosine) {
+    if (!(std::abs(cosine) <= 1)) return;
+    const double half = std::acos(cosine);
+    add(direction - half);
+    add(direction + half);
+  }
+};
+
+double side_normal(const Point& from, const Point& to) {
+  return std::atan2(from.x() - to.x(), to.y() - from.y());
+}
+
+/// Where the circle crosses the sides of the polygon moved outwards by `reach`; the sides' normals as well if
+/// wanted.
+void add_side_crossings(Angles& angles, const RelativeMotion& motion, double reach,
+                        bool also_inward_normals) {
+  const SmallPolygon& polygon = motion.polygon;
+  for (std::size_t i = 0; polygon.count > 1 && i < polygon.count; ++i) {
+    const double normal = side_normal(polygon.corner[i], polygon.next(i));
+    const double offset = polygon.corner[i].dot(as_point(std::polar(1.0, normal)));
+    angles.add_both(normal, (offset + reach) / motion.radius);
+    if (also_inward_normals) angles.add(normal + pi);
+  }
+}
+
+/// Where the circle crosses the boundary of the polygon grown by `reach`, and perhaps at some other angles.
+Angles crossings(const RelativeMotion& motion, double reach) {
+  Angles angles;
+  add_side_crossings(angles, motion, reach, false);
+  for (std::size_t i = 0; i < motion.polygon.count; ++i) {
+    const Point& corner = motion.polygon.corner[i];
+    const double norm = corner.norm();
+    if (norm > 0)
+      angles.add_both(
+          std::atan2(corner.y(), corner.x()),
+          (motion.radius * motion.radius + norm * norm - reach * reach) / (2 * motion.radius * norm));
+  }
+  return angles;
+}
+
+/// Calls `use(lower, upper)` for the intervals of openings within `within` in which the motion's distance is
+/// < reach.
+template <class Use>
+void for_each_contact(const RelativeMotion& motion, double reach, const OpeningInterval& within, Use use) {
+  const auto nearer = [&](double opening) { return motion.distance_at(motion.angle_at(opening)) < reach; };
+  Angles angles = crossings(motion, reach);
+  std::array<double, 80> stops;
+  std::size_t count = 0;
+  stops[count++] = within.lower;
+  for (std::size_t i = 0; i < angles.count; ++i) {
+    double opening = motion.sense * (angles.at[i] - motion.phase);
+    opening -= 2 * pi * std::floor((opening - within.lower) / (2 * pi));
+    if (opening < within.upper) stops[count++] = opening;
+  }
+  stops[count++] = within.upper;
+  std::sort(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(count));
+  for (std::size_t i = 0; i + 1 < count; ++i)
+    if (nearer(0.5 * (stops[i] + stops[i + 1]))) use(stops[i], stops[i + 1]);
+}
+
+/// The openings at which the distance over `within` may be smallest, for the motion's own side of the circle.
+template <class Use>
+void for_each_candidate(const RelativeMotion& motion, const OpeningInterval& within, Use use) {
+  Angles angles;
+  if (motion.radius > 0) add_side_crossings(angles, motion, 0, true);
+  for (std::size_t i = 0; i < motion.polygon.count; ++i)
+    angles.add(std::atan2(motion.polygon.corner[i].y(), motion.polygon.corner[i].x()));
+  use(within.lower);
+  use(within.upper);
+  for (std::size_t i = 0; i < angles.count; ++i) {
+    double opening = motion.sense * (angles.at[i] - motion.phase);
+    opening -= 2 * pi * std::floor((opening - within.lower) / (2 * pi));
+    if (opening < within.upper) use(opening);
+  }
+}
+
+/// True if the parts of a pair are seen from p, false if from q.
+bool seen_from_p(const ContactPair& pair) {
+  const Part& link = pair.first.kind == Part::Kind::link ? pair.first : pair.second;
+  return link.kind != Part::Kind::link || link.link == Link::VA || link.link == Link::BCY;
+}
+
+RelativeMotion relative_motion(const CopyingLinkage& linkage, const JointHull& one, const JointHull& other,
+                               bool from_p, double kept) {
+  const auto fixed = [&](const Weights& w) {
+    return from_p ? linkage.VA() * w.alpha : linkage.VB() * w.beta;
+  };
+  const auto moving = [&](const Weights& w) {
+    return from_p ? linkage.VB() * w.beta : linkage.VA() * w.alpha;
+  };
+  const auto weights = [&](const JointHull& piece, int i) {
+    return weights_of(piece.joints[static_cast<std::size_t>(i)], linkage.shape());
+  };
+  std::array<Point, 9> differences;
+  std::size_t count = 0;
+  for (int i = 0; i < one.count; ++i)
+    for (int j = 0; j < other.count; ++j)
+      differences[count++] = as_point(fixed(weights(one, i)) - fixed(weights(other, j)));
+  const Complex translation = moving(weights(other, 0)) - moving(weights(one, 0));
+  return {hull_of(differences, count), std::abs(translation), std::arg(translation), from_p ? 1.0 : -1.0,
+          kept};
+}
+
+/// Calls `use(pair index, motion)` for every pair of pieces of every pair of parts.
+template <class Use>
+void for_each_motion(const CopyingLinkage& linkage, const LinkStyle& style,
+                     const std::vector<ContactPair>& pairs, Use use) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const ContactPair& pair = pairs[i];
+    const double kept = half_width(pair.first, style) + half_width(pair.second, style);
+    const auto others = axis_of(pair.second, linkage.shape(), style.plate);
+    for (const JointHull& one : axis_of(pair.first, linkage.shape(), style.plate))
+      for (const JointHull& other : others)
+        use(i, relative_motion(linkage, one, other, seen_from_p(pair), kept));
+  }
+}
+
+bool have_common_joint(const Part& a, const Part& b) {
+  if (a.kind != Part::Kind::link && b.kind != Part::Kind::link) return a.joint == b.joint;
+  if (a.kind != Part::Kind::link) return has_joint(b.link, a.joint);
+  if (b.kind != Part::Kind::link) return has_joint(a.link, b.joint);
+  const LinkJoints joints = joints_of(a.link);
+  return std::any_of(joints.joints.begin(), joints.joints.begin() + joints.count,
+                     [&](Joint joint) { return has_joint(b.link, joint); });
+}
+
+Hull hull_in(const JointHull& piece, const Pose& pose) {
+  return {{pose[piece.joints[0]], pose[piece.joints[1]], pose[piece.joints[2]]}, piece.count};
+}
+
+/// What the contacts leave of `within`, moved inwards by `precision` at each contact.
+std::vector<FreeOpenings> between(const std::vector<ContactOpenings>& contacts, const OpeningInterval& within,
+                                  double precision) {
+  std::vector<FreeOpenings> result;
+  double decided = within.lower;  // everything below is
+  std::optional<ContactPair> below;
+  const auto add = [&](double upper, std::optional<ContactPair> above) {
+    const OpeningInterval free{below ? decided + precision : decided, above ? upper - precision : upper};
+    if (!free.empty()) result.push_back({free, below, above});
+  };
+  for (const auto& [interval, pair] : contacts) {
+    if (interval.lower > decided) add(interval.lower, pair);
+    if (interval.upper <= decided) continue;
+    decided = interval.upper;
+    below = pair;
+  }
+  if (decided < within.upper || !below) add(within.upper, std::nullopt);
+  return result;
+}
+
+/// Distances are computed to this share of the sizes involved; twice as much more is kept than asked.
+constexpr double rounding = 1e-14;
+
+}  // namespace
+
+std::string name(const ContactPair& pair) { return name(pair.first) + " and " + name(pair.second); }
+
+std::vector<ContactPair> contact_pairs(const CopyingLinkage& linkage, const LayerAssignment& layers) {
+  const std::vector<Part> parts = parts_of(linkage, layers);
+  std::vector<ContactPair> pairs;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t j = i + 1; j < parts.size(); ++j) {
+      const Part &a = parts[i], &b = parts[j];
+      const bool share_layer =
+          std::max(a.lowest_layer, b.lowest_layer) <= std::min(a.highest_layer, b.highest_layer);
+      if ((share_layer || (a.is_post() && b.is_post())) && !have_common_joint(a, b)) pairs.push_back({a, b});
+    }
+  return pairs;
+}
+
+double gap(const ContactPair& pair, const Pose& pose, Complex shape, const LinkStyle& style) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto others = axis_of(pair.second, shape, style.plate);
+  for (const JointHull& one : axis_of(pair.first, shape, style.plate))
+    for (const JointHull& other : others)
+      least = std::min(least, distance(hull_in(one, pose), hull_in(other, pose)));
+  return least - half_width(pair.first, style) - half_width(pair.second, style);
+}
+
+Tightest tightest_gap(const CopyingLinkage& linkage, const Pose& pose, const LinkStyle& style,
+                      const LayerAssignment& layers) {
+  Tightest tightest{std::numeric_limits<double>::infinity(), std::nullopt};
+  for (const ContactPair& pair : contact_pairs(linkage, layers))
+    if (const double here = gap(pair, pose, linkage.shape(), style); here < tightest.gap)
+      tightest = {here, pair};
+  return tightest;
+}
+
+Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
+                           const LayerAssignment& layers, const OpeningInterval& openings) {
+  Tightest tightest{std::numeric_limits<double>::infinity(), std::nullopt};
+  if (openings.empty()) return tightest;
+  const std::vector<ContactPair> pairs = contact_pairs(linkage, layers);
+  for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
+    for_each_candidate(motion, openings, [&](double opening) {
+      const double here = motion.distance_at(motion.angle_at(opening)) - motion.kept;
+      if (here < tightest.gap) tightest = {here, pairs[pair], opening};
+    });
+  });
+  return tightest;
+}
+
+std::vector<ContactOpenings> contact_openings(const CopyingLinkage& linkage, const LinkStyle& style,
+                                              const LayerAssignment& layers, double clearance,
+                                              const OpeningInterval& within) {
+  if (within.empty()) return {};
+  const std::vector<ContactPair> pairs = contact_pairs(linkage, layers);
+  std::vector<ContactOpenings> contacts;
+  for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
+    const double reach = motion.kept + clearance + 2 * rounding * (motion.scale() + clearance);
+    for_each_contact(motion, reach, within, [&](double lower, double upper) {
+      contacts.push_back({{lower, upper}, pairs[pair]});
+    });
+  });
+  std::stable_sort(contacts.begin(), contacts.end(), [](const ContactOpenings& a, const ContactOpenings& b) {
+    return std::tie(a.interval.lower, a.interval.upper) < std::tie(b.interval.lower, b.interval.upper);
+  });
+  return contacts;
+}
+
+std::vector<FreeOpenings> contact_free_openings(const CopyingLinkage& linkage, const LinkStyle& style,
+                                                const LayerAssignment& layers, double clearance,
+                                                const OpeningInterval& within, double precision) {
+  if (within.empty()) return {};
+  return between(contact_openings(linkage, style, layers, clearance, within), within, precision);
+}
+
+}  // namespace kempe

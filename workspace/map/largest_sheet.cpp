@@ -1,0 +1,285 @@
+#include "workspace/map/largest_sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "geometry/edge_tree.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr int pixels = 160;           ///< across the raster of the first search
+constexpr int turns = 24;             ///< tried in half a turn
+constexpr int kept = 6;               ///< places that are improved
+constexpr double enlarged_by = 1e-9;  ///< sheets are shrunk by this share against rounding
+
+/// Where a rectangle stands; its scale is half its height.
+struct Place {
+  Point centre = Point::Zero();
+  double turn = 0;
+  double half_height = 0;
+};
+
+Point turned_by(const Point& point, double cosine, double sine) {
+  return {cosine * point.x() - sine * point.y(), sine * point.x() + cosine * point.y()};
+}
+
+/// Rectangles of one proportion in a region.
+class SheetFinder {
+ public:
+  SheetFinder(const Region& region, double proportion)
+      : tree_(region, Point::Zero()), proportion_(proportion), box_(bounding_box(region)) {}
+
+  /// Half the height of the largest rectangle about a centre at a turn; 0 if the centre lies outside.
+  double half_height_at(const Point& centre, double turn, double at_most) const {
+    if (!tree_.winds_around(centre)) return 0;
+    const double cosine = std::cos(turn), sine = std::sin(turn);
+    const double corner = std::hypot(1, proportion_);  // of half a height of 1
+    double least = at_most;
+    for_each_edge(
+        tree_,
+        [&](const Box& box) {
+          return distance(box, {centre, centre}) < least * corner;
+        },
+        [&](const EdgeTree::Edge& edge) {
+          least = std::min(least, square_distance(squared_up(edge.from - centre, cosine, sine),
+                                                  squared_up(edge.to - centre, cosine, sine)));
+        });
+    return least;
+  }
+
+  /// The best places of a coarse search, best first.
+  std::vector<Place> candidates(const std::vector<double>& at_turns) const {
+    std::vector<Place> places;
+    for (const double turn : at_turns) places.push_back(coarse(turn));
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.half_height > b.half_height; });
+    places.resize(std::min<std::size_t>(places.size(), kept));
+    return places;
+  }
+
+  /// Moves (and turns) a rectangle to where it can be larger, by random steps that shrink when they stop
+  /// helping.
+  Place improved(Place place, bool may_turn) const {
+    const double size = (box_.upper - box_.lower).norm();
+    std::mt19937_64 engine(1);
+    const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
+    place.half_height = half_height_at(place.centre, place.turn, size);
+    for (double step = size / pixels; step > 1e-6 * size; step *= 0.5) {
+      for (int failures = 0; failures < 24;) {
+        const double down = unit(), across = unit();
+        const Point centre = place.centre + step * Point(across, down);
+        const double turn = place.turn + (may_turn ? 4 * step / size * unit() : 0);
+        const double half_height = half_height_at(centre, turn, size);
+        if (half_height > place.half_height) {
+          place = {centre, turn, half_height};
+        } else {
+          ++failures;
+        }
+      }
+    }
+    return place;
+  }
+
+ private:
+  /// A point in the frame in which the rectangle is a square of half side 1 for a half height of 1.
+  Point squared_up(const Point& point, double cosine, double sine) const {
+    const Point turned = turned_by(point, cosine, -sine);
+    return {turned.x() / proportion_, turned.y()};
+  }
+
+  /// Least of max(|x|, |y|) along a segment: at an end or where it crosses a diagonal.
+  static double square_distance(const Point& a, const Point& b) {
+    const auto size = [](const Point& p) { return std::max(std::abs(p.x()), std::abs(p.y())); };
+    double least = std::min(size(a), size(b));
+    for (const double sign : {1.0, -1.0}) {
+      const double from = a.x() - sign * a.y(), to = b.x() - sign * b.y();
+      if ((from < 0) != (to < 0)) least = std::min(least, size(a + from / (from - to) * (b - a)));
+    }
+    return least;
+  }
+
+  /// The largest square of pixels whose middles lie inside, at one turn.
+  Place coarse(double turn) const;
+
+  EdgeTree tree_;
+  double proportion_;
+  Box box_;
+};
+
+/// The raster of one turn: for each pixel, whether its middle lies inside.
+class Raster {
+ public:
+  Raster(const Box& box)
+      : origin_(box.lower), pixel_((box.upper - box.lower).maxCoeff() / pixels), crossings_(pixels) {}
+
+  void add(const Point& a, const Point& b) {
+    const Point &low = a.y() < b.y() ? a : b, &high = a.y() < b.y() ? b : a;
+    const double first = std::ceil((low.y() - origin_.y()) / pixel_ - 0.5);
+    const double last = std::ceil((high.y() - origin_.y()) / pixel_ - 0.5);
+    for (int row = std::max(0, static_cast<int>(first)); row < std::min<double>(pixels, last); ++row) {
+      const double y = origin_.y() + (row + 0.5) * pixel_;
+      const double x = low.x() + (y - low.y()) / (high.y() - low.y()) * (high.x() - low.x());
+      crossings_[static_cast<std::size_t>(row)].push_back((x - origin_.x()) / pixel_ - 0.5);
+    }
+  }
+
+  /// Side in pixels and middle of the largest square of inside pixels.
+  std::pair<int, Point> largest_square() {
+    std::vector<int> side(static_cast<std::size_t>(pixels) * pixels, 0);
+    const auto at = [&](int row, int column) -> int& {
+      return side[static_cast<std::size_t>(row) * pixels + static_cast<std::size_t>(column)];
+    };
+    int best = 0;
+    Point middle = Point::Zero();
+    for (int row = 0; row < pixels; ++row) {
+      mark_inside(row, [&](int column) { at(row, column) = 1; });
+      for (int column = 0; column < pixels; ++column) {
+        if (at(row, column) == 0 || row == 0 || column == 0) continue;
+        at(row, column) += std::min({at(row - 1, column), at(row, column - 1), at(row - 1, column - 1)});
+        if (at(row, column) <= best) continue;
+        best = at(row, column);
+        middle = origin_ + pixel_ * Point(column + 1 - 0.5 * best, row + 1 - 0.5 * best);
+      }
+    }
+    return {best, middle};
+  }
+  double pixel() const { return pixel_; }
+
+ private:
+  template <class Mark>
+  void mark_inside(int row, Mark mark) {
+    auto& at = crossings_[static_cast<std::size_t>(row)];
+    std::sort(at.begin(), at.end());
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2)
+      for (int column = std::max(0, static_cast<int>(std::ceil(at[i])));
+           column < std::min<double>(pixels, at[i + 1]); ++column)
+        mark(column);
+  }
+
+  Point origin_;
+  double pixel_;
+  std::vector<std::vector<double>> crossings_;
+};
+
+Place SheetFinder::coarse(double turn) const {
+  const double cosine = std::cos(turn), sine = std::sin(turn);
+  std::vector<std::pair<Point, Point>> edges;
+  Box box{Point::Constant(std::numeric_limits<double>::infinity()),
+          Point::Constant(-std::numeric_limits<double>::infinity())};
+  for_each_edge(
+      tree_, [](const Box&) { return true; },
+      [&](const EdgeTree::Edge& edge) {
+        edges.emplace_back(squared_up(edge.from, cosine, sine), squared_up(edge.to, cosine, sine));
+        box = {box.lower.cwiseMin(edges.back().first), box.upper.cwiseMax(edges.back().first)};
+      });
+  Raster raster(box);
+  for (const auto& [a, b] : edges) raster.add(a, b);
+  const auto [side, middle] = raster.largest_square();
+  return {turned_by({middle.x() * proportion_, middle.y()}, cosine, sine), turn, 0.5 * side * raster.pixel()};
+}
+
+/// Flat enough that the loss is not seen, and inside the region.
+Region flat(const ArcRegion& region) {
+  Box box{Point::Constant(std::numeric_limits<double>::infinity()),
+          Point::Constant(-std::numeric_limits<double>::infinity())};
+  for (const ArcPolygon& polygon : region)
+    for (const ArcVertex& vertex : polygon.outer)
+      box = {box.lower.cwiseMin(vertex.at), box.upper.cwiseMax(vertex.at)};
+  return flattened(region, 1e-5 * (box.upper - box.lower).norm(), Flatten::shrinks);
+}
+
+std::vector<double> turns_to_try(bool turned) {
+  if (!turned) return {0, pi / 2};
+  std::vector<double> all;
+  for (int i = 0; i < turns; ++i) all.push_back(pi * i / turns);
+  return all;
+}
+
+std::optional<Place> best_place(const Region& region, double proportion, bool turned) {
+  if (region.empty()) return std::nullopt;
+  const SheetFinder finder(region, proportion);
+  Place best;
+  for (const Place& place : finder.candidates(turns_to_try(turned))) {
+    const Place better = finder.improved(place, turned);
+    if (better.half_height > best.half_height) best = better;
+  }
+  if (!(best.half_height > 0)) return std::nullopt;
+  best.half_height *= 1 - enlarged_by;
+  return best;
+}
+
+/// A turn brought into (-pi/2, pi/2]: half a turn leaves a rectangle as it is.
+double reduced(double turn) {
+  const double within = turn - pi * std::ceil(turn / pi - 0.5);
+  return within;
+}
+
+FittingSheet sheet_at(const Place& place, double proportion) {
+  return {"", 2 * place.half_height * proportion, 2 * place.half_height, place.centre, reduced(place.turn)};
+}
+
+struct IsoSheet {
+  const char* name;
+  double width, height;  // mm
+};
+constexpr std::array<IsoSheet, 9> iso_sheets{{{"A0", 1189, 841},
+                                              {"A1", 841, 594},
+                                              {"A2", 594, 420},
+                                              {"A3", 420, 297},
+                                              {"A4", 297, 210},
+                                              {"A5", 210, 148},
+                                              {"A6", 148, 105},
+                                              {"A7", 105, 74},
+                                              {"A8", 74, 52}}};
+
+std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned) {
+  const auto place = best_place(region, std::sqrt(2.0), turned);
+  if (!place) return std::nullopt;
+  for (const IsoSheet& sheet : iso_sheets) {
+    if (place->half_height < 0.49 * sheet.height) continue;  // 2 % of room for the sheets' own proportions
+    const SheetFinder finder(region, sheet.width / sheet.height);
+    const Place own = finder.improved(*place, turned);
+    if (own.half_height * (1 - enlarged_by) < 0.5 * sheet.height) continue;
+    return FittingSheet{sheet.name, sheet.width, sheet.height, own.centre, reduced(own.turn)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned) {
+  const auto place = best_place(flat(region), proportion, turned);
+  if (!place) return std::nullopt;
+  return sheet_at(*place, proportion);
+}
+
+std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region) {
+  const Region flattened_once = flat(region);
+  const auto upright = largest_iso_sheet(flattened_once, false),
+             turned = largest_iso_sheet(flattened_once, true);
+  return turned && (!upright || turned->width > upright->width) ? turned : upright;
+}
+
+std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like) {
+  std::vector<FittingSheet> sheets;
+  if (auto iso = largest_iso_sheet(free)) sheets.push_back(std::move(*iso));
+  if (like.empty()) return sheets;
+  const Box box = bounding_box(like);
+  const Point size = box.upper - box.lower;
+  if (!(size.minCoeff() > 0)) return sheets;
+  auto upright = largest_rectangle(free, size.x() / size.y(), false);
+  auto turned = largest_rectangle(free, size.x() / size.y(), true);
+  if (turned && (!upright || turned->width > 1.01 * upright->width)) upright = std::move(turned);
+  if (upright) {
+    upright->name = "region's proportions";
+    sheets.push_back(std::move(*upright));
+  }
+  return sheets;
+}
+
+}  // namespace kempe

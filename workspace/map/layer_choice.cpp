@@ -1,0 +1,122 @@
+#include "workspace/map/layer_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "workspace/contact/clearance.hpp"
+#include "workspace/contact/layer_demands.hpp"
+#include "workspace/contact/self_contact.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// The openings by which assignments are compared, and whether they are those that the region needs.
+struct Compared {
+  OpeningInterval openings;
+  bool of_region;
+};
+
+Compared compared_openings(const MapTask& task) {
+  const OpeningInterval usable = task.linkage.openings_with_transmission(task.transmission);
+  if (const auto needed = openings_over(task.linkage, task.region)) return {*needed, true};
+  return {usable.empty() ? task.linkage.assembly_interval() : usable, false};
+}
+
+double widest_free(const MapTask& task) {
+  double width = 0;
+  for (const FreeOpenings& one :
+       contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
+                             task.linkage.openings_with_transmission(task.transmission)))
+    width = std::max(width, one.interval.width());
+  return width;
+}
+
+LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compared& by, double best_gap,
+                        const StopFlag& stop) {
+  task.layers = layers;
+  const Tightest own = smallest_gap_over(task.linkage, task.style, layers, by.openings);
+  LayerFinding finding{
+      layers, own.gap, name(*own.pair), task.linkage.tracer_at(own.opening, 0), false, widest_free(task),
+      true};
+  if (by.of_region && own.gap < best_gap && !task.obstacles.empty()) {
+    finding.compared = false;
+  } else if (const auto figure = by.of_region ? smallest_clearance(task, stop) : std::nullopt) {
+    finding.gap = figure->gap;
+    finding.parts = figure->parts;
+    finding.at = figure->at;
+  }
+  finding.keeps_clearance = finding.gap >= task.clearance;
+  return finding;
+}
+
+/// Gaps and openings nearer to each other than this are equal, mm and rad.
+constexpr double same_gap = 1e-9;
+
+/// Larger is better; the last digits do not count.
+double rank_of(double figure) { return -std::round(figure / same_gap); }
+
+std::string why_not(const LayerFinding& finding, const LayerFinding& best, double clearance) {
+  const int count = finding.layers.highest();
+  if (finding.keeps_clearance)
+    return fmt::format("{} layers would do with {:.2f} mm ({}); {} layers keep {:.2f} mm.", count,
+                       finding.gap, finding.parts, best.layers.highest(), best.gap);
+  return fmt::format(
+      "{} layers fail: {} {} with the tracer at ({:.1f}, {:.1f}); {:.2f} mm are required.", count,
+      finding.parts,
+      finding.gap > 0 ? fmt::format("come within {:.2f} mm", finding.gap) : std::string("overlap"),
+      finding.at.x(), finding.at.y(), clearance);
+}
+
+/// All that leave no layer empty, for a person asks about each number of layers; of the others those that may be better.
+std::vector<LayerAssignment> compared_assignments(const MapTask& task, int layers) {
+  std::vector<LayerAssignment> all = layer_assignments(layers);
+  const auto worth_trying = assignments_worth_trying(task.linkage, layers, task.obstacles);
+  std::erase_if(all, [&](const LayerAssignment& one) {
+    return !one.is_stacked() &&
+           std::find(worth_trying.begin(), worth_trying.end(), one) == worth_trying.end();
+  });
+  return all;
+}
+
+}  // namespace
+
+LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop) {
+  LayerChoice choice;
+  const Compared by = compared_openings(task);
+  double best_gap = -std::numeric_limits<double>::infinity();
+  for (const LayerAssignment& assignment : compared_assignments(task, layers)) {
+    if (stop() && !choice.findings.empty()) break;
+    choice.findings.push_back(finding_of(task, assignment, by, best_gap, stop));
+    if (choice.findings.back().compared) best_gap = std::max(best_gap, choice.findings.back().gap);
+  }
+  const auto order = [&](const LayerFinding& one) {
+    return std::tuple(!one.compared, by.of_region ? rank_of(one.gap) : 0, rank_of(one.free_opening),
+                      one.layers.highest());
+  };
+  std::stable_sort(choice.findings.begin(), choice.findings.end(),
+                   [&](const LayerFinding& a, const LayerFinding& b) { return order(a) < order(b); });
+  const LayerFinding& best = choice.findings.front();
+  choice.best = best.layers;
+  for (int fewer = 2; fewer < best.layers.highest(); ++fewer)
+    for (const LayerFinding& finding : choice.findings)
+      if (finding.layers.highest() == fewer) {
+        choice.why_not_fewer.push_back(why_not(finding, best, task.clearance));
+        break;
+      }
+  if (!best.layers.is_stacked())
+    if (const auto stacked = std::find_if(choice.findings.begin(), choice.findings.end(),
+                                          [&](const LayerFinding& finding) {
+                                            return finding.layers.is_stacked() &&
+                                                   finding.layers.highest() == best.layers.highest();
+                                          });
+        stacked != choice.findings.end())
+      choice.why_not_fewer.push_back("With links in each of them " + why_not(*stacked, best, task.clearance));
+  return choice;
+}
+
+}  // namespace kempe

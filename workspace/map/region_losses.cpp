@@ -1,0 +1,56 @@
+#include "workspace/map/region_losses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geometry/regions/region_algebra.hpp"
+
+namespace kempe {
+namespace {
+
+/// Exact intersections take about 30 us a corner.
+constexpr std::size_t most_corners = 30'000;
+/// Smaller shares are slivers.
+constexpr double least_share = 1e-6;
+
+std::size_t corners_of(const ArcRegion& region) {
+  std::size_t count = 0;
+  for (const ArcPolygon& polygon : region) {
+    count += polygon.outer.size();
+    for (const ArcRing& hole : polygon.holes) count += hole.size();
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<RegionLoss> region_losses(const std::vector<LostArea>& lost, const Region& region) {
+  const double whole = area(region);
+  const ArcRegion arcs = as_arcs(region);
+  std::size_t corners = corners_of(arcs) * lost.size();
+  for (const LostArea& one : lost) corners += corners_of(one.area);
+  if (!(whole > 0) || corners > most_corners) return {};
+  std::vector<RegionLoss> losses;
+  for (const LostArea& one : lost) {
+    const double share = area(intersection(one.area, arcs)) / whole;
+    if (share > least_share) losses.push_back({one.cause, one.parts, share});
+  }
+  std::stable_sort(losses.begin(), losses.end(),
+                   [](const RegionLoss& a, const RegionLoss& b) { return a.share > b.share; });
+  return losses;
+}
+
+std::string losses_sentence(const std::vector<RegionLoss>& losses) {
+  if (losses.empty()) return {};
+  double sum = 0;
+  for (const RegionLoss& loss : losses) sum += loss.share;
+  const RegionLoss& most = losses.front();
+  std::string to(name(most.cause));
+  if (most.parts.size() == 2) to += " of " + most.parts[0] + " and " + most.parts[1];
+  if (losses.size() == 1) return fmt::format("{:.1f} % of the region is lost to this: {}.", 100 * sum, to);
+  return fmt::format("{:.1f} % of the region is lost, most of it ({:.1f} %) to: {}.", 100 * sum,
+                     100 * most.share, to);
+}
+
+}  // namespace kempe

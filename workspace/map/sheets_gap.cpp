@@ -1,0 +1,42 @@
+#include "workspace/map/sheets_gap.hpp"
+
+#include <fmt/format.h>
+
+#include "geometry/regions/region_algebra.hpp"
+#include "geometry/regions/region_growth.hpp"
+
+namespace kempe {
+namespace {
+
+/// Exact Boolean operations on more corners than this would take seconds.
+constexpr std::size_t most_corners = 4000;
+
+std::size_t corners_of(const Region& region) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : region.polygons) {
+    count += polygon.outer.size();
+    for (const Ring& hole : polygon.holes) count += hole.size();
+  }
+  return count;
+}
+
+}  // namespace
+
+std::optional<SheetOverlap> sheet_overlap(const MapTask& task) {
+  if (!task.sheets_gap || task.region.empty()) return std::nullopt;
+  const Region copy = similar_image(task.region, task.linkage.k(), task.linkage.pole());
+  if (are_apart(task.region, copy, *task.sheets_gap)) return std::nullopt;
+  const NearestPlaces nearest = *nearest_places(task.region, copy);
+  const std::string found =
+      nearest.distance > 0 ? fmt::format("are {:.2f} mm apart", nearest.distance) : "overlap";
+  SheetOverlap overlap{fmt::format("sheet overlap: the original and its copy {}; {:.2f} mm are required",
+                                   found, *task.sheets_gap),
+                       nearest.on_one,
+                       {}};
+  if (corners_of(task.region) > most_corners) return overlap;
+  if (const auto around = grown(copy, *task.sheets_gap))
+    overlap.area = intersection(as_arcs(task.region), as_arcs(*around));
+  return overlap;
+}
+
+}  // namespace kempe

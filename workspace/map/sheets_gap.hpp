@@ -1,0 +1,18 @@
+#pragma once
+// Original and copy lie on one table: do they keep their distance?
+
+#include "workspace/map/workspace_map.hpp"
+
+namespace kempe {
+
+/// What is wrong if the region and its copy are nearer than the task's sheets_gap; nothing if they keep it or
+/// none is asked for. Exact for the corners as doubles; it depends on the ratio, the pole and the region
+/// alone.
+struct SheetOverlap {
+  std::string sentence;  ///< with figures
+  Point at;              ///< the region's place nearest to the copy, or in it
+  ArcRegion area;  ///< the part of the region nearer to the copy than the gap; empty for very large regions
+};
+std::optional<SheetOverlap> sheet_overlap(const MapTask& task);
+
+}  // namespace kempe
