@@ -63,8 +63,8 @@ tl::expected<std::vector<BatchTask>, InputError> line_tasks(const std::string& f
 
 Json figures(const Design& design) {
   const CopyingLinkage& l = design.linkage;
-  Json line{{"vertex", std::string(name(l.vertex()))},
-            {"assembly", l.assembly()},
+  Json line{{"vertex", std::string(name(l.grounding()))},
+            {"assembly", l.assembly_mode()},
             {"VA_mm", l.VA()},
             {"VB_mm", l.VB()},
             {"pole_mm", {l.pole().x(), l.pole().y()}},
@@ -76,7 +76,7 @@ Json figures(const Design& design) {
             {"copy_error_max_mm", design.verification.copy_error_max}};
   if (design.search)
     line["objective"] = std::string(name(design.search->objective)), line["value"] = design.search->value;
-  if (design.quality.lower_bound) line["lower_bound"] = *design.quality.lower_bound;
+  if (design.quality.proven_bound) line["lower_bound"] = *design.quality.proven_bound;
   if (design.search && !design.search->complete) line["complete"] = false;
   return line;
 }

@@ -46,7 +46,7 @@ std::vector<std::filesystem::path> LoadedSpec::inputs() const {
 namespace {
 
 std::string grounding_sentence(const CopyingLinkage& linkage) {
-  return fmt::format("{} at the vertex V; pole {}, tracer {}, pen {}", name(linkage.vertex()),
+  return fmt::format("{} at the vertex V; pole {}, tracer {}, pen {}", name(linkage.grounding()),
                      letter(linkage.pole_joint()), letter(linkage.tracer_joint()),
                      letter(linkage.pen_joint()));
 }
@@ -92,9 +92,9 @@ std::string reach_line(std::size_t out_of_reach) {
 }
 
 std::string bound_line(const Design& design) {
-  if (!design.quality.lower_bound || !design.search) return "";
+  if (!design.quality.proven_bound || !design.search) return "";
   const bool angle = design.search->objective == Objective::transmission;
-  const double bound = *design.quality.lower_bound;
+  const double bound = *design.quality.proven_bound;
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
   std::string text = fmt::format("bound        no design can be {} {:.{}f} {}", angle ? "above" : "below",
                                  angle ? degrees(bound) : bound,
@@ -107,7 +107,7 @@ std::string relaxation_line(const Relaxation& relaxation) {
   const CopyingLinkage& linkage = relaxation.design.linkage;
   const int d = decimals_for(linkage);
   return fmt::format("  {}: VA = {:.{}f} mm, VB = {:.{}f} mm, {} at the vertex, pole ({:.{}f}, {:.{}f})\n",
-                     relaxation.sentence, linkage.VA(), d, linkage.VB(), d, name(linkage.vertex()),
+                     relaxation.sentence, linkage.VA(), d, linkage.VB(), d, name(linkage.grounding()),
                      linkage.pole().x(), d, linkage.pole().y(), d);
 }
 
@@ -237,7 +237,7 @@ int tell_no_design(const Session& session, const NoDesign& none) {
       object["relaxations"].push_back({{"limit", limit_word(relaxation)},
                                        {"key", relaxation.key},
                                        {"sentence", relaxation.sentence},
-                                       {"vertex", std::string(name(relaxation.design.linkage.vertex()))},
+                                       {"vertex", std::string(name(relaxation.design.linkage.grounding()))},
                                        {"VA_mm", relaxation.design.linkage.VA()},
                                        {"VB_mm", relaxation.design.linkage.VB()}});
     print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -257,8 +257,8 @@ void give_memory_back() {
 
 }  // namespace
 
-int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,
-                          const std::filesystem::path& folder) {
+int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
+                   const std::filesystem::path& folder) {
   design.verification = verify(verification_task(design));
   if (!design.verification.certified)
     return fail(verification_failed,

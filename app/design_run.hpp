@@ -27,8 +27,8 @@ std::string shown_name(const std::string& file);
 
 /// Verifies the design, writes its folder and prints the summary. Returns the exit code: `verification_failed` (and
 /// nothing written), `cannot_write`, or done.
-int verify_write_and_tell(const Session& session, Design& design, const LoadedSpec& spec,
-                          const std::filesystem::path& folder);
+int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
+                   const std::filesystem::path& folder);
 
 /// Says why no design exists and what would make one possible; returns `no_design`.
 int tell_no_design(const Session& session, const NoDesign& none);

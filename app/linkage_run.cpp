@@ -61,7 +61,7 @@ int tell_not_assembled(const LoadedLinkage& loaded, const Missing& missing, std:
   AssemblySearch search;
   search.seed = seed;
   search.stop = wish_to_stop();
-  const auto found = start_assemblies(free.file, free.model, search);
+  const auto found = start_assembly_modes(free.file, free.model, search);
   if (!found && search.stop()) return tell_stopped();
   if (!found)
     return fail(no_design,
@@ -79,7 +79,7 @@ int tell_not_assembled(const LoadedLinkage& loaded, const Missing& missing, std:
 int tell_no_path(const LoadedLinkage& loaded, const NoPathHere& none) {
   if (none.why == NoPath::does_not_assemble)
     return tell_not_assembled(
-        loaded, missing_at(loaded.model.linkage, none.assembly, loaded.model.schedule.values_at(0)), 1);
+        loaded, missing_at(loaded.model.linkage, none.assembly_mode, loaded.model.schedule.values_at(0)), 1);
   const Mobility mobility = mobility_of(loaded.model.linkage, none.position);
   if (mobility.mobility != static_cast<int>(loaded.model.linkage.drivers().size()))
     return tell_wrong_drivers(loaded, mobility);
@@ -127,7 +127,7 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLink
   AssemblySearch search;
   search.seed = seed;
   search.stop = wish_to_stop();
-  auto found = start_assemblies(loaded.file, loaded.model, search);
+  auto found = start_assembly_modes(loaded.file, loaded.model, search);
   if (found) return std::move(*found);
   const NoAssembly& none = found.error();
   if (!none.unmet.empty())

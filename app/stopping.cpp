@@ -36,12 +36,12 @@ CLI::Option* add_time_limit(CLI::App& command, double& seconds, const std::strin
 }
 
 int tell_stopped(const Session& session, const Stopping& stopping, const std::string& known,
-                 const std::optional<double>& lower_bound) {
+                 const std::optional<double>& proven_bound) {
   const std::string sentence = fmt::format("stopped ({}) {}", stopping.reason(), known);
   if (session.json) {
     nlohmann::ordered_json object{
         {"error", "stopped"}, {"reason", stopping.reason()}, {"sentence", sentence}};
-    object["lower_bound"] = lower_bound ? nlohmann::ordered_json(*lower_bound) : nlohmann::ordered_json();
+    object["lower_bound"] = proven_bound ? nlohmann::ordered_json(*proven_bound) : nlohmann::ordered_json();
     print(object.dump(1) + "\n");
   }
   return fail(stopping.code(), sentence);

@@ -42,6 +42,6 @@ CLI::Option* add_time_limit(CLI::App& command, double& seconds, const std::strin
 
 /// Says that a command stopped before an answer and what is known nevertheless; returns the exit code.
 int tell_stopped(const Session& session, const Stopping& stopping, const std::string& known,
-                 const std::optional<double>& lower_bound = {});
+                 const std::optional<double>& proven_bound = {});
 
 }  // namespace kempe::app

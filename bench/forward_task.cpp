@@ -98,9 +98,9 @@ ForwardTask forward_task(const std::string& name, int poses) {
   const auto file = read_linkage_file(name);
   if (!file) throw std::runtime_error("cannot read " + name);
   ForwardTask task{file->name, linkage_model(*file), {}, {}, {}};
-  auto assemblies = start_assemblies(*file, task.model);
-  if (!assemblies) throw std::runtime_error(name + " does not assemble");
-  task.start = std::move(assemblies->front());
+  auto assembly_modes = start_assembly_modes(*file, task.model);
+  if (!assembly_modes) throw std::runtime_error(name + " does not assemble");
+  task.start = std::move(assembly_modes->front());
   task.values = drive(task.model, poses);
   task.points = points_of(*file, task);
   const ForwardResult moved = move_with_kempe(task, 1);

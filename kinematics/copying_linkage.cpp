@@ -23,17 +23,6 @@ constexpr double cosine_slack = 1e-12;
 
 }  // namespace
 
-std::string_view name(Vertex vertex) {
-  switch (vertex) {
-    case Vertex::pole: return "pole";
-    case Vertex::tracer: return "tracer";
-    case Vertex::pen: return "pen";
-  }
-  return "";
-}
-
-char letter(Joint joint) { return "VABCXY"[static_cast<int>(joint)]; }
-
 std::string_view name(Unreachable why) {
   switch (why) {
     case Unreachable::too_far: return "beyond the outer reach";
@@ -49,7 +38,7 @@ std::string_view name(LinkageFault fault) {
     case LinkageFault::ratio_zero: return "a copy ratio of 0 copies everything onto one point";
     case LinkageFault::ratio_one: return "scale 1 without rotation is a translation, which has no pole";
     case LinkageFault::length_not_positive: return "a link length is not a positive finite number";
-    case LinkageFault::no_such_assembly: return "the linkage has no assembly of this number";
+    case LinkageFault::no_such_assembly_mode: return "the linkage has no assembly of this number";
   }
   return "";
 }
@@ -68,55 +57,34 @@ Point& Pose::operator[](Joint joint) {
   return Y;
 }
 
-Complex shape_of(Complex k, Vertex vertex) {
-  switch (vertex) {
-    case Vertex::pole: return k;
-    case Vertex::tracer: return 1.0 - k;
-    case Vertex::pen: break;
-  }
-  return 1.0 - 1.0 / k;
-}
-
 bool is_straight(Complex shape) { return dead_point_opening(shape) == 0; }
 
-std::vector<OpeningInterval> assemblies(Complex shape) {
+std::vector<OpeningInterval> assembly_modes(Complex shape) {
   const double dead = dead_point_opening(shape);
   if (dead == 0) return {{-pi, 0}, {0, pi}};
   return {{-pi, dead - pi}, {dead - pi, 0}, {0, dead}, {dead, pi}};
 }
 
-tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Vertex vertex, double VA,
-                                                                double VB, int assembly, const Point& pole) {
+tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Grounding grounding, double VA,
+                                                                double VB, int assembly_mode,
+                                                                const Point& pole) {
   if (!std::isfinite(k.real()) || !std::isfinite(k.imag()))
     return tl::unexpected(LinkageFault::ratio_not_finite);
   if (std::abs(k) == 0) return tl::unexpected(LinkageFault::ratio_zero);
-  const Complex s = shape_of(k, vertex);
+  const Complex s = shape_of(k, grounding);
   if (std::abs(1.0 - k) < straight_tolerance || std::abs(s) == 0)
     return tl::unexpected(LinkageFault::ratio_one);
   const auto positive = [](double length) { return std::isfinite(length) && length > 0; };
   if (!positive(VA) || !positive(VB)) return tl::unexpected(LinkageFault::length_not_positive);
-  if (assembly < 0 || static_cast<std::size_t>(assembly) >= assemblies(s).size())
-    return tl::unexpected(LinkageFault::no_such_assembly);
-  return CopyingLinkage(k, vertex, VA, VB, assembly, pole);
+  if (assembly_mode < 0 || static_cast<std::size_t>(assembly_mode) >= assembly_modes(s).size())
+    return tl::unexpected(LinkageFault::no_such_assembly_mode);
+  return CopyingLinkage(k, grounding, VA, VB, assembly_mode, pole);
 }
 
-CopyingLinkage::CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly,
+CopyingLinkage::CopyingLinkage(Complex k, Grounding grounding, double VA, double VB, int assembly_mode,
                                const Point& pole)
-    : k_(k), vertex_(vertex), VA_(VA), VB_(VB), assembly_(assembly), pole_(pole), s_(shape_of(k, vertex)),
-      interval_(assemblies(s_)[static_cast<std::size_t>(assembly)]) {}
-
-Joint CopyingLinkage::pole_joint() const { return vertex_ == Vertex::pole ? Joint::V : Joint::X; }
-
-Joint CopyingLinkage::tracer_joint() const {
-  switch (vertex_) {
-    case Vertex::pole: return Joint::X;
-    case Vertex::tracer: return Joint::V;
-    case Vertex::pen: break;
-  }
-  return Joint::Y;
-}
-
-Joint CopyingLinkage::pen_joint() const { return vertex_ == Vertex::pen ? Joint::V : Joint::Y; }
+    : k_(k), grounding_(grounding), VA_(VA), VB_(VB), assembly_mode_(assembly_mode), pole_(pole),
+      s_(shape_of(k, grounding)), interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)]) {}
 
 LinkLengths CopyingLinkage::lengths() const {
   const double scale = std::abs(s_);
@@ -141,23 +109,14 @@ double CopyingLinkage::transmission_angle(double opening) const {
                   std::asin(std::min(1.0, std::abs(std::sin(opening)))));
 }
 
-Complex CopyingLinkage::chain_per_tracer() const {
-  switch (vertex_) {
-    case Vertex::pole: return 1;
-    case Vertex::tracer: return -1;
-    case Vertex::pen: break;
-  }
-  return -k_;
-}
-
 double CopyingLinkage::radius_at(double opening) const {
   // |p + q/s| with p = VA and q = VB e^{id}; hypot of the components keeps digits near the folded dead point.
-  return std::abs(VA_ + std::polar(VB_, opening) / s_) / std::abs(chain_per_tracer());
+  return std::abs(VA_ + std::polar(VB_, opening) / s_) / chain_length_per_tracer(k_, grounding_);
 }
 
 double CopyingLinkage::radius_slope_at(double opening) const {
   const double a = VA_, b = VB_ / std::abs(s_);
-  const double scale = std::abs(chain_per_tracer());
+  const double scale = chain_length_per_tracer(k_, grounding_);
   const double radius = radius_at(opening) * scale;
   return radius > 0 ? -a * b * std::sin(opening - std::arg(s_)) / radius / scale : 0;
 }
@@ -168,7 +127,7 @@ bool CopyingLinkage::radius_grows_with_opening() const {
 
 tl::expected<double, Unreachable> CopyingLinkage::opening_at(double radius) const {
   const double a = VA_, b = VB_ / std::abs(s_);
-  const double chain = radius * std::abs(chain_per_tracer());
+  const double chain = radius * chain_length_per_tracer(k_, grounding_);
   if (!(chain > 0)) return tl::unexpected(Unreachable::too_near);
   // tan^2(e/2) = ((a+b)^2 - w^2) / (w^2 - (a-b)^2) keeps full precision at both dead points, unlike acos.
   const double outer = (a + b - chain) * (a + b + chain);
@@ -208,7 +167,7 @@ tl::expected<Pose, Unreachable> CopyingLinkage::pose_with_tracer_at(const Point&
 }
 
 Pose CopyingLinkage::pose_at(double opening, double bearing) const {
-  const Complex unturned = (VA_ + std::polar(VB_, opening) / s_) / chain_per_tracer();
+  const Complex unturned = (VA_ + std::polar(VB_, opening) / s_) / chain_per_tracer(k_, grounding_);
   const Complex turn = std::polar(1.0, bearing) * std::abs(unturned) / unturned;
   return pose_from_vectors(VA_ * turn, std::polar(VB_, opening) * turn);
 }
@@ -234,7 +193,7 @@ tl::expected<Pose, Unreachable> CopyingLinkage::velocities(const Pose& pose,
   // chain w = p + q/s turns as w' = i alpha' p + i beta' q/s, alpha and beta the directions of p and q.
   constexpr Complex i{0, 1};
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
-  const Complex chain = as_complex(tracer_velocity) * chain_per_tracer();
+  const Complex chain = as_complex(tracer_velocity) * chain_per_tracer(k_, grounding_);
   return resolve(i * p, i * q / s_, chain).map([&](const std::array<double, 2>& rate) {
     CopyingLinkage at_rest = *this;
     at_rest.pole_ = Point::Zero();
@@ -246,12 +205,13 @@ tl::expected<Pose, Unreachable> CopyingLinkage::accelerations(const Pose& pose, 
                                                               const Point& tracer_acceleration) const {
   constexpr Complex i{0, 1};
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
-  const auto rate = resolve(i * p, i * q / s_, as_complex(tracer_velocity) * chain_per_tracer());
+  const auto rate =
+      resolve(i * p, i * q / s_, as_complex(tracer_velocity) * chain_per_tracer(k_, grounding_));
   if (!rate) return tl::unexpected(rate.error());
   const double alpha1 = (*rate)[0], beta1 = (*rate)[1];
   // w'' = (i alpha'' - alpha'^2) p + (i beta'' - beta'^2) q/s
   const Complex centripetal = -alpha1 * alpha1 * p - beta1 * beta1 * q / s_;
-  const Complex chain = as_complex(tracer_acceleration) * chain_per_tracer();
+  const Complex chain = as_complex(tracer_acceleration) * chain_per_tracer(k_, grounding_);
   return resolve(i * p, i * q / s_, chain - centripetal).map([&](const std::array<double, 2>& second) {
     CopyingLinkage at_rest = *this;
     at_rest.pole_ = Point::Zero();

@@ -15,26 +15,10 @@
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "kinematics/grounding.hpp"
 #include "kinematics/opening_interval.hpp"
 
 namespace kempe {
-
-/// Which of the three homologous points stands at the parallelogram's vertex V: the three groundings.
-enum class Vertex {
-  pole,    ///< pole V, tracer X, pen Y; s = k        (plagiograph)
-  tracer,  ///< pole X, tracer V, pen Y; s = 1 - k    (drawing pantograph)
-  pen      ///< pole X, tracer Y, pen V; s = 1 - 1/k  (variable ratio pantograph)
-};
-inline constexpr std::array<Vertex, 3> all_vertices{Vertex::pole, Vertex::tracer, Vertex::pen};
-
-/// "pole", "tracer" or "pen".
-std::string_view name(Vertex vertex);
-
-/// The six named points of the drawing.
-enum class Joint { V, A, B, C, X, Y };
-inline constexpr std::array<Joint, 6> all_joints{Joint::V, Joint::A, Joint::B, Joint::C, Joint::X, Joint::Y};
-/// 'V', 'A', 'B', 'C', 'X' or 'Y'.
-char letter(Joint joint);
 
 /// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
 struct Pose {
@@ -60,16 +44,13 @@ std::string_view name(Unreachable why);
 
 /// Why a ratio or a pair of lengths is no copying linkage.
 enum class LinkageFault {
-  ratio_not_finite,     ///< k is NaN or infinite
-  ratio_zero,           ///< k = 0 copies everything onto the pole
-  ratio_one,            ///< k = 1 without rotation: the linkage degenerates (the pole lies at infinity)
-  length_not_positive,  ///< VA or VB is not a positive finite number
-  no_such_assembly      ///< the index is not below assembly_count(s)
+  ratio_not_finite,      ///< k is NaN or infinite
+  ratio_zero,            ///< k = 0 copies everything onto the pole
+  ratio_one,             ///< k = 1 without rotation: the linkage degenerates (the pole lies at infinity)
+  length_not_positive,   ///< VA or VB is not a positive finite number
+  no_such_assembly_mode  ///< the index is not below assembly_count(s)
 };
 std::string_view name(LinkageFault fault);
-
-/// The shape s for a copy ratio k under a grounding (geometry of the three groundings above).
-Complex shape_of(Complex k, Vertex vertex);
 
 /// Nearer than this to a dead point or a change point nothing counts as usable, rad, whatever limit is asked for: a
 /// thousandth of a degree. Searched, mapped and verified designs keep it alike.
@@ -78,14 +59,14 @@ inline constexpr double least_usable_angle = pi / 180000;
 /// True if the plates have collinear joints (s real): then every plate is a straight bar.
 bool is_straight(Complex shape);
 
-/// The usable assemblies: open intervals of the opening between neighbours among {0, pi, arg s mod pi}, from -pi
+/// The usable assembly modes: open intervals of the opening between neighbours among {0, pi, arg s mod pi}, from -pi
 /// upward. Four of them, or two if the plates are straight. At each end the linkage meets its change point (0, pi)
 /// or its serial dead point (arg s mod pi).
-std::vector<OpeningInterval> assemblies(Complex shape);
+std::vector<OpeningInterval> assembly_modes(Complex shape);
 
-/// A copying linkage of given ratio, grounding, lengths, assembly and pole.
+/// A copying linkage of given ratio, grounding, lengths, assembly mode and pole.
 ///
-/// Invariant: k is finite and neither 0 nor 1, VA and VB are positive and finite, the assembly exists.
+/// Invariant: k is finite and neither 0 nor 1, VA and VB are positive and finite, the assembly mode exists.
 /// A value: copyable and comparable. All lengths mm, angles rad, points in the table's frame.
 ///
 /// Guarantees, for every pose it returns:
@@ -94,27 +75,28 @@ std::vector<OpeningInterval> assemblies(Complex shape);
 ///  3. the opening lies in assembly_interval(): poses of one linkage never differ in assembly.
 class CopyingLinkage {
  public:
-  static tl::expected<CopyingLinkage, LinkageFault> make(Complex k, Vertex vertex, double VA, double VB,
-                                                         int assembly, const Point& pole = Point::Zero());
+  static tl::expected<CopyingLinkage, LinkageFault> make(Complex k, Grounding grounding, double VA, double VB,
+                                                         int assembly_mode,
+                                                         const Point& pole = Point::Zero());
 
   Complex k() const { return k_; }
-  Vertex vertex() const { return vertex_; }
+  Grounding grounding() const { return grounding_; }
   Complex shape() const { return s_; }
   double VA() const { return VA_; }
   double VB() const { return VB_; }
-  int assembly() const { return assembly_; }
+  int assembly_mode() const { return assembly_mode_; }
   const Point& pole() const { return pole_; }
 
-  Joint pole_joint() const;
-  Joint tracer_joint() const;
-  Joint pen_joint() const;
+  Joint pole_joint() const { return roles_of(grounding_).pole; }
+  Joint tracer_joint() const { return roles_of(grounding_).tracer; }
+  Joint pen_joint() const { return roles_of(grounding_).pen; }
 
   LinkLengths lengths() const;
 
   /// Sum over the four moving links of half the perimeter of the hull of their joints, mm. Linear in VA and VB.
   double size() const;
 
-  /// The open interval of the opening that this assembly never leaves (returned by its closure), rad.
+  /// The open interval of the opening that this assembly mode never leaves (returned by its closure), rad.
   const OpeningInterval& assembly_interval() const { return interval_; }
 
   /// The openings at which the transmission angle is at least `transmission` (rad, >= 0) and least_usable_angle;
@@ -126,16 +108,16 @@ class CopyingLinkage {
   /// mu = min(asin|sin(d - arg s)|, asin|sin d|): how far the linkage stands from its nearest dead or change point.
   double transmission_angle(double opening) const;
 
-  /// Distance pole to tracer at an opening, mm: c |p + q/s|, monotone over the assembly interval.
+  /// Distance pole to tracer at an opening, mm: c |p + q/s|, monotone over the assembly mode interval.
   double radius_at(double opening) const;
 
   /// d radius / d opening, mm/rad; 0 at a serial dead point.
   double radius_slope_at(double opening) const;
 
-  /// True if the radius grows with the opening over the assembly interval.
+  /// True if the radius grows with the opening over the assembly mode interval.
   bool radius_grows_with_opening() const;
 
-  /// The opening at which the tracer is `radius` (mm) from the pole, within the closure of the assembly interval.
+  /// The opening at which the tracer is `radius` (mm) from the pole, within the closure of the assembly mode interval.
   tl::expected<double, Unreachable> opening_at(double radius) const;
 
   /// Smallest and largest distance pole to tracer over an interval of openings, mm.
@@ -171,16 +153,14 @@ class CopyingLinkage {
   bool operator==(const CopyingLinkage&) const = default;
 
  private:
-  CopyingLinkage(Complex k, Vertex vertex, double VA, double VB, int assembly, const Point& pole);
+  CopyingLinkage(Complex k, Grounding grounding, double VA, double VB, int assembly_mode, const Point& pole);
 
-  /// chain = X - V as a factor of tracer - pole: 1, -1 or -k.
-  Complex chain_per_tracer() const;
   Pose pose_from_vectors(Complex p, Complex q) const;
 
   Complex k_;
-  Vertex vertex_;
+  Grounding grounding_;
   double VA_, VB_;
-  int assembly_;
+  int assembly_mode_;
   Point pole_;
   Complex s_;
   OpeningInterval interval_;

@@ -36,7 +36,7 @@ using Measures = Eigen::Matrix<double, measure_count, 1>;
 /// d(x, y) / d(measures).
 using PlaceSlopes = Eigen::Matrix<double, 2, measure_count>;
 
-/// On which side of each dyad its joint lies: one assembly of the linkage, all five signs +1 or -1.
+/// On which side of each dyad its joint lies: one assembly mode of the linkage, all five signs +1 or -1.
 struct Sides {
   int C_of_XY = 1;  ///< sign of (Y - X) x (C - X)
   int V_of_AB = 1;

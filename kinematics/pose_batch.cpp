@@ -15,16 +15,14 @@ struct Shared {
   double difference;          ///< D = (a - b)(a + b)
   double side;                ///< sign of h
   double change_x, change_y;  ///< sin(opening) = change_x sin(elbow) + change_y cos(elbow)
-  double change_side;         ///< sign of sin(opening) over the assembly
+  double change_side;         ///< sign of sin(opening) over the assembly mode
   bool ground_at_X;
 };
 
 Shared shared_by(const CopyingLinkage& linkage) {
   const Complex s = linkage.shape();
   const double a = linkage.VA(), b = linkage.VB() / std::abs(s);
-  const Complex chain = linkage.vertex() == Vertex::pole     ? Complex(1)
-                        : linkage.vertex() == Vertex::tracer ? Complex(-1)
-                                                             : -linkage.k();
+  const Complex chain = chain_per_tracer(linkage.k(), linkage.grounding());
   const double middle = linkage.assembly_interval().middle();
   const double elbow = std::sin(middle - std::arg(s));
   return {.pole_x = linkage.pole().x(),

@@ -5,7 +5,7 @@
 //   p = w (|w|^2 + D - i h) / (2 |w|^2),    q/s = w (|w|^2 - D + i h) / (2 |w|^2),
 //   h = +-sqrt(((a + b)^2 - |w|^2) (|w|^2 - (a - b)^2)),
 //
-// the two circles about V and X meeting in A; the sign is the assembly's.
+// the two circles about V and X meeting in A; the sign is the assembly mode's.
 
 #include <array>
 #include <cstdint>

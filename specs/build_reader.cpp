@@ -101,10 +101,8 @@ WorkshopSpec read_workshop(const TableView& table) {
   return workshop;
 }
 
-Vertex vertex_named(std::string_view word) {
-  return *std::find_if(all_vertices.begin(), all_vertices.end() - 1,
-                       [&](Vertex v) { return name(v) == word; });
-}
+/// A word that names none is complained about with its key.
+Grounding grounding_or_last(std::string_view word) { return grounding_named(word).value_or(Grounding::pen); }
 
 Objective objective_named(std::string_view word) {
   for (const Objective objective : {Objective::transmission, Objective::copy_error, Objective::footprint}) {
@@ -194,7 +192,7 @@ ObjectiveSpec read_objective(const TableView& table, Complaints& complaints) {
   if (!groundings || !groundings->is_array()) return objective;
   objective.groundings.clear();
   for (const toml::node& node : *groundings->as_array()) {
-    objective.groundings.push_back(vertex_named(node.value_or(std::string())));
+    objective.groundings.push_back(grounding_or_last(node.value_or(std::string())));
   }
   return objective;
 }
@@ -203,19 +201,20 @@ std::optional<MechanismSpec> read_mechanism(const TableView& table, const CopySp
                                             Complaints& complaints) {
   if (!table.present()) return std::nullopt;
   MechanismSpec mechanism;
-  std::string vertex;
-  table.set("vertex", vertex);
+  std::string grounding;
+  table.set("vertex", grounding);
   table.set("VA_mm", mechanism.VA);
   table.set("VB_mm", mechanism.VB);
-  table.set("assembly", mechanism.assembly);
-  mechanism.vertex = vertex_named(vertex);
+  table.set("assembly", mechanism.assembly_mode);
+  mechanism.grounding = grounding_or_last(grounding);
   mechanism.layers = read_link_layers(table, layers, complaints);
   if (!complaints.none()) return mechanism;
-  const auto count = static_cast<int>(assemblies(shape_of(copy.k, mechanism.vertex)).size());
-  if (mechanism.assembly >= count) {
-    complaints.add(table.line_of_key("assembly"), "mechanism.assembly", fmt::format("{}", mechanism.assembly),
+  const auto count = static_cast<int>(assembly_modes(shape_of(copy.k, mechanism.grounding)).size());
+  if (mechanism.assembly_mode >= count) {
+    complaints.add(table.line_of_key("assembly"), "mechanism.assembly",
+                   fmt::format("{}", mechanism.assembly_mode),
                    fmt::format("0 to {}: this ratio has {} assemblies with the {} at the vertex", count - 1,
-                               count, vertex));
+                               count, grounding));
   }
   return mechanism;
 }

@@ -98,14 +98,14 @@ bool is_maximized(Objective objective);
 
 struct ObjectiveSpec {
   Objective objective = Objective::size;
-  std::vector<Vertex> groundings{all_vertices.begin(), all_vertices.end()};
+  std::vector<Grounding> groundings{all_groundings.begin(), all_groundings.end()};
 };
 
 /// A given mechanism, for `kempe workspace`.
 struct MechanismSpec {
-  Vertex vertex = Vertex::pole;
+  Grounding grounding = Grounding::pole;
   double VA = 0, VB = 0;  ///< mm
-  int assembly = 0;
+  int assembly_mode = 0;
   std::optional<std::array<int, 4>> layers;  ///< of VA, VB, ACX, BCY; absent: the best assignment is sought
 };
 

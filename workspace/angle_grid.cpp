@@ -6,9 +6,8 @@ namespace kempe {
 
 AngleGrid::AngleGrid(const CopyingLinkage& linkage, const OpeningInterval& openings)
     : linkage_(linkage), openings_(openings), dead_(std::arg(linkage.shape())) {
-  const double chain_per_tracer = linkage.vertex() == Vertex::pen ? std::abs(linkage.k()) : 1;
-  area_scale_ =
-      2 * linkage.VA() * linkage.VB() / std::abs(linkage.shape()) / (chain_per_tracer * chain_per_tracer);
+  const double chain = chain_length_per_tracer(linkage.k(), linkage.grounding());
+  area_scale_ = 2 * linkage.VA() * linkage.VB() / std::abs(linkage.shape()) / (chain * chain);
 }
 
 double AngleGrid::opening(double y) const {

@@ -2,7 +2,7 @@
 // Where the joints are, how fast they move and how far they can get while opening and bearing vary a little.
 //
 // The opening d and the bearing t of the tracer, seen from the pole, are the map's two angles: within one
-// assembly they and the tracer's place determine each other. With the pole at the origin a joint stands at
+// assembly mode they and the tracer's place determine each other. With the pole at the origin a joint stands at
 //     z = a p + b q,   p = VA exp(i(f + t)),   q = VB exp(i(g + t)),   f = -arg(chain at bearing 0),   g = f
 //     + d,
 // with fixed complex a, b. Turning the bearing turns all: dz/dt = i z. By the law of cosines in the chain's
@@ -10,7 +10,7 @@
 //     g' = 1/2 + (VA^2 - m^2) / (2 c^2),   f' = g' - 1,   |f''| = |g''| <= |VA^2 - m^2| min(VA, m) / c^3,
 //     dz/dd = i (f' a p + g' b q),
 //     |d2z/dd2| <= |a| VA (|f''| + f'^2) + |b| VB (|g''| + g'^2).
-// c is monotone over an assembly, so over an interval of d the bounds of f', g' and f'' are those of its
+// c is monotone over an assembly mode, so over an interval of d the bounds of f', g' and f'' are those of its
 // ends.
 
 #include <array>
@@ -49,7 +49,7 @@ class LinkageMotion {
   explicit LinkageMotion(const CopyingLinkage& linkage);
 
   /// The joints in the middle of the rectangle opening +- half_opening, bearing +- half_bearing (rad), with
-  /// bounds that hold all over it. The rectangle's openings must lie in the assembly's interval.
+  /// bounds that hold all over it. The rectangle's openings must lie in the assembly mode's interval.
   MovingJoints over(double opening, double half_opening, double bearing, double half_bearing) const {
     return turned(over_openings(opening, half_opening), std::polar(1.0, bearing), half_bearing);
   }
@@ -58,7 +58,7 @@ class LinkageMotion {
   OpeningJoints over_openings(double opening, double half_opening) const;
   static MovingJoints turned(const OpeningJoints& joints, Complex turn, double half_bearing);
 
-  /// An upper bound of the distance of a joint from the pole over all openings of the assembly, mm.
+  /// An upper bound of the distance of a joint from the pole over all openings of the assembly mode, mm.
   double farthest(Joint joint) const;
 
  private:

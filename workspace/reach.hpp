@@ -19,13 +19,13 @@ struct Annulus {
 /// The tracer's places over an interval of openings: all bearings, all distances between those of the ends.
 Annulus annulus_over(const CopyingLinkage& linkage, const OpeningInterval& openings);
 
-/// The reach of the linkage's assembly, its dead and change points included.
+/// The reach of the linkage's assembly mode, its dead and change points included.
 Annulus reachable_annulus(const CopyingLinkage& linkage);
 
 /// Where the transmission angle is at least `transmission` (rad); empty if nowhere.
 Annulus usable_annulus(const CopyingLinkage& linkage, double transmission);
 
-/// What the serial chain V-A-X reaches, whatever the parallelogram does: both assemblies of one elbow
+/// What the serial chain V-A-X reaches, whatever the parallelogram does: both assembly modes of one elbow
 /// together.
 Annulus chain_annulus(const CopyingLinkage& linkage);
 
@@ -43,7 +43,7 @@ ArcRegion difference(const Annulus& whole, const Annulus& part);
 bool covers(const Annulus& annulus, const Region& region);
 
 /// The openings that the linkage passes while its tracer covers the region; nothing if the region is empty or
-/// the assembly does not reach all of it.
+/// the assembly mode does not reach all of it.
 std::optional<OpeningInterval> openings_over(const CopyingLinkage& linkage, const Region& region);
 
 }  // namespace kempe

@@ -36,9 +36,9 @@ int run(const Session& session, const CentresArguments& arguments) {
   if (!(arguments.step >= 0 && arguments.step <= loaded->file.steps))
     return fail({arguments.linkage, 0, "--at", fmt::format("{:g}", arguments.step),
                  fmt::format("a step from 0 to {}", loaded->file.steps)});
-  const auto assemblies = assemble_linkage(*loaded, arguments.seed);
-  if (!assemblies) return assemblies.error();
-  const auto frame = frame_at(*loaded, assemblies->front(), arguments.step);
+  const auto assembly_modes = assemble_linkage(*loaded, arguments.seed);
+  if (!assembly_modes) return assembly_modes.error();
+  const auto frame = frame_at(*loaded, assembly_modes->front(), arguments.step);
   if (!frame) return frame.error();
   const auto centres = instant_centres(loaded->model.linkage, frame->position, frame->rate);
   const std::vector<double> speeds = loaded->model.schedule.speeds_at(frame->share);

@@ -19,7 +19,7 @@ struct MobilityArguments {
 tl::expected<PlanarPosition, int> closed_position(const LoadedLinkage& loaded, std::uint64_t seed) {
   AssemblySearch search;
   search.seed = seed;
-  if (const auto driven = start_assemblies(loaded.file, loaded.model, search)) return driven->front();
+  if (const auto driven = start_assembly_modes(loaded.file, loaded.model, search)) return driven->front();
   LoadedLinkage free{loaded.file, loaded.model};
   free.model.linkage = loaded.model.linkage.undriven();
   free.model.schedule = {};

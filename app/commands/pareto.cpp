@@ -72,7 +72,7 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
     MapOptions map;
     map.largest_sheets = false;
     Design design = assemble_design(loaded.spec, point.design, map);
-    design.quality.lower_bound.reset();  // a bound of the spec's objective, not of this point's
+    design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's
     design.verification = verify(verification_task(design));
     const std::string number = fmt::format("{:02}", i + 1);
     if (!design.verification.certified)
@@ -82,7 +82,7 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
     all.chart.rows.push_back({number, shown(first, point.a), shown(second, point.b), is_middle});
     const CopyingLinkage& l = design.linkage;
     all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.a),
-                           shown(second, point.b), name(l.vertex()), l.assembly(), l.VA(), l.VB(),
+                           shown(second, point.b), name(l.grounding()), l.assembly_mode(), l.VA(), l.VB(),
                            coordinate(l.pole().x()), coordinate(l.pole().y()));
     if (is_middle) middle = std::move(design);
   }

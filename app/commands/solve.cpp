@@ -22,8 +22,8 @@ using Json = nlohmann::ordered_json;
 struct SolveArguments {
   std::string linkage, table_file;
   std::vector<std::string> animations, angles;
-  bool list_assemblies = false, velocities = false, accelerations = false;
-  int assembly = 0, steps = 0;
+  bool list_assembly_modes = false, velocities = false, accelerations = false;
+  int assembly_mode = 0, steps = 0;
   std::uint64_t seed = 1;
 };
 
@@ -46,7 +46,7 @@ int check_links(const LoadedLinkage& loaded, const SolveArguments& arguments) {
   return done;
 }
 
-/// A row an assembly: where the points are.
+/// A row an assembly mode: where the points are.
 SolveTable assembly_table(const LoadedLinkage& loaded, const std::vector<PlanarPosition>& found) {
   SolveTable table{{"assembly"}, {ColumnKind::step}, {}};
   for (std::size_t i = 0; i < found.size(); ++i) table.rows.push_back({static_cast<double>(i)});
@@ -73,8 +73,8 @@ Json table_json(const SolveTable& table) {
   return {{"columns", table.columns}, {"rows", std::move(rows)}};
 }
 
-int list_assemblies(const Session& session, const LoadedLinkage& loaded,
-                    const std::vector<PlanarPosition>& found) {
+int list_assembly_modes(const Session& session, const LoadedLinkage& loaded,
+                        const std::vector<PlanarPosition>& found) {
   const SolveTable table = assembly_table(loaded, found);
   Json object{{"linkage", loaded.file.name}, {"unit", loaded.file.unit.name}, {"assemblies", found.size()}};
   object.update(table_json(table));
@@ -139,13 +139,13 @@ int run(const Session& session, const SolveArguments& arguments) {
     return fail({"", 0, "--steps", fmt::format("{}", arguments.steps),
                  fmt::format("at most {} with so many links", loaded->file.most_steps())});
   apply(arguments, loaded->file);
-  const auto assemblies = assemble_linkage(*loaded, arguments.seed);
-  if (!assemblies) return assemblies.error();
-  if (arguments.list_assemblies) return list_assemblies(session, *loaded, *assemblies);
-  if (arguments.assembly >= static_cast<int>(assemblies->size()))
-    return fail({"", 0, "--assembly", fmt::format("{}", arguments.assembly),
-                 fmt::format("0 to {}: so many are known (see --assemblies)", assemblies->size() - 1)});
-  const PlanarPosition& start = (*assemblies)[static_cast<std::size_t>(arguments.assembly)];
+  const auto assembly_modes = assemble_linkage(*loaded, arguments.seed);
+  if (!assembly_modes) return assembly_modes.error();
+  if (arguments.list_assembly_modes) return list_assembly_modes(session, *loaded, *assembly_modes);
+  if (arguments.assembly_mode >= static_cast<int>(assembly_modes->size()))
+    return fail({"", 0, "--assembly", fmt::format("{}", arguments.assembly_mode),
+                 fmt::format("0 to {}: so many are known (see --assemblies)", assembly_modes->size() - 1)});
+  const PlanarPosition& start = (*assembly_modes)[static_cast<std::size_t>(arguments.assembly_mode)];
   const auto motion = drive_linkage(*loaded, start, loaded->file.steps);
   if (!motion) return motion.error();
   if (const int code = tell(session, arguments, *loaded, *motion); code != done) return code;
@@ -168,9 +168,9 @@ void add_solve_command(CLI::App& program, Session& session) {
   command->add_option("-o,--output", arguments->table_file, "Table of positions (CSV); left out: on stdout");
   command->add_option("--animate", arguments->animations,
                       "The linkage moving: FILE.html or FILE.svg; may be given twice");
-  command->add_flag("--assemblies", arguments->list_assemblies,
+  command->add_flag("--assemblies", arguments->list_assembly_modes,
                     "List the ways to put it together at the start, and end");
-  command->add_option("--assembly", arguments->assembly, "Start in this one of them")
+  command->add_option("--assembly", arguments->assembly_mode, "Start in this one of them")
       ->check(CLI::Range(0, 1000));
   command->add_flag("--velocities", arguments->velocities, "Velocities of points and links");
   command->add_flag("--accelerations", arguments->accelerations, "Accelerations of points and links");

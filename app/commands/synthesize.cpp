@@ -59,15 +59,15 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   if (const auto* early = std::get_if<Stopped>(&outcome))
     return tell_stopped(session, stopping,
                         "before a design was found or proven impossible; nothing is written" +
-                            known_bound(objective, early->lower_bound),
-                        early->lower_bound);
+                            known_bound(objective, early->proven_bound),
+                        early->proven_bound);
   if (const auto* none = std::get_if<NoDesign>(&outcome)) return tell_no_design(session, *none);
   const auto& found = std::get<FoundDesign>(outcome);
   Design design = assemble_design(
       loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag(time_to_map)});
   if (!design.map.coverage.covered)
     return fail(no_design, "no design exists that the map can certify: " + design.map.coverage.why_not);
-  const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
+  const int code = publish_design(session, design, *loaded, arguments.folder);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

@@ -34,10 +34,10 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const LoadedSpec& loaded) {
     return tl::unexpected(InputError{loaded.file, 0, "pole.within_mm", "an area",
                                      "at_mm: a given mechanism stands at one place"});
   const MechanismSpec& given = *spec.mechanism;
-  const auto linkage = CopyingLinkage::make(spec.copy.k, given.vertex, given.VA, given.VB, given.assembly,
-                                            std::get<Point>(spec.pole.place));
+  const auto linkage = CopyingLinkage::make(spec.copy.k, given.grounding, given.VA, given.VB,
+                                            given.assembly_mode, std::get<Point>(spec.pole.place));
   if (linkage) return *linkage;
-  const std::size_t count = assemblies(shape_of(spec.copy.k, given.vertex)).size();
+  const std::size_t count = assembly_modes(shape_of(spec.copy.k, given.grounding)).size();
   return tl::unexpected(InputError{loaded.file, 0, "mechanism", std::string(name(linkage.error())),
                                    fmt::format("positive lengths and an assembly below {}", count)});
 }
@@ -68,7 +68,7 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   Design design = assemble_given(loaded->spec, *linkage,
                                  {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});
   if (!arguments.why.empty()) return tell_why(session, design, {arguments.why[0], arguments.why[1]});
-  const int code = verify_write_and_tell(session, design, *loaded, arguments.folder);
+  const int code = publish_design(session, design, *loaded, arguments.folder);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

@@ -61,7 +61,7 @@ std::vector<bool> free_of_turns(const PlanarLinkage& linkage) {
 
 }  // namespace
 
-bool same_assembly(const PlanarLinkage& linkage, const PlanarPosition& a, const PlanarPosition& b) {
+bool same_assembly_mode(const PlanarLinkage& linkage, const PlanarPosition& a, const PlanarPosition& b) {
   const double near = 1e-6 * linkage.size();
   for (const auto& [name, constraint] : linkage.constraints()) {
     for (const BodyPoint& point : points_of(constraint))
@@ -74,19 +74,20 @@ bool same_assembly(const PlanarLinkage& linkage, const PlanarPosition& a, const 
   return true;
 }
 
-std::vector<PlanarPosition> find_assemblies(const PlanarLinkage& linkage, const PlanarPosition& guess,
-                                            const std::vector<double>& driver_values,
-                                            const AssemblySearch& search) {
-  return search_assemblies(linkage, guess, driver_values, search).assemblies;
+std::vector<PlanarPosition> find_assembly_modes(const PlanarLinkage& linkage, const PlanarPosition& guess,
+                                                const std::vector<double>& driver_values,
+                                                const AssemblySearch& search) {
+  return search_assembly_modes(linkage, guess, driver_values, search).assembly_modes;
 }
 
-AssembliesFound search_assemblies(const PlanarLinkage& linkage, const PlanarPosition& guess,
-                                  const std::vector<double>& driver_values, const AssemblySearch& search) {
+AssembliesFound search_assembly_modes(const PlanarLinkage& linkage, const PlanarPosition& guess,
+                                      const std::vector<double>& driver_values,
+                                      const AssemblySearch& search) {
   const Surroundings about = surroundings_of(linkage);
   const std::vector<bool> turns_dropped = free_of_turns(linkage);
   Uniform uniform(search.seed);
   AssembliesFound result;
-  std::vector<PlanarPosition>& found = result.assemblies;
+  std::vector<PlanarPosition>& found = result.assembly_modes;
   const double work_a_step = std::pow(linkage.unknown_count(), 3);
   double work = 0;
   for (int start = 0; start <= search.starts && static_cast<int>(found.size()) < search.enough; ++start) {
@@ -103,7 +104,7 @@ AssembliesFound search_assemblies(const PlanarLinkage& linkage, const PlanarPosi
       if (turns_dropped[body])
         closed->position[body].angle = std::remainder(closed->position[body].angle, 2 * pi);
     const bool known = std::any_of(found.begin(), found.end(), [&](const PlanarPosition& other) {
-      return same_assembly(linkage, closed->position, other);
+      return same_assembly_mode(linkage, closed->position, other);
     });
     if (!known) found.push_back(std::move(closed->position));
   }

@@ -6,7 +6,7 @@
 namespace kempe {
 namespace {
 
-constexpr double crossing_share = 1e-5;  ///< drivers' part of the left null vector where assemblies cross
+constexpr double crossing_share = 1e-5;  ///< drivers' part of the left null vector where assembly modes cross
 constexpr double nearby = 0.01;          ///< omega times the distance at which other factors still serve
 constexpr double rounding_turn = 1e-8;   ///< rad, that rounding may add to a step; no other position is near
 constexpr int most_corrections = 24;

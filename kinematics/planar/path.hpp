@@ -2,7 +2,7 @@
 // Moving a linkage by its drivers without ever changing its assembly.
 //
 // Each step is certified (step_certificate.hpp): steps that are too long are cut, so a path either arrives on its own
-// assembly or stops at a singular position; it cannot jump.
+// assembly mode or stops at a singular position; it cannot jump.
 
 #include <Eigen/Dense>
 #include <functional>
@@ -20,7 +20,7 @@ namespace kempe {
 /// Why a path ends before its target. Outcomes of the domain.
 enum class PathEnd {
   dead_point,        ///< the drivers cannot go on in this direction: the linkage can only turn back
-  change_point,      ///< another assembly touches here: the linkage may leave either way
+  change_point,      ///< another assembly mode touches here: the linkage may leave either way
   over_constrained,  ///< a constraint that was redundant at the start is violated: the linkage locks
   gave_up,           ///< the way on takes more certified steps than were allowed
   interrupted        ///< the caller asked to stop
@@ -52,9 +52,9 @@ std::string_view name(NoPath why);
 
 struct NoPathHere {
   NoPath why = NoPath::does_not_assemble;
-  int freedoms = 0;         ///< of the linkage without drivers, at the closed position
-  NotAssembled assembly;    ///< for does_not_assemble
-  PlanarPosition position;  ///< the closed position, for the others
+  int freedoms = 0;            ///< of the linkage without drivers, at the closed position
+  NotAssembled assembly_mode;  ///< for does_not_assemble
+  PlanarPosition position;     ///< the closed position, for the others
 };
 
 /// A curve of driver values for PlanarPath::follow.

@@ -110,12 +110,12 @@ void check_pole(const StoredDesign& design, const PoleSpec& pole, double slack, 
                                          at.x(), at.y(), off)});
 }
 
-void check_grounding(Vertex vertex, const std::vector<Vertex>& groundings, AuditRecord& record) {
+void check_grounding(Grounding grounding, const std::vector<Grounding>& groundings, AuditRecord& record) {
   record.checked("objective.groundings");
-  if (std::find(groundings.begin(), groundings.end(), vertex) == groundings.end())
+  if (std::find(groundings.begin(), groundings.end(), grounding) == groundings.end())
     record.broken(
         {.limit = "objective.groundings",
-         .sentence = fmt::format("the {} stands at the vertex, which is not permitted", name(vertex))});
+         .sentence = fmt::format("the {} stands at the vertex, which is not permitted", name(grounding))});
 }
 
 void check_layer_count(const LayerAssignment& layers, int most, AuditRecord& record) {
@@ -180,7 +180,7 @@ void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, do
   check_locks(linkage.lengths(), allowed.workshop, record);
   check_layer_count(design.layers, allowed.layers, record);
   check_pole(design, allowed.pole, slack, record);
-  check_grounding(linkage.vertex(), allowed.groundings, record);
+  check_grounding(linkage.grounding(), allowed.groundings, record);
   if (design.cutting) {
     check_holes(design, *design.cutting, record);
     check_walls(design, *design.cutting, allowed.wall, record);

@@ -246,7 +246,7 @@ void check_search(const StoredDesign& design, AuditRecord& record) {
 
 /// A bound on the wrong side of the value is refuted by the design itself.
 void check_bound(const StoredDesign& design, AuditRecord& record) {
-  const auto& bound = design.quality.lower_bound;
+  const auto& bound = design.quality.proven_bound;
   if (!bound) return;
   record.not_checked("quality.lower_bound",
                      "it is not proven anew, only held against the value: the proof is a search of its own");

@@ -33,7 +33,7 @@ Bars bars_of(const LinkLengths& stored, const LinkLengths& unit) {
 }
 
 bool shape_agrees(const StoredDesign& design, AuditRecord& record) {
-  const Complex shape = shape_of(design.k, design.vertex);
+  const Complex shape = shape_of(design.k, design.grounding);
   const double off = std::abs(shape - design.shape), allowed = agreeing * (1 + std::abs(shape));
   record.checked("mechanism.shape");
   if (off <= allowed) return true;
@@ -50,25 +50,25 @@ bool opening_fits(const OpeningInterval& interval, const OpeningInterval& openin
   return OpeningInterval{interval.lower - agreeing, interval.upper + agreeing}.contains(opening);
 }
 
-/// The number of the assembly that orientation and opening name; nothing if no assembly has both.
-std::optional<int> assembly_of(const StoredDesign& design, AuditRecord& record) {
+/// The number of the assembly mode that orientation and opening name; nothing if no assembly mode has both.
+std::optional<int> assembly_mode_of(const StoredDesign& design, AuditRecord& record) {
   record.checked("mechanism.assembly");
   record.checked("mechanism.orientation");
-  const auto intervals = assemblies(shape_of(design.k, design.vertex));
+  const auto intervals = assembly_modes(shape_of(design.k, design.grounding));
   const DrawnMechanism& drawn = design.mechanism;
-  const auto turns = [&](int assembly) {
-    return CopyingLinkage::make(design.k, design.vertex, 1, 1, assembly)->orientation();
+  const auto turns = [&](int assembly_mode) {
+    return CopyingLinkage::make(design.k, design.grounding, 1, 1, assembly_mode)->orientation();
   };
-  const auto fits = [&](int assembly) {
-    return turns(assembly) == drawn.orientation &&
-           opening_fits(intervals[static_cast<std::size_t>(assembly)], drawn.opening);
+  const auto fits = [&](int assembly_mode) {
+    return turns(assembly_mode) == drawn.orientation &&
+           opening_fits(intervals[static_cast<std::size_t>(assembly_mode)], drawn.opening);
   };
   const int count = static_cast<int>(intervals.size());
-  const int stated = design.assembly.value_or(count);
+  const int stated = design.assembly_mode.value_or(count);
   if (stated < count && fits(stated)) return stated;
   for (int other = 0; other < count; ++other) {
     if (!fits(other)) continue;
-    if (design.assembly)
+    if (design.assembly_mode)
       record.broken({.limit = "mechanism.assembly",
                      .attained = stated,
                      .allowed = other,
@@ -113,18 +113,18 @@ bool lengths_agree(const CopyingLinkage& linkage, const LinkLengths& stored, Aud
 
 std::optional<CopyingLinkage> audit_mechanism(const StoredDesign& design, AuditRecord& record) {
   const bool shape = shape_agrees(design, record);
-  const auto assembly = assembly_of(design, record);
+  const auto assembly_mode = assembly_mode_of(design, record);
   const LinkLengths& stored = design.mechanism.lengths;
-  const auto unit = CopyingLinkage::make(design.k, design.vertex, 1, 1, 0);
+  const auto unit = CopyingLinkage::make(design.k, design.grounding, 1, 1, 0);
   if (!unit) {
     record.broken({.limit = "copy", .sentence = std::string(name(unit.error()))});
     return std::nullopt;
   }
   const Bars bars = bars_of(stored, unit->lengths());
-  const auto linkage = CopyingLinkage::make(design.k, design.vertex, bars.VA, bars.VB, assembly.value_or(0),
-                                            design.mechanism.pole_position);
+  const auto linkage = CopyingLinkage::make(design.k, design.grounding, bars.VA, bars.VB,
+                                            assembly_mode.value_or(0), design.mechanism.pole_position);
   const bool lengths = linkage && lengths_agree(*linkage, stored, record);
-  if (!shape || !assembly || !lengths) return std::nullopt;
+  if (!shape || !assembly_mode || !lengths) return std::nullopt;
   return *linkage;
 }
 

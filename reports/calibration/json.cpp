@@ -69,7 +69,7 @@ Json instrument(const CalibrationRecord& record) {
             {"ratio", record.measurements.instrument->ratio}};
   return {{"kind", "design"},
           {"design", record.measurements.design},
-          {"vertex", std::string(name(record.design->linkage.vertex()))},
+          {"vertex", std::string(name(record.design->linkage.grounding()))},
           {"scale", std::abs(record.design->linkage.k())},
           {"rotation_deg", degrees(std::arg(record.design->linkage.k()))}};
 }
@@ -112,7 +112,7 @@ Json correlations(const CalibrationRecord& record) {
 
 Json unidentifiable(const CalibrationRecord& record) {
   Json list = Json::array();
-  for (const Told& told : record.indistinct) {
+  for (const UndeterminedCombination& told : record.indistinct) {
     Json combination = Json::object(), remedies = Json::array();
     for (const auto& [measure, factor] : told.combination.parts)
       combination[spoken_name(measure, !record.design)] = number(factor);

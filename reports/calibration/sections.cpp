@@ -121,7 +121,7 @@ std::string placement(const CalibrationRecord& record) {
 
 std::string unidentifiable(const CalibrationRecord& record) {
   std::string html;
-  for (const Told& told : record.indistinct) {
+  for (const UndeterminedCombination& told : record.indistinct) {
     std::string remedies;
     for (const Remedy& remedy : told.remedies)
       remedies += fmt::format("<li>{} (then known to {})</li>\n", html_escaped(remedy.words),

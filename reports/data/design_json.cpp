@@ -49,13 +49,13 @@ Json mechanism_json(const Design& design) {
   const CopyingLinkage& linkage = design.linkage;
   const auto orientation = linkage.orientation();
   const auto text = [](Joint joint) { return std::string(1, letter(joint)); };
-  return {{"vertex", name(linkage.vertex())},
+  return {{"vertex", name(linkage.grounding())},
           {"pole", text(linkage.pole_joint())},
           {"tracer", text(linkage.tracer_joint())},
           {"pen", text(linkage.pen_joint())},
           {"pole_position_mm", position(linkage.pole())},
           {"shape", Json::array({linkage.shape().real(), linkage.shape().imag()})},
-          {"assembly", linkage.assembly()},
+          {"assembly", linkage.assembly_mode()},
           {"opening_deg", opening_json(design.opening)},
           {"lengths_mm", lengths_json(linkage.lengths())},
           {"orientation",
@@ -84,7 +84,7 @@ Json quality_json(const Design& design) {
           {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
           {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
           {"footprint_mm2", swept},
-          {"lower_bound", in_file_unit(quality.lower_bound, design.search)}};
+          {"lower_bound", in_file_unit(quality.proven_bound, design.search)}};
 }
 
 Json sheet_json(const FittingSheet& sheet) {
@@ -214,7 +214,7 @@ Json links_limits_json(const std::optional<Allowed>& allowed) {
 Json objective_json(const std::optional<Allowed>& allowed) {
   if (!allowed) return nullptr;
   Json groundings = Json::array();
-  for (const Vertex vertex : allowed->groundings) groundings.push_back(name(vertex));
+  for (const Grounding grounding : allowed->groundings) groundings.push_back(name(grounding));
   return {{"groundings", std::move(groundings)}};
 }
 

@@ -35,9 +35,9 @@ struct StoredDesign {
   double scale = 1, rotation = 0;  ///< wanted; rotation rad
   Complex k{1, 0};                 ///< copy_ratio(scale, rotation)
   Region region;
-  Vertex vertex = Vertex::pole;
+  Grounding grounding = Grounding::pole;
   Complex shape{1, 0};
-  std::optional<int> assembly;  ///< absent in a file of the contract's minimal form
+  std::optional<int> assembly_mode;  ///< absent in a file of the contract's minimal form
   DrawnMechanism
       mechanism;  ///< the eight lengths, the orientation, the places and the opening, all as stored
   LinkStyle style;
@@ -73,7 +73,7 @@ MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage);
 VerificationTask verification_task(const StoredDesign& design);
 
 /// The linkage in closed form that the file describes, or why its figures contradict each other: lengths that
-/// are not those of this shape, an opening or an orientation of no assembly (all to 1e-9 of the mechanism's
+/// are not those of this shape, an opening or an orientation of no assembly mode (all to 1e-9 of the mechanism's
 /// size).
 tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, const std::string& file);
 

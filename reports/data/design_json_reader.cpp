@@ -99,27 +99,14 @@ CopyingLinkage::Orientation orientation(const JsonField& field) {
   return result;
 }
 
-/// Which points pole, tracer and pen are, for each vertex.
-struct Carriers {
-  Joint pole, tracer, pen;
-};
-Carriers carriers(Vertex vertex) {
-  switch (vertex) {
-    case Vertex::pole: return {Joint::V, Joint::X, Joint::Y};
-    case Vertex::tracer: return {Joint::X, Joint::V, Joint::Y};
-    case Vertex::pen: break;
-  }
-  return {Joint::X, Joint::Y, Joint::V};
-}
-
 Joint carrier(const JsonField& field, Joint expected) {
   const Joint stored = joint(field);
   if (stored != expected) field.refuse(fmt::format("\"{}\" with this vertex", letter(expected)));
   return stored;
 }
 
-DrawnMechanism drawn_mechanism(const JsonField& field, Vertex vertex) {
-  const Carriers expected = carriers(vertex);
+DrawnMechanism drawn_mechanism(const JsonField& field, Grounding grounding) {
+  const JointRoles expected = roles_of(grounding);
   return {.lengths = lengths(field["lengths_mm"]),
           .orientation = orientation(field["orientation"]),
           .pole = carrier(field["pole"], expected.pole),
@@ -155,11 +142,11 @@ void read_links(const JsonField& field, StoredDesign& design) {
 }
 
 void read_mechanism(const JsonField& field, StoredDesign& design) {
-  design.vertex = one_of<Vertex>(field["vertex"],
-                                 {{"pole", Vertex::pole}, {"tracer", Vertex::tracer}, {"pen", Vertex::pen}});
-  design.mechanism = drawn_mechanism(field, design.vertex);
-  if (const auto assembly = field.find("assembly"))
-    design.assembly = static_cast<int>(assembly->integer(0, 3));
+  design.grounding = one_of<Grounding>(
+      field["vertex"], {{"pole", Grounding::pole}, {"tracer", Grounding::tracer}, {"pen", Grounding::pen}});
+  design.mechanism = drawn_mechanism(field, design.grounding);
+  if (const auto assembly_mode = field.find("assembly"))
+    design.assembly_mode = static_cast<int>(assembly_mode->integer(0, 3));
   const auto [real, imaginary] = field["shape"].pair();
   design.shape = {real, imaginary};
   read_links(field["links"], design);
@@ -189,7 +176,7 @@ Quality quality(const JsonField& field) {
   result.copy_error_rss = field["copy_error_rss_mm"].number_or_null();
   result.distortion_worst = field["distortion_worst_mm"].number_or_null();
   result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
-  result.lower_bound = field["lower_bound"].number_or_null();
+  result.proven_bound = field["lower_bound"].number_or_null();
   return result;
 }
 
@@ -291,11 +278,11 @@ void read_links_limits(const JsonField& field, Allowed& allowed) {
     allowed.workshop.locked[i] = perhaps_length(field, std::string(LinkLengths::names[i]) + "_mm");
 }
 
-std::vector<Vertex> groundings(const JsonField& field) {
-  std::vector<Vertex> result;
+std::vector<Grounding> groundings(const JsonField& field) {
+  std::vector<Grounding> result;
   for (const JsonField& one : field.elements(1, 3))
-    result.push_back(
-        one_of<Vertex>(one, {{"pole", Vertex::pole}, {"tracer", Vertex::tracer}, {"pen", Vertex::pen}}));
+    result.push_back(one_of<Grounding>(
+        one, {{"pole", Grounding::pole}, {"tracer", Grounding::tracer}, {"pen", Grounding::pen}}));
   return result;
 }
 
@@ -377,17 +364,17 @@ tl::expected<StoredDesign, InputError> read_design(std::string_view text, const 
 
 namespace {
 
-/// The assembly whose interval holds the stored opening and whose orientation is the stored one.
-std::optional<CopyingLinkage> fitting_assembly(const StoredDesign& design) {
+/// The assembly mode whose interval holds the stored opening and whose orientation is the stored one.
+std::optional<CopyingLinkage> fitting_assembly_mode(const StoredDesign& design) {
   const DrawnMechanism& drawn = design.mechanism;
   constexpr double slack = 1e-9;
-  const auto intervals = assemblies(shape_of(design.k, design.vertex));
+  const auto intervals = assembly_modes(shape_of(design.k, design.grounding));
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const OpeningInterval widened{intervals[i].lower - slack, intervals[i].upper + slack};
     if (!widened.contains(drawn.opening) ||
-        static_cast<int>(i) != design.assembly.value_or(static_cast<int>(i)))
+        static_cast<int>(i) != design.assembly_mode.value_or(static_cast<int>(i)))
       continue;
-    const auto linkage = CopyingLinkage::make(design.k, design.vertex, drawn.lengths.VA, drawn.lengths.VB,
+    const auto linkage = CopyingLinkage::make(design.k, design.grounding, drawn.lengths.VA, drawn.lengths.VB,
                                               static_cast<int>(i), drawn.pole_position);
     if (linkage && linkage->orientation() == drawn.orientation) return *linkage;
   }
@@ -400,11 +387,11 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, 
   const auto refused = [&](const std::string& key, const std::string& found, const std::string& allowed) {
     return tl::unexpected(InputError{file, 0, "mechanism." + key, found, allowed});
   };
-  const Complex shape = shape_of(design.k, design.vertex);
+  const Complex shape = shape_of(design.k, design.grounding);
   if (std::abs(shape - design.shape) > 1e-9 * (1 + std::abs(shape)))
     return refused("shape", fmt::format("[{}, {}]", design.shape.real(), design.shape.imag()),
                    fmt::format("[{}, {}] for this copy ratio and vertex", shape.real(), shape.imag()));
-  const auto linkage = fitting_assembly(design);
+  const auto linkage = fitting_assembly_mode(design);
   if (!linkage)
     return refused("opening_deg", "an opening or an orientation of no assembly",
                    "those of one assembly of this shape");

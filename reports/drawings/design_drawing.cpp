@@ -85,7 +85,7 @@ std::string role(const Design& design, Joint joint) {
 }
 
 /// The mechanism as it stands on the table, with region and copy.
-Drawing assembly(const Design& design) {
+Drawing assembly_mode(const Design& design) {
   Drawing drawing{{assembly_layer}, {}};
   const Pose pose = assembly_pose(design);
   const double radius = 0.5 * design.style.pin_diameter;
@@ -219,7 +219,7 @@ std::string drawing_title(const Design& design) {
 Drawing design_drawing(const Design& design, const CuttingSpec& cutting) {
   std::vector<Drawing> links;
   for (const CutPart& part : cut_parts(design, cutting)) links.push_back(part_drawing(part));
-  const Drawing assembled = assembly(design), title = title_block(design, cutting);
+  const Drawing assembled = assembly_mode(design), title = title_block(design, cutting);
   const double gap = std::max(cutting.gap, 0.5 * design.style.width);
   double width = width_of(assembled) + gap + width_of(title);
   for (const Drawing& link : links) width = std::max(width, width_of(link));

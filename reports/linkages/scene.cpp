@@ -45,7 +45,7 @@ class SceneBuilder {
     choose_traced();
     const auto& first = run_.frames.front().position;
     const auto& last = run_.frames.back().position;
-    scene_.closed = run_.frames.size() > 2 && same_assembly(model_.linkage, first, last);
+    scene_.closed = run_.frames.size() > 2 && same_assembly_mode(model_.linkage, first, last);
     if (run_.stop) scene_.ending = std::string(kempe::name(run_.stop->end));
     return std::move(scene_);
   }

@@ -89,7 +89,7 @@ Json obstacles(const Design& design, double detail) {
   return all;
 }
 
-/// [opening, worst, rss] over the assembly but for its ends, where the error grows beyond all bounds.
+/// [opening, worst, rss] over the assembly mode but for its ends, where the error grows beyond all bounds.
 Json copy_errors(const Design& design) {
   Json rows = Json::array();
   if (!design.tolerance) return rows;
@@ -118,7 +118,7 @@ std::string report_model(const Design& design, const MapPicture& picture) {
     for (const Json& one : rings(polygon, detail)) region.push_back(one);
   const Json model = {{"k", complex(linkage.k())},
                       {"s", complex(linkage.shape())},
-                      {"vertex", name(linkage.vertex())},
+                      {"vertex", name(linkage.grounding())},
                       {"VA", linkage.VA()},
                       {"VB", linkage.VB()},
                       {"pole", point(linkage.pole())},

@@ -47,7 +47,7 @@ Requirement at_most(double value, const std::optional<double>& limit) {
 /// The bound as a sentence: how much better any design could be.
 std::string bound_explanation(const Design& design) {
   if (!design.search) return "No design of any lengths can do better than this.";
-  const double value = design.search->value, bound = *design.quality.lower_bound;
+  const double value = design.search->value, bound = *design.quality.proven_bound;
   const double share = value != 0 ? std::abs(value - bound) / std::abs(value) * 100 : 0;
   return fmt::format(
       "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
@@ -100,10 +100,10 @@ std::string quality(const Design& design) {
   if (!design.region.empty())
     add("Footprint", area_text(q.footprint), {},
         "Area that all links sweep while the tracer covers the region: keep it clear.");
-  if (q.lower_bound)
+  if (q.proven_bound)
     add("Best possible",
-        design.search ? objective_value(design.search->objective, *q.lower_bound)
-                      : number_text(*q.lower_bound, 4),
+        design.search ? objective_value(design.search->objective, *q.proven_bound)
+                      : number_text(*q.proven_bound, 4),
         {}, bound_explanation(design));
   return html_section(
       "quality", "Quality",

@@ -16,7 +16,7 @@ struct Row {
   double opening, error;
 };
 
-/// The worst copy error over the assembly but for its ends, where it grows beyond all bounds.
+/// The worst copy error over the assembly mode but for its ends, where it grows beyond all bounds.
 std::vector<Row> error_rows(const CopyErrorProfile& profile, const OpeningInterval& openings) {
   std::vector<Row> rows;
   for (int i = 0; i <= steps; ++i) {

@@ -248,13 +248,13 @@ PlanarPosition guessed_position(const LinkageFile& file, const LinkageModel& mod
   return position;
 }
 
-tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assemblies(const LinkageFile& file,
-                                                                       const LinkageModel& model,
-                                                                       const AssemblySearch& search) {
+tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assembly_modes(const LinkageFile& file,
+                                                                           const LinkageModel& model,
+                                                                           const AssemblySearch& search) {
   const PlanarPosition guess = guessed_position(file, model);
   const std::vector<double> values = model.schedule.values_at(0);
-  AssembliesFound all = search_assemblies(model.linkage, guess, values, search);
-  std::vector<PlanarPosition>& found = all.assemblies;
+  AssembliesFound all = search_assembly_modes(model.linkage, guess, values, search);
+  std::vector<PlanarPosition>& found = all.assembly_modes;
   if (found.empty()) {
     NoAssembly none;
     if (all.nearest) none.missing = missing_at(model.linkage, *all.nearest, values);

@@ -46,7 +46,7 @@ LinkageModel linkage_model(const LinkageFile& file);
 /// points; what no point tells is laid at the middle of the rest.
 PlanarPosition guessed_position(const LinkageFile& file, const LinkageModel& model);
 
-/// Why no assembly was taken.
+/// Why no assembly mode was taken.
 struct NoAssembly {
   std::optional<Missing>
       missing;  ///< what remained open, if nothing closes; nothing if the search was stopped
@@ -55,8 +55,8 @@ struct NoAssembly {
 
 /// The closed positions at the start of the motion, the chosen one first: within all bounds, nearest to the
 /// guess (by the sum of squared distances of guessed points), else in the order of finding.
-tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assemblies(const LinkageFile& file,
-                                                                       const LinkageModel& model,
-                                                                       const AssemblySearch& search = {});
+tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assembly_modes(const LinkageFile& file,
+                                                                           const LinkageModel& model,
+                                                                           const AssemblySearch& search = {});
 
 }  // namespace kempe

@@ -19,9 +19,9 @@ struct Range {
   bool empty() const { return !(lower <= upper); }
 };
 
-/// What a grounding and an assembly fix.
-struct Assembly {
-  Vertex vertex = Vertex::pole;
+/// What a grounding and an assembly mode fix.
+struct AssemblyMode {
+  Grounding grounding = Grounding::pole;
   int number = 0;
   Complex s;
   double chain = 1;                  ///< c: distance V-X per distance pole-tracer
@@ -50,23 +50,24 @@ struct LengthBox {
 
 /// Shrinks the lengths to those that may reach all distances with a transmission angle of at least
 /// `transmission`; false if none can.
-bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission,
+bool contract(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
               LengthBox& lengths);
 
 /// No design of the box that reaches the distances is smaller, mm.
-double size_at_least(const Assembly& assembly, const PoleDistances& distances, double transmission,
+double size_at_least(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
                      const LengthBox& lengths);
 
 /// Lengths of designs that are not surely larger than `size` (mm); false if there are none.
-bool contract_by_size(const Assembly& assembly, double size, LengthBox& lengths);
+bool contract_by_size(const AssemblyMode& assembly_mode, double size, LengthBox& lengths);
 
 /// No design of the box has a larger transmission angle over the distances, rad; negative if none has any.
-double transmission_at_most(const Assembly& assembly, const PoleDistances& distances,
+double transmission_at_most(const AssemblyMode& assembly_mode, const PoleDistances& distances,
                             const LengthBox& lengths);
 
 /// The |psi| that every design of the box passes on its way over the distances; empty if there are none in
 /// common.
-Range passed_by_all(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths);
+Range passed_by_all(const AssemblyMode& assembly_mode, const PoleDistances& distances,
+                    const LengthBox& lengths);
 
 /// A point of a part: z = of_a a + of_b b exp(i psi), in the frame with V at the origin and p along x.
 struct MaterialPoint {
@@ -74,8 +75,8 @@ struct MaterialPoint {
 };
 
 /// True if at `psi` (|psi|) the two points are nearer than `needed` (mm) in every design of the box.
-bool always_nearer(const Assembly& assembly, const LengthBox& lengths, double psi, const MaterialPoint& first,
-                   const MaterialPoint& second, double needed);
+bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, double psi,
+                   const MaterialPoint& first, const MaterialPoint& second, double needed);
 
 /// Lower bounds over the poles of a box of |pole - far| / |pole - near| (1 if it may be less) and of |pole -
 /// far|^2 - |pole - near|^2, `near` known to within `rounding` (mm). Taken at the corners of the box: |pole -

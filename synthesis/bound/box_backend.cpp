@@ -45,16 +45,16 @@ Interval H_over(const Range& t) {
   return Interval(least, std::max(at_lower.sup(), at_upper.sup()));
 }
 
-Interval chain_squared(const Assembly& assembly, double distance) {
-  return CGAL::square(widened(assembly.chain) * Interval(distance));
+Interval chain_squared(const AssemblyMode& assembly_mode, double distance) {
+  return CGAL::square(widened(assembly_mode.chain) * Interval(distance));
 }
 
 struct Cosines {
   double far_at_most, near_at_least;
 };
 /// Largest cosine that the far end may have and smallest of the near end.
-Cosines cosines(const Assembly& assembly, double transmission) {
-  const Range psi = assembly.usable(transmission);
+Cosines cosines(const AssemblyMode& assembly_mode, double transmission) {
+  const Range psi = assembly_mode.usable(transmission);
   return {cosine(psi.lower).sup(), cosine(psi.upper).inf()};
 }
 
@@ -83,8 +83,8 @@ void keep_t_with_H_at_most(Range& t, double limit) {
   keep_at_least(t, (1.0 / Interval(largest.sup())).inf());
 }
 
-void keep_lengths_in_limits(const Assembly& assembly, LengthBox& lengths) {
-  const Interval a2 = CGAL::square(whole(assembly.a)), b2 = CGAL::square(whole(assembly.b));
+void keep_lengths_in_limits(const AssemblyMode& assembly_mode, LengthBox& lengths) {
+  const Interval a2 = CGAL::square(whole(assembly_mode.a)), b2 = CGAL::square(whole(assembly_mode.b));
   keep(lengths.w, 2.0 * whole(lengths.t) * a2);
   if (lengths.w.empty()) return;
   keep(lengths.w, 2.0 * b2 / whole(lengths.t));
@@ -94,39 +94,39 @@ void keep_lengths_in_limits(const Assembly& assembly, LengthBox& lengths) {
   keep(lengths.t, 2.0 * b2 / whole(lengths.w));
 }
 
-void keep_reach(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit,
+void keep_reach(const AssemblyMode& assembly_mode, const PoleDistances& distances, const Cosines& limit,
                 LengthBox& lengths) {
   const Interval H = H_over(lengths.t);
   const Interval far = Interval(H.sup()) + Interval(limit.far_at_most);
   if (far.sup() > 0)
     keep_at_least(lengths.w,
-                  (chain_squared(assembly, distances.farthest_at_least) / Interval(far.sup())).inf());
+                  (chain_squared(assembly_mode, distances.farthest_at_least) / Interval(far.sup())).inf());
   const Interval between = Interval(limit.far_at_most) - Interval(limit.near_at_least);
   if (between.sup() > 0 && distances.squares_at_least > 0)
-    keep_at_least(lengths.w, (CGAL::square(widened(assembly.chain)) * Interval(distances.squares_at_least) /
-                              Interval(between.sup()))
+    keep_at_least(lengths.w, (CGAL::square(widened(assembly_mode.chain)) *
+                              Interval(distances.squares_at_least) / Interval(between.sup()))
                                  .inf());
   const Interval near = Interval(H.inf()) + Interval(limit.near_at_least);
   if (near.inf() > 0)
     keep_at_most(lengths.w,
-                 (chain_squared(assembly, distances.nearest_at_most) / Interval(near.inf())).sup());
+                 (chain_squared(assembly_mode, distances.nearest_at_most) / Interval(near.inf())).sup());
 }
 
 /// Size of the smallest linkage with this t that reaches the farthest place:
 /// c r (A + B t) / sqrt(t^2 + 2 t cos far + 1). Along t it has no minimum but at the ends of a range.
-double size_on_far_limit(const Assembly& assembly, const PoleDistances& distances, const Cosines& limit,
-                         double t) {
+double size_on_far_limit(const AssemblyMode& assembly_mode, const PoleDistances& distances,
+                         const Cosines& limit, double t) {
   const Interval T(t);
   const Interval under = CGAL::square(T) + 2.0 * T * Interval(limit.far_at_most) + 1.0;
   if (!(under.sup() > 0)) return infinity;
-  const Interval reach = widened(assembly.chain) * Interval(distances.farthest_at_least);
-  const Interval weight = widened(assembly.size_per_a) + widened(assembly.size_per_b) * T;
+  const Interval reach = widened(assembly_mode.chain) * Interval(distances.farthest_at_least);
+  const Interval weight = widened(assembly_mode.size_per_a) + widened(assembly_mode.size_per_b) * T;
   return (reach * weight / CGAL::sqrt(Interval(under.sup()))).inf();
 }
 
 /// (A / sqrt t + B sqrt t) / sqrt 2, least over the range: size = sqrt(w) times this.
-double size_per_root_w(const Assembly& assembly, const Range& t) {
-  const Interval A = widened(assembly.size_per_a), B = widened(assembly.size_per_b);
+double size_per_root_w(const AssemblyMode& assembly_mode, const Range& t) {
+  const Interval A = widened(assembly_mode.size_per_a), B = widened(assembly_mode.size_per_b);
   const auto at = [&](const Interval& T) { return ((A + B * T) / CGAL::sqrt(2.0 * T)).inf(); };
   const Interval best = A / B;  // where the sum is least: sqrt(2 A B)
   if (best.sup() >= t.lower && best.inf() <= t.upper) return CGAL::sqrt(2.0 * A * B).inf();
@@ -135,15 +135,16 @@ double size_per_root_w(const Assembly& assembly, const Range& t) {
 
 /// Largest transmission angle at which cos(far_end + mu) - weight cos(near_end - mu) >= needed: the left side
 /// falls.
-double transmission_with(const Assembly& assembly, double weight, double needed) {
-  const double widest = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
-  const double along = std::cos(assembly.far_end) - weight * std::cos(assembly.near_end);
-  const double across = std::sin(assembly.far_end) + weight * std::sin(assembly.near_end);
+double transmission_with(const AssemblyMode& assembly_mode, double weight, double needed) {
+  const double widest = (assembly_mode.near_end - assembly_mode.far_end) / 2 + 1e-14;
+  const double along = std::cos(assembly_mode.far_end) - weight * std::cos(assembly_mode.near_end);
+  const double across = std::sin(assembly_mode.far_end) + weight * std::sin(assembly_mode.near_end);
   const double size = std::hypot(along, across);
   if (!(size > 0)) return widest;
   const double guess = std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
   const auto impossible = [&](double mu) {
-    const Interval left = cosine(assembly.far_end + mu) - Interval(weight) * cosine(assembly.near_end - mu);
+    const Interval left =
+        cosine(assembly_mode.far_end + mu) - Interval(weight) * cosine(assembly_mode.near_end - mu);
     return left.sup() < needed;
   };
   if (impossible(0)) return -1;
@@ -195,86 +196,88 @@ std::array<Lengths, 5> hull_of(const LengthBox& lengths) {
 
 }  // namespace
 
-Range Assembly::usable(double transmission) const {
+Range AssemblyMode::usable(double transmission) const {
   return {std::max(far_end + transmission, allowed.lower), std::min(near_end - transmission, allowed.upper)};
 }
 
-bool contract(const Assembly& assembly, const PoleDistances& distances, double transmission,
+bool contract(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
               LengthBox& lengths) {
   const Rounding rounding;
-  if (assembly.usable(transmission).lower > assembly.usable(transmission).upper + 1e-12) return false;
-  const Cosines limit = cosines(assembly, transmission);
+  if (assembly_mode.usable(transmission).lower > assembly_mode.usable(transmission).upper + 1e-12)
+    return false;
+  const Cosines limit = cosines(assembly_mode, transmission);
   const double H_most = H_limit(distances, limit);
   if (H_most < 1) return false;
   keep_t_with_H_at_most(lengths.t, H_most);
   for (int round = 0; round < 2; ++round) {
     if (lengths.t.empty() || lengths.w.empty()) return false;
-    keep_lengths_in_limits(assembly, lengths);
+    keep_lengths_in_limits(assembly_mode, lengths);
     if (lengths.t.empty() || lengths.w.empty()) return false;
-    keep_reach(assembly, distances, limit, lengths);
+    keep_reach(assembly_mode, distances, limit, lengths);
   }
   return !lengths.t.empty() && !lengths.w.empty();
 }
 
-double size_at_least(const Assembly& assembly, const PoleDistances& distances, double transmission,
+double size_at_least(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
                      const LengthBox& lengths) {
   const Rounding rounding;
-  const Cosines limit = cosines(assembly, transmission);
-  const double by_reach = std::min(size_on_far_limit(assembly, distances, limit, lengths.t.lower),
-                                   size_on_far_limit(assembly, distances, limit, lengths.t.upper));
+  const Cosines limit = cosines(assembly_mode, transmission);
+  const double by_reach = std::min(size_on_far_limit(assembly_mode, distances, limit, lengths.t.lower),
+                                   size_on_far_limit(assembly_mode, distances, limit, lengths.t.upper));
   const Interval by_lengths =
-      CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(assembly, lengths.t));
+      CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(assembly_mode, lengths.t));
   return std::max(by_reach, by_lengths.inf());
 }
 
-bool contract_by_size(const Assembly& assembly, double size, LengthBox& lengths) {
+bool contract_by_size(const AssemblyMode& assembly_mode, double size, LengthBox& lengths) {
   const Rounding rounding;
   if (size < infinity)
     keep_at_most(lengths.w,
-                 CGAL::square(Interval(size) / Interval(size_per_root_w(assembly, lengths.t))).sup());
+                 CGAL::square(Interval(size) / Interval(size_per_root_w(assembly_mode, lengths.t))).sup());
   return !lengths.w.empty();
 }
 
-double transmission_at_most(const Assembly& assembly, const PoleDistances& distances,
+double transmission_at_most(const AssemblyMode& assembly_mode, const PoleDistances& distances,
                             const LengthBox& lengths) {
   const Rounding rounding;
   const Interval H = H_over(lengths.t);
-  double most = (assembly.near_end - assembly.far_end) / 2 + 1e-14;
+  double most = (assembly_mode.near_end - assembly_mode.far_end) / 2 + 1e-14;
   if (distances.nearest_at_most > 0) {  // w eliminated
     const double q2 = ratio_squared(distances).inf();
     if (q2 > 1)
-      most =
-          std::min(most, transmission_with(assembly, q2, ((Interval(q2) - 1.0) * Interval(H.inf())).inf()));
+      most = std::min(most,
+                      transmission_with(assembly_mode, q2, ((Interval(q2) - 1.0) * Interval(H.inf())).inf()));
   }
   if (distances.squares_at_least > 0)  // H eliminated
-    most = std::min(most, transmission_with(assembly, 1,
-                                            (CGAL::square(widened(assembly.chain)) *
+    most = std::min(most, transmission_with(assembly_mode, 1,
+                                            (CGAL::square(widened(assembly_mode.chain)) *
                                              Interval(distances.squares_at_least) / Interval(lengths.w.upper))
                                                 .inf()));
-  const Interval far =
-      chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
+  const Interval far = chain_squared(assembly_mode, distances.farthest_at_least) / Interval(lengths.w.upper) -
+                       Interval(H.sup());
   const Interval near =
-      chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
-  most = std::min(most, arc_at_most(far.inf()) - assembly.far_end);
-  most = std::min(most, assembly.near_end - arc_at_least(near.sup()));
+      chain_squared(assembly_mode, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
+  most = std::min(most, arc_at_most(far.inf()) - assembly_mode.far_end);
+  most = std::min(most, assembly_mode.near_end - arc_at_least(near.sup()));
   return most;
 }
 
-Range passed_by_all(const Assembly& assembly, const PoleDistances& distances, const LengthBox& lengths) {
+Range passed_by_all(const AssemblyMode& assembly_mode, const PoleDistances& distances,
+                    const LengthBox& lengths) {
   const Rounding rounding;
   const Interval H = H_over(lengths.t);
   const Interval near =
-      chain_squared(assembly, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
-  const Interval far =
-      chain_squared(assembly, distances.farthest_at_least) / Interval(lengths.w.upper) - Interval(H.sup());
+      chain_squared(assembly_mode, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
+  const Interval far = chain_squared(assembly_mode, distances.farthest_at_least) / Interval(lengths.w.upper) -
+                       Interval(H.sup());
   if (!(near.sup() < far.inf()) || far.inf() < -1 || near.sup() > 1) return {};
   return {arc_at_most(far.inf()), arc_at_least(near.sup())};
 }
 
-bool always_nearer(const Assembly& assembly, const LengthBox& lengths, double psi, const MaterialPoint& first,
-                   const MaterialPoint& second, double needed) {
+bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, double psi,
+                   const MaterialPoint& first, const MaterialPoint& second, double needed) {
   const Rounding rounding;
-  const IntervalComplex direction = widened_complex(std::polar(1.0, assembly.bend * psi));
+  const IntervalComplex direction = widened_complex(std::polar(1.0, assembly_mode.bend * psi));
   const IntervalComplex by_a = difference(first.of_a, second.of_a);
   const IntervalComplex by_b = difference(first.of_b, second.of_b) * direction;
   const Interval limit = CGAL::square(Interval(needed));

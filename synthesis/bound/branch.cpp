@@ -37,34 +37,34 @@ Range allowed(const Spec& spec, double shortest, const std::array<Factor, 4>& fa
 
 }  // namespace
 
-Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers,
+Branch make_branch(const Spec& spec, Grounding grounding, int number, std::vector<LayerChoice> layers,
                    std::optional<double> least_distance) {
   const double shortest = least_distance.value_or(least_joint_distance(spec));
   Branch branch;
   branch.layers = std::move(layers);
-  Assembly& assembly = branch.assembly;
-  assembly.vertex = vertex;
-  assembly.number = number;
-  assembly.s = shape_of(spec.copy.k, vertex);
-  assembly.chain = vertex == Vertex::pen ? std::abs(spec.copy.k) : 1;
-  const OpeningInterval interval = assemblies(assembly.s)[static_cast<std::size_t>(number)];
-  const double psi = wrapped(interval.middle() - std::arg(assembly.s));
-  assembly.bend = psi < 0 ? -1 : 1;
+  AssemblyMode& assembly_mode = branch.assembly_mode;
+  assembly_mode.grounding = grounding;
+  assembly_mode.number = number;
+  assembly_mode.s = shape_of(spec.copy.k, grounding);
+  assembly_mode.chain = chain_length_per_tracer(spec.copy.k, grounding);
+  const OpeningInterval interval = assembly_modes(assembly_mode.s)[static_cast<std::size_t>(number)];
+  const double psi = wrapped(interval.middle() - std::arg(assembly_mode.s));
+  assembly_mode.bend = psi < 0 ? -1 : 1;
   branch.middle = interval.middle();
   branch.middle_psi = std::abs(psi);
-  assembly.far_end = std::max(0.0, branch.middle_psi - interval.width() / 2);
-  assembly.near_end = std::min(pi, branch.middle_psi + interval.width() / 2);
-  assembly.allowed = {0, pi};
-  const double plate = std::abs(assembly.s), side = std::abs(1.0 - assembly.s);
-  assembly.size_per_a = 1 + (1 + plate + side) / 2;
-  assembly.size_per_b = plate + (plate + 1 + side) / 2;
-  assembly.a = allowed(spec, shortest, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
-  assembly.b = allowed(spec, shortest, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
+  assembly_mode.far_end = std::max(0.0, branch.middle_psi - interval.width() / 2);
+  assembly_mode.near_end = std::min(pi, branch.middle_psi + interval.width() / 2);
+  assembly_mode.allowed = {0, pi};
+  const double plate = std::abs(assembly_mode.s), side = std::abs(1.0 - assembly_mode.s);
+  assembly_mode.size_per_a = 1 + (1 + plate + side) / 2;
+  assembly_mode.size_per_b = plate + (plate + 1 + side) / 2;
+  assembly_mode.a = allowed(spec, shortest, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
+  assembly_mode.b = allowed(spec, shortest, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
   if (spec.limits.copy_error && spec.tolerance) {
-    const CopyErrorProfile profile(spec.copy.k, vertex, CopyTolerance::uniform(*spec.tolerance));
+    const CopyErrorProfile profile(spec.copy.k, grounding, CopyTolerance::uniform(*spec.tolerance));
     const OpeningInterval kept = profile.openings_not_ruled_out(*spec.limits.copy_error, interval);
     const double one = branch.psi_of(kept.lower), other = branch.psi_of(kept.upper);
-    assembly.allowed = kept.empty() ? Range{} : Range{std::min(one, other), std::max(one, other)};
+    assembly_mode.allowed = kept.empty() ? Range{} : Range{std::min(one, other), std::max(one, other)};
   }
   return branch;
 }

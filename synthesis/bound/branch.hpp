@@ -1,5 +1,5 @@
 #pragma once
-// One grounding and assembly of a spec, as the proven bound sees it.
+// One grounding and assembly mode of a spec, as the proven bound sees it.
 
 #include <optional>
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace kempe::bounding {
 
-/// An assembly with what is needed to turn |psi| into openings.
+/// An assembly mode with what is needed to turn |psi| into openings.
 struct Branch {
-  Assembly assembly;
+  AssemblyMode assembly_mode;
   double middle = 0, middle_psi = 0;  // the interval's middle: opening and |psi|, rad
   std::vector<LayerChoice> layers;
 
-  double psi_of(double opening) const { return middle_psi + assembly.bend * (opening - middle); }
-  double opening_of(double psi) const { return middle + assembly.bend * (psi - middle_psi); }
+  double psi_of(double opening) const { return middle_psi + assembly_mode.bend * (opening - middle); }
+  double opening_of(double psi) const { return middle + assembly_mode.bend * (psi - middle_psi); }
 };
 
 /// From the spec: the limits of lengths with locks, the openings that the copy error leaves, the layer
 /// assignments worth a look. `least_distance` of two joints of a link, mm; absent: the spec's.
-Branch make_branch(const Spec& spec, Vertex vertex, int number, std::vector<LayerChoice> layers,
+Branch make_branch(const Spec& spec, Grounding grounding, int number, std::vector<LayerChoice> layers,
                    std::optional<double> least_distance = std::nullopt);
 
 }  // namespace kempe::bounding

@@ -120,9 +120,9 @@ std::vector<Piece> pieces_of(const Part& part, Complex s, const LinkStyle& style
 
 PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first), part_key(pair.second)); }
 
-std::vector<LayerChoice> layer_choices(Complex k, Vertex vertex, int layers,
+std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
                                        const std::vector<Obstacle>& obstacles) {
-  const auto any = CopyingLinkage::make(k, vertex, 100, 100, 0);
+  const auto any = CopyingLinkage::make(k, grounding, 100, 100, 0);
   std::vector<LayerChoice> choices;
   if (!any) return choices;
   for (const LayerAssignment& each : least_demanding_assignments(*any, layers, obstacles)) {

@@ -27,7 +27,7 @@ struct LayerChoice {
 
 /// The least demanding layer assignments of a grounding (layer_demands.hpp): if no design keeps its clearance in one of
 /// these, none does in any. With obstacles more contact among the links may be worth it.
-std::vector<LayerChoice> layer_choices(Complex k, Vertex vertex, int layers,
+std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
                                        const std::vector<Obstacle>& obstacles);
 
 /// Two points, one of each part of a pair, that are nearest (or coincide) in a pose with these lengths and

@@ -34,13 +34,13 @@ struct ObstacleTest::Middle {
   LogLengths lengths;
 };
 
-ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly,
+ObstacleTest::ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
                            const std::vector<LayerAssignment>& layers, StopFlag stop)
-    : assembly_(assembly), reach_(spec.copy.k, assembly.vertex, assembly.number),
-      grounding_(grounding_of(assembly.vertex)), clearance_(spec.limits.clearance),
+    : assembly_mode_(assembly_mode), reach_(spec.copy.k, assembly_mode.grounding, assembly_mode.number),
+      roles_(roles_of(assembly_mode.grounding)), clearance_(spec.limits.clearance),
       shapes_(obstacle_shapes(spec.obstacles)), places_(tracer_places(spec.region, first_places)),
       many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
-  const auto any = CopyingLinkage::make(spec.copy.k, assembly.vertex, 100, 100, assembly.number);
+  const auto any = CopyingLinkage::make(spec.copy.k, assembly_mode.grounding, 100, 100, assembly_mode.number);
   std::map<TermKey, std::size_t> known;
   for (std::size_t i = 0; any && i < layers.size() && !stop_(); ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec)) {
@@ -54,7 +54,7 @@ ObstacleTest::ObstacleTest(const Spec& spec, const Assembly& assembly,
 /// if the middle does not reach the place, or the box is too large for a statement.
 std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Point& place,
                                                 const Middle& middle) const {
-  const double chain = assembly_.chain, distance = (place - box.pole).norm();
+  const double chain = assembly_mode_.chain, distance = (place - box.pole).norm();
   const LengthBox& l = box.lengths;
   const auto cosine = [&](double r, double w, double h) { return chain * chain * r * r / w - h; };
   const double at_middle = cosine(distance, middle.w, mean(middle.t));
@@ -73,9 +73,9 @@ std::optional<double> ObstacleTest::joints_move(const DesignBox& box, const Poin
       std::max(l.t.upper / middle.t - 1, 1 - l.t.lower / middle.t) + l.t.upper / middle.t * psi_away + slack;
 
   const JointFrame frame(reach_.shape(), middle.lengths, reach_.opening_at(middle.lengths, distance));
-  const auto of_p = [&](Joint joint) { return frame.of_p(joint) - frame.of_p(grounding_.pole); };
-  const auto of_q = [&](Joint joint) { return frame.of_q(joint) - frame.of_q(grounding_.pole); };
-  const Complex arm_p = of_p(grounding_.tracer), arm_q = of_q(grounding_.tracer);
+  const auto of_p = [&](Joint joint) { return frame.of_p(joint) - frame.of_p(roles_.pole); };
+  const auto of_q = [&](Joint joint) { return frame.of_q(joint) - frame.of_q(roles_.pole); };
+  const Complex arm_p = of_p(roles_.tracer), arm_q = of_q(roles_.tracer);
   const double arm = std::abs(arm_p + arm_q), least_arm = arm - std::abs(arm_q) * share;
   if (!(least_arm > 0.05 * arm)) return std::nullopt;
   double most = 0;
@@ -92,14 +92,14 @@ LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, std::option
                                bool only_hint) const {
   const double t = std::sqrt(box.lengths.t.lower * box.lengths.t.upper);
   const double w = std::sqrt(box.lengths.w.lower * box.lengths.w.upper);
-  const double VB = std::sqrt(w * t / 2) * std::abs(assembly_.s);
+  const double VB = std::sqrt(w * t / 2) * std::abs(assembly_mode_.s);
   const Middle middle{t, w, {std::log(std::sqrt(w / t / 2)), std::log(VB)}};
   double nearest = std::numeric_limits<double>::infinity();
   std::optional<Hit> next;
   const auto look_at = [&](std::size_t place, std::size_t first, std::size_t last) {
     const auto moved = joints_move(box, places_[place], middle);
     if (!moved) return;
-    const PlacedJoints joints(reach_, grounding_, middle.lengths, box.pole, places_[place]);
+    const PlacedJoints joints(reach_, roles_, middle.lengths, box.pole, places_[place]);
     for (std::size_t i = first; i < last; ++i) {
       if (!terms_[i].layers.meets(alive)) continue;
       const ObstacleTerm& term = terms_[i].what;
@@ -125,7 +125,7 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
   const LogLengths lengths{std::log(VA), std::log(VB)};
   const auto is_clear_at = [&](const Point& place) {
     if (stop_()) return false;
-    const PlacedJoints joints(reach_, grounding_, lengths, pole, place);
+    const PlacedJoints joints(reach_, roles_, lengths, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
       return term.layers.has(layers) &&
              obstacle_gap(term.what, shapes_[term.what.obstacle], joints, clearance_) < clearance_;

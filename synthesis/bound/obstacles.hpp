@@ -33,8 +33,8 @@ struct Hit {
 class ObstacleTest {
  public:
   /// Assignments are known by their place in `layers`. Once `stop` is set, no more is ruled out and no design is found clear.
-  ObstacleTest(const Spec& spec, const Assembly& assembly, const std::vector<LayerAssignment>& layers,
-               StopFlag stop = {});
+  ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
+               const std::vector<LayerAssignment>& layers, StopFlag stop = {});
 
   /// The assignments of `alive` in which no obstacle is surely hit. `hint`: a hit of the box this one was split from; set to
   /// the one that came nearest to certain. With `only_hint` nothing else is looked at.
@@ -54,9 +54,9 @@ class ObstacleTest {
   struct Middle;
   std::optional<double> joints_move(const DesignBox& box, const Point& place, const Middle& middle) const;
 
-  Assembly assembly_;
+  AssemblyMode assembly_mode_;
   Reach reach_;
-  Grounding grounding_;
+  JointRoles roles_;
   double clearance_;
   std::vector<ObstacleShape> shapes_;
   std::vector<Point> places_;       ///< looked at in every box

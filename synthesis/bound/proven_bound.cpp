@@ -23,7 +23,7 @@
 namespace kempe {
 namespace {
 
-using bounding::Assembly;
+using bounding::AssemblyMode;
 using bounding::Branch;
 using bounding::LengthBox;
 using bounding::PoleDistances;
@@ -97,7 +97,7 @@ class Tree {
   }
 
  private:
-  const Assembly& assembly(const Node& node) const { return branches_[node.branch].assembly; }
+  const AssemblyMode& assembly_mode(const Node& node) const { return branches_[node.branch].assembly_mode; }
 
   /// Bounds at least this good end the search.
   double enough() const { return best_ < infinity ? best_ - options_.tolerance * std::abs(best_) : infinity; }
@@ -107,7 +107,7 @@ class Tree {
     return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_);
   }
 
-  /// The roots of all groundings and assemblies; false if it was stopped on the way.
+  /// The roots of all groundings and assembly modes; false if it was stopped on the way.
   bool plant() {
     Range x, y;
     if (area_) {
@@ -118,19 +118,19 @@ class Tree {
       x = {at.x(), at.x()};
       y = {at.y(), at.y()};
     }
-    for (const Vertex vertex : all_vertices) {
+    for (const Grounding grounding : all_groundings) {
       const auto& permitted = spec_.objective.groundings;
-      if (std::find(permitted.begin(), permitted.end(), vertex) == permitted.end()) continue;
+      if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
       const auto layers =
-          bounding::layer_choices(spec_.copy.k, vertex, spec_.links.layers,
+          bounding::layer_choices(spec_.copy.k, grounding, spec_.links.layers,
                                   sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{});
-      const std::size_t count = assemblies(shape_of(spec_.copy.k, vertex)).size();
+      const std::size_t count = assembly_modes(shape_of(spec_.copy.k, grounding)).size();
       for (std::size_t number = 0; number < count; ++number) {
         if (options_.stop()) return false;
         branches_.push_back(
-            bounding::make_branch(spec_, vertex, static_cast<int>(number), layers, options_.shortest));
+            bounding::make_branch(spec_, grounding, static_cast<int>(number), layers, options_.shortest));
         if (sees_obstacles()) add_obstacle_test(branches_.back());
-        const Assembly& a = branches_.back().assembly;
+        const AssemblyMode& a = branches_.back().assembly_mode;
         if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
         Node root;
         root.branch = branches_.size() - 1;
@@ -187,7 +187,7 @@ class Tree {
   /// Shrinks, bounds and keeps a box, or drops it.
   void grow_from(Node node) {
     ++boxes_;
-    const Assembly& a = assembly(node);
+    const AssemblyMode& a = assembly_mode(node);
     if (!bounding::contract(a, node.distances, transmission(), node.lengths)) return;
     if (by_size_ && !bounding::contract_by_size(a, best_, node.lengths)) return drop(node, best_);
     node.bound = bound_of(node);
@@ -204,7 +204,7 @@ class Tree {
     std::vector<LayerAssignment> layers;
     for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
     obstacle_tests_.push_back(
-        std::make_unique<bounding::ObstacleTest>(spec_, branch.assembly, layers, options_.stop));
+        std::make_unique<bounding::ObstacleTest>(spec_, branch.assembly_mode, layers, options_.stop));
   }
 
   /// Drops layer assignments in which every design of the box has a part in an obstacle; false if none is left.
@@ -217,28 +217,30 @@ class Tree {
   }
 
   double bound_of(const Node& node) const {
-    return by_size_ ? bounding::size_at_least(assembly(node), node.distances, transmission(), node.lengths)
-                    : -bounding::transmission_at_most(assembly(node), node.distances, node.lengths);
+    return by_size_
+               ? bounding::size_at_least(assembly_mode(node), node.distances, transmission(), node.lengths)
+               : -bounding::transmission_at_most(assembly_mode(node), node.distances, node.lengths);
   }
 
   /// A box whose designs are no better than the best known: its grounding is not impossible.
-  void drop(const Node& node, double bound) { note(assembly(node).vertex, bound); }
+  void drop(const Node& node, double bound) { note(assembly_mode(node).grounding, bound); }
 
-  void note(Vertex vertex, double bound) {
-    auto& noted = by_grounding_[static_cast<std::size_t>(vertex)];
+  void note(Grounding grounding, double bound) {
+    auto& noted = by_grounding_[static_cast<std::size_t>(grounding)];
     noted = noted ? std::min(*noted, bound) : bound;
   }
 
   bool is_cut(const Node& node, const Range& passed, const Cut& cut) const {
     if (cut.psi < passed.lower || cut.psi > passed.upper) return false;
-    return bounding::always_nearer(assembly(node), node.lengths, cut.psi, cut.first, cut.second, cut.needed);
+    return bounding::always_nearer(assembly_mode(node), node.lengths, cut.psi, cut.first, cut.second,
+                                   cut.needed);
   }
 
   /// Tests the contacts that the box was split from; false if no layer assignment is left.
   bool repeat_cuts(Node& node) const {
     if (std::all_of(node.cut.begin(), node.cut.end(), [](std::uint32_t cut) { return cut == 0; }))
       return true;
-    const Range passed = bounding::passed_by_all(assembly(node), node.distances, node.lengths);
+    const Range passed = bounding::passed_by_all(assembly_mode(node), node.distances, node.lengths);
     for (std::size_t i = 0; i < kept_cuts; ++i)
       if (node.alive.has(i) && node.cut[i] != 0 && is_cut(node, passed, cuts_[node.cut[i]]))
         node.alive.remove(i);
@@ -255,7 +257,7 @@ class Tree {
   /// passes, and remembers where it does in others; false if none is left.
   bool rule_out_layers(Node& node) {
     const Branch& branch = branches_[node.branch];
-    const Range passed = bounding::passed_by_all(branch.assembly, node.distances, node.lengths);
+    const Range passed = bounding::passed_by_all(branch.assembly_mode, node.distances, node.lengths);
     if (passed.empty()) return true;
     const double t = std::sqrt(node.lengths.t.lower * node.lengths.t.upper);
     const double w = std::sqrt(node.lengths.w.lower * node.lengths.w.upper);
@@ -274,8 +276,8 @@ class Tree {
           smallest_gap_over(*linkage, spec_.links.style, branch.layers[i].layers, openings);
       if (tightest.gap >= spec_.limits.clearance || !tightest.pair) continue;
       const double psi = std::clamp(branch.psi_of(tightest.opening), passed.lower, passed.upper);
-      const auto points = bounding::nearest_points(*tightest.pair, branch.assembly.s, spec_.links.style, a, b,
-                                                   branch.assembly.bend * psi);
+      const auto points = bounding::nearest_points(*tightest.pair, branch.assembly_mode.s, spec_.links.style,
+                                                   a, b, branch.assembly_mode.bend * psi);
       const Cut cut{psi, points.first, points.second, (points.needed + spec_.limits.clearance) * (1 - 1e-12)};
       if (is_cut(node, passed, cut)) {
         strike(node, branch, bounding::key_of(*tightest.pair));
@@ -289,8 +291,8 @@ class Tree {
 
   tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Branch& branch, double a, double b,
                                                         const Point& pole) const {
-    return CopyingLinkage::make(spec_.copy.k, branch.assembly.vertex, a, b * std::abs(branch.assembly.s),
-                                branch.assembly.number, pole);
+    return CopyingLinkage::make(spec_.copy.k, branch.assembly_mode.grounding, a,
+                                b * std::abs(branch.assembly_mode.s), branch.assembly_mode.number, pole);
   }
 
   /// Designs of the relaxation in the box: its smallest by reach, and its middle.
@@ -299,7 +301,7 @@ class Tree {
     const DistanceRange range = region_.range(node.pole());
     const PoleDistances exact{range.nearest, range.farthest, 1,
                               range.farthest * range.farthest - range.nearest * range.nearest};
-    const Assembly& a = assembly(node);
+    const AssemblyMode& a = assembly_mode(node);
     LengthBox lengths = node.lengths;
     if (!(range.nearest > 0) || sheets_.verdict(node.pole(), 0) == SheetsGap::Verdict::too_near) return;
     if (!bounding::contract(a, exact, transmission(), lengths)) return;
@@ -318,8 +320,8 @@ class Tree {
 
   /// Of all lengths with one t, those with the largest transmission angle.
   void try_freest(const Node& node, const PoleDistances& exact, LengthBox line, const DistanceRange& range) {
-    const double aim = bounding::transmission_at_most(assembly(node), exact, line) - 1e-9;
-    if (aim <= transmission() || !bounding::contract(assembly(node), exact, aim, line)) return;
+    const double aim = bounding::transmission_at_most(assembly_mode(node), exact, line) - 1e-9;
+    if (aim <= transmission() || !bounding::contract(assembly_mode(node), exact, aim, line)) return;
     try_design(node, line.t.lower, std::sqrt(line.w.lower * line.w.upper), range);
   }
 
@@ -349,8 +351,9 @@ class Tree {
     };
     const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
     if (layers == branch.layers.end()) return;
-    design_ = RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(),
-                            linkage->VB(),     node.pole(),         layers->layers};
+    design_ = RelaxedDesign{linkage->grounding(), linkage->assembly_mode(),
+                            linkage->VA(),        linkage->VB(),
+                            node.pole(),          layers->layers};
     best_ = value;
   }
 
@@ -361,7 +364,7 @@ class Tree {
     fixed.x.lower = fixed.x.upper = node.pole().x();
     fixed.y.lower = fixed.y.upper = node.pole().y();
     if (node.radius() == 0 || !measure_distances(fixed)) return 1;
-    if (!bounding::contract(assembly(node), fixed.distances, transmission(), fixed.lengths)) return 1;
+    if (!bounding::contract(assembly_mode(node), fixed.distances, transmission(), fixed.lengths)) return 1;
     return bound_of(fixed) > node.bound ? 1 : idle;
   }
 
@@ -398,8 +401,8 @@ class Tree {
     const double w = std::sqrt(node.lengths.w.lower * node.lengths.w.upper);
     const auto linkage = linkage_of(branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), node.pole());
     if (!linkage) return std::nullopt;
-    return RelaxedDesign{linkage->vertex(), linkage->assembly(), linkage->VA(),
-                         linkage->VB(),     node.pole(),         {}};
+    return RelaxedDesign{
+        linkage->grounding(), linkage->assembly_mode(), linkage->VA(), linkage->VB(), node.pole(), {}};
   }
 
   ProvenBound verdict() {
@@ -415,7 +418,7 @@ class Tree {
     std::set<std::size_t> promising;
     for (; !open_.empty(); open_.pop()) {
       const Node& node = open_.top();
-      note(assembly(node).vertex, node.bound);
+      note(assembly_mode(node).grounding, node.bound);
       if (result.tight || !promising.insert(node.branch).second) continue;
       if (const auto middle = middle_of(node)) result.promising.push_back(*middle);
     }
@@ -452,7 +455,7 @@ std::optional<ProvenBound> back_to_the_table(std::optional<ProvenBound> bound, c
 
 }  // namespace
 
-std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective, const BoundOptions& options) {
+std::optional<ProvenBound> proven_bound(const Spec& spec, Objective objective, const BoundOptions& options) {
   if (objective != Objective::size && objective != Objective::transmission) return std::nullopt;
   if (spec.region.empty()) return std::nullopt;
   const Point origin = local_origin(spec);
@@ -467,8 +470,8 @@ std::vector<RelaxedDesign> starts_of(const ProvenBound& bound) {
   return starts;
 }
 
-std::optional<ProvenBound> lower_bound(const Spec& spec, const BoundOptions& options) {
-  return lower_bound(spec, spec.objective.objective, options);
+std::optional<ProvenBound> proven_bound(const Spec& spec, const BoundOptions& options) {
+  return proven_bound(spec, spec.objective.objective, options);
 }
 
 }  // namespace kempe

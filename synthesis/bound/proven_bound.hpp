@@ -1,6 +1,6 @@
 #pragma once
 // A number that no design can beat: a proven lower bound of `size`, or upper bound of the transmission angle,
-// over every permitted grounding, assembly, layer assignment, pair of lengths and place of the pole.
+// over every permitted grounding, assembly mode, layer assignment, pair of lengths and place of the pole.
 //
 // Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission
 // limit, the lengths' limits, the copy error, the gap between the sheets and the linkage's contact with
@@ -38,8 +38,8 @@ struct BoundOptions {
 
 /// A design that keeps all limits looked at: a start for the search, and mostly its result.
 struct RelaxedDesign {
-  Vertex vertex = Vertex::pole;
-  int assembly = 0;
+  Grounding grounding = Grounding::pole;
+  int assembly_mode = 0;
   double VA = 0, VB = 0;       ///< mm
   Point pole = Point::Zero();  ///< mm
   LayerAssignment layers;      ///< meaningless if contact was not looked at
@@ -61,9 +61,9 @@ struct ProvenBound {
   /// (rad).
   std::optional<RelaxedDesign> design;
   /// The middle of the most promising boxes that were left when the boxes ran out, the best first, at most one a grounding
-  /// and assembly: no designs, but places where one better than `relaxation` may hide. Empty if tight.
+  /// and assembly mode: no designs, but places where one better than `relaxation` may hide. Empty if tight.
   std::vector<RelaxedDesign> promising;
-  /// The bound if the vertex were one of these alone (indexed by Vertex); absent where none is possible or
+  /// The bound if the vertex were one of these alone (indexed by Grounding); absent where none is possible or
   /// permitted. Groundings worse than the best are looked at no longer than needed, so theirs are loose.
   std::array<std::optional<double>, 3> by_grounding;
   std::size_t boxes = 0;
@@ -75,10 +75,10 @@ std::vector<RelaxedDesign> starts_of(const ProvenBound& bound);
 /// The bound for the spec's objective; nothing for objectives other than size and transmission, or if it was stopped
 /// before every grounding had been looked at. Deterministic unless stopped. Guarantee: value <= size of every design that keeps the spec's limits with the exact ratio
 /// k (transmission: >=).
-std::optional<ProvenBound> lower_bound(const Spec& spec, const BoundOptions& options = {});
+std::optional<ProvenBound> proven_bound(const Spec& spec, const BoundOptions& options = {});
 
 /// The same for an objective of the caller's choice.
-std::optional<ProvenBound> lower_bound(const Spec& spec, Objective objective,
-                                       const BoundOptions& options = {});
+std::optional<ProvenBound> proven_bound(const Spec& spec, Objective objective,
+                                        const BoundOptions& options = {});
 
 }  // namespace kempe

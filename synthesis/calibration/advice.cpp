@@ -161,8 +161,8 @@ std::string words_of(const Indistinct& combination, bool variable_ratio) {
   return words;
 }
 
-std::vector<Told> advice_for(TaskMaking& making, const Calibration& calibration) {
-  std::vector<Told> all;
+std::vector<UndeterminedCombination> advice_for(TaskMaking& making, const Calibration& calibration) {
+  std::vector<UndeterminedCombination> all;
   if (calibration.indistinct.empty()) return all;
   const Advice advice(making, calibration);
   for (const Indistinct& one : calibration.indistinct)

@@ -10,7 +10,7 @@ namespace kempe {
 
 /// For each combination of the calibration: its words, and the extra measurements that would tell it, best
 /// first.
-std::vector<Told> advice_for(TaskMaking& making, const Calibration& calibration);
+std::vector<UndeterminedCombination> advice_for(TaskMaking& making, const Calibration& calibration);
 
 /// The readings of [plan], to be taken besides those of the last round.
 PlanRecord plan_for(const Measurements& measurements, const std::optional<DrawnDesign>& design);

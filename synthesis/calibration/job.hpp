@@ -22,7 +22,7 @@ struct Quantity {
   double drawn = 0;        ///< what it should be, mm (rad for the turn)
   double error = 0;        ///< made less drawn, mm (rad)
   double uncertainty = 0;  ///< standard, given that what is held is as drawn
-  bool determined = true;  ///< false: only together with others, see `Told::parts`
+  bool determined = true;  ///< false: only together with others, see `UndeterminedCombination::parts`
 };
 
 /// What an extra measurement would tell about a combination.
@@ -32,7 +32,7 @@ struct Remedy {
 };
 
 /// A combination that the readings cannot tell, in words.
-struct Told {
+struct UndeterminedCombination {
   Indistinct combination;
   std::string words;
   std::vector<Remedy> remedies;  ///< best first; never empty
@@ -95,7 +95,7 @@ struct CalibrationRecord {
   /// Where readings of the last round stand out: its errors if those were kept (or, where they are kept, left out).
   std::vector<Quantity> otherwise;
   Eigen::MatrixXd correlations;  ///< of the last round's quantities
-  std::vector<Told> indistinct;
+  std::vector<UndeterminedCombination> indistinct;
   bool reached = false;  ///< the last round's readings depart by no more than the target
   std::vector<SettingRow> settings;
   std::optional<PlanRecord> plan;

@@ -119,7 +119,7 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
                                .seed = found.seed,
                                .complete = found.complete,
                                .obstacles_out_of_reach = names_out_of_reach(spec)};
-  design.quality.lower_bound = found.lower_bound;
+  design.quality.proven_bound = found.proven_bound;
   design.allowed = allowed_by(spec);
   return design;
 }

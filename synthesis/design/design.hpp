@@ -20,7 +20,7 @@ struct Quality {
   std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;
   double footprint = 0;  ///< mm^2, outer bound of the area swept while the tracer covers the region
   /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
-  std::optional<double> lower_bound;
+  std::optional<double> proven_bound;
 };
 
 /// Something that a design or its file states and that does not hold.
@@ -37,7 +37,7 @@ struct Verification {
   double copy_error_max = 0;       ///< mm
   double loop_residual_max = 0;    ///< mm
   double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
-  int flips = 0;                   ///< changes of assembly seen
+  int flips = 0;                   ///< changes of assembly mode seen
   bool certified = false;
   bool over_workspace =
       false;              ///< driven over the free workspace: there is no region, or none of it within reach
@@ -68,7 +68,7 @@ struct Allowed {
   int layers = 2;                    ///< at most
   double shortest = 0, longest = 0;  ///< mm, of every length
   WorkshopSpec workshop{};
-  std::vector<Vertex> groundings{};
+  std::vector<Grounding> groundings{};
   std::optional<double>
       wall{};  ///< mm, least between two holes of a link; absent: an older file does not say it
 };

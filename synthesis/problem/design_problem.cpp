@@ -39,14 +39,14 @@ bool goal_is_variable(Goal goal) { return goal != Goal::size && goal != Goal::fo
 DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, const Requirements& limits,
                              Goal goal, const OpeningInterval& allowed, ContactTerms terms)
     : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed),
-      terms_(std::move(terms)), grounding_(grounding_of(choice.vertex)),
-      reach_(space.k(), choice.vertex, choice.assembly),
+      terms_(std::move(terms)), roles_(roles_of(choice.grounding)),
+      reach_(space.k(), choice.grounding, choice.assembly_mode),
       box_(length_box(reach_, limits, space.spec().links.workshop)), layout_(space.layout()) {
   layout_.pole_is_free = space.pole_is_free(limits) || goal == Goal::pole_margin;
   layout_.has_goal = goal_is_variable(goal);
   if (!terms_.obstacles.empty()) places_ = space.tracer_places();
   if (goal == Goal::copy_error && space.spec().tolerance)
-    copy_error_.emplace(space.k(), choice.vertex, CopyTolerance::uniform(*space.spec().tolerance));
+    copy_error_.emplace(space.k(), choice.grounding, CopyTolerance::uniform(*space.spec().tolerance));
 }
 
 OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
@@ -101,7 +101,7 @@ double DesignProblem::smallest_gap(const LogLengths& lengths, double from, doubl
 double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double enough) const {
   double smallest = enough;
   for (const Point& place : places_) {
-    const PlacedJoints joints(reach_, grounding_, point.lengths, point.pole, place);
+    const PlacedJoints joints(reach_, roles_, point.lengths, point.pole, place);
     for (const ObstacleTerm& term : terms_.obstacles)
       smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest));
   }
@@ -109,8 +109,8 @@ double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double eno
 }
 
 double DesignProblem::footprint_at(const DesignPoint& point) const {
-  const auto linkage = CopyingLinkage::make(space_.k(), choice_.vertex, std::exp(point.lengths.u),
-                                            std::exp(point.lengths.v), choice_.assembly, point.pole);
+  const auto linkage = CopyingLinkage::make(space_.k(), choice_.grounding, std::exp(point.lengths.u),
+                                            std::exp(point.lengths.v), choice_.assembly_mode, point.pole);
   return linkage
              ? footprint_estimate(*linkage, space_.spec().links.style, space_.spec().region, search_footprint)
              : 0;
@@ -195,7 +195,7 @@ DesignVector DesignProblem::vector_of(const DesignPoint& point) const {
   x[DesignLayout::far_opening] = reach_.opening_at(point.lengths, annulus.farthest);
   layout_.set_pole(x, point.pole);
   if (layout_.has_goal) x[layout_.goal()] = goal_in_vector(assess(point, search_openings).attained.of(goal_));
-  return x.cwiseMax(lower_bounds()).cwiseMin(upper_bounds());
+  return x.cwiseMax(proven_bounds()).cwiseMin(upper_bounds());
 }
 
 DesignPoint DesignProblem::point_of(const DesignVector& x) const {
@@ -212,7 +212,7 @@ double DesignProblem::goal_in_vector(double value) const {
   }
 }
 
-DesignVector DesignProblem::lower_bounds() const {
+DesignVector DesignProblem::proven_bounds() const {
   DesignVector bound(layout_.size());
   bound.head<4>() << box_.u.lower, box_.v.lower, allowed_.lower, allowed_.lower;
   if (layout_.pole_is_free)

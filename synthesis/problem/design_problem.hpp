@@ -7,7 +7,7 @@
 //
 //   reach, near    dist(pole, edge i) - r(u, v, d_near) >= 0      for every edge i of the region
 //   reach, far     r(u, v, d_far) - |pole - corner j| >= 0        for every corner j of the region's convex
-//   hull transmission   d_near and d_far at least mu inside the assembly's interval: bounds, or with the goal
+//   hull transmission   d_near and d_far at least mu inside the assembly mode's interval: bounds, or with the goal
 //   t = mu rows contact        gap_m(u, v, d_near + h (d_far - d_near)) - clearance >= 0     for every pair
 //   m, every 0 <= h <= 1 sheets         dist of an edge of the region and an edge of its image - gap >= 0
 //   pole           half planes around the start (search_space.hpp)
@@ -136,7 +136,7 @@ class DesignProblem {
   RowJet objective(const DesignVector& x, Derivatives wanted = Derivatives::second) const;
   /// The program of these rows; refers to this problem and copies the rows.
   SmoothProgram program(const std::vector<Row>& rows) const;
-  DesignVector lower_bounds() const;
+  DesignVector proven_bounds() const;
   DesignVector upper_bounds() const;
 
  private:
@@ -175,7 +175,7 @@ class DesignProblem {
   OpeningInterval allowed_;
   ContactTerms terms_;
   std::vector<Point> places_;  ///< of the tracer, where obstacles are looked at
-  Grounding grounding_;
+  JointRoles roles_;
   std::optional<CopyErrorProfile> copy_error_;
   Reach reach_;
   LogBox box_;

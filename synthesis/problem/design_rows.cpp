@@ -264,7 +264,7 @@ void DesignProblem::set_room(const Point& pole) {
 
 SmoothProgram DesignProblem::program(const std::vector<Row>& rows) const {
   SmoothProgram program{
-      .lower = lower_bounds(), .upper = upper_bounds(), .constraint_count = static_cast<int>(rows.size())};
+      .lower = proven_bounds(), .upper = upper_bounds(), .constraint_count = static_cast<int>(rows.size())};
   program.objective = [this](const DesignVector& x, DesignVector* gradient) {
     const RowJet jet = objective(x, gradient ? Derivatives::first : Derivatives::none);
     if (gradient) *gradient = jet.gradient;

@@ -47,8 +47,8 @@ Spec shifted(Spec spec, const Point& by) {
 }
 
 CopyingLinkage shifted(const CopyingLinkage& linkage, const Point& by) {
-  return CopyingLinkage::make(linkage.k(), linkage.vertex(), linkage.VA(), linkage.VB(), linkage.assembly(),
-                              linkage.pole() + by)
+  return CopyingLinkage::make(linkage.k(), linkage.grounding(), linkage.VA(), linkage.VB(),
+                              linkage.assembly_mode(), linkage.pole() + by)
       .value();
 }
 

@@ -93,20 +93,11 @@ std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const La
   return terms;
 }
 
-Grounding grounding_of(Vertex vertex) {
-  switch (vertex) {
-    case Vertex::pole: return {Joint::V, Joint::X};
-    case Vertex::tracer: return {Joint::X, Joint::V};
-    case Vertex::pen: break;
-  }
-  return {Joint::X, Joint::Y};
-}
-
-PlacedJoints::PlacedJoints(const Reach& reach, const Grounding& grounding, const LogLengths& lengths,
+PlacedJoints::PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths,
                            const Point& pole, const Point& tracer)
-    : reach_(reach), grounding_(grounding), lengths_(lengths), reach_vector_(as_complex(tracer - pole)),
+    : reach_(reach), roles_(roles), lengths_(lengths), reach_vector_(as_complex(tracer - pole)),
       opening_(reach.opening_at(lengths, std::abs(reach_vector_))), frame_(reach.shape(), lengths, opening_) {
-  const Complex ground = frame_[grounding.pole], arm = frame_[grounding.tracer] - ground;
+  const Complex ground = frame_[roles.pole], arm = frame_[roles.tracer] - ground;
   // Where the opening had to be clamped the arm is too long or too short: its direction is right, which is enough.
   const Complex turn = reach_vector_ / arm;
   for (const Joint joint : all_joints)
@@ -114,13 +105,13 @@ PlacedJoints::PlacedJoints(const Reach& reach, const Grounding& grounding, const
 }
 
 PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
-  const Complex arm = frame_[grounding_.tracer] - frame_[grounding_.pole];
-  const Complex xi = (frame_[joint] - frame_[grounding_.pole]) / arm;
+  const Complex arm = frame_[roles_.tracer] - frame_[roles_.pole];
+  const Complex xi = (frame_[joint] - frame_[roles_.pole]) / arm;
   const auto ratio_change = [&](Complex of_joint, Complex of_pole, Complex of_tracer) {
     return ((of_joint - of_pole) - xi * (of_tracer - of_pole)) / arm;
   };
   const auto change = [&](auto part) {
-    return ratio_change(part(joint), part(grounding_.pole), part(grounding_.tracer));
+    return ratio_change(part(joint), part(roles_.pole), part(roles_.tracer));
   };
   const Complex xi_u = change([&](Joint j) { return frame_.of_p(j); });
   const Complex xi_v = change([&](Joint j) { return frame_.of_q(j); });

@@ -45,16 +45,10 @@ struct PlacedJet {
   Point by_pole = Point::Zero();
 };
 
-/// Which joints stand still and which follow the tracer.
-struct Grounding {
-  Joint pole, tracer;
-};
-Grounding grounding_of(Vertex vertex);
-
 /// The joints in the table's frame with the tracer at a place.
 class PlacedJoints {
  public:
-  PlacedJoints(const Reach& reach, const Grounding& grounding, const LogLengths& lengths, const Point& pole,
+  PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths, const Point& pole,
                const Point& tracer);
   Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }
 
@@ -65,7 +59,7 @@ class PlacedJoints {
 
  private:
   const Reach& reach_;
-  Grounding grounding_;
+  JointRoles roles_;
   LogLengths lengths_;
   Complex reach_vector_;  ///< tracer - pole
   double opening_;

@@ -56,8 +56,8 @@ Box box_of_pole(const PoleSpec& pole, double margin) {
 /// Where pole, tracer and pen may stand.
 struct Places {
   Box pole, tracer, pen;
-  const Box& of(Joint joint, const Grounding& grounding) const {
-    return joint == grounding.pole ? pole : joint == grounding.tracer ? tracer : pen;
+  const Box& of(Joint joint, const JointRoles& roles) const {
+    return joint == roles.pole ? pole : joint == roles.tracer ? tracer : pen;
   }
 };
 
@@ -68,18 +68,18 @@ Places places_of(const Spec& spec, const Requirements& limits) {
 }
 
 /// Around V, X and Y; none if no lengths keep the limits.
-std::vector<Surroundings> surroundings_of(const Spec& spec, const Requirements& limits, Vertex vertex,
+std::vector<Surroundings> surroundings_of(const Spec& spec, const Requirements& limits, Grounding grounding,
                                           const Places& places) {
-  const Reach reach(spec.copy.k, vertex, 0);
+  const Reach reach(spec.copy.k, grounding, 0);
   const LogBox box = length_box(reach, limits, spec.links.workshop);
   if (box.u.empty() || box.v.empty()) return {};
   const double VA = std::exp(box.u.upper), VB = std::exp(box.v.upper);
   const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
   const LinkStyle& style = spec.links.style;
   const double beside = 0.5 * std::max(style.width, style.pin_diameter) + limits.clearance;
-  const Grounding grounding = grounding_of(vertex);
+  const JointRoles roles = roles_of(grounding);
   const auto around = [&](Joint joint, double length) {
-    return Surroundings{places.of(joint, grounding), length * (1 + slack) + beside};
+    return Surroundings{places.of(joint, roles), length * (1 + slack) + beside};
   };
   return {around(Joint::V, std::max(VA, VB)), around(Joint::X, VB * std::max(1.0, turn) / scale),
           around(Joint::Y, VA * std::max(scale, turn))};
@@ -110,8 +110,8 @@ std::vector<bool> obstacles_in_reach(const Spec& spec, const Requirements& limit
   if (spec.region.empty()) return std::vector<bool>(spec.obstacles.size(), true);
   const Places places = places_of(spec, limits);
   std::vector<Surroundings> all;
-  for (const Vertex vertex : spec.objective.groundings)
-    for (const Surroundings& one : surroundings_of(spec, limits, vertex, places)) all.push_back(one);
+  for (const Grounding grounding : spec.objective.groundings)
+    for (const Surroundings& one : surroundings_of(spec, limits, grounding, places)) all.push_back(one);
   std::vector<bool> reached;
   for (const Obstacle& obstacle : spec.obstacles) reached.push_back(in_reach(obstacle, all));
   return reached;

@@ -11,8 +11,8 @@ namespace kempe {
 
 /// Everything discrete about a design.
 struct Choice {
-  Vertex vertex = Vertex::pole;
-  int assembly = 0;
+  Grounding grounding = Grounding::pole;
+  int assembly_mode = 0;
   LayerAssignment layers;
   bool operator==(const Choice&) const = default;
 };

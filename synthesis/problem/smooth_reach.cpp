@@ -8,13 +8,12 @@ namespace {
 
 const double log_two = std::log(2.0);
 
-double chain_per_tracer(Complex k, Vertex vertex) { return vertex == Vertex::pen ? std::abs(k) : 1; }
-
 }  // namespace
 
-Reach::Reach(Complex k, Vertex vertex, int assembly)
-    : s_(shape_of(k, vertex)), chain_(chain_per_tracer(k, vertex)), log_s_(std::log(std::abs(s_))),
-      arg_s_(std::arg(s_)), interval_(assemblies(s_)[static_cast<std::size_t>(assembly)]) {
+Reach::Reach(Complex k, Grounding grounding, int assembly_mode)
+    : s_(shape_of(k, grounding)), chain_(chain_length_per_tracer(k, grounding)),
+      log_s_(std::log(std::abs(s_))), arg_s_(std::arg(s_)),
+      interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)]) {
   bend_ = std::sin(interval_.middle() - arg_s_) > 0 ? 1 : -1;
   near_is_lower_ = bend_ < 0;
   const double scale = std::abs(s_), turn = std::abs(1.0 - s_);

@@ -1,5 +1,5 @@
 #pragma once
-// The reach of one grounding and assembly, as smooth functions and in closed form.
+// The reach of one grounding and assembly mode, as smooth functions and in closed form.
 //
 //   b = VB/|s|,  psi = d - arg s,  c = |chain per tracer| (1, 1 or |k|)
 //   W = VA^2 + b^2 + 2 VA b cos psi,   tracer's distance from the pole  r = sqrt(W) / c
@@ -43,10 +43,10 @@ struct LogBox {
   LogRange u, v;
 };
 
-/// What a grounding and an assembly fix, whatever the lengths.
+/// What a grounding and an assembly mode fix, whatever the lengths.
 class Reach {
  public:
-  Reach(Complex k, Vertex vertex, int assembly);
+  Reach(Complex k, Grounding grounding, int assembly_mode);
 
   Complex shape() const { return s_; }
   const OpeningInterval& interval() const { return interval_; }

@@ -164,7 +164,7 @@ ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, cons
 
 ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const StopFlag& stop) {
   const LocalSolver second = [&](const SmoothProgram& program, const DesignVector& x) {
-    return minimize_to_last_digits(program, x, stop);
+    return polish(program, x, stop);
   };
   ChoiceResult best = exchange(problem, found.point, second, stop);
   const std::uint64_t evaluations = best.evaluations + found.evaluations;

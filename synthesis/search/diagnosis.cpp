@@ -120,8 +120,8 @@ SearchResult best_attained(const SearchRun& run, const Requirements& limits, con
       if (!found.design) continue;
       const CopyingLinkage& linkage = found.design->linkage;
       const SearchResult polished = run.best_from(
-          {linkage.vertex(), linkage.assembly(), linkage.VA(), linkage.VB(), linkage.pole(), {}}, narrowed,
-          limit.goal, {});
+          {linkage.grounding(), linkage.assembly_mode(), linkage.VA(), linkage.VB(), linkage.pole(), {}},
+          narrowed, limit.goal, {});
       best.evaluations += polished.evaluations;
       best.design = polished.design ? polished.design : found.design;
       nearer = true;

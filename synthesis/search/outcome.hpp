@@ -22,8 +22,8 @@ struct FoundDesign {
   std::vector<std::string> solvers{};  ///< names with versions, in the order of use
   std::uint64_t evaluations = 0;
   std::uint64_t seed = 0;
-  bool complete = true;                 ///< false: stopped early, a better one may exist
-  std::optional<double> lower_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
+  bool complete = true;                  ///< false: stopped early, a better one may exist
+  std::optional<double> proven_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
 };
 
 /// One limit that, moved so far and alone, makes a design possible; or one obstacle that, taken away alone, does.
@@ -51,7 +51,7 @@ struct NoDesign {
 /// The search was stopped before it found a design, or the proof that there is none: neither is known.
 struct Stopped {
   std::uint64_t evaluations = 0;
-  std::optional<double> lower_bound{};  ///< what no design can beat, mm or rad, as far as proven
+  std::optional<double> proven_bound{};  ///< what no design can beat, mm or rad, as far as proven
 };
 
 using SearchOutcome = std::variant<FoundDesign, NoDesign, Stopped>;

@@ -38,7 +38,7 @@ SearchResult searched_again(const SearchRun& run, SearchResult found, Goal goal,
 SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBound>& last, Goal goal,
                        SearchResult result) {
   if (last && !last->no_design) bound = tighter_bound(goal, bound, last->value);
-  result.design->lower_bound = bound;
+  result.design->proven_bound = bound;
   return result;
 }
 
@@ -47,7 +47,8 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   const Spec& spec = run.spec();
   if (std::abs(result.design->linkage.k() - spec.copy.k) > 1e-12 * std::abs(spec.copy.k))
     return result;  // the bound is one of designs with the exact ratio
-  const auto bound = lower_bound(run.space().spec(), {.incumbent = result.design->value, .stop = run.stop()});
+  const auto bound =
+      proven_bound(run.space().spec(), {.incumbent = result.design->value, .stop = run.stop()});
   if (run.stop()()) {
     const std::optional<double> known = result.bound;
     return told_with(known, bound, goal, std::move(result));
@@ -59,10 +60,10 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   if (!has_workshop_lengths(spec) && !run.stop()()) {
     for (const RelaxedDesign& start : starts_of(*bound))
       result = run.best_from(start, requirements_of(spec), goal, std::move(result));
-    if (!is_near(result)) result = run.best_around(requirements_of(spec), goal, std::move(result), hops);
+    if (!is_near(result)) result = run.basin_hopping(requirements_of(spec), goal, std::move(result), hops);
     result = searched_again(run, std::move(result), goal, is_near);
   }
-  result.design->lower_bound = bound->value;
+  result.design->proven_bound = bound->value;
   return result;
 }
 

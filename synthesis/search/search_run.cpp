@@ -38,10 +38,10 @@ constexpr double share_of_proof = 0.2, share_of_first_design = 0.6, share_of_any
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
 std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
                                               const Requirements& limits) {
-  const Reach reach(spec.copy.k, choice.vertex, choice.assembly);
+  const Reach reach(spec.copy.k, choice.grounding, choice.assembly_mode);
   const OpeningInterval usable = openings_with_transmission(reach, limits.transmission);
   if (!limits.copy_error || !spec.tolerance || usable.empty()) return {usable};
-  const CopyErrorProfile profile(spec.copy.k, choice.vertex, CopyTolerance::uniform(*spec.tolerance));
+  const CopyErrorProfile profile(spec.copy.k, choice.grounding, CopyTolerance::uniform(*spec.tolerance));
   std::vector<OpeningInterval> allowed;
   for (const OpeningInterval& within : profile.openings_within(*limits.copy_error, usable))
     if (const OpeningInterval inside = shrink(within, 1e-9); !inside.empty()) allowed.push_back(inside);
@@ -60,7 +60,8 @@ Spec with_limits(Spec moved, const Requirements& limits) {
 void remember(std::vector<SearchTask>& tasks, const std::vector<RelaxedDesign>& known) {
   for (SearchTask& task : tasks)
     for (const RelaxedDesign& one : known)
-      if (task.choice->choice.vertex == one.vertex && task.choice->choice.assembly == one.assembly)
+      if (task.choice->choice.grounding == one.grounding &&
+          task.choice->choice.assembly_mode == one.assembly_mode)
         task.known.push_back({{std::log(one.VA), std::log(one.VB)}, one.pole});
 }
 
@@ -78,8 +79,8 @@ double length_from(double logarithm) {
 std::optional<CopyingLinkage> linkage_of(const Spec& spec, const SearchTask& task) {
   const Choice& choice = task.choice->choice;
   const auto [u, v] = task.result.point.lengths;
-  const auto made = CopyingLinkage::make(spec.copy.k, choice.vertex, length_from(u), length_from(v),
-                                         choice.assembly, task.result.point.pole);
+  const auto made = CopyingLinkage::make(spec.copy.k, choice.grounding, length_from(u), length_from(v),
+                                         choice.assembly_mode, task.result.point.pole);
   if (!made) return std::nullopt;
   return *made;
 }
@@ -166,16 +167,16 @@ ChoiceOptions SearchRun::options_for(bool relaxed) const {
   return options;
 }
 
-/// Groundings, assemblies and allowed openings once each, without contact.
+/// Groundings, assembly modes and allowed openings once each, without contact.
 void SearchRun::relax(std::vector<SearchTask>& tasks, const Requirements& limits, Goal goal) const {
-  using Key = std::tuple<Vertex, int, double>;
+  using Key = std::tuple<Grounding, int, double>;
   struct Relaxed {
     const SearchTask* task;
     ChoiceResult result;
     std::vector<Point> poles;
   };
   const auto key = [](const SearchTask& task) {
-    return Key{task.choice->choice.vertex, task.choice->choice.assembly, task.allowed.lower};
+    return Key{task.choice->choice.grounding, task.choice->choice.assembly_mode, task.allowed.lower};
   };
   std::map<Key, Relaxed> relaxed;
   for (const SearchTask& task : tasks) relaxed.emplace(key(task), Relaxed{&task, no_result(), {}});
@@ -257,7 +258,7 @@ std::optional<FoundDesign> SearchRun::design_of(const SearchTask& task, const Re
   design.opening = check.opening;
   design.seed = options_.seed;
   design.solvers = {nlopt_name() + " DIRECT-L", nlopt_name() + " CRS2", nlopt_name() + " SLSQP",
-                    last_digits_solver()};
+                    polish_solver()};
   return design;
 }
 
@@ -273,11 +274,11 @@ std::optional<ProvenBound> SearchRun::proven_bound(const Requirements& limits, G
   const Objective objective = goal == Goal::transmission ? Objective::transmission : Objective::size;
   const BoundOptions options{.boxes = boxes_of_proof, .shortest = limits.shortest, .stop = stop};
   Spec moved = with_limits(space_.spec(), limits);
-  auto bound = lower_bound(moved, objective, options);
+  auto bound = proven_bound(moved, objective, options);
   if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
   // The bound holds without the least angle that designs keep; places to start from are those that keep it.
   moved.limits.transmission = 1.001 * least_usable_angle;
-  const auto kept = lower_bound(moved, objective, options);
+  const auto kept = proven_bound(moved, objective, options);
   bound->design = kept ? kept->design : std::nullopt;
   bound->promising = kept ? kept->promising : std::vector<RelaxedDesign>{};
   return bound;
@@ -441,7 +442,8 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
     return SearchRun(spec(), options_of_part(), limits).best_from(start, limits, goal, std::move(found));
   const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
   for (SearchTask& task : tasks_for(limits, goal)) {
-    if (task.choice->choice.vertex != start.vertex || task.choice->choice.assembly != start.assembly)
+    if (task.choice->choice.grounding != start.grounding ||
+        task.choice->choice.assembly_mode != start.assembly_mode)
       continue;
     if (stop_()) break;
     task.result = refine(*task.problem, point, stop_);
@@ -453,12 +455,12 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
   return found;
 }
 
-SearchResult SearchRun::best_around(const Requirements& limits, Goal goal, SearchResult found,
-                                    int hops) const {
+SearchResult SearchRun::basin_hopping(const Requirements& limits, Goal goal, SearchResult found,
+                                      int hops) const {
   std::vector<SearchTask> tasks;
   for (SearchTask& task : tasks_for(limits, goal))
-    if (task.choice->choice.vertex == found.design->linkage.vertex() &&
-        task.choice->choice.assembly == found.design->linkage.assembly())
+    if (task.choice->choice.grounding == found.design->linkage.grounding() &&
+        task.choice->choice.assembly_mode == found.design->linkage.assembly_mode())
       tasks.push_back(std::move(task));
   std::mt19937_64 random(options_.seed);
   constexpr int at_once = 8;

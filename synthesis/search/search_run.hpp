@@ -3,7 +3,7 @@
 // design and the trade-offs share.
 //
 //   1. the proven bound's tree (bound/proven_bound.hpp): it proves that there is no design, or gives one to start from
-//   2. every grounding and assembly without contact: the relaxed problem, a bound for all its layer assignments
+//   2. every grounding and assembly mode without contact: the relaxed problem, a bound for all its layer assignments
 //   3. the choices in the order of their relaxed cost, in groups of fixed size; a group is searched in parallel
 //   4. a choice whose relaxed cost is no better than the best found before its group is left out
 //   5. what would become the best is certified first: the second solver, all requirements anew, obstacles over the whole
@@ -79,7 +79,7 @@ class SearchRun {
                          SearchResult found) const;
 
   /// The better of a design and what local searches from `hops` random places around it find, ever nearer ones.
-  SearchResult best_around(const Requirements& limits, Goal goal, SearchResult found, int hops) const;
+  SearchResult basin_hopping(const Requirements& limits, Goal goal, SearchResult found, int hops) const;
 
   /// The steps of it, for searches of other kinds.
   std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal) const;

@@ -121,7 +121,7 @@ std::vector<LengthPair> pairs_in_order(const WorkshopLengths& lengths, std::size
   return pairs;
 }
 
-/// The tasks that differ in their layers alone: of one grounding, assembly and interval of openings.
+/// The tasks that differ in their layers alone: of one grounding, assembly mode and interval of openings.
 struct Shape {
   std::vector<std::size_t> tasks;
   WorkshopLengths lengths;
@@ -143,21 +143,11 @@ Spec locked(const Spec& spec, double VA, double VB) {
   return result;
 }
 
-/// The ratio k whose shape under this grounding is s.
-Complex ratio_of(Complex shape, Vertex vertex) {
-  switch (vertex) {
-    case Vertex::pole: return shape;
-    case Vertex::tracer: return 1.0 - shape;
-    case Vertex::pen: break;
-  }
-  return 1.0 / (1.0 - shape);
-}
-
 std::vector<Shape> shapes_of(const SearchRun& run, const std::vector<SearchTask>& tasks, double longest) {
-  std::map<std::tuple<Vertex, int, double>, std::vector<std::size_t>> by_shape;
+  std::map<std::tuple<Grounding, int, double>, std::vector<std::size_t>> by_shape;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const Choice& choice = tasks[i].choice->choice;
-    by_shape[{choice.vertex, choice.assembly, tasks[i].allowed.lower}].push_back(i);
+    by_shape[{choice.grounding, choice.assembly_mode, tasks[i].allowed.lower}].push_back(i);
   }
   std::vector<Shape> shapes;
   for (auto& [key, alike] : by_shape) {
@@ -202,7 +192,8 @@ std::vector<Candidate> candidates_by_size(const std::vector<SearchTask>& tasks,
 DesignPoint centre_of(const SearchTask& task, const std::optional<FoundDesign>& any_lengths) {
   if (any_lengths) {
     const CopyingLinkage& linkage = any_lengths->linkage;
-    if (linkage.vertex() == task.choice->choice.vertex && linkage.assembly() == task.choice->choice.assembly)
+    if (linkage.grounding() == task.choice->choice.grounding &&
+        linkage.assembly_mode() == task.choice->choice.assembly_mode)
       return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
   }
   return task.relaxed.point;
@@ -377,19 +368,19 @@ SearchResult best_with_exact_ratio(const SearchRun& run, const std::vector<Searc
 /// A ratio next to the wanted one, of one grounding.
 struct Ratio {
   Complex k;
-  Vertex vertex;
+  Grounding grounding;
   double off;
 };
 
 /// Those that lengths up to `longest` allow, the smallest error first.
 std::vector<Ratio> ratios_near(const Spec& spec, double longest) {
   std::vector<Ratio> ratios;
-  for (const Vertex vertex : spec.objective.groundings) {
-    const Complex shape = shape_of(spec.copy.k, vertex);
+  for (const Grounding grounding : spec.objective.groundings) {
+    const Complex shape = shape_of(spec.copy.k, grounding);
     for (const WorkshopLengths& lengths :
          nearest_workshop_lengths(spec.links.workshop, std::abs(shape), longest, most_ratios)) {
-      const Complex k = ratio_of(shape / std::abs(shape) * lengths.ratio, vertex);
-      ratios.push_back({k, vertex, std::abs(k - spec.copy.k)});
+      const Complex k = ratio_of(shape / std::abs(shape) * lengths.ratio, grounding);
+      ratios.push_back({k, grounding, std::abs(k - spec.copy.k)});
     }
   }
   std::stable_sort(ratios.begin(), ratios.end(),
@@ -404,8 +395,8 @@ std::vector<SearchTask> tasks_next_to(const std::vector<SearchTask>& known, cons
   std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
   for (SearchTask& task : tasks)
     for (const SearchTask& one : known)
-      if (one.choice->choice.vertex == task.choice->choice.vertex &&
-          one.choice->choice.assembly == task.choice->choice.assembly) {
+      if (one.choice->choice.grounding == task.choice->choice.grounding &&
+          one.choice->choice.assembly_mode == task.choice->choice.assembly_mode) {
         task.relaxed = one.relaxed;
         task.relaxed.cost *= goal == Goal::size ? lower_cost : 1;
         task.poles = one.poles;
@@ -418,7 +409,7 @@ SearchResult best_with_ratio(const SearchRun& run, const std::vector<SearchTask>
                              const Requirements& limits, Goal goal) {
   Spec other = run.spec();
   other.copy.k = ratio.k;
-  other.objective.groundings = {ratio.vertex};
+  other.objective.groundings = {ratio.grounding};
   const SearchRun inner(other, run.options_of_part());
   return best_with_exact_ratio(inner, tasks_next_to(known, inner, limits, quick_goal(goal)), limits, goal,
                                {});

@@ -123,10 +123,9 @@ std::mutex& one_at_a_time() {
 
 }  // namespace
 
-std::string last_digits_solver() { return "Ipopt " IPOPT_VERSION; }
+std::string polish_solver() { return "Ipopt " IPOPT_VERSION; }
 
-LocalResult minimize_to_last_digits(const SmoothProgram& program, const DesignVector& start,
-                                    const StopFlag& stop) {
+LocalResult polish(const SmoothProgram& program, const DesignVector& start, const StopFlag& stop) {
   const std::lock_guard<std::mutex> lock(one_at_a_time());
   LocalResult result{.x = start};
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = new Ipopt::IpoptApplication(false);

@@ -7,11 +7,10 @@
 namespace kempe {
 
 /// "Ipopt 3.11.9", or NLopt's name.
-std::string last_digits_solver();
+std::string polish_solver();
 
 /// From a point close to a solution to a better one, with exact Hessians. Safe to call from any thread (calls
 /// wait for each other: Ipopt's linear solver is not thread-safe).
-LocalResult minimize_to_last_digits(const SmoothProgram& program, const DesignVector& start,
-                                    const StopFlag& stop);
+LocalResult polish(const SmoothProgram& program, const DesignVector& start, const StopFlag& stop);
 
 }  // namespace kempe

@@ -4,10 +4,9 @@
 
 namespace kempe {
 
-std::string last_digits_solver() { return nlopt_name() + " SLSQP"; }
+std::string polish_solver() { return nlopt_name() + " SLSQP"; }
 
-LocalResult minimize_to_last_digits(const SmoothProgram& program, const DesignVector& start,
-                                    const StopFlag& stop) {
+LocalResult polish(const SmoothProgram& program, const DesignVector& start, const StopFlag& stop) {
   return minimize_by_sqp(program, start, 400, stop);
 }
 

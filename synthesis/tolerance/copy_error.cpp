@@ -208,10 +208,10 @@ Sensitivities Sensitivities::turned(Complex turn) const {
   return result;
 }
 
-CopyErrorProfile::CopyErrorProfile(Complex k, Vertex vertex, const CopyTolerance& tolerance)
-    : vertex_(vertex), tolerance_(tolerance), s_(shape_of(k, vertex)),
-      output_(vertex == Vertex::pen ? -k : 1.0), flat_(is_flat(s_)), xi_(hole_displacements(1.0 / s_, flat_)),
-      eta_(hole_displacements(s_, flat_)) {}
+CopyErrorProfile::CopyErrorProfile(Complex k, Grounding grounding, const CopyTolerance& tolerance)
+    : grounding_(grounding), tolerance_(tolerance), s_(shape_of(k, grounding)),
+      output_(grounding == Grounding::pen ? -k : 1.0), flat_(is_flat(s_)),
+      xi_(hole_displacements(1.0 / s_, flat_)), eta_(hole_displacements(s_, flat_)) {}
 
 Sensitivities CopyErrorProfile::sensitivities(double opening) const {
   const Complex e = std::polar(1.0, opening), one{1, 0};
@@ -228,7 +228,8 @@ Sensitivities CopyErrorProfile::sensitivities(double opening) const {
               -s_ * xi_[2] * e,
               eta_[1],
               eta_[2]};
-  const std::array<Complex, 2> pole = vertex_ == Vertex::pole ? stretch_VA : std::array{s_, i_unit * s_};
+  const std::array<Complex, 2> pole =
+      grounding_ == Grounding::pole ? stretch_VA : std::array{s_, i_unit * s_};
   g.play = {pole, stretch_VB, stretch_VA, stretch_VB, {one - side * cot, i_unit - side}};
   for (Complex& each : g.length) each *= output_;
   for (auto& pair : g.play)
@@ -251,7 +252,7 @@ Sensitivities CopyErrorProfile::sensitivity_slopes(double opening) const {
               -s_ * xi_[2] * turning,
               0,
               0};
-  const std::array<Complex, 2> pole = vertex_ == Vertex::pole ? stretch_VA : std::array<Complex, 2>{};
+  const std::array<Complex, 2> pole = grounding_ == Grounding::pole ? stretch_VA : std::array<Complex, 2>{};
   g.play = {pole, stretch_VB, stretch_VA, stretch_VB, {-side * cot_slope, 0}};
   for (Complex& each : g.length) each *= output_;
   for (auto& pair : g.play)
@@ -352,7 +353,7 @@ double CopyErrorProfile::slope_at_most(double sine) const {
   const auto& t = tolerance_.length;
   const auto& play = tolerance_.play;
   const double loop = std::abs(1.0 - s_) / (sine * sine);
-  const double pole = vertex_ == Vertex::pole ? 0.5 * play[0] * loop : 0;
+  const double pole = grounding_ == Grounding::pole ? 0.5 * play[0] * loop : 0;
   const double bars =
       loop * (t[0] + t[1] + t[2] + t[3] + 0.5 * (play[1] + play[2] + play[3] + play[4])) + pole;
   const double turning =
@@ -393,7 +394,7 @@ OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const Ope
 }
 
 CopyErrorProfile copy_error_profile(const CopyingLinkage& linkage, const CopyTolerance& tolerance) {
-  return CopyErrorProfile(linkage.k(), linkage.vertex(), tolerance);
+  return CopyErrorProfile(linkage.k(), linkage.grounding(), tolerance);
 }
 
 }  // namespace kempe

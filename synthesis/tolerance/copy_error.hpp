@@ -79,7 +79,7 @@ struct CopyErrorAt {
 /// neither 0 nor 1. A value; 3 us an evaluation.
 class CopyErrorProfile {
  public:
-  CopyErrorProfile(Complex k, Vertex vertex, const CopyTolerance& tolerance);
+  CopyErrorProfile(Complex k, Grounding grounding, const CopyTolerance& tolerance);
 
   /// Sensitivities in the frame whose x axis is bar VA's direction. At the change point (sin d = 0) they grow
   /// beyond all bounds: keep away from it.
@@ -113,7 +113,7 @@ class CopyErrorProfile {
   /// |d worst / d opening| is nowhere larger where |sin d| is at least `sine`.
   double slope_at_most(double sine) const;
 
-  Vertex vertex_;
+  Grounding grounding_;
   CopyTolerance tolerance_;
   Complex s_, output_;  // output_: pen deviation per unit of the loops' deviation
   bool flat_;

@@ -18,9 +18,7 @@ struct Stance {
 tl::expected<Stance, Unreachable> stance_at(const CopyingLinkage& linkage, const Point& tracer) {
   const Complex reach = as_complex(tracer - linkage.pole());
   return linkage.opening_at(std::abs(reach)).map([&](double opening) {
-    const Complex factor = linkage.vertex() == Vertex::pole     ? 1.0
-                           : linkage.vertex() == Vertex::tracer ? -1.0
-                                                                : -linkage.k();
+    const Complex factor = chain_per_tracer(linkage.k(), linkage.grounding());
     const Complex chain = factor * reach;  // X - V = p + q/s
     const Complex p = chain / (linkage.VA() + std::polar(linkage.VB(), opening) / linkage.shape());
     return Stance{opening, p / std::abs(p)};

@@ -53,15 +53,13 @@ class Checks {
  public:
   Checks(const VerificationTask& task, double size, double copy_error_allowed)
       : task_(task), size_(size), copy_error_allowed_(copy_error_allowed) {
-    const Vertex vertex = task.mechanism.pole == Joint::V     ? Vertex::pole
-                          : task.mechanism.tracer == Joint::V ? Vertex::tracer
-                                                              : Vertex::pen;
-    const auto roles =
-        CopyingLinkage::make(task.k, vertex, task.mechanism.lengths.VA, task.mechanism.lengths.VB, 0);
-    if (roles) {
-      pairs_ = contact_pairs(*roles, task.layers);
-      shape_ = roles->shape();
-      watch_.emplace(*roles, task);
+    const DrawnMechanism& drawn = task.mechanism;
+    const auto grounding = grounding_with({drawn.pole, drawn.tracer, drawn.pen}).value_or(Grounding::pen);
+    const auto linkage = CopyingLinkage::make(task.k, grounding, drawn.lengths.VA, drawn.lengths.VB, 0);
+    if (linkage) {
+      pairs_ = contact_pairs(*linkage, task.layers);
+      shape_ = linkage->shape();
+      watch_.emplace(*linkage, task);
     }
     check_lengths();
   }
@@ -82,7 +80,7 @@ class Checks {
     if (!(copy_error <= copy_error_allowed_))
       fail({"copy", copy_error, copy_error_allowed_, tracer,
             fmt::format("the pen is {:.3g} mm from where the ratio puts it", copy_error)});
-    check_assembly(pose, tracer);
+    check_assembly_mode(pose, tracer);
     check_transmission(pose, tracer);
     check_clearance(pose, tracer);
     check_obstacles(pose, tracer);
@@ -134,7 +132,7 @@ class Checks {
                                       LinkLengths::names[i], values[i], task_.shortest, task_.longest)});
   }
 
-  void check_assembly(const Pose& pose, const Point& tracer) {
+  void check_assembly_mode(const Pose& pose, const Point& tracer) {
     const auto side = [](const Point& a, const Point& b) { return (cross(a, b) > 0) - (cross(a, b) < 0); };
     const std::array<int, 2> sides{side(pose.A - pose.V, pose.B - pose.V),
                                    side(pose.A - pose.V, pose.X - pose.A)};

@@ -14,7 +14,7 @@ namespace kempe {
 /// A mechanism as its drawing gives it: eight lengths, how the triangles are turned, which joint does what.
 struct DrawnMechanism {
   LinkLengths lengths;                      ///< mm
-  CopyingLinkage::Orientation orientation;  ///< signs that pick the assembly
+  CopyingLinkage::Orientation orientation;  ///< signs that pick the assembly mode
   Joint pole = Joint::V, tracer = Joint::X, pen = Joint::Y;
   Point pole_position = Point::Zero();  ///< mm
   OpeningInterval opening;              ///< certified usable opening, rad: poses must stay inside
@@ -56,7 +56,7 @@ VerificationTask verification_task(const Design& design);
 /// from the table's origin cost no digits. `certified` is true only if
 ///  1. the loops close at every place, to 1e-12 of the mechanism's size;
 ///  2. the pen is where k puts it, to copy_error_share of the size, and the similarity fitted to all pairs is k;
-///  3. the assembly never changes and the opening never leaves its certified interval;
+///  3. the assembly mode never changes and the opening never leaves its certified interval;
 ///  4. every limit of the task holds at every place.
 /// Otherwise `failure` says what failed first and where. Deterministic; takes well under a second.
 Verification verify(const VerificationTask& task, const VerificationOptions& options = {});

@@ -165,10 +165,10 @@ Motion move_linkage_from_choices(std::string_view input, const std::string& name
   const LinkageModel model = linkage_model(*file);
   AssemblySearch search;
   search.starts = 8;
-  const auto assemblies = start_assemblies(*file, model, search);
-  if (!assemblies) return Motion::does_not_start;
-  const Mobility mobility = mobility_of(model.linkage, assemblies->front());
-  const auto run = run_motion(model.linkage, assemblies->front(), model.schedule, 12, {{}, 3000});
+  const auto assembly_modes = start_assembly_modes(*file, model, search);
+  if (!assembly_modes) return Motion::does_not_start;
+  const Mobility mobility = mobility_of(model.linkage, assembly_modes->front());
+  const auto run = run_motion(model.linkage, assembly_modes->front(), model.schedule, 12, {{}, 3000});
   if (!run) return Motion::does_not_start;
   for (const RunFrame& frame : run->frames) {
     const ClosureError error = closure_error(model.linkage, frame.position, frame.values);

@@ -14,13 +14,13 @@
 namespace kempe {
 namespace {
 
-CopyingLinkage linkage(Complex k, Vertex vertex, double VA, double VB, int assembly,
+CopyingLinkage linkage(Complex k, Grounding grounding, double VA, double VB, int assembly_mode,
                        Point pole = Point::Zero()) {
-  return CopyingLinkage::make(k, vertex, VA, VB, assembly, pole).value();
+  return CopyingLinkage::make(k, grounding, VA, VB, assembly_mode, pole).value();
 }
 
-int assembly_containing(Complex k, Vertex vertex, double opening) {
-  const auto all = assemblies(shape_of(k, vertex));
+int assembly_mode_containing(Complex k, Grounding grounding, double opening) {
+  const auto all = assembly_modes(shape_of(k, grounding));
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].contains(opening)) return static_cast<int>(i);
   ADD_FAILURE() << "no assembly holds the opening " << opening;
@@ -43,10 +43,10 @@ class RandomCases {
   RandomCase next() {
     for (;;) {
       const Complex k = std::polar(std::exp(uniform(-2.3, 2.3)), uniform(-pi, pi));
-      const auto vertex = all_vertices[static_cast<std::size_t>(random_() % 3)];
-      const auto count = assemblies(shape_of(k, vertex)).size();
+      const auto grounding = all_groundings[static_cast<std::size_t>(random_() % 3)];
+      const auto count = assembly_modes(shape_of(k, grounding)).size();
       auto made =
-          CopyingLinkage::make(k, vertex, std::exp(uniform(1, 6)), std::exp(uniform(1, 6)),
+          CopyingLinkage::make(k, grounding, std::exp(uniform(1, 6)), std::exp(uniform(1, 6)),
                                static_cast<int>(random_() % count), Point(uniform(-9, 9), uniform(-9, 9)));
       if (!made) continue;
       const OpeningInterval d = made->assembly_interval();
@@ -127,7 +127,7 @@ TEST(CopyingLinkage, VelocitiesAndAccelerationsAreTheLimitsOfDifferences) {
     const auto [mechanism, opening, bearing] = cases.next();
     if (mechanism.transmission_angle(opening) < 0.15) continue;
     // A speed for which everything changes by about its own size in one second, so that one step h serves all cases.
-    const double chain = mechanism.vertex() == Vertex::pen ? 1 / std::abs(mechanism.k()) : 1;
+    const double chain = mechanism.grounding() == Grounding::pen ? 1 / std::abs(mechanism.k()) : 1;
     const double speed = chain * std::min(mechanism.VA(), mechanism.lengths().AX) *
                          std::sin(mechanism.transmission_angle(opening));
     const double h = 1e-4, size = size_of(mechanism);
@@ -172,20 +172,20 @@ TEST(CopyingLinkage, AssembliesTogetherReachWhatTheChainReaches) {
     const CopyingLinkage any = cases.next().linkage;
     const double a = any.VA(), b = any.lengths().AX;
     double lowest = 1e300, highest = 0;
-    for (std::size_t j = 0; j < assemblies(any.shape()).size(); ++j) {
-      const auto one = linkage(any.k(), any.vertex(), any.VA(), any.VB(), static_cast<int>(j));
+    for (std::size_t j = 0; j < assembly_modes(any.shape()).size(); ++j) {
+      const auto one = linkage(any.k(), any.grounding(), any.VA(), any.VB(), static_cast<int>(j));
       const auto range = one.radii_over(one.assembly_interval());
       lowest = std::min(lowest, range.lower);
       highest = std::max(highest, range.upper);
     }
-    const double c = any.vertex() == Vertex::pen ? 1 / std::abs(any.k()) : 1;
+    const double c = any.grounding() == Grounding::pen ? 1 / std::abs(any.k()) : 1;
     EXPECT_NEAR(highest, c * (a + b), 1e-9 * size_of(any));
     EXPECT_NEAR(lowest, c * std::abs(a - b), 1e-7 * size_of(any));
   }
 }
 
 TEST(CopyingLinkage, SizeIsTheSumOfHalfPerimeters) {
-  const CopyingLinkage report = linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3);
+  const CopyingLinkage report = linkage(copy_ratio(1.4, pi / 2), Grounding::pole, 50, 35, 3);
   const double ACX = 35 + 25 + std::hypot(35, 25), BCY = 50 + 70 + std::hypot(50, 70);
   EXPECT_NEAR(report.size(), 50 + 35 + ACX / 2 + BCY / 2, 1e-12);
 }
@@ -212,8 +212,8 @@ TEST(PublishedFigures, MatlabPantograph) {
        {5.95533649, 5.29552021},
        {8.93300473, 7.94328031}}};
   int matching = 0;
-  for (int assembly = 0; assembly < 2; ++assembly) {
-    const auto mechanism = linkage(1.5, Vertex::tracer, 4, 3, assembly);
+  for (int assembly_mode = 0; assembly_mode < 2; ++assembly_mode) {
+    const auto mechanism = linkage(1.5, Grounding::tracer, 4, 3, assembly_mode);
     EXPECT_NEAR(mechanism.lengths().AX, 6, 1e-12);
     EXPECT_NEAR(mechanism.lengths().BY, 2, 1e-12);
     EXPECT_NEAR(mechanism.radii_over(mechanism.assembly_interval()).lower, 2, 1e-12);
@@ -237,14 +237,15 @@ TEST(PublishedFigures, MatlabPantograph) {
 
 // Published: plagiograph report, k = 1.4i, OA = 5, OB = AC = 3.5, AX = 2.5, X = (7, 1).
 TEST(PublishedFigures, PlagiographReport) {
-  const auto mechanism = linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 5, 3.5,
-                                 assembly_containing(copy_ratio(1.4, pi / 2), Vertex::pole, radians(120)));
+  const auto mechanism =
+      linkage(copy_ratio(1.4, pi / 2), Grounding::pole, 5, 3.5,
+              assembly_mode_containing(copy_ratio(1.4, pi / 2), Grounding::pole, radians(120)));
   EXPECT_NEAR(mechanism.lengths().AX, 2.5, 1e-12);
   EXPECT_NEAR(mechanism.lengths().BY, 7, 1e-12);
   int matching = 0;
-  for (int assembly = 0; assembly < 4; ++assembly) {
+  for (int assembly_mode = 0; assembly_mode < 4; ++assembly_mode) {
     const auto pose =
-        linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 5, 3.5, assembly).pose_with_tracer_at({7, 1});
+        linkage(copy_ratio(1.4, pi / 2), Grounding::pole, 5, 3.5, assembly_mode).pose_with_tracer_at({7, 1});
     if (!pose || (pose->A - Point(4.64714054, 1.8450162)).norm() > 1e-3) continue;
     ++matching;
     EXPECT_LT((pose->A - Point(4.64714054, 1.8450162)).norm(), 1e-7);
@@ -256,8 +257,8 @@ TEST(PublishedFigures, PlagiographReport) {
 }
 
 TEST(PublishedFigures, ReportsUsableDistanceRunsFromItsChangePointToItsReach) {
-  for (int assembly = 0; assembly < 4; ++assembly) {
-    const auto mechanism = linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 5, 3.5, assembly);
+  for (int assembly_mode = 0; assembly_mode < 4; ++assembly_mode) {
+    const auto mechanism = linkage(copy_ratio(1.4, pi / 2), Grounding::pole, 5, 3.5, assembly_mode);
     const auto range = mechanism.radii_over(mechanism.assembly_interval());
     const bool outer = std::abs(range.upper - 7.5) < 1e-12;
     EXPECT_NEAR(outer ? range.lower : range.upper, std::sqrt(31.25), 1e-12);
@@ -271,12 +272,12 @@ TEST(PublishedFigures, ReportsUsableDistanceRunsFromItsChangePointToItsReach) {
 
 // The smallest-angle rule: widths 90 / 125.5 / 144.5 degrees for k = 1.4i.
 TEST(PublishedFigures, WidestAssemblyOfEachGroundingOfTheReportsRatio) {
-  const auto width = [](Vertex vertex) {
-    return degrees(widest(assemblies(shape_of(copy_ratio(1.4, pi / 2), vertex)))->width());
+  const auto width = [](Grounding grounding) {
+    return degrees(widest(assembly_modes(shape_of(copy_ratio(1.4, pi / 2), grounding)))->width());
   };
-  EXPECT_NEAR(width(Vertex::pole), 90, 1e-9);
-  EXPECT_NEAR(width(Vertex::tracer), 180 - degrees(std::atan(1.4)), 1e-9);   // 125.5
-  EXPECT_NEAR(width(Vertex::pen), 180 - degrees(std::atan(1 / 1.4)), 1e-9);  // 144.5
+  EXPECT_NEAR(width(Grounding::pole), 90, 1e-9);
+  EXPECT_NEAR(width(Grounding::tracer), 180 - degrees(std::atan(1.4)), 1e-9);   // 125.5
+  EXPECT_NEAR(width(Grounding::pen), 180 - degrees(std::atan(1 / 1.4)), 1e-9);  // 144.5
 }
 
 TEST(SmallestAngleRule, SomeGroundingAlwaysOpensAtLeast120Degrees) {
@@ -284,8 +285,8 @@ TEST(SmallestAngleRule, SomeGroundingAlwaysOpensAtLeast120Degrees) {
   for (int i = 0; i < 2000; ++i) {
     const Complex k = std::polar(std::exp(cases.uniform(-4, 4)), cases.uniform(-pi, pi));
     double best = 0;
-    for (const Vertex vertex : all_vertices)
-      best = std::max(best, widest(assemblies(shape_of(k, vertex)))->width());
+    for (const Grounding grounding : all_groundings)
+      best = std::max(best, widest(assembly_modes(shape_of(k, grounding)))->width());
     // Smallest angle of the triangle pole, tracer, pen by the law of cosines.
     const double a = 1, b = std::abs(k), c = std::abs(k - 1.0);
     const auto angle = [](double opposite, double m, double n) {
@@ -300,7 +301,7 @@ TEST(SmallestAngleRule, SomeGroundingAlwaysOpensAtLeast120Degrees) {
 TEST(Assemblies, CoverTheWholeTurnWithoutOverlap) {
   RandomCases cases(9);
   for (int i = 0; i < 500; ++i) {
-    const auto all = assemblies(cases.next().linkage.shape());
+    const auto all = assembly_modes(cases.next().linkage.shape());
     ASSERT_TRUE(all.size() == 2 || all.size() == 4);
     EXPECT_EQ(all.front().lower, -pi);
     EXPECT_EQ(all.back().upper, pi);
@@ -311,10 +312,10 @@ TEST(Assemblies, CoverTheWholeTurnWithoutOverlap) {
 TEST(Assemblies, HalfTurnAndNoTurnAreStraightForEveryGrounding) {
   for (const double scale : {1.0 / 3, 0.4, 1.5, 2.5, 200.0})
     for (const double rotation : {0.0, pi, -pi})
-      for (const Vertex vertex : all_vertices) {
-        const Complex s = shape_of(copy_ratio(scale, rotation), vertex);
+      for (const Grounding grounding : all_groundings) {
+        const Complex s = shape_of(copy_ratio(scale, rotation), grounding);
         EXPECT_TRUE(is_straight(s));
-        EXPECT_EQ(assemblies(s).size(), 2U);
+        EXPECT_EQ(assembly_modes(s).size(), 2U);
       }
 }
 
@@ -327,8 +328,8 @@ TEST(CopyRatio, IsExactAtQuarterTurns) {
 }
 
 TEST(CopyingLinkage, RefusesWhatIsNoLinkage) {
-  const auto fault = [](Complex k, double VA, double VB, int assembly) {
-    return CopyingLinkage::make(k, Vertex::pole, VA, VB, assembly).error();
+  const auto fault = [](Complex k, double VA, double VB, int assembly_mode) {
+    return CopyingLinkage::make(k, Grounding::pole, VA, VB, assembly_mode).error();
   };
   EXPECT_EQ(fault(0, 1, 1, 0), LinkageFault::ratio_zero);
   EXPECT_EQ(fault(1, 1, 1, 0), LinkageFault::ratio_one);
@@ -336,29 +337,32 @@ TEST(CopyingLinkage, RefusesWhatIsNoLinkage) {
   EXPECT_EQ(fault(2, 0, 1, 0), LinkageFault::length_not_positive);
   EXPECT_EQ(fault(2, 1, -1, 0), LinkageFault::length_not_positive);
   EXPECT_EQ(fault(2, 1, INFINITY, 0), LinkageFault::length_not_positive);
-  EXPECT_EQ(fault(2, 1, 1, 2), LinkageFault::no_such_assembly);
-  EXPECT_EQ(fault(2, 1, 1, -1), LinkageFault::no_such_assembly);
+  EXPECT_EQ(fault(2, 1, 1, 2), LinkageFault::no_such_assembly_mode);
+  EXPECT_EQ(fault(2, 1, 1, -1), LinkageFault::no_such_assembly_mode);
 }
 
 TEST(CopyingLinkage, FaultsAndPlacesOutOfReachHaveSentencesOfTheirOwn) {
-  const std::set<std::string_view> sentences{
-      name(LinkageFault::ratio_zero),       name(LinkageFault::ratio_one),
-      name(LinkageFault::ratio_not_finite), name(LinkageFault::length_not_positive),
-      name(LinkageFault::no_such_assembly), name(Unreachable::too_far),
-      name(Unreachable::too_near),          name(Unreachable::beyond_change_point)};
+  const std::set<std::string_view> sentences{name(LinkageFault::ratio_zero),
+                                             name(LinkageFault::ratio_one),
+                                             name(LinkageFault::ratio_not_finite),
+                                             name(LinkageFault::length_not_positive),
+                                             name(LinkageFault::no_such_assembly_mode),
+                                             name(Unreachable::too_far),
+                                             name(Unreachable::too_near),
+                                             name(Unreachable::beyond_change_point)};
   EXPECT_EQ(sentences.size(), 8U);
   EXPECT_FALSE(sentences.contains(""));
 }
 
 TEST(CopyingLinkage, SaysWhyATracerIsOutOfReach) {
-  const auto mechanism = linkage(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3);
+  const auto mechanism = linkage(copy_ratio(1.4, pi / 2), Grounding::pole, 50, 35, 3);
   EXPECT_EQ(mechanism.pose_with_tracer_at({80, 0}).error(), Unreachable::too_far);
   EXPECT_EQ(mechanism.pose_with_tracer_at({20, 0}).error(), Unreachable::too_near);
   EXPECT_EQ(mechanism.pose_with_tracer_at({0, 0}).error(), Unreachable::too_near);
 }
 
 TEST(CopyingLinkage, HasNoVelocityAtADeadPointInsteadOfAHugeOne) {
-  const auto mechanism = linkage(2.0, Vertex::pole, 50, 35, 1);
+  const auto mechanism = linkage(2.0, Grounding::pole, 50, 35, 1);
   const Pose stretched = mechanism.pose_at(0, 0.3);
   EXPECT_FALSE(mechanism.velocities(stretched, {1, 0}));
   EXPECT_FALSE(mechanism.accelerations(stretched, {1, 0}, {0, 0}));
@@ -366,8 +370,8 @@ TEST(CopyingLinkage, HasNoVelocityAtADeadPointInsteadOfAHugeOne) {
 
 TEST(CopyingLinkage, KeepsItsDigitsAtLengthRatiosOf1To1000) {
   for (const double ratio : {1e-3, 1.0, 1e3})
-    for (const Vertex vertex : all_vertices) {
-      const auto mechanism = linkage(std::polar(0.7, 1.1), vertex, 100, 100 * ratio, 3);
+    for (const Grounding grounding : all_groundings) {
+      const auto mechanism = linkage(std::polar(0.7, 1.1), grounding, 100, 100 * ratio, 3);
       const OpeningInterval d = mechanism.assembly_interval();
       for (const double share : {1e-6, 0.01, 0.5, 0.99, 1 - 1e-6}) {
         const double opening = d.lower + share * d.width();

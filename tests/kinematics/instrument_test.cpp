@@ -21,11 +21,11 @@ Drawn random_drawn(std::mt19937_64& random) {
     return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
   for (;;) {
-    const Vertex vertex = all_vertices[random() % 3];
+    const Grounding grounding = all_groundings[random() % 3];
     const double turn = random() % 3 == 0 ? (random() % 2 ? pi : 0) : uniform(-pi, pi);
     const Complex k = copy_ratio(uniform(0.3, 3), turn);
     const auto linkage =
-        CopyingLinkage::make(k, vertex, uniform(50, 300), uniform(50, 300), static_cast<int>(random() % 4),
+        CopyingLinkage::make(k, grounding, uniform(50, 300), uniform(50, 300), static_cast<int>(random() % 4),
                              Point(uniform(-50, 50), uniform(-50, 50)));
     if (linkage && std::abs(1.0 - k) > 0.1 && linkage->assembly_interval().width() > 0.7)
       return {*linkage, instrument_of(*linkage)};

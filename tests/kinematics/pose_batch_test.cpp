@@ -17,10 +17,10 @@ CopyingLinkage random_copying_linkage(Random& random, int i) {
   for (;;) {
     const Complex k =
         copy_ratio(random.logarithmic(0.1, 10), i % 4 == 0 ? pi * random.below(2) : random.uniform(-pi, pi));
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(i % 3)];
-    const auto count = static_cast<int>(assemblies(shape_of(k, vertex)).size());
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i % 3)];
+    const auto count = static_cast<int>(assembly_modes(shape_of(k, grounding)).size());
     const auto linkage =
-        CopyingLinkage::make(k, vertex, random.logarithmic(1, 200), random.logarithmic(1, 200),
+        CopyingLinkage::make(k, grounding, random.logarithmic(1, 200), random.logarithmic(1, 200),
                              random.below(count), random.point(300));
     if (linkage) return *linkage;
   }
@@ -121,7 +121,7 @@ TEST(PoseBatch, KeepsEveryLengthUpToTheDeadPoints) {
 }
 
 TEST(PoseBatch, AnUnreachableRowHoldsZerosAndItsReason) {
-  const auto linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const auto linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   const double nan = std::nan("");
   const std::vector<double> x{66, 80, 10, 30, 0, nan, 1e200}, y{0, 0, 0, 0, 0, 0, 0};
   PoseBatch batch;
@@ -142,7 +142,7 @@ TEST(PoseBatch, AnUnreachableRowHoldsZerosAndItsReason) {
 }
 
 TEST(PoseBatch, TheBlocksEndsDoNotShow) {
-  const auto linkage = *CopyingLinkage::make({0.3, 0.4}, Vertex::pen, 120, 70, 1, {5, -7});
+  const auto linkage = *CopyingLinkage::make({0.3, 0.4}, Grounding::pen, 120, 70, 1, {5, -7});
   Random random(13);
   const Tracers tracers(random, linkage, 1000);
   PoseBatch whole, part;

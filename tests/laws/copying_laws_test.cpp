@@ -1,4 +1,4 @@
-// Laws of the copying linkage itself: the copy is similar, links keep their lengths, assemblies never mix.
+// Laws of the copying linkage itself: the copy is similar, links keep their lengths, assembly modes never mix.
 #include <array>
 
 #include "tests/laws/law.hpp"
@@ -73,11 +73,11 @@ TEST(CopyingLaws, APlaceReachedByTwoAssembliesIsReachedInTwoDifferentPoses) {
   law(2000, [] {
     const CopyingLinkage one = draw_linkage(20);
     const Point tracer = one.tracer_at(draw_opening(one, 0.05), *angle());
-    const auto all = assemblies(one.shape());
+    const auto all = assembly_modes(one.shape());
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (static_cast<int>(i) == one.assembly()) continue;
+      if (static_cast<int>(i) == one.assembly_mode()) continue;
       const auto other =
-          CopyingLinkage::make(one.k(), one.vertex(), one.VA(), one.VB(), static_cast<int>(i), one.pole());
+          CopyingLinkage::make(one.k(), one.grounding(), one.VA(), one.VB(), static_cast<int>(i), one.pole());
       RC_ASSERT(other.has_value());
       const auto pose = other->pose_with_tracer_at(tracer);
       if (!pose) continue;
@@ -106,11 +106,12 @@ TEST(CopyingLaws, OnlyFiniteRatiosAndPositiveLengthsMakeALinkage) {
     const auto any = rc::gen::element(0.0, -0.0, 1.0, -1.0, 1e-320, 1e300, -1e300, inf, -inf, nan, 0.5, 7.0);
     const Complex k(*any, *any);
     const double VA = *any, VB = *any;
-    const int assembly = *whole(-2, 6);
-    const auto made = CopyingLinkage::make(k, Vertex::tracer, VA, VB, assembly);
+    const int assembly_mode = *whole(-2, 6);
+    const auto made = CopyingLinkage::make(k, Grounding::tracer, VA, VB, assembly_mode);
     if (!made) return;
     RC_ASSERT(std::isfinite(k.real()) && std::isfinite(k.imag()) && k != Complex(0) && k != Complex(1));
-    RC_ASSERT(std::isfinite(VA) && VA > 0 && std::isfinite(VB) && VB > 0 && assembly >= 0 && assembly < 4);
+    RC_ASSERT(std::isfinite(VA) && VA > 0 && std::isfinite(VB) && VB > 0 && assembly_mode >= 0 &&
+              assembly_mode < 4);
   });
 }
 

@@ -41,15 +41,15 @@ Spec draw_task() {
     const Point at = linkage.pole() + *point(linkage.size());
     spec.obstacles.push_back({{rectangle(at, size, size / 3), {}}, 1, 2, "post"});
   }
-  spec.mechanism =
-      MechanismSpec{linkage.vertex(), linkage.VA(), linkage.VB(), linkage.assembly(), draw_layers().of};
+  spec.mechanism = MechanismSpec{linkage.grounding(), linkage.VA(), linkage.VB(), linkage.assembly_mode(),
+                                 draw_layers().of};
   return spec;
 }
 
 Design design_of(const Spec& spec) {
   const MechanismSpec& given = *spec.mechanism;
-  const auto linkage = CopyingLinkage::make(spec.copy.k, given.vertex, given.VA, given.VB, given.assembly,
-                                            std::get<Point>(spec.pole.place));
+  const auto linkage = CopyingLinkage::make(spec.copy.k, given.grounding, given.VA, given.VB,
+                                            given.assembly_mode, std::get<Point>(spec.pole.place));
   RC_ASSERT(linkage.has_value());
   Design design = assemble_given(spec, *linkage, {});
   design.verification = verify(verification_task(design), {.outline_samples = 60, .hatch_lines = 2});

@@ -64,20 +64,21 @@ inline rc::Gen<Point> point(double reach) {
 
 inline rc::Gen<PlateStyle> plate_style() { return rc::gen::element(PlateStyle::bent, PlateStyle::triangle); }
 
-/// Any copying linkage: ratio 1:20 to 20:1 (or 1:`steep` to `steep`:1), any rotation, grounding and assembly, bars up to
+/// Any copying linkage: ratio 1:20 to 20:1 (or 1:`steep` to `steep`:1), any rotation, grounding and assembly mode, bars up to
 /// `uneven` to 1.
 inline CopyingLinkage draw_linkage(double uneven = 200, double steep = 20) {
   const Complex k = copy_ratio(*logarithmic(1 / steep, steep), *angle());
   RC_PRE(std::abs(k - 1.0) > 1e-3);
-  const Vertex vertex = *rc::gen::elementOf(std::vector<Vertex>(all_vertices.begin(), all_vertices.end()));
-  const auto count = static_cast<int>(assemblies(shape_of(k, vertex)).size());
+  const Grounding grounding =
+      *rc::gen::elementOf(std::vector<Grounding>(all_groundings.begin(), all_groundings.end()));
+  const auto count = static_cast<int>(assembly_modes(shape_of(k, grounding)).size());
   const double VA = *logarithmic(20, 400), VB = VA * *logarithmic(1 / uneven, uneven);
-  const auto made = CopyingLinkage::make(k, vertex, VA, VB, *whole(0, count), *point(300));
+  const auto made = CopyingLinkage::make(k, grounding, VA, VB, *whole(0, count), *point(300));
   RC_ASSERT(made.has_value());
   return *made;
 }
 
-/// An opening inside the assembly, away from its ends by a share of its width.
+/// An opening inside the assembly mode, away from its ends by a share of its width.
 inline double draw_opening(const CopyingLinkage& linkage, double margin = 0.02) {
   const OpeningInterval d = linkage.assembly_interval();
   return d.lower + d.width() * *between(margin, 1 - margin);

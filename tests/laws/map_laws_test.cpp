@@ -124,9 +124,9 @@ TEST(MapLaws, VerdictsMoveWithTheTask) {
                             .mirror = *rc::gen::arbitrary<bool>()};
     const CopyingLinkage& l = task.linkage;
     const Complex k = movement.mirror ? std::conj(l.k()) : l.k();
-    const auto linkage =
-        CopyingLinkage::make(k, l.vertex(), movement.scale * l.VA(), movement.scale * l.VB(),
-                             movement.assembly(l.assembly(), l.k(), l.vertex()), movement(l.pole()));
+    const auto linkage = CopyingLinkage::make(
+        k, l.grounding(), movement.scale * l.VA(), movement.scale * l.VB(),
+        movement.assembly_mode(l.assembly_mode(), l.k(), l.grounding()), movement(l.pole()));
     RC_ASSERT(linkage.has_value());
     MapTask moved = task;
     moved.linkage = *linkage;

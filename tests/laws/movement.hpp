@@ -38,9 +38,9 @@ struct Movement {
     return moved;
   }
 
-  /// The same assembly of the mirrored linkage: the intervals of the opening change their signs and so their order.
-  int assembly(int index, Complex k, Vertex vertex) const {
-    return mirror ? static_cast<int>(assemblies(shape_of(k, vertex)).size()) - 1 - index : index;
+  /// The same assembly mode of the mirrored linkage: the intervals of the opening change their signs and so their order.
+  int assembly_mode(int index, Complex k, Grounding grounding) const {
+    return mirror ? static_cast<int>(assembly_modes(shape_of(k, grounding)).size()) - 1 - index : index;
   }
 
   Spec operator()(const Spec& spec) const {
@@ -62,7 +62,8 @@ struct Movement {
     if (moved.mechanism) {
       moved.mechanism->VA *= scale;
       moved.mechanism->VB *= scale;
-      moved.mechanism->assembly = assembly(spec.mechanism->assembly, spec.copy.k, spec.mechanism->vertex);
+      moved.mechanism->assembly_mode =
+          assembly_mode(spec.mechanism->assembly_mode, spec.copy.k, spec.mechanism->grounding);
     }
     return moved;
   }

@@ -44,7 +44,8 @@ class WorkLimit {
 std::optional<FoundDesign> design_of(const Spec& spec, Objective objective, const ProvenBound& bound) {
   if (!bound.design) return std::nullopt;
   const RelaxedDesign& met = *bound.design;
-  const auto linkage = CopyingLinkage::make(spec.copy.k, met.vertex, met.VA, met.VB, met.assembly, met.pole);
+  const auto linkage =
+      CopyingLinkage::make(spec.copy.k, met.grounding, met.VA, met.VB, met.assembly_mode, met.pole);
   if (!linkage || !limit_missed(spec, *linkage, met.layers, 1e-9).empty()) return std::nullopt;
   const auto openings = openings_over(*linkage, spec.region);
   FoundDesign found{.linkage = *linkage, .layers = met.layers, .goal = goal_of(objective), .complete = false};
@@ -55,7 +56,7 @@ std::optional<FoundDesign> design_of(const Spec& spec, Objective objective, cons
 }
 
 void add_bound(Answer& answer, Objective objective, std::size_t boxes) {
-  const auto bound = lower_bound(answer.spec, objective, {.boxes = boxes});
+  const auto bound = proven_bound(answer.spec, objective, {.boxes = boxes});
   if (!bound) return;
   if (bound->no_design) {
     answer.proven_none = true;
@@ -77,8 +78,9 @@ void search(Answer& answer, double seconds) {
   if (!found) return;
   answer.design = *found;
   answer.complete = found->complete;
-  if (found->lower_bound && found->goal == Goal::size) answer.least_size = found->lower_bound;
-  if (found->lower_bound && found->goal == Goal::transmission) answer.most_transmission = found->lower_bound;
+  if (found->proven_bound && found->goal == Goal::size) answer.least_size = found->proven_bound;
+  if (found->proven_bound && found->goal == Goal::transmission)
+    answer.most_transmission = found->proven_bound;
 }
 
 }  // namespace

@@ -42,10 +42,12 @@ std::optional<CopyingLinkage> draw_linkage(const Spec& spec, Dice& dice) {
   const auto pole = draw_pole(spec, dice);
   if (!pole) return std::nullopt;
   const auto& groundings = spec.objective.groundings;
-  const Vertex vertex = groundings[static_cast<std::size_t>(dice.below(static_cast<int>(groundings.size())))];
-  const int assembly = dice.below(static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size()));
-  const double VB = dice.log_uniform(0.2, 5) * std::abs(shape_of(spec.copy.k, vertex));
-  const auto unit = CopyingLinkage::make(spec.copy.k, vertex, 1, VB, assembly, *pole);
+  const Grounding grounding =
+      groundings[static_cast<std::size_t>(dice.below(static_cast<int>(groundings.size())))];
+  const int assembly_mode =
+      dice.below(static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size()));
+  const double VB = dice.log_uniform(0.2, 5) * std::abs(shape_of(spec.copy.k, grounding));
+  const auto unit = CopyingLinkage::make(spec.copy.k, grounding, 1, VB, assembly_mode, *pole);
   if (!unit) return std::nullopt;
   const OpeningInterval openings = unit->openings_with_transmission(spec.limits.transmission);
   if (openings.empty()) return std::nullopt;
@@ -55,7 +57,7 @@ std::optional<CopyingLinkage> draw_linkage(const Spec& spec, Dice& dice) {
   if (!(least < most)) return std::nullopt;
   const double share = dice.percent(50) ? 1e-6 : dice.uniform(0, 1);
   const double VA = least * std::pow(std::min(most / least, 10.0), share);
-  const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, VA, VA * VB, assembly, *pole);
+  const auto linkage = CopyingLinkage::make(spec.copy.k, grounding, VA, VA * VB, assembly_mode, *pole);
   if (!linkage) return std::nullopt;
   for (const double length : linkage->lengths().values())
     if (length < spec.links.shortest || length > spec.links.longest) return std::nullopt;
@@ -104,7 +106,7 @@ class Trial {
     Task task = task_;
     task.pole = linkage.pole();
     task.pole_area.clear();
-    const MechanismSpec mechanism{linkage.vertex(), linkage.VA(), linkage.VB(), linkage.assembly(),
+    const MechanismSpec mechanism{linkage.grounding(), linkage.VA(), linkage.VB(), linkage.assembly_mode(),
                                   layers.of};
     findings_.push_back({true, "mechanisms", std::move(sentence), {task, task_}, mechanism});
   }

@@ -115,10 +115,10 @@ std::string toml_of(const Task& task) { return file_of(task).all(); }
 std::string toml_of(const Task& task, const MechanismSpec& mechanism) {
   File file = file_of(task);
   file.table("[mechanism]");
-  file.line("vertex", "\"" + std::string(name(mechanism.vertex)) + "\"");
+  file.line("vertex", "\"" + std::string(name(mechanism.grounding)) + "\"");
   file.number("VA_mm", mechanism.VA);
   file.number("VB_mm", mechanism.VB);
-  file.line("assembly", std::to_string(mechanism.assembly));
+  file.line("assembly", std::to_string(mechanism.assembly_mode));
   if (mechanism.layers) {
     const auto& of = *mechanism.layers;
     file.line("layers", fmt::format("[{}, {}, {}, {}]", of[0], of[1], of[2], of[3]));

@@ -100,7 +100,7 @@ std::string part_svg(const char* outline) {
 }  // namespace
 
 ReportSpecimen plagiograph_specimen() {
-  const auto linkage = *CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3);
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1.4, pi / 2), Grounding::pole, 50, 35, 3);
   Region region{{Polygon{rectangle({64, -7}, {7, 14}), {}}}};
   ReportSpecimen specimen{
       "plagiograph",
@@ -112,7 +112,7 @@ ReportSpecimen plagiograph_specimen() {
   design.quality.copy_error_worst = error.worst;
   design.quality.copy_error_rss = error.rss;
   design.quality.distortion_worst = error.distortion_worst;
-  design.quality.lower_bound = linkage.size() * 0.985;
+  design.quality.proven_bound = linkage.size() * 0.985;
   design.limits.copy_error = 1.5;
   design.obstacles.push_back({Polygon{rectangle({20, 62}, {26, 14}), {}}, 1, 4, "side clamp"});
   // As if the obstacle took a bay out of the annulus: angles 0.9 to 1.5, and an uncertain sliver beside it.
@@ -143,7 +143,7 @@ ReportSpecimen plagiograph_specimen() {
 }
 
 ReportSpecimen matlab_circle_specimen() {
-  const auto linkage = *CopyingLinkage::make(copy_ratio(1.5, 0), Vertex::tracer, 40, 30, 1);
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1.5, 0), Grounding::tracer, 40, 30, 1);
   ReportSpecimen specimen{"matlab-circle",
                           design_of(linkage, 1.5, 0, {{Polygon{ellipse({50, 50}, 10, 10, 96), {}}}},
                                     {.width = 5, .pin_diameter = 3, .thickness = 3}, radians(20)),
@@ -160,7 +160,8 @@ ReportSpecimen matlab_circle_specimen() {
 }
 
 ReportSpecimen half_turn_specimen() {
-  const auto linkage = *CopyingLinkage::make(copy_ratio(1.0 / 3, pi), Vertex::pole, 210, 70, 1, {-40, -220});
+  const auto linkage =
+      *CopyingLinkage::make(copy_ratio(1.0 / 3, pi), Grounding::pole, 210, 70, 1, {-40, -220});
   Region region{{Polygon{rectangle({-90, -60}, {60, 40}), {}}, Polygon{ellipse({20, -30}, 30, 22, 60), {}},
                  Polygon{rectangle({70, -55}, {30, 60}), {}}}};
   ReportSpecimen specimen{
@@ -177,7 +178,7 @@ ReportSpecimen half_turn_specimen() {
 }
 
 ReportSpecimen hostile_specimen() {
-  const auto linkage = *CopyingLinkage::make(copy_ratio(1, pi / 3), Vertex::pen, 120, 110, 2, {10, 5});
+  const auto linkage = *CopyingLinkage::make(copy_ratio(1, pi / 3), Grounding::pen, 120, 110, 2, {10, 5});
   const Point at = linkage.tracer_at(linkage.assembly_interval().middle(), 2.1);
   ReportSpecimen specimen{
       "hostile",

@@ -8,9 +8,9 @@
 
 namespace kempe::testing {
 
-inline Design sample_design(Complex k, Vertex vertex, double VA, double VB, int assembly,
+inline Design sample_design(Complex k, Grounding grounding, double VA, double VB, int assembly_mode,
                             PlateStyle plate = PlateStyle::bent, Point pole = Point::Zero()) {
-  Design design{.linkage = *CopyingLinkage::make(k, vertex, VA, VB, assembly, pole)};
+  Design design{.linkage = *CopyingLinkage::make(k, grounding, VA, VB, assembly_mode, pole)};
   design.scale = std::abs(k);
   design.rotation = std::arg(k);
   design.style = {.width = 12, .pin_diameter = 6, .thickness = 4, .plate = plate};
@@ -37,6 +37,8 @@ inline Design sample_design(Complex k, Vertex vertex, double VA, double VB, int 
 }
 
 /// The report's plagiograph in mm: k = 1.4i, VA = 50, VB = 35.
-inline Design plagiograph() { return sample_design(copy_ratio(1.4, radians(90)), Vertex::pole, 50, 35, 3); }
+inline Design plagiograph() {
+  return sample_design(copy_ratio(1.4, radians(90)), Grounding::pole, 50, 35, 3);
+}
 
 }  // namespace kempe::testing

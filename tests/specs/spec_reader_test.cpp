@@ -125,12 +125,12 @@ gap_mm = 8
   EXPECT_EQ(spec.obstacles[1].name, "obstacle 2");
   EXPECT_EQ(spec.obstacles[1].highest_layer, 8);
   EXPECT_EQ(spec.objective.objective, Objective::transmission);
-  EXPECT_EQ(spec.objective.groundings, (std::vector{Vertex::pen, Vertex::pole}));
+  EXPECT_EQ(spec.objective.groundings, (std::vector{Grounding::pen, Grounding::pole}));
   ASSERT_TRUE(spec.mechanism);
-  EXPECT_EQ(spec.mechanism->vertex, Vertex::tracer);
+  EXPECT_EQ(spec.mechanism->grounding, Grounding::tracer);
   EXPECT_EQ(spec.mechanism->VA, 50);
   EXPECT_EQ(spec.mechanism->VB, 35);
-  EXPECT_EQ(spec.mechanism->assembly, 3);
+  EXPECT_EQ(spec.mechanism->assembly_mode, 3);
   EXPECT_EQ(spec.mechanism->layers, (std::array{1, 2, 3, 4}));
   EXPECT_EQ(spec.cutting.hole_fit, 0.1);
   EXPECT_EQ(spec.cutting.kerf, 0.2);

@@ -57,7 +57,7 @@ inline std::string first_limit_missed(const Spec& spec, const Design& design, do
   }
   if (design.layers.highest() > spec.links.layers) return "layers";
   const auto& groundings = spec.objective.groundings;
-  if (std::find(groundings.begin(), groundings.end(), linkage.vertex()) == groundings.end())
+  if (std::find(groundings.begin(), groundings.end(), linkage.grounding()) == groundings.end())
     return "groundings";
   if (below(design.quality.transmission_min, spec.limits.transmission)) return "transmission_deg";
   if (below(design.quality.clearance_min, spec.limits.clearance)) return "clearance_mm";

@@ -67,9 +67,9 @@ struct Specimen {
 
 std::vector<Specimen> specimens(const Point& pole) {
   std::vector<Specimen> all;
-  for (const Vertex vertex : {Vertex::pole, Vertex::tracer, Vertex::pen})
+  for (const Grounding grounding : {Grounding::pole, Grounding::tracer, Grounding::pen})
     for (const Complex k : {Complex(0, 1.4), Complex(0.5, 0.2), Complex(-0.8, 0)}) {
-      const CopyingLinkage linkage = *CopyingLinkage::make(k, vertex, 60, 45, 0, pole);
+      const CopyingLinkage linkage = *CopyingLinkage::make(k, grounding, 60, 45, 0, pole);
       all.push_back({linkage, linkage.radius_at(linkage.assembly_interval().middle())});
     }
   return all;

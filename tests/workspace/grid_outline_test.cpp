@@ -24,8 +24,9 @@ std::vector<GridCell> random_cells(Dice& dice, int share) {
   return cells;
 }
 
-AngleGrid some_grid(int assembly) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, assembly, Point(3, 4));
+AngleGrid some_grid(int assembly_mode) {
+  const CopyingLinkage linkage =
+      *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, assembly_mode, Point(3, 4));
   return {linkage, shrink(linkage.assembly_interval(), 0.2)};
 }
 

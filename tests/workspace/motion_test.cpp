@@ -118,7 +118,7 @@ TEST(GapBounds, HoldTheDistanceAllOverTheRectangle) {
 }
 
 TEST(GapBounds, CloseOnTheDistanceAsTheRectangleShrinks) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   const JointHull hull{{Joint::A, Joint::X, Joint::X}, 2};
   for (const double half : {1e-2, 1e-3, 1e-4}) {
     const MovingJoints joints = LinkageMotion(linkage).over(0.8, half, 0.3, half);

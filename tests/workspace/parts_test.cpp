@@ -56,7 +56,7 @@ TEST(Parts, AssignmentsAreTheColouringsOfAFourCycle) {
 }
 
 TEST(Parts, PinsFillTheLayersBetweenTheirLinksAndPostsThoseDownToTheTable) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   std::set<std::string> names;
   std::map<std::string, std::pair<int, int>> range;
   for (const Part& part : parts_of(linkage, {{1, 4, 3, 2}})) {
@@ -103,7 +103,7 @@ TEST(Parts, OutlineIsTheAxisGrownByHalfTheWidth) {
 }
 
 TEST(Parts, BarIsAStadium) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   const ArcPolygon bar = link_outline(Link::VA, linkage.pose_at(2, 0.3), {12, 6, 4, PlateStyle::bent});
   EXPECT_NEAR(area(bar), 50 * 12 + pi * 36, 1e-9);
 }
@@ -111,7 +111,7 @@ TEST(Parts, BarIsAStadium) {
 TEST(Parts, StraightPlateIsTheStadiumOfItsOutermostJoints) {
   for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
     for (const double k : {-0.5, 2.5, 0.4}) {
-      const CopyingLinkage linkage = *CopyingLinkage::make({k, 0}, Vertex::pole, 50, 40, 1);
+      const CopyingLinkage linkage = *CopyingLinkage::make({k, 0}, Grounding::pole, 50, 40, 1);
       const LinkLengths l = linkage.lengths();
       const double longest = std::max({l.AC, l.AX, l.CX});
       EXPECT_NEAR(area(link_outline(Link::ACX, linkage.pose_at(1, 0.3), {10, 6, 4, plate})),

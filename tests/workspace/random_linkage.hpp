@@ -22,18 +22,18 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-/// Any grounding, ratio, assembly; every fifth one with straight plates. Lengths 30..120 mm.
+/// Any grounding, ratio, assembly mode; every fifth one with straight plates. Lengths 30..120 mm.
 inline CopyingLinkage random_linkage(Dice& dice) {
   while (true) {
     const bool straight = dice.below(5) == 0;
     const double rotation = straight ? pi * dice.below(2) : dice.between(-pi, pi);
     const Complex k = copy_ratio(std::exp(dice.between(-1.2, 1.2)), rotation);
     if (std::abs(k - 1.0) < 0.1) continue;
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(dice.below(3))];
-    const auto count = static_cast<int>(assemblies(shape_of(k, vertex)).size());
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(dice.below(3))];
+    const auto count = static_cast<int>(assembly_modes(shape_of(k, grounding)).size());
     const Point pole(dice.between(-50, 50), dice.between(-50, 50));
-    return *CopyingLinkage::make(k, vertex, dice.between(30, 120), dice.between(30, 120), dice.below(count),
-                                 pole);
+    return *CopyingLinkage::make(k, grounding, dice.between(30, 120), dice.between(30, 120),
+                                 dice.below(count), pole);
   }
 }
 

@@ -11,7 +11,7 @@ using test::Dice;
 
 TEST(Reach, ReportsPlagiographUsesDistancesFrom5590To75) {
   // plagiograph report, k = 1.4i, OA = 50, OB = 35 mm: change point at sqrt(50^2 + 25^2), outer reach at 75.
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   const Annulus annulus = reachable_annulus(linkage);
   EXPECT_NEAR(annulus.inner, std::sqrt(3125), 1e-12);
   EXPECT_NEAR(annulus.outer, 75, 1e-12);

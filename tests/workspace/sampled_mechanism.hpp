@@ -24,10 +24,10 @@ inline std::optional<Joints> joints_with_tracer_at(const CopyingLinkage& linkage
   const Z k = linkage.k();
   const Z pen = pole + k * (tracer - pole);
   Z V, X, Y;
-  switch (linkage.vertex()) {
-    case Vertex::pole: V = pole, X = tracer, Y = pen; break;
-    case Vertex::tracer: X = pole, V = tracer, Y = pen; break;
-    case Vertex::pen: X = pole, Y = tracer, V = pen; break;
+  switch (linkage.grounding()) {
+    case Grounding::pole: V = pole, X = tracer, Y = pen; break;
+    case Grounding::tracer: X = pole, V = tracer, Y = pen; break;
+    case Grounding::pen: X = pole, Y = tracer, V = pen; break;
   }
   const LinkLengths l = linkage.lengths();
   const Z way = X - V;

@@ -19,7 +19,7 @@ double certain_to(const CopyingLinkage& linkage) {
 constexpr std::size_t most_cells = 200'000;
 constexpr std::size_t tried_each_level = 400;
 
-/// The openings of the assembly at which the tracer stands at some distance of the region; perhaps empty.
+/// The openings of the assembly mode at which the tracer stands at some distance of the region; perhaps empty.
 OpeningInterval openings_met(const CopyingLinkage& linkage, const Region& region) {
   const Annulus reach = reachable_annulus(linkage);
   const DistanceRange range = distance_range(region, linkage.pole());

@@ -14,7 +14,7 @@ struct ClearanceFigure {
 };
 
 /// The smallest gap of any two parts, or of a part and an obstacle, over the region; openings at which the
-/// assembly does not exist are left out. Self-contact in closed form, obstacles by branch and bound over the
+/// assembly mode does not exist are left out. Self-contact in closed form, obstacles by branch and bound over the
 /// two angles. Nothing if the region is empty or nowhere reachable. A gap is at least minus the half widths:
 /// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified.
 std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {});

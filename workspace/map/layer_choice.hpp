@@ -34,7 +34,7 @@ struct LayerChoice {
 
 /// Tries every assignment to at most `layers` layers (>= 2) for the task (whose own layers are ignored); with
 /// empty layers only those that no lower one replaces (layer_demands.hpp).
-/// Without a region, or where the assembly reaches none of it, the gap is that over all openings that keep
+/// Without a region, or where the assembly mode reaches none of it, the gap is that over all openings that keep
 /// the transmission limit. Deterministic: equal gaps are ranked by the number of layers, then in the order of
 /// layer_assignments(). Stopped early, the best of those tried so far, at least one.
 LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop = {});

@@ -71,7 +71,7 @@ struct WorkspaceMap {
   /// Reach, change point, transmission and self-contact kept all over it: of all such intervals the one that
   /// holds the region's openings, or else the widest; empty if there is none.
   OpeningInterval certified_opening;
-  ArcRegion reachable;       ///< the reach of the chosen assembly
+  ArcRegion reachable;       ///< the reach of the chosen assembly mode
   ArcRegion usable;          ///< transmission kept
   ArcRegion collision_free;  ///< usable, certainly without contact
   ArcRegion uncertain;       ///< neither proven free nor proven in contact

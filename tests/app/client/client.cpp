@@ -5,7 +5,7 @@
 
 int main() {
   const auto linkage =
-      kempe::CopyingLinkage::make(kempe::copy_ratio(1.4, kempe::pi / 2), kempe::Vertex::pole, 50, 35, 3);
+      kempe::CopyingLinkage::make(kempe::copy_ratio(1.4, kempe::pi / 2), kempe::Grounding::pole, 50, 35, 3);
   const auto pose = linkage->pose_with_tracer_at({70, 10});
   if (!pose) return 1;
   std::printf("pen at (%.3f, %.3f)\n", pose->Y.x(), pose->Y.y());

@@ -159,7 +159,7 @@ TEST(PlanarPath, SaysWhyItCannotStart) {
   const auto open = PlanarPath::from(four_bar(9, 1, 2, 2), position, {0.3});
   ASSERT_FALSE(open);
   EXPECT_EQ(open.error().why, NoPath::does_not_assemble);
-  EXPECT_GT(open.error().assembly.closure_error, 1);
+  EXPECT_GT(open.error().assembly_mode.closure_error, 1);
 }
 
 }  // namespace

@@ -156,13 +156,13 @@ struct Told {
 Told told_of(const Machine& machine) {
   Told told;
   const auto start = machine.schedule.values_at(0);
-  const auto found = search_assemblies(machine.linkage, machine.guess, start, {12, 1, 1, {}});
-  if (found.assemblies.empty()) {
+  const auto found = search_assembly_modes(machine.linkage, machine.guess, start, {12, 1, 1, {}});
+  if (found.assembly_modes.empty()) {
     told.missing = missing_at(machine.linkage, found.nearest.value(), start);
     return told;
   }
-  told.mobility = mobility_of(machine.linkage, found.assemblies.front());
-  if (auto run = run_motion(machine.linkage, found.assemblies.front(), machine.schedule, 12)) {
+  told.mobility = mobility_of(machine.linkage, found.assembly_modes.front());
+  if (auto run = run_motion(machine.linkage, found.assembly_modes.front(), machine.schedule, 12)) {
     const RunFrame& frame = run->frames.front();
     told.centres = instant_centres(machine.linkage, frame.position, frame.rate);
     told.run = std::move(*run);
@@ -283,7 +283,7 @@ TEST(Scale, AWheelTurnsAsItsTeethSayOverManyTurns) {
     Machine machine = geared_five_bar(random);
     machine.schedule = ranges({{0.3, 0.3 + 200 * pi, {}}});
     const auto& gears = std::get<GearPair>(machine.linkage.constraints()[5].constraint);
-    const auto found = find_assemblies(machine.linkage, machine.guess, {0.3}, {40, 1, 1, {}});
+    const auto found = find_assembly_modes(machine.linkage, machine.guess, {0.3}, {40, 1, 1, {}});
     if (found.empty()) continue;
     const auto run = run_motion(machine.linkage, found[0], machine.schedule, 7);
     ASSERT_TRUE(run);

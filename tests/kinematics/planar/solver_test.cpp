@@ -125,8 +125,8 @@ TEST(PlanarSolver, WhatIsMissingIsTheRealDistance) {
     ++tried;
     const PlanarLinkage linkage = test::four_bar(d, a, b, c);
     const auto found =
-        search_assemblies(linkage, test::random_position(random, 4, 3), {crank}, {40, 1, 64, {}});
-    ASSERT_TRUE(found.assemblies.empty());
+        search_assembly_modes(linkage, test::random_position(random, 4, 3), {crank}, {40, 1, 64, {}});
+    ASSERT_TRUE(found.assembly_modes.empty());
     const Missing missing = missing_at(linkage, found.nearest.value(), {crank});
     if (missing.gap.is_angle) continue;  // then the crank's angle is off, by what closes the gap
     EXPECT_NEAR(missing.gap.amount, gap, 1e-5 * linkage.size()) << d << " " << a << " " << b << " " << c;
@@ -150,7 +150,7 @@ TEST(PlanarSolver, AnAngleIsMissingInRadians) {
 
 TEST(PlanarAssemblies, AFourBarHasTwoAndTheyAreMirrored) {
   const PlanarLinkage linkage = test::four_bar(2, 1, 2, 2);
-  const auto found = find_assemblies(linkage, PlanarPosition(4), {0.7});
+  const auto found = find_assembly_modes(linkage, PlanarPosition(4), {0.7});
   ASSERT_EQ(found.size(), 2u);
   const Point B(std::cos(0.7), std::sin(0.7)), D(2, 0);
   const Point left = test::meet(B, 2, D, 2, 1), right = test::meet(B, 2, D, 2, -1);
@@ -158,7 +158,7 @@ TEST(PlanarAssemblies, AFourBarHasTwoAndTheyAreMirrored) {
   EXPECT_LT(std::min((first - left).norm() + (second - right).norm(),
                      (first - right).norm() + (second - left).norm()),
             1e-12);
-  EXPECT_TRUE(find_assemblies(test::four_bar(9, 1, 2, 2), PlanarPosition(4), {0.7}).empty());
+  EXPECT_TRUE(find_assembly_modes(test::four_bar(9, 1, 2, 2), PlanarPosition(4), {0.7}).empty());
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ std::string refusal(const Json& json) {
 TEST(DesignJson, HasEveryKeyOfTheContract) {
   const Json json = written();
   const Json contract = Json::parse(R"({"format":0,"copy":{"scale":0,"rotation_deg":0},
-    "region":{"type":0,"coordinates":0},"mechanism":{"vertex":0,"pole":0,"tracer":0,"pen":0,"pole_position_mm":0,
+    "region":{"type":0,"coordinates":0},"mechanism":{"grounding":0,"pole":0,"tracer":0,"pen":0,"pole_position_mm":0,
     "shape":0,"opening_deg":0,"lengths_mm":{"VA":0,"VB":0,"AC":0,"BC":0,"AX":0,"CX":0,"BY":0,"CY":0},
     "orientation":{"parallelogram":0,"plate_ACX":0,"plate_BCY":0},"links":0,"link_width_mm":0,"pin_diameter_mm":0,
     "thickness_mm":0},"quality":{"size_mm":0,"transmission_min_deg":0,"clearance_min_mm":0,"copy_error_worst_mm":0,
-    "copy_error_rss_mm":0,"distortion_worst_mm":0,"footprint_mm2":0,"lower_bound":0},"workspace":{"reachable_mm2":0,
+    "copy_error_rss_mm":0,"distortion_worst_mm":0,"footprint_mm2":0,"proven_bound":0},"workspace":{"reachable_mm2":0,
     "usable_mm2":0,"collision_free_mm2":0,"uncertain_mm2":0,"region_covered":0,"largest_sheet":0},"verification":{
     "samples":0,"copy_error_max_mm":0,"loop_residual_max_mm":0,"scale":0,"rotation_deg":0,"flips":0,"certified":0},
     "search":{"objective":0,"value":0,"solvers":0,"evaluations":0,"seed":0}})");
@@ -53,7 +53,7 @@ TEST(DesignJson, IsReadBackToTheLastBit) {
   for (int i = 0; i < 300; ++i) {
     const double turn = i % 3 == 0 ? radians(std::floor(uniform(-179, 180))) : uniform(-pi, pi);
     const double scale = uniform(0.2, 4);
-    Design design = sample_design(copy_ratio(scale, turn), all_vertices[random() % 3], uniform(15, 400),
+    Design design = sample_design(copy_ratio(scale, turn), all_groundings[random() % 3], uniform(15, 400),
                                   uniform(15, 400), static_cast<int>(random() % 2), PlateStyle::bent,
                                   {uniform(-100, 100), uniform(-100, 100)});
     design.scale = scale;
@@ -70,7 +70,7 @@ TEST(DesignJson, IsReadBackToTheLastBit) {
     EXPECT_NEAR(read->mechanism.opening.lower, design.opening.lower, 1e-15);
     const auto linkage = linkage_of(*read, "d.json");
     ASSERT_TRUE(linkage) << linkage.error().message();
-    EXPECT_EQ(linkage->assembly(), design.linkage.assembly());
+    EXPECT_EQ(linkage->assembly_mode(), design.linkage.assembly_mode());
     EXPECT_EQ(linkage->pole(), design.linkage.pole());
     EXPECT_NEAR(std::abs(linkage->k() - design.linkage.k()), 0, 1e-14);
   }
@@ -102,7 +102,7 @@ TEST(DesignJson, KeepsAMechanismWithoutAUsableOpening) {
   const auto read = read_design(design_json(design), "d.json");
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_TRUE(read->mechanism.opening.empty());
-  EXPECT_EQ(linkage_of(*read, "d.json")->assembly(), design.linkage.assembly());
+  EXPECT_EQ(linkage_of(*read, "d.json")->assembly_mode(), design.linkage.assembly_mode());
 }
 
 TEST(DesignJson, KeepsTheLimitsTheTolerancesAndTheObstacles) {
@@ -130,7 +130,7 @@ TEST(DesignJson, KeepsWhatTheSpecAllowed) {
   allowed.longest = 600;
   allowed.workshop = {.grid = std::nullopt, .stock = {35, 50, 100}, .locked = {}};
   allowed.workshop.locked[1] = 35;
-  allowed.groundings = {Vertex::pen, Vertex::pole};
+  allowed.groundings = {Grounding::pen, Grounding::pole};
   design.cutting = {.hole_fit = -0.1, .kerf = 0.2, .sheet = Point(600, 300), .gap = 7};
   design.map.map_tolerance = 0.02;
   const auto read = read_design(design_json(design), "d.json");

@@ -45,10 +45,10 @@ TEST(DesignDrawing, IsJudgedFaultlessByEzdxf) {
   std::vector<std::pair<Design, CuttingSpec>> cases{
       {plagiograph(), {}}, {plagiograph(), {.hole_fit = 0.1, .kerf = 0.2, .sheet = {}}}};
   for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
-    for (const Vertex vertex : all_vertices)
+    for (const Grounding grounding : all_groundings)
       for (const Complex k : {Complex(2.5), Complex(-1.0 / 3), std::polar(1.0, radians(60)), Complex(0, -1),
                               Complex(1.001), Complex(1000)})
-        cases.push_back({sample_design(k, vertex, 90, 70, 1, plate, {20, -10}), {}});
+        cases.push_back({sample_design(k, grounding, 90, 70, 1, plate, {20, -10}), {}});
   Json expectations = Json::array();
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto& [design, cutting] = cases[i];
@@ -105,10 +105,10 @@ TEST(DesignDrawing, IsTheSameInSvg) {
 }
 
 TEST(PartDrawings, KeepThePlatesTurnedTheRightWayRound) {
-  for (const Vertex vertex : all_vertices)
+  for (const Grounding grounding : all_groundings)
     for (const double turn : {90.0, -120.0, 17.0})
-      for (const int assembly : {0, 1, 2, 3}) {
-        const Design design = sample_design(std::polar(1.3, radians(turn)), vertex, 90, 70, assembly);
+      for (const int assembly_mode : {0, 1, 2, 3}) {
+        const Design design = sample_design(std::polar(1.3, radians(turn)), grounding, 90, 70, assembly_mode);
         const auto expected = design.linkage.orientation();
         const auto sign_of = [&](Link link) {
           const auto holes = cut_part(design, link, {}).holes;
@@ -123,7 +123,7 @@ TEST(PartDrawings, KeepThePlatesTurnedTheRightWayRound) {
 TEST(PartDrawings, EngraveInsideTheOutlineAndBesideTheHoles) {
   for (const Complex k : {Complex(0, 1.4), Complex(2.5), Complex(-1.0 / 3), std::polar(1.0, radians(60))})
     for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle}) {
-      const Design design = sample_design(k, Vertex::tracer, 90, 70, 1, plate);
+      const Design design = sample_design(k, Grounding::tracer, 90, 70, 1, plate);
       for (const Link link : all_links) {
         const CutPart part = cut_part(design, link, {});
         ASSERT_FALSE(part.labels.empty());

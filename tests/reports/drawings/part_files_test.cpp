@@ -30,10 +30,10 @@ using testing::sample_design;
 std::vector<Design> designs() {
   std::vector<Design> list{plagiograph()};
   for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
-    for (const Vertex vertex : all_vertices)
+    for (const Grounding grounding : all_groundings)
       for (const Complex k :
            {Complex(2.5), Complex(-1.0 / 3), std::polar(1.0, radians(60)), Complex(0.9, 0.1)})
-        list.push_back(sample_design(k, vertex, 90, 70, 1, plate, {20, -10}));
+        list.push_back(sample_design(k, grounding, 90, 70, 1, plate, {20, -10}));
   return list;
 }
 
@@ -90,7 +90,7 @@ TEST(Nesting, KeepsPartsApartAndOnTheSheet) {
 }
 
 TEST(Nesting, UsesMoreSheetsWhenOneIsFull) {
-  const auto nested = nest(parts(sample_design(2.5, Vertex::tracer, 90, 70, 1)), {250, 30}, 2);
+  const auto nested = nest(parts(sample_design(2.5, Grounding::tracer, 90, 70, 1)), {250, 30}, 2);
   ASSERT_TRUE(nested) << nested.error();
   std::size_t last = 0;
   for (const NestedPart& part : *nested) last = std::max(last, part.sheet);
@@ -98,13 +98,13 @@ TEST(Nesting, UsesMoreSheetsWhenOneIsFull) {
 }
 
 TEST(Nesting, TurnsAPartThatFitsOnlyAslant) {
-  Design design = sample_design(2.5, Vertex::tracer, 130, 30, 1);
+  Design design = sample_design(2.5, Grounding::tracer, 130, 30, 1);
   const auto one = std::vector<CutPart>{cut_part(design, Link::VA, {})};
   EXPECT_TRUE(nest(one, {118, 118}, 0));
 }
 
 TEST(Nesting, NamesThePartThatDoesNotFit) {
-  const Design design = sample_design(2.5, Vertex::tracer, 90, 70, 1);
+  const Design design = sample_design(2.5, Grounding::tracer, 90, 70, 1);
   CuttingSpec cutting;
   cutting.sheet = Point(100, 30);
   const PartFiles parts = part_files(design, cutting);
@@ -134,7 +134,7 @@ TEST(PartFiles, AreWholeOrLeftOutHoweverThinTheWall) {
     for (const double share : {0.9, 0.95, 0.99, 0.995, 0.997, 0.9981, 0.9999, 1 - 1e-9, 1.0})
       for (const double fit : {-0.1, 0.0, 0.02, 0.5})
         for (const double kerf : {0.0, 0.2}) {
-          Design design = sample_design(std::polar(1.0, radians(60)), Vertex::tracer, 90, 70, 1, plate);
+          Design design = sample_design(std::polar(1.0, radians(60)), Grounding::tracer, 90, 70, 1, plate);
           design.style.pin_diameter = share * design.style.width;
           CuttingSpec cutting;
           cutting.hole_fit = fit;
@@ -153,7 +153,7 @@ TEST(PartFiles, AreWholeOrLeftOutHoweverThinTheWall) {
 }
 
 TEST(PartFiles, AreLeftOutWhereHolesRunIntoEachOther) {
-  Design design = sample_design(Complex(2.5), Vertex::pole, 90, 12, 0);
+  Design design = sample_design(Complex(2.5), Grounding::pole, 90, 12, 0);
   for (const double pin : {3.0, 7.1, 7.3, 11.0}) {  // AX = 12 / 2.5 = 4.8, CX = 7.2
     design.style.pin_diameter = pin;
     const PartFiles made = part_files(design, {});
@@ -185,7 +185,7 @@ TEST(PartFiles, AreLeftOutWhereNothingIsLeftOfAHole) {
 }
 
 TEST(PartFiles, LeaveOutASolidThatFloatsCannotHold) {
-  Design design = sample_design(Complex(2.5), Vertex::pole, 9e5, 7e5, 0);
+  Design design = sample_design(Complex(2.5), Grounding::pole, 9e5, 7e5, 0);
   EXPECT_TRUE(part_files(design, {}).left_out.empty());
   design.style.pin_diameter = 11.9;  // a wall of 0.05 mm, and floats of this size are 0.06 to 0.12 mm apart
   const PartFiles made = part_files(design, {});

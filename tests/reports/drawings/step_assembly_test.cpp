@@ -74,9 +74,9 @@ std::vector<FoundSolid> solids_of(const TopoDS_Shape& shape, double hole_radius)
 
 std::vector<Design> designs() {
   std::vector<Design> list{plagiograph()};
-  list.push_back(sample_design(2.5, Vertex::tracer, 90, 70, 1, PlateStyle::bent, {20, -10}));
+  list.push_back(sample_design(2.5, Grounding::tracer, 90, 70, 1, PlateStyle::bent, {20, -10}));
   list.push_back(
-      sample_design(std::polar(1.0, radians(60)), Vertex::pen, 90, 70, 1, PlateStyle::triangle, {0, 5}));
+      sample_design(std::polar(1.0, radians(60)), Grounding::pen, 90, 70, 1, PlateStyle::triangle, {0, 5}));
   return list;
 }
 

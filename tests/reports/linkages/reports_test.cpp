@@ -27,7 +27,7 @@ struct Moved {
   int steps;
 
   explicit Moved(LinkageFile read) : file(std::move(read)), model(linkage_model(file)), steps(file.steps) {
-    start = start_assemblies(file, model)->front();
+    start = start_assembly_modes(file, model)->front();
     run = *run_motion(model.linkage, start, model.schedule, steps);
   }
   LinkageScene scene() const { return linkage_scene(file, model, run, steps); }

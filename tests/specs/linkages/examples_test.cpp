@@ -19,9 +19,9 @@ class Example {
   explicit Example(const std::string& name, int steps = 0) : Example(parsed(name), steps) {}
 
   Example(LinkageFile read, int steps) : file(std::move(read)), model(linkage_model(file)) {
-    const auto assemblies = start_assemblies(file, model);
-    EXPECT_TRUE(assemblies) << file.name;
-    start = assemblies->front();
+    const auto assembly_modes = start_assembly_modes(file, model);
+    EXPECT_TRUE(assembly_modes) << file.name;
+    start = assembly_modes->front();
     rerun(steps > 0 ? steps : file.steps);
   }
 
@@ -168,7 +168,7 @@ TEST(LinkageExamples, SixBarPlagiographCopiesTheCouplerCurveOverTheWholeTurn) {
   }
   EXPECT_GT(extent, 25);  // a curve worth copying
   EXPECT_TRUE(
-      same_assembly(six.model.linkage, six.run.frames.front().position, six.run.frames.back().position));
+      same_assembly_mode(six.model.linkage, six.run.frames.front().position, six.run.frames.back().position));
   const Mobility mobility = six.mobility();
   EXPECT_EQ(mobility.links, 6);
   EXPECT_EQ(mobility.full_joints, 7);

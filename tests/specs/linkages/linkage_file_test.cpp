@@ -65,7 +65,7 @@ to_deg = 60
   const auto C_of = [&](const std::string& choice) {
     const LinkageFile file = parsed(bars + choice);
     const LinkageModel model = linkage_model(file);
-    const auto found = start_assemblies(file, model);
+    const auto found = start_assembly_modes(file, model);
     EXPECT_TRUE(found);
     EXPECT_EQ(found->size(), 2u);
     return place(found->front(), model.point("C"));
@@ -76,7 +76,7 @@ to_deg = 60
   EXPECT_LT(C_of("[bounds]\nC = { y = [-9, 0] }\n").y(), 0);
   EXPECT_LT(C_of("[bounds]\nrocker = { angle_deg = [200, 350] }\n").y(), 0);  // whole turns do not count
   const LinkageFile file = parsed(bars + "[bounds]\nC = { y = [7, 9] }\n");
-  const auto none = start_assemblies(file, linkage_model(file));
+  const auto none = start_assembly_modes(file, linkage_model(file));
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().unmet, std::vector<std::string>{"C"});
 }
@@ -85,7 +85,7 @@ TEST(LinkageFile, TheSameFileGivesTheSameAssemblies) {
   const auto file = read_linkage_file(KEMPE_SOURCE_DIR "/specs/examples/linkages/watt-six-bar.toml");
   ASSERT_TRUE(file);
   const LinkageModel model = linkage_model(*file);
-  const auto once = start_assemblies(*file, model), twice = start_assemblies(*file, model);
+  const auto once = start_assembly_modes(*file, model), twice = start_assembly_modes(*file, model);
   EXPECT_EQ(*once, *twice);
   EXPECT_EQ(once->size(), 4u);  // two closings of the four-bar times two of the dyad
 }

@@ -35,17 +35,17 @@ std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& li
   return figure ? std::optional(figure->gap) : std::nullopt;
 }
 
-TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
+TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
   test::SpecDice dice(83);
   int boxes_hit = 0, designs = 0;
   for (int i = 0; i < test::samples(150); ++i) {
     const Spec spec = spec_with_obstacles(dice);
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(i) % 3];
-    const int number = i % static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
+    const int number = i % static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
     const auto layers = layer_assignments(2);
-    const bounding::Branch branch =
-        bounding::make_branch(spec, vertex, number, bounding::layer_choices(spec.copy.k, vertex, 2, {}));
-    const bounding::ObstacleTest test(spec, branch.assembly, layers);
+    const bounding::Branch branch = bounding::make_branch(
+        spec, grounding, number, bounding::layer_choices(spec.copy.k, grounding, 2, {}));
+    const bounding::ObstacleTest test(spec, branch.assembly_mode, layers);
     for (int j = 0; j < 30; ++j) {
       const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),
                    grow = std::exp(dice.uniform(0.0005, 0.04));
@@ -61,9 +61,9 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
         const double one_w = dice.log_uniform(box.lengths.w.lower, box.lengths.w.upper);
         const Point pole =
             box.pole + box.radius * as_point(std::polar(dice.uniform(0, 1), dice.uniform(-pi, pi)));
-        const auto linkage =
-            CopyingLinkage::make(spec.copy.k, vertex, std::sqrt(one_w / one_t / 2),
-                                 std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly.s), number, pole);
+        const auto linkage = CopyingLinkage::make(
+            spec.copy.k, grounding, std::sqrt(one_w / one_t / 2),
+            std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly_mode.s), number, pole);
         if (!linkage) continue;
         for (std::size_t one = 0; one < layers.size(); ++one) {
           if (left.has(one)) continue;
@@ -79,14 +79,14 @@ TEST(LowerBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
   EXPECT_GT(designs, test::expected(200));
 }
 
-TEST(LowerBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
+TEST(ProvenBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
   test::SpecDice dice(89);
   int compared = 0, near = 0;
   for (int i = 0; i < test::samples(20); ++i) {
     Spec spec = spec_with_obstacles(dice);
     spec.pole.place = Point(Point::Zero());
     const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
-    const auto bound = lower_bound(spec);
+    const auto bound = proven_bound(spec);
     ASSERT_TRUE(bound);
     if (const auto* found = std::get_if<FoundDesign>(&outcome)) {
       ++compared;

@@ -77,8 +77,8 @@ double apart(Complex a, Complex b, Complex c, Complex d) {
 }
 
 struct Candidate {
-  Vertex vertex = Vertex::pole;
-  std::size_t assembly = 0;
+  Grounding grounding = Grounding::pole;
+  std::size_t assembly_mode = 0;
   double VA = 0, VB = 0;
   Point pole;
 };
@@ -132,9 +132,9 @@ double half_perimeter(Complex a, Complex b, Complex c) {
 /// What a design attains, or nothing if it breaks a limit (or may).
 std::optional<Figures> check(const Spec& spec, const Candidate& design) {
   const Complex k = spec.copy.k;
-  const Complex s = design.vertex == Vertex::pole     ? k
-                    : design.vertex == Vertex::tracer ? 1.0 - k
-                                                      : 1.0 - 1.0 / k;
+  const Complex s = design.grounding == Grounding::pole     ? k
+                    : design.grounding == Grounding::tracer ? 1.0 - k
+                                                            : 1.0 - 1.0 / k;
   if (const Region* area = std::get_if<Region>(&spec.pole.place); area && !inside(*area, design.pole))
     return std::nullopt;
   const auto at = [&](double d) {
@@ -170,12 +170,14 @@ std::optional<Figures> check(const Spec& spec, const Candidate& design) {
     }
   }
 
-  const OpeningInterval whole = assemblies(s)[design.assembly];
+  const OpeningInterval whole = assembly_modes(s)[design.assembly_mode];
   Figures figures{std::abs(any.A - any.V) + std::abs(any.B - any.V) + half_perimeter(any.A, any.C, any.X) +
                       half_perimeter(any.B, any.C, any.Y),
                   pi};
-  const char tracer = design.vertex == Vertex::tracer ? 'V' : design.vertex == Vertex::pole ? 'X' : 'Y';
-  const char pole = design.vertex == Vertex::pole ? 'V' : 'X';
+  const char tracer = design.grounding == Grounding::tracer ? 'V'
+                      : design.grounding == Grounding::pole ? 'X'
+                                                            : 'Y';
+  const char pole = design.grounding == Grounding::pole ? 'V' : 'X';
   const auto radius = [&](double d) { return std::abs(at(d).of(tracer) - at(d).of(pole)); };
   if (std::min(radius(whole.lower), radius(whole.upper)) > nearest ||
       std::max(radius(whole.lower), radius(whole.upper)) < farthest)
@@ -203,7 +205,7 @@ std::optional<Figures> check(const Spec& spec, const Candidate& design) {
   }
   if (!free[0] && !free[1]) return std::nullopt;
   if (spec.limits.copy_error) {
-    const CopyErrorProfile profile(k, design.vertex, CopyTolerance::uniform(*spec.tolerance));
+    const CopyErrorProfile profile(k, design.grounding, CopyTolerance::uniform(*spec.tolerance));
     for (int i = 0; i <= steps; ++i)
       if (profile.at(one + (other - one) * i / steps).worst > *spec.limits.copy_error) return std::nullopt;
   }
@@ -235,8 +237,8 @@ Spec random_spec(Chance& chance) {
 }
 
 Candidate random_candidate(Chance& chance, const Spec& spec) {
-  const Vertex vertex = all_vertices[chance.below(3)];
-  Candidate design{vertex, chance.below(assemblies(shape_of(spec.copy.k, vertex)).size()), 0, 0,
+  const Grounding grounding = all_groundings[chance.below(3)];
+  Candidate design{grounding, chance.below(assembly_modes(shape_of(spec.copy.k, grounding)).size()), 0, 0,
                    Point::Zero()};
   const double size = spec.region.polygons[0].outer[0].norm();
   design.VA = size * chance.log_uniform(0.1, 3);
@@ -269,14 +271,14 @@ Figures improved(Chance& chance, const Spec& spec, Candidate design, Figures fig
   return figures;
 }
 
-TEST(LowerBound, NoDesignOfRandomSpecsBeatsIt) {
+TEST(ProvenBound, NoDesignOfRandomSpecsBeatsIt) {
   Chance chance(1);
   int designs = 0, none = 0, open = 0;
   double nearest_size = 1e300, nearest_transmission = 0;
   for (int n = 0; n < test::samples(50); ++n) {
     const Spec spec = random_spec(chance);
-    const auto size = lower_bound(spec, Objective::size).value();
-    const auto transmission = lower_bound(spec, Objective::transmission).value();
+    const auto size = proven_bound(spec, Objective::size).value();
+    const auto transmission = proven_bound(spec, Objective::transmission).value();
     none += size.no_design;
     open += !size.tight;
     EXPECT_EQ(size.no_design && size.tight, transmission.no_design && transmission.tight);
@@ -326,7 +328,7 @@ Spec straight_spec(Chance& chance) {
 }
 
 // geometry: at rotation 0 or 180 the best smallest transmission angle has cos mu = (R^2 - r^2) / (R^2 + r^2).
-TEST(LowerBound, IsTheClosedFormOfTransmissionForStraightPlatesAndAFixedPole) {
+TEST(ProvenBound, IsTheClosedFormOfTransmissionForStraightPlatesAndAFixedPole) {
   Chance chance(2);
   for (int n = 0; n < test::samples(100); ++n) {
     const Spec spec = straight_spec(chance);
@@ -336,7 +338,7 @@ TEST(LowerBound, IsTheClosedFormOfTransmissionForStraightPlatesAndAFixedPole) {
       farthest = std::max(farthest, place.norm());
     }
     const auto bound =
-        lower_bound(spec, Objective::transmission, {.tolerance = 1e-9, .self_contact = false}).value();
+        proven_bound(spec, Objective::transmission, {.tolerance = 1e-9, .self_contact = false}).value();
     const double R2 = farthest * farthest, r2 = nearest * nearest;
     EXPECT_NEAR(bound.value, std::acos((R2 - r2) / (R2 + r2)), 1e-6);
     EXPECT_TRUE(bound.tight);
@@ -345,14 +347,15 @@ TEST(LowerBound, IsTheClosedFormOfTransmissionForStraightPlatesAndAFixedPole) {
 
 // Fixed pole, no contact: the smallest size lies on the far limit at an end of the t that also keep the near
 // limit.
-TEST(LowerBound, IsTheSmallestOfAFineScanForAFixedPole) {
+TEST(ProvenBound, IsTheSmallestOfAFineScanForAFixedPole) {
   Chance chance(3);
   for (int n = 0; n < test::samples(20); ++n) {
     Spec spec = random_spec(chance);
     spec.pole.place = Point(0, 0);
     spec.limits.sheets_gap.reset();
     spec.limits.copy_error.reset();
-    const auto bound = lower_bound(spec, Objective::size, {.tolerance = 1e-6, .self_contact = false}).value();
+    const auto bound =
+        proven_bound(spec, Objective::size, {.tolerance = 1e-6, .self_contact = false}).value();
     double nearest = 1e300, farthest = 0;
     for (const Point& place : walk(spec.region, 4000)) {
       nearest = std::min(nearest, place.norm());
@@ -360,14 +363,15 @@ TEST(LowerBound, IsTheSmallestOfAFineScanForAFixedPole) {
     }
     if (inside(spec.region, {0, 0})) continue;
     double least = 1e300;
-    for (const Vertex vertex : all_vertices)
-      for (std::size_t assembly = 0; assembly < assemblies(shape_of(spec.copy.k, vertex)).size(); ++assembly)
+    for (const Grounding grounding : all_groundings)
+      for (std::size_t assembly_mode = 0;
+           assembly_mode < assembly_modes(shape_of(spec.copy.k, grounding)).size(); ++assembly_mode)
         for (double ratio = -6; ratio < 6; ratio += 2e-3) {
           // The smallest linkage with these proportions that reaches the farthest place; or a larger one for
           // the limits.
-          const auto unit =
-              CopyingLinkage::make(spec.copy.k, vertex, 1, std::exp(ratio), static_cast<int>(assembly))
-                  .value();
+          const auto unit = CopyingLinkage::make(spec.copy.k, grounding, 1, std::exp(ratio),
+                                                 static_cast<int>(assembly_mode))
+                                .value();
           const OpeningInterval d = unit.openings_with_transmission(spec.limits.transmission);
           if (d.empty()) continue;
           const auto reach = unit.radii_over(d);
@@ -402,13 +406,13 @@ Spec scaled(const Spec& spec, double factor) {
   return result;
 }
 
-TEST(LowerBound, GrowsWithTheScaleOfEverything) {
+TEST(ProvenBound, GrowsWithTheScaleOfEverything) {
   Chance chance(4);
   for (int n = 0; n < test::samples(12); ++n) {
     const Spec spec = random_spec(chance);
     for (const double factor : {0.1, 4.0, 10.0}) {
-      const auto small = lower_bound(spec, Objective::size).value();
-      const auto large = lower_bound(scaled(spec, factor), Objective::size).value();
+      const auto small = proven_bound(spec, Objective::size).value();
+      const auto large = proven_bound(scaled(spec, factor), Objective::size).value();
       EXPECT_EQ(small.no_design, large.no_design);
       if (small.tight && large.tight) {
         EXPECT_NEAR(large.value, factor * small.value, 3e-3 * large.value);
@@ -417,7 +421,7 @@ TEST(LowerBound, GrowsWithTheScaleOfEverything) {
   }
 }
 
-TEST(LowerBound, IsTheSameInAMirror) {
+TEST(ProvenBound, IsTheSameInAMirror) {
   Chance chance(5);
   for (int n = 0; n < test::samples(12); ++n) {
     const Spec spec = random_spec(chance);
@@ -431,7 +435,8 @@ TEST(LowerBound, IsTheSameInAMirror) {
     mirror(mirrored.region.polygons[0].outer);
     if (Region* area = std::get_if<Region>(&mirrored.pole.place)) mirror(area->polygons[0].outer);
     for (const Objective objective : {Objective::size, Objective::transmission}) {
-      const auto one = lower_bound(spec, objective).value(), other = lower_bound(mirrored, objective).value();
+      const auto one = proven_bound(spec, objective).value(),
+                 other = proven_bound(mirrored, objective).value();
       EXPECT_EQ(one.no_design, other.no_design);
       if (one.tight && other.tight) {
         EXPECT_NEAR(one.value, other.value, 3e-3 * one.value);
@@ -440,14 +445,14 @@ TEST(LowerBound, IsTheSameInAMirror) {
   }
 }
 
-TEST(LowerBound, DoesNotFallWhenLimitsAreTightenedOrGroundingsForbidden) {
+TEST(ProvenBound, DoesNotFallWhenLimitsAreTightenedOrGroundingsForbidden) {
   Chance chance(6);
   for (int n = 0; n < test::samples(15); ++n) {
     const Spec spec = random_spec(chance);
-    const auto free = lower_bound(spec, Objective::size).value();
+    const auto free = proven_bound(spec, Objective::size).value();
     if (free.no_design) continue;
     const auto dearer = [&](const Spec& tighter) {
-      const auto bound = lower_bound(tighter, Objective::size).value();
+      const auto bound = proven_bound(tighter, Objective::size).value();
       return bound.no_design || bound.value >= free.value * (1 - 2e-3);
     };
     Spec tighter = spec;
@@ -459,12 +464,12 @@ TEST(LowerBound, DoesNotFallWhenLimitsAreTightenedOrGroundingsForbidden) {
     tighter = spec;
     tighter.limits.clearance *= 3;
     EXPECT_TRUE(dearer(tighter));
-    for (const Vertex vertex : all_vertices) {
+    for (const Grounding grounding : all_groundings) {
       tighter = spec;
-      tighter.objective.groundings = {vertex};
+      tighter.objective.groundings = {grounding};
       EXPECT_TRUE(dearer(tighter));
-      const auto& noted = free.by_grounding[static_cast<std::size_t>(vertex)];
-      const auto alone = lower_bound(tighter, Objective::size).value();
+      const auto& noted = free.by_grounding[static_cast<std::size_t>(grounding)];
+      const auto alone = proven_bound(tighter, Objective::size).value();
       if (!noted) {
         EXPECT_TRUE(alone.no_design);
       } else if (!alone.no_design) {
@@ -474,14 +479,14 @@ TEST(LowerBound, DoesNotFallWhenLimitsAreTightenedOrGroundingsForbidden) {
   }
 }
 
-TEST(LowerBound, StaysValidWhenTheBoxesRunOut) {
+TEST(ProvenBound, StaysValidWhenTheBoxesRunOut) {
   Chance chance(7);
   for (int n = 0; n < test::samples(10); ++n) {
     const Spec spec = random_spec(chance);
-    const auto full = lower_bound(spec, Objective::size).value();
+    const auto full = proven_bound(spec, Objective::size).value();
     double before = 0;
     for (const std::size_t boxes : {1U, 30U, 300U, 3000U}) {
-      const auto hasty = lower_bound(spec, Objective::size, {.boxes = boxes}).value();
+      const auto hasty = proven_bound(spec, Objective::size, {.boxes = boxes}).value();
       if (hasty.no_design) continue;
       if (!full.no_design) {
         EXPECT_LE(hasty.value, full.value * (1 + 2e-3));
@@ -492,26 +497,26 @@ TEST(LowerBound, StaysValidWhenTheBoxesRunOut) {
   }
 }
 
-TEST(LowerBound, AnIncumbentSavesBoxesAndIsNeverExceeded) {
+TEST(ProvenBound, AnIncumbentSavesBoxesAndIsNeverExceeded) {
   Chance chance(8);
   for (int n = 0; n < test::samples(10); ++n) {
     const Spec spec = random_spec(chance);
-    const auto alone = lower_bound(spec, Objective::size).value();
+    const auto alone = proven_bound(spec, Objective::size).value();
     if (alone.no_design || !alone.relaxation) continue;
-    const auto helped = lower_bound(spec, Objective::size, {.incumbent = *alone.relaxation}).value();
+    const auto helped = proven_bound(spec, Objective::size, {.incumbent = *alone.relaxation}).value();
     EXPECT_LE(helped.value, *alone.relaxation);
     EXPECT_GE(helped.value, alone.value * (1 - 2e-3));
     EXPECT_LE(helped.boxes, alone.boxes * 11 / 10 + 100);
   }
 }
 
-TEST(LowerBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
+TEST(ProvenBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
   Chance chance(10);
   int designs = 0;
   for (int n = 0; n < test::samples(40); ++n) {
     Spec spec = random_spec(chance);
     spec.limits.sheets_gap.reset();  // the check wants a margin of some millimetres there
-    const auto bound = lower_bound(spec, Objective::size).value();
+    const auto bound = proven_bound(spec, Objective::size).value();
     EXPECT_EQ(bound.design.has_value(), bound.relaxation.has_value());
     if (!bound.design) continue;
     ++designs;
@@ -522,7 +527,7 @@ TEST(LowerBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
     easier.limits.transmission -= radians(1);
     if (spec.limits.copy_error) easier.limits.copy_error = *spec.limits.copy_error * 1.05;
     const auto& design = *bound.design;
-    const Candidate candidate{design.vertex, static_cast<std::size_t>(design.assembly),
+    const Candidate candidate{design.grounding, static_cast<std::size_t>(design.assembly_mode),
                               design.VA * (1 + 1e-12), design.VB * (1 + 1e-12), design.pole};
     easier.links.shortest *= 1 - 1e-9;
     easier.links.style.pin_diameter *= 1 - 1e-9;
@@ -534,67 +539,67 @@ TEST(LowerBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
   EXPECT_GT(designs, test::expected(30));
 }
 
-TEST(LowerBound, IsRepeatable) {
+TEST(ProvenBound, IsRepeatable) {
   Chance chance(9);
   const Spec spec = random_spec(chance);
-  const auto one = lower_bound(spec, Objective::size).value(),
-             other = lower_bound(spec, Objective::size).value();
+  const auto one = proven_bound(spec, Objective::size).value(),
+             other = proven_bound(spec, Objective::size).value();
   EXPECT_EQ(one.value, other.value);
   EXPECT_EQ(one.boxes, other.boxes);
 }
 
-TEST(LowerBound, ProvesThatThereIsNoDesign) {
+TEST(ProvenBound, ProvesThatThereIsNoDesign) {
   Spec spec;
   spec.copy.k = copy_ratio(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
   spec.links.longest = 60;  // the chain cannot reach
-  EXPECT_TRUE(lower_bound(spec, Objective::size).value().no_design);
+  EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
   spec.links.longest = 400;
-  EXPECT_FALSE(lower_bound(spec, Objective::size).value().no_design);
+  EXPECT_FALSE(proven_bound(spec, Objective::size).value().no_design);
   spec.pole.place = Point(140, 0);  // inside the region
-  EXPECT_TRUE(lower_bound(spec, Objective::size).value().no_design);
+  EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
   spec.pole.place = Point(0, 0);
   spec.limits.transmission = radians(60);  // above the bound of transmission
-  EXPECT_TRUE(lower_bound(spec, Objective::size).value().no_design);
+  EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
   spec.limits.transmission = radians(30);
   spec.tolerance = Tolerance{0.05, 0.02};
   spec.limits.copy_error = 0.01;
-  EXPECT_TRUE(lower_bound(spec, Objective::size).value().no_design);
+  EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
 }
 
-TEST(LowerBound, ContactBindsWhereItSays) {
+TEST(ProvenBound, ContactBindsWhereItSays) {
   Spec spec;
   spec.copy.k = copy_ratio(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
-  const double with = lower_bound(spec, Objective::size).value().value;
-  const double without = lower_bound(spec, Objective::size, {.self_contact = false}).value().value;
+  const double with = proven_bound(spec, Objective::size).value().value;
+  const double without = proven_bound(spec, Objective::size, {.self_contact = false}).value().value;
   EXPECT_GT(with, 1.2 * without);
   spec.links.layers = 4;  // enough to keep all links apart: pins and posts are left
-  const double tall = lower_bound(spec, Objective::size).value().value;
+  const double tall = proven_bound(spec, Objective::size).value().value;
   EXPECT_LT(tall, with);
   EXPECT_GE(tall, without * (1 - 2e-3));
 }
 
-TEST(LowerBound, LockedLengthsRaiseIt) {
+TEST(ProvenBound, LockedLengthsRaiseIt) {
   Spec spec;
   spec.copy.k = copy_ratio(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
-  const double free = lower_bound(spec, Objective::size).value().value;
+  const double free = proven_bound(spec, Objective::size).value().value;
   spec.links.workshop.locked[0] = 250;
-  const auto locked = lower_bound(spec, Objective::size).value();
+  const auto locked = proven_bound(spec, Objective::size).value();
   EXPECT_TRUE(locked.no_design || locked.value > free);
   spec.links.workshop.locked[3] = 260;  // BC = VA in every linkage
-  EXPECT_TRUE(lower_bound(spec, Objective::size).value().no_design);
+  EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
 }
 
-TEST(LowerBound, IsSilentAboutOtherObjectives) {
+TEST(ProvenBound, IsSilentAboutOtherObjectives) {
   Spec spec;
   spec.copy.k = 2;
   spec.region = rectangle(100, -30, 80, 60);
-  EXPECT_FALSE(lower_bound(spec, Objective::footprint));
-  EXPECT_FALSE(lower_bound(spec, Objective::copy_error));
+  EXPECT_FALSE(proven_bound(spec, Objective::footprint));
+  EXPECT_FALSE(proven_bound(spec, Objective::copy_error));
   spec.objective.objective = Objective::size;
-  EXPECT_TRUE(lower_bound(spec));
+  EXPECT_TRUE(proven_bound(spec));
 }
 
 }  // namespace

@@ -58,8 +58,10 @@ TEST(SharedAssumptions, SixPlacingsArePairsThatExchangePAndQ) {
       EXPECT_NE(is_ours, is_theirs) << pole_at;
       // The program's shape for it.
       const std::array<std::size_t, 3>& order = is_ours ? at_V_X_Y : exchanged;
-      const Vertex vertex = order[0] == 0 ? Vertex::pole : order[0] == 1 ? Vertex::tracer : Vertex::pen;
-      EXPECT_LT(std::abs(shape_of(k, vertex) - (is_ours ? s : 1.0 / s)),
+      const Grounding grounding = order[0] == 0   ? Grounding::pole
+                                  : order[0] == 1 ? Grounding::tracer
+                                                  : Grounding::pen;
+      EXPECT_LT(std::abs(shape_of(k, grounding) - (is_ours ? s : 1.0 / s)),
                 1e-9 * (1 + std::abs(s) + 1 / std::abs(s)));
     } while (std::next_permutation(at_V_X_Y.begin(), at_V_X_Y.end()));
   }
@@ -73,10 +75,10 @@ Twins straight_twins(test::SpecDice& dice) {
   while (true) {
     const Complex k(dice.log_uniform(0.2, 5) * (dice.one_in(2) ? -1 : 1), 0);
     if (std::abs(k - 1.0) < 0.1) continue;
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(dice.uniform(0, 2.999))];
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(dice.uniform(0, 2.999))];
     const double VA = dice.uniform(30, 120);
     const double VB = dice.uniform(30, 120);
-    return {*CopyingLinkage::make(k, vertex, VA, VB, 0), *CopyingLinkage::make(k, vertex, VA, VB, 1)};
+    return {*CopyingLinkage::make(k, grounding, VA, VB, 0), *CopyingLinkage::make(k, grounding, VA, VB, 1)};
   }
 }
 
@@ -85,7 +87,7 @@ TEST(SharedAssumptions, TheOtherAssemblyOfAStraightLinkageIsItsMirrorImage) {
   int places = 0;
   for (int i = 0; i < test::samples(200); ++i) {
     const Twins twins = straight_twins(dice);
-    ASSERT_EQ(assemblies(twins.one.shape()).size(), 2u);
+    ASSERT_EQ(assembly_modes(twins.one.shape()).size(), 2u);
     for (int j = 0; j < 20; ++j) {
       const double away = dice.uniform(5, 250);
       const Point tracer = as_point(std::polar(away, dice.uniform(-pi, pi)));
@@ -127,8 +129,8 @@ TEST(SharedAssumptions, OnlyItsFootprintDiffersAndTheSearchLooksAtBoth) {
     const auto* found = std::get_if<FoundDesign>(&outcome);
     if (!found) continue;
     const CopyingLinkage& linkage = found->linkage;
-    const auto twin = CopyingLinkage::make(linkage.k(), linkage.vertex(), linkage.VA(), linkage.VB(),
-                                           1 - linkage.assembly(), linkage.pole());
+    const auto twin = CopyingLinkage::make(linkage.k(), linkage.grounding(), linkage.VA(), linkage.VB(),
+                                           1 - linkage.assembly_mode(), linkage.pole());
     ASSERT_TRUE(twin);
     const double area = footprint(*twin, spec.links.style, spec.region).area;
     differ += std::abs(area - found->value) > 1e-4 * area;
@@ -159,11 +161,12 @@ TEST(SharedAssumptions, NearestAndFarthestPlaceSayWhatOpeningsARegionNeeds) {
     const RegionReach reach(region);
     const DistanceRange range = reach.range(Point::Zero());
     const Complex k = std::polar(dice.log_uniform(0.3, 3), dice.uniform(-pi, pi));
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(i) % 3];
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
     const double VA = dice.uniform(30, 150);
     const double VB = dice.uniform(30, 150);
     const auto linkage = CopyingLinkage::make(
-        k, vertex, VA, VB, i % static_cast<int>(assemblies(shape_of(k, vertex)).size()), Point::Zero());
+        k, grounding, VA, VB, i % static_cast<int>(assembly_modes(shape_of(k, grounding)).size()),
+        Point::Zero());
     if (!linkage) continue;
     const auto needed = openings_over(*linkage, region);
     double least = 1e300, most = 0;

@@ -73,12 +73,12 @@ inline std::vector<Point> over_the_reach(const CopyingLinkage& linkage, int coun
 
 /// One of each grounding, straight and turned.
 inline std::vector<CopyingLinkage> linkages() {
-  const auto made = [](Complex k, Vertex vertex, double VA, double VB, int assembly) {
-    return *CopyingLinkage::make(k, vertex, VA, VB, assembly, Point(10, -20));
+  const auto made = [](Complex k, Grounding grounding, double VA, double VB, int assembly_mode) {
+    return *CopyingLinkage::make(k, grounding, VA, VB, assembly_mode, Point(10, -20));
   };
-  return {made(1.5, Vertex::tracer, 240, 180, 1), made({0, 1.4}, Vertex::pole, 200, 140, 3),
-          made({0, 1.4}, Vertex::tracer, 200, 160, 2), made(0.5, Vertex::pen, 250, 250, 0),
-          made(copy_ratio(0.6, radians(40)), Vertex::pen, 180, 220, 0)};
+  return {made(1.5, Grounding::tracer, 240, 180, 1), made({0, 1.4}, Grounding::pole, 200, 140, 3),
+          made({0, 1.4}, Grounding::tracer, 200, 160, 2), made(0.5, Grounding::pen, 250, 250, 0),
+          made(copy_ratio(0.6, radians(40)), Grounding::pen, 180, 220, 0)};
 }
 
 }  // namespace kempe::calibration_specimens

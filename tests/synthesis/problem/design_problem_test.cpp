@@ -88,7 +88,7 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
     const auto choices = choices_of(spec);
     ASSERT_FALSE(choices.empty());
     const ContactChoice& choice = choices[static_cast<std::size_t>(i) % choices.size()];
-    const Reach reach(spec.copy.k, choice.choice.vertex, choice.choice.assembly);
+    const Reach reach(spec.copy.k, choice.choice.grounding, choice.choice.assembly_mode);
     DesignProblem problem(space, choice.choice, limits, goal,
                           openings_with_transmission(reach, limits.transmission), choice.terms);
     if (!problem.possible()) continue;
@@ -98,7 +98,7 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
         problem.unit_point(std::span(z).first(static_cast<std::size_t>(problem.cube_dimensions())));
     problem.set_room(point.pole);
     DesignVector x = problem.vector_of(point);
-    // Away from the corners that unit_point() likes; the openings stay inside the assembly's interval.
+    // Away from the corners that unit_point() likes; the openings stay inside the assembly mode's interval.
     for (int j = 0; j < x.size(); ++j) x[j] += dice.uniform(-0.01, 0.01);
     for (const Row& row : problem.rows_at(x))
       if (is_reached(problem, space, row, x)) compare(problem, &row, x, rows[row.kind]);

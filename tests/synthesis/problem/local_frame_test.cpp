@@ -76,8 +76,8 @@ TEST(LocalFrame, BoundIsTheSameFarFromTheOrigin) {
     Spec spec = spec_on_grid(dice, dice.one_in(3));
     if (dice.one_in(3)) spec.limits.sheets_gap = dice.uniform(0, 10);
     const Point shift = whole_shift(dice);
-    const auto here = lower_bound(spec, {.boxes = 1000}),
-               there = lower_bound(shifted(spec, shift), {.boxes = 1000});
+    const auto here = proven_bound(spec, {.boxes = 1000}),
+               there = proven_bound(shifted(spec, shift), {.boxes = 1000});
     ASSERT_TRUE(here && there);
     EXPECT_EQ(here->no_design, there->no_design) << i;
     if (spec.pole.is_fixed()) {
@@ -94,10 +94,10 @@ void expect_same(const SearchOutcome& here, const SearchOutcome& there, const Po
   const auto* one = std::get_if<FoundDesign>(&here);
   if (!one) return;
   const auto& other = std::get<FoundDesign>(there);
-  EXPECT_EQ(one->linkage.vertex(), other.linkage.vertex()) << i;
+  EXPECT_EQ(one->linkage.grounding(), other.linkage.grounding()) << i;
   EXPECT_EQ(one->layers, other.layers) << i;
   EXPECT_NEAR(factor * one->value, other.value, by_search * factor * one->value) << i;
-  EXPECT_NEAR(factor * one->lower_bound.value_or(0), other.lower_bound.value_or(0),
+  EXPECT_NEAR(factor * one->proven_bound.value_or(0), other.proven_bound.value_or(0),
               by_bound * factor * one->value)
       << i;
   const Point pole = factor * one->linkage.pole() + shift;
@@ -153,7 +153,7 @@ TEST(LocalFrame, DesignsChangeSmoothlyTowardsStraightPlates) {
     for (const double bend : {0.0, 1e-14, 1e-12, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3}) {
       spec.copy.rotation = (i % 2 ? pi : 0) - bend;
       spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
-      const auto bound = lower_bound(spec);
+      const auto bound = proven_bound(spec);
       ASSERT_TRUE(bound);
       const double value = bound->no_design ? 0 : bound->value;
       if (!straight) straight = value;
@@ -184,8 +184,8 @@ TEST(LocalFrame, DesignsWithoutATransmissionLimitAreVerified) {
     EXPECT_TRUE(design.map.coverage.covered) << i << design.map.coverage.why_not;
     EXPECT_GE(design.quality.transmission_min, least_usable_angle * (1 - 1e-4)) << i;
     near_the_end += design.quality.transmission_min < 2 * least_usable_angle;
-    if (found->lower_bound) {
-      EXPECT_GE(found->value, *found->lower_bound) << i;
+    if (found->proven_bound) {
+      EXPECT_GE(found->value, *found->proven_bound) << i;
     }
     const Verification verified = verify(verification_task(design));
     EXPECT_TRUE(verified.certified) << i << verified.failure;

@@ -34,12 +34,12 @@ double distance_between(Complex a, Complex b, const Ring& ring) {
 struct Joints {
   Complex V, A, B, C, X, Y;
 };
-std::optional<Joints> joints_at(Complex k, Vertex vertex, double VA, double VB, Complex P, Complex T,
+std::optional<Joints> joints_at(Complex k, Grounding grounding, double VA, double VB, Complex P, Complex T,
                                 int side) {
   const Complex pen = P + k * (T - P);
-  const Complex V = vertex == Vertex::pole ? P : vertex == Vertex::tracer ? T : pen;
-  const Complex X = vertex == Vertex::pole ? T : P;
-  const Complex Y = vertex == Vertex::pen ? T : pen;
+  const Complex V = grounding == Grounding::pole ? P : grounding == Grounding::tracer ? T : pen;
+  const Complex X = grounding == Grounding::pole ? T : P;
+  const Complex Y = grounding == Grounding::pen ? T : pen;
   const Complex s = (Y - V) / (X - V);
   const double AX = VB / std::abs(s), apart = std::abs(X - V);
   const double forth = (VA * VA - AX * AX + apart * apart) / (2 * apart);
@@ -66,9 +66,11 @@ bool are_permitted(const std::array<double, 8>& lengths, const Spec& spec) {
 struct LengthLimits {
   double VA, VB;
 };
-LengthLimits longest_of(const Spec& spec, Vertex vertex) {
+LengthLimits longest_of(const Spec& spec, Grounding grounding) {
   const Complex k = spec.copy.k;
-  const Complex s = vertex == Vertex::pole ? k : vertex == Vertex::tracer ? 1.0 - k : 1.0 - 1.0 / k;
+  const Complex s = grounding == Grounding::pole     ? k
+                    : grounding == Grounding::tracer ? 1.0 - k
+                                                     : 1.0 - 1.0 / k;
   const double VA = spec.links.longest / std::max({1.0, std::abs(s), std::abs(1.0 - s)});
   return {VA, VA * std::abs(s)};  // AX = VB/|s| and CX = |1-s| AX stay within the limit as BY and CY do
 }
@@ -114,15 +116,15 @@ TEST(ObstacleReach, NothingLeftOutIsEverTouchedByAPermittedInstrument) {
     kept += static_cast<int>(std::count(reached.begin(), reached.end(), true));
     left_out += static_cast<int>(std::count(reached.begin(), reached.end(), false));
     for (int tried = 0; tried < 400; ++tried) {
-      const Vertex vertex = all_vertices[static_cast<std::size_t>(tried % 3)];
-      const LengthLimits most = longest_of(spec, vertex);
+      const Grounding grounding = all_groundings[static_cast<std::size_t>(tried % 3)];
+      const LengthLimits most = longest_of(spec, grounding);
       const double least = tried % 4 == 0 ? 0.9 : 0.02;  // many with lengths at their limit
       const double VA = most.VA * dice.log_uniform(least, 1);
       const double VB = most.VB * dice.log_uniform(least, 1);
       const Complex P = spec.pole.is_fixed() ? as_complex(std::get<Point>(spec.pole.place))
                                              : as_complex(place_in(dice, std::get<Region>(spec.pole.place)));
       const Complex T = as_complex(place_in(dice, spec.region));
-      const auto joints = joints_at(spec.copy.k, vertex, VA, VB, P, T, tried % 2 == 0 ? 1 : -1);
+      const auto joints = joints_at(spec.copy.k, grounding, VA, VB, P, T, tried % 2 == 0 ? 1 : -1);
       if (!joints || !are_permitted(lengths_of(*joints), spec)) continue;
       ++instruments;
       const double needed = 0.5 * spec.links.style.width + spec.limits.clearance;
@@ -170,7 +172,7 @@ TEST(ObstacleReach, FarObstaclesChangeNothingOfTheDesign) {
   const FoundDesign with = found_for(spec);
   EXPECT_EQ(without.linkage, with.linkage);
   EXPECT_EQ(without.evaluations, with.evaluations);
-  EXPECT_EQ(without.lower_bound, with.lower_bound);
+  EXPECT_EQ(without.proven_bound, with.proven_bound);
 }
 
 TEST(ObstacleReach, MovedLimitsBringObstaclesBack) {

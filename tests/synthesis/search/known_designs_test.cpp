@@ -31,8 +31,8 @@ class KnownDesigns : public testing::TestWithParam<path> {
     spec_ = *read;
     ASSERT_TRUE(spec_.mechanism && spec_.objective.objective == Objective::size);
     const MechanismSpec& given = *spec_.mechanism;
-    const auto linkage = CopyingLinkage::make(spec_.copy.k, given.vertex, given.VA, given.VB, given.assembly,
-                                              std::get<Point>(spec_.pole.place));
+    const auto linkage = CopyingLinkage::make(spec_.copy.k, given.grounding, given.VA, given.VB,
+                                              given.assembly_mode, std::get<Point>(spec_.pole.place));
     ASSERT_TRUE(linkage);
     const Design design = assemble_given(spec_, *linkage, {.largest_sheets = false});
     ASSERT_EQ(test::first_limit_missed(spec_, design, 1e-8), "");  // its lengths are written in few digits
@@ -44,7 +44,7 @@ class KnownDesigns : public testing::TestWithParam<path> {
 };
 
 TEST_P(KnownDesigns, AreNoBetterThanTheSearchAndNotBelowTheBound) {
-  const auto bound = lower_bound(spec_);
+  const auto bound = proven_bound(spec_);
   ASSERT_TRUE(bound);
   EXPECT_FALSE(bound->no_design);
   EXPECT_LE(bound->value, size_ * (1 + 1e-8));
@@ -52,7 +52,7 @@ TEST_P(KnownDesigns, AreNoBetterThanTheSearchAndNotBelowTheBound) {
   const auto* found = std::get_if<FoundDesign>(&outcome);
   ASSERT_TRUE(found);
   EXPECT_LE(found->value, size_ * 1.001);
-  EXPECT_LE(found->lower_bound.value_or(0), size_ * (1 + 1e-8));
+  EXPECT_LE(found->proven_bound.value_or(0), size_ * (1 + 1e-8));
 }
 
 std::string test_name(const testing::TestParamInfo<path>& info) {

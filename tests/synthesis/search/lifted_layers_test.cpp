@@ -100,16 +100,16 @@ std::optional<Rival> best_rival(const Spec& spec, const std::optional<FoundDesig
   std::optional<Rival> best;
   const auto tuples = every_tuple(spec.links.layers);
   for (int i = 0; i < tries; ++i) {
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(i) % 3];
-    const int count = static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
-    const int assembly = i / 3 % count;
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
+    const int count = static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
+    const int assembly_mode = i / 3 % count;
     double VA = dice.log_uniform(5, 2000);
     double VB = dice.log_uniform(5, 2000);
     if (found && i % 2 == 0) {
       VA = found->linkage.VA() * dice.log_uniform(0.7, 1.3);
       VB = found->linkage.VB() * dice.log_uniform(0.7, 1.3);
     }
-    const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, VA, VB, assembly, Point::Zero());
+    const auto linkage = CopyingLinkage::make(spec.copy.k, grounding, VA, VB, assembly_mode, Point::Zero());
     if (!linkage || (best && linkage->size() >= best->linkage.size())) continue;
     if (!reaches_with_transmission(spec, *linkage)) continue;
     for (const LayerAssignment& layers : tuples)
@@ -128,7 +128,7 @@ TEST(LiftedLayers, NoRandomMechanismInAnyLayersIsBetter) {
     const Spec spec = spec_with_low_obstacles(dice);
     const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
     const auto* found = std::get_if<FoundDesign>(&outcome);
-    const auto bound = lower_bound(spec);
+    const auto bound = proven_bound(spec);
     ASSERT_TRUE(bound);
     const auto rival = best_rival(spec, found ? std::optional(*found) : std::nullopt, dice, 1500);
     if (rival) {
@@ -180,8 +180,8 @@ TEST(LiftedLayers, RailsCostNothingWhereTheLinksPassAbove) {
   const SearchOutcome without = synthesize(free, {.diagnose = false});
   ASSERT_TRUE(std::get_if<FoundDesign>(&without));
   EXPECT_NEAR(found->value, std::get<FoundDesign>(without).value, 1e-6 * found->value);
-  ASSERT_TRUE(found->lower_bound);
-  EXPECT_LE(*found->lower_bound, found->value);
+  ASSERT_TRUE(found->proven_bound);
+  EXPECT_LE(*found->proven_bound, found->value);
 }
 
 TEST(LiftedLayers, ASpareLayerMakesNothingWorse) {
@@ -205,7 +205,7 @@ TEST(LiftedLayers, ASpareLayerMakesNothingWorse) {
 TEST(LiftedLayers, AGivenMechanismIsLiftedOverWhatStandsInItsWay) {
   const Spec spec = rails();
   const auto linkage =
-      CopyingLinkage::make(spec.copy.k, Vertex::pole, 37.692723253, 44.803065224, 0, Point::Zero());
+      CopyingLinkage::make(spec.copy.k, Grounding::pole, 37.692723253, 44.803065224, 0, Point::Zero());
   ASSERT_TRUE(linkage);
   MapOptions map;
   map.largest_sheets = false;

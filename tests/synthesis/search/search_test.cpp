@@ -97,8 +97,8 @@ TEST(Search, HolesOfALinkKeepAWallBetweenThem) {
     const double nearest = nearest_joints_of_a_link(found->linkage, found->opening.middle());
     EXPECT_GE(nearest, least * (1 - 1e-9)) << i;
     if (nearest < least * (1 + 1e-6)) ++held_apart;
-    if (found->lower_bound && spec.objective.objective == Objective::size) {
-      EXPECT_GE(found->value, *found->lower_bound * (1 - 1e-9)) << i;
+    if (found->proven_bound && spec.objective.objective == Objective::size) {
+      EXPECT_GE(found->value, *found->proven_bound * (1 - 1e-9)) << i;
     }
   }
   EXPECT_GT(designs, test::expected(15));
@@ -123,8 +123,8 @@ TEST(Search, AThickerWallBeatsNoBoundOfAThinOneAndOneWithinShortestChangesNothin
     }
     spec.links.wall = std::max(1e-6, room) + 5;
     const auto thick = found_for(spec);
-    if (thick && before && before->lower_bound) {
-      EXPECT_GE(thick->value, *before->lower_bound * (1 - 1e-9)) << i;
+    if (thick && before && before->proven_bound) {
+      EXPECT_GE(thick->value, *before->proven_bound * (1 - 1e-9)) << i;
     }
   }
 }
@@ -144,11 +144,11 @@ TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
     EXPECT_TRUE(design.map.coverage.covered) << i << design.map.coverage.why_not;
     const Verification verified = verify(verification_task(design));
     EXPECT_TRUE(verified.certified) << i << verified.failure;
-    if (!design.quality.lower_bound) continue;
+    if (!design.quality.proven_bound) continue;
     if (is_maximized(spec.objective.objective))
-      EXPECT_LE(found->value, *design.quality.lower_bound) << i;
+      EXPECT_LE(found->value, *design.quality.proven_bound) << i;
     else
-      EXPECT_GE(found->value, *design.quality.lower_bound) << i;
+      EXPECT_GE(found->value, *design.quality.proven_bound) << i;
   }
   EXPECT_GT(designs, test::expected(30));
 }
@@ -162,12 +162,14 @@ TEST(Search, NoRandomPairOfLengthsIsBetter) {
     spec.pole.place = Point(Point::Zero());
     const auto found = found_for(spec);
     double best = 1e300;
-    for (const Vertex vertex : all_vertices)
-      for (int assembly = 0; assembly < static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
-           ++assembly)
+    for (const Grounding grounding : all_groundings)
+      for (int assembly_mode = 0;
+           assembly_mode < static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
+           ++assembly_mode)
         for (int j = 0; j < 3000; ++j) {
           const double VA = dice.log_uniform(5, 3000), VB = dice.log_uniform(5, 3000);
-          const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, VA, VB, assembly, Point::Zero());
+          const auto linkage =
+              CopyingLinkage::make(spec.copy.k, grounding, VA, VB, assembly_mode, Point::Zero());
           if (!linkage || linkage->size() >= best) continue;
           for (const LayerAssignment& layers : layer_assignments(spec.links.layers))
             if (keeps_limits(spec, *linkage, layers)) {

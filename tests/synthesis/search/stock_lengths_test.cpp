@@ -48,14 +48,16 @@ TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
   for (const double length :
        {found->linkage.VA(), found->linkage.VB(), found->linkage.lengths().AX, found->linkage.lengths().BY})
     EXPECT_TRUE(is_multiple(length, 5)) << length;
-  // Every pair on the grid, every grounding and assembly, by the check of finished designs.
+  // Every pair on the grid, every grounding and assembly mode, by the check of finished designs.
   double best = 1e300;
-  for (const Vertex vertex : all_vertices)
-    for (int assembly = 0; assembly < static_cast<int>(assemblies(shape_of(spec.copy.k, vertex)).size());
-         ++assembly)
+  for (const Grounding grounding : all_groundings)
+    for (int assembly_mode = 0;
+         assembly_mode < static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
+         ++assembly_mode)
       for (double VA = 15; VA <= 600; VA += 5)
         for (double VB = 15; VB <= 600; VB += 5) {
-          const auto linkage = CopyingLinkage::make(spec.copy.k, vertex, VA, VB, assembly, Point::Zero());
+          const auto linkage =
+              CopyingLinkage::make(spec.copy.k, grounding, VA, VB, assembly_mode, Point::Zero());
           if (!linkage || linkage->size() >= best || !is_multiple(linkage->lengths().AX, 5) ||
               !is_multiple(linkage->lengths().BY, 5))
             continue;
@@ -85,12 +87,12 @@ TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
   EXPECT_GT(design.wanted->error, 0);
   EXPECT_LT(design.wanted->error, 0.02);
   EXPECT_NEAR(design.wanted->error, std::abs(std::polar(design.scale, design.rotation) - spec.copy.k), 1e-12);
-  EXPECT_FALSE(design.quality.lower_bound) << "the bound is one of the exact ratio";
+  EXPECT_FALSE(design.quality.proven_bound) << "the bound is one of the exact ratio";
 }
 
 TEST(Workshop, AFineGridCostsNothing) {
   Spec spec = quarter_turn();
-  spec.objective.groundings = {Vertex::pole};  // |s| = 1.4; that of the others is irrational
+  spec.objective.groundings = {Grounding::pole};  // |s| = 1.4; that of the others is irrational
   const auto free = found_for(spec);
   ASSERT_TRUE(free);
   for (const double grid : {1.0, 0.1, 0.01}) {
@@ -119,8 +121,8 @@ TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
     ++compared;
     small += found->value <= 1.25 * free->value;
     EXPECT_GT(std::abs(found->linkage.k() - spec.copy.k), 0) << "spec " << i;
-    EXPECT_NEAR(std::arg(shape_of(found->linkage.k(), found->linkage.vertex())),
-                std::arg(shape_of(spec.copy.k, found->linkage.vertex())), 1e-9)
+    EXPECT_NEAR(std::arg(shape_of(found->linkage.k(), found->linkage.grounding())),
+                std::arg(shape_of(spec.copy.k, found->linkage.grounding())), 1e-9)
         << "the plates keep their angle";
   }
   EXPECT_EQ(compared, wanted);

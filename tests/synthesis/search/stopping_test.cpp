@@ -93,11 +93,11 @@ void check_stopped_at(const Spec& spec, std::size_t at, double time_limit, const
     EXPECT_FALSE(design->complete);
     ASSERT_TRUE(best);
     EXPECT_TRUE(keeps_all_limits(spec, *design));
-    EXPECT_TRUE(!design->lower_bound || holds(*design->lower_bound, *best));
+    EXPECT_TRUE(!design->proven_bound || holds(*design->proven_bound, *best));
   } else if (const auto* none = std::get_if<NoDesign>(&outcome)) {
     EXPECT_FALSE(best);
     EXPECT_FALSE(none->diagnosed);
-  } else if (const auto& bound = std::get<Stopped>(outcome).lower_bound; bound && best) {
+  } else if (const auto& bound = std::get<Stopped>(outcome).proven_bound; bound && best) {
     EXPECT_TRUE(holds(*bound, *best));
   }
 }
@@ -125,7 +125,7 @@ TEST(Stopping, ATimeLimitThatIsNotReachedChangesNothing) {
     EXPECT_EQ(a->linkage, b->linkage);
     EXPECT_EQ(a->layers, b->layers);
     EXPECT_EQ(a->value, b->value);
-    EXPECT_EQ(a->lower_bound, b->lower_bound);
+    EXPECT_EQ(a->proven_bound, b->proven_bound);
     EXPECT_EQ(a->evaluations, b->evaluations);
     EXPECT_TRUE(b->complete);
   }
@@ -149,13 +149,13 @@ TEST(Stopping, ABoundStoppedEarlyIsABound) {
     Spec spec = dice.spec();
     if (n % 2 == 0) spec.obstacles.push_back(dice.obstacle_beside(spec));
     CountingStop none(never);
-    const auto whole = lower_bound(spec, Objective::size, {.boxes = 4000, .stop = none.flag()});
+    const auto whole = proven_bound(spec, Objective::size, {.boxes = 4000, .stop = none.flag()});
     ASSERT_TRUE(whole);
     EXPECT_GE(4 * none.polls(), whole->boxes);
     if (whole->no_design || !whole->relaxation) continue;
     for (const double share : {0.0, 0.1, 0.5, 0.9}) {
       CountingStop stop(1 + static_cast<std::size_t>(share * static_cast<double>(none.polls())));
-      const auto early = lower_bound(spec, Objective::size, {.boxes = 4000, .stop = stop.flag()});
+      const auto early = proven_bound(spec, Objective::size, {.boxes = 4000, .stop = stop.flag()});
       EXPECT_LE(stop.after(), 300U);
       if (!early) continue;
       ++stopped;

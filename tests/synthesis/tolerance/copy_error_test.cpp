@@ -73,7 +73,7 @@ Point pen_of(const CopyingLinkage& drawing, const Flaws& flaws, const Point& tra
   const auto displaced = [](BodyPoint hole, const Point& by) {
     return BodyPoint{hole.body, hole.local + by};
   };
-  const bool pole_at_V = drawing.vertex() == Vertex::pole;
+  const bool pole_at_V = drawing.grounding() == Grounding::pole;
   const BodyPoint V{VA, Point::Zero()}, X_hole{ACX, X}, Y_hole{BCY, Y};
   linkage.add(Revolute{pole_at_V ? V : X_hole, displaced(ground, pin[0])});
   linkage.add(Revolute{{VB, Point::Zero()}, displaced(pole_at_V ? ground : V, pin[1])});
@@ -119,17 +119,17 @@ Case random_case(Chance& chance, double slimmest = 0.3) {
     const double rotation = chance.below(4) == 0 ? straight[chance.below(2)] : chance.uniform(-pi, pi);
     const Complex k = copy_ratio(std::exp(chance.uniform(-1.4, 1.4)), rotation);
     if (std::abs(k - 1.0) < 0.2) continue;
-    const Vertex vertex = all_vertices[chance.below(3)];
-    const double slim = flatness(shape_of(k, vertex));
-    if (!is_flat(shape_of(k, vertex)) && slim < slimmest) continue;
-    const auto intervals = assemblies(shape_of(k, vertex));
-    const std::size_t assembly = chance.below(intervals.size());
-    if (intervals[assembly].width() < radians(60)) continue;
-    const auto linkage =
-        CopyingLinkage::make(k, vertex, chance.uniform(60, 200), chance.uniform(60, 200),
-                             static_cast<int>(assembly), {chance.uniform(-50, 50), chance.uniform(-50, 50)});
-    const double opening =
-        intervals[assembly].lower + chance.uniform(radians(25), intervals[assembly].width() - radians(25));
+    const Grounding grounding = all_groundings[chance.below(3)];
+    const double slim = flatness(shape_of(k, grounding));
+    if (!is_flat(shape_of(k, grounding)) && slim < slimmest) continue;
+    const auto intervals = assembly_modes(shape_of(k, grounding));
+    const std::size_t assembly_mode = chance.below(intervals.size());
+    if (intervals[assembly_mode].width() < radians(60)) continue;
+    const auto linkage = CopyingLinkage::make(k, grounding, chance.uniform(60, 200), chance.uniform(60, 200),
+                                              static_cast<int>(assembly_mode),
+                                              {chance.uniform(-50, 50), chance.uniform(-50, 50)});
+    const double opening = intervals[assembly_mode].lower +
+                           chance.uniform(radians(25), intervals[assembly_mode].width() - radians(25));
     return {*linkage, linkage->tracer_at(opening, chance.uniform(-pi, pi))};
   }
 }
@@ -145,7 +145,7 @@ Flaws flaw_of(std::size_t source, double size, bool along_y = false) {
 
 /// The frame in which pen_of displaces a pin, as a direction in the table's frame.
 double pin_frame(const CopyingLinkage& linkage, const Pose& z, std::size_t pin) {
-  const bool pole_at_V = linkage.vertex() == Vertex::pole;
+  const bool pole_at_V = linkage.grounding() == Grounding::pole;
   switch (pin) {
     case 0: return 0;
     case 1: return pole_at_V ? 0 : heading(z.V, z.A);
@@ -175,7 +175,7 @@ TEST(CopyError, SensitivitiesAreTheLimitsOfRealInstruments) {
           said = axis.real() * g.play[source - 8][0] + axis.imag() * g.play[source - 8][1];
         }
         EXPECT_LT((as_point(said) - seen).norm(), 1e-5 * (1 + seen.norm()))
-            << error_source_name(source, is_flat(linkage.shape())) << " of " << name(linkage.vertex());
+            << error_source_name(source, is_flat(linkage.shape())) << " of " << name(linkage.grounding());
       }
   }
 }
@@ -187,8 +187,8 @@ TEST(CopyError, DependsOnTheOpeningAloneWhateverTheLengthsThePoleAndThePlace) {
     const auto [linkage, tracer] = random_case(chance);
     const double opening = linkage.opening_at((tracer - linkage.pole()).norm()).value();
     const auto other =
-        CopyingLinkage::make(linkage.k(), linkage.vertex(), chance.uniform(20, 900), chance.uniform(20, 900),
-                             linkage.assembly(), {chance.uniform(-9, 9), 3})
+        CopyingLinkage::make(linkage.k(), linkage.grounding(), chance.uniform(20, 900),
+                             chance.uniform(20, 900), linkage.assembly_mode(), {chance.uniform(-9, 9), 3})
             .value();
     const Point there = other.tracer_at(opening, chance.uniform(-pi, pi));
     const CopyErrorAt here = copy_error_at(linkage, tolerance, tracer).value();
@@ -204,7 +204,8 @@ TEST(CopyError, MovingThePoleMovesThePenByOneLessK) {
   for (int n = 0; n < 200; ++n) {
     const auto [linkage, tracer] = random_case(chance);
     const Sensitivities g = copy_sensitivities_at(linkage, tracer).value();
-    const bool both_bars = linkage.vertex() == Vertex::pole;  // the post carries two bars: displace both
+    const bool both_bars =
+        linkage.grounding() == Grounding::pole;  // the post carries two bars: displace both
     const Complex x = g.play[0][0] + (both_bars ? g.play[1][0] : Complex{});
     const Complex y = g.play[0][1] + (both_bars ? g.play[1][1] : Complex{});
     EXPECT_LT(std::abs(x - (1.0 - linkage.k())), 1e-9);
@@ -300,7 +301,7 @@ TEST(CopyError, HoldsTenThousandRandomInstrumentsAndMatchesTheirRss) {
 // RSS of one design to the last digit that 10^4 instruments can give.
 TEST(CopyError, RssOfOneDesignIsThatOfTenThousandInstruments) {
   Chance chance(7);
-  const auto linkage = CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3).value();
+  const auto linkage = CopyingLinkage::make(copy_ratio(1.4, pi / 2), Grounding::pole, 50, 35, 3).value();
   const Tolerance limits{0.05, 0.02};
   const Point tracer(65, 10);
   const double said = copy_error_at(linkage, CopyTolerance::uniform(limits), tracer).value().rss;
@@ -489,8 +490,8 @@ TEST(CopyErrorOver, DoesNotLoseItselfInOtherFrames) {
     for (Point& corner : elsewhere.polygons[0].outer) corner = moved(corner);
     ErrorPlaces places_elsewhere{RegionReach(elsewhere), {}};
     for (const Point& place : places.places) places_elsewhere.places.push_back(moved(place));
-    const auto other = CopyingLinkage::make(linkage.k(), linkage.vertex(), linkage.VA(), linkage.VB(),
-                                            linkage.assembly(), moved(linkage.pole()))
+    const auto other = CopyingLinkage::make(linkage.k(), linkage.grounding(), linkage.VA(), linkage.VB(),
+                                            linkage.assembly_mode(), moved(linkage.pole()))
                            .value();
     const auto here = copy_error_over(linkage, tolerance, places).value();
     const auto there = copy_error_over(other, tolerance, places_elsewhere).value();
@@ -533,7 +534,7 @@ TEST(CopyErrorOver, ScalesWithTheToleranceAndVanishesWithoutIt) {
 }
 
 TEST(CopyErrorOver, NamesTheOutOfLineHolesOfStraightPlates) {
-  const auto linkage = CopyingLinkage::make(2.0, Vertex::tracer, 100, 80, 1).value();
+  const auto linkage = CopyingLinkage::make(2.0, Grounding::tracer, 100, 80, 1).value();
   const Region region = square_about(linkage.tracer_at(radians(90), 0.4), 10);
   const auto over = copy_error_over(linkage, CopyTolerance::uniform({0.05, 0.02}), region).value();
   EXPECT_EQ(over.sources[4].name, "AX");
@@ -548,7 +549,7 @@ TEST(CopyErrorOver, NamesTheOutOfLineHolesOfStraightPlates) {
 TEST(CopyErrorOver, SaysHowMuchOfItsHeightAPlateMayLose) {
   const auto share = [](double rotation, double size) {
     const Complex k = copy_ratio(1.4, radians(rotation));
-    const auto linkage = CopyingLinkage::make(k, Vertex::pole, size, size, 0).value();
+    const auto linkage = CopyingLinkage::make(k, Grounding::pole, size, size, 0).value();
     return plate_height_at_risk(linkage, CopyTolerance::uniform({0.05, 0.02}));
   };
   EXPECT_LT(share(90, 100), 0.01);
@@ -557,7 +558,7 @@ TEST(CopyErrorOver, SaysHowMuchOfItsHeightAPlateMayLose) {
 }
 
 TEST(CopyErrorOver, SaysWhenARegionIsOutOfReach) {
-  const auto linkage = CopyingLinkage::make(2.0, Vertex::tracer, 100, 80, 1).value();
+  const auto linkage = CopyingLinkage::make(2.0, Grounding::tracer, 100, 80, 1).value();
   EXPECT_FALSE(copy_error_over(linkage, {}, square_about({1000, 0}, 10)));
   EXPECT_FALSE(copy_error_over(linkage, {}, square_about({0, 0}, 10)));
   EXPECT_FALSE(copy_error_at(linkage, {}, {0, 0}));

@@ -18,8 +18,9 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-TraceTask task(Complex k, Vertex vertex, double VA, double VB, int assembly, Point pole = Point::Zero()) {
-  const auto linkage = *CopyingLinkage::make(k, vertex, VA, VB, assembly, pole);
+TraceTask task(Complex k, Grounding grounding, double VA, double VB, int assembly_mode,
+               Point pole = Point::Zero()) {
+  const auto linkage = *CopyingLinkage::make(k, grounding, VA, VB, assembly_mode, pole);
   const OpeningInterval all = linkage.assembly_interval();
   return {MapTask{linkage, {}, {}, 0, 0, {}, {}, std::nullopt}, shrink(all, 0.15 * all.width())};
 }
@@ -47,10 +48,10 @@ TEST(DrawingTrace, DrawsTheSimilarImageWithEveryGroundingAndAssembly) {
   for (int i = 0; i < 200; ++i) {
     const Complex k = i % 4 == 0 ? Complex(random(1.1, 4) * (i % 8 == 0 ? 1 : -1))
                                  : std::polar(random(0.3, 4), random(-3, 3));
-    const Vertex vertex = all_vertices[static_cast<std::size_t>(i) % 3];
-    const auto count = static_cast<int>(assemblies(shape_of(k, vertex)).size());
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
+    const auto count = static_cast<int>(assembly_modes(shape_of(k, grounding)).size());
     const TraceTask one =
-        task(k, vertex, random(20, 200), random(20, 200), i % count, {random(-50, 50), random(-50, 50)});
+        task(k, grounding, random(20, 200), random(20, 200), i % count, {random(-50, 50), random(-50, 50)});
     const DrawnStroke stroke = reachable_stroke(one, random, 5);
     const Trace trace = trace_drawing(one, {stroke}, {.step = 1.0});
     ASSERT_EQ(trace.drawn.size(), 1U);
@@ -63,7 +64,7 @@ TEST(DrawingTrace, DrawsTheSimilarImageWithEveryGroundingAndAssembly) {
 }
 
 TEST(DrawingTrace, KeepsEveryLinksLength) {
-  const TraceTask one = task({0, 1.4}, Vertex::pole, 50, 35, 3);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 50, 35, 3);
   Random random(2);
   const Trace trace =
       trace_drawing(one, {reachable_stroke(one, random, 10)}, {.step = 0.5, .keep_poses = true});
@@ -79,7 +80,7 @@ TEST(DrawingTrace, KeepsEveryLinksLength) {
 }
 
 TEST(DrawingTrace, CutsAtTheEdgeOfTheReach) {
-  const TraceTask one = task({0, 1.4}, Vertex::pole, 50, 35, 3);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 50, 35, 3);
   const auto radii = one.mechanism.linkage.radii_over(one.opening);
   const DrawnStroke across{{{-200, 10}, {200, 10}}};  // out, in, through the hole about the pole, out again
   const Trace trace = trace_drawing(one, {across});
@@ -100,7 +101,7 @@ TEST(DrawingTrace, CutsAtTheEdgeOfTheReach) {
 }
 
 TEST(DrawingTrace, KeepsOrderAndDirection) {
-  const TraceTask one = task({0, 1.4}, Vertex::pole, 50, 35, 3);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 50, 35, 3);
   Random random(3);
   std::vector<DrawnStroke> strokes;
   for (int i = 0; i < 20; ++i) strokes.push_back(reachable_stroke(one, random, 4));
@@ -115,7 +116,7 @@ TEST(DrawingTrace, KeepsOrderAndDirection) {
 }
 
 TEST(DrawingTrace, LeavesOutWhereAnObstacleStands) {
-  TraceTask one = task(2.5, Vertex::tracer, 90, 70, 1);
+  TraceTask one = task(2.5, Grounding::tracer, 90, 70, 1);
   Random random(4);
   const DrawnStroke stroke = reachable_stroke(one, random, 8);
   ASSERT_EQ(trace_drawing(one, {stroke}).poses_missed, 0U);
@@ -129,7 +130,7 @@ TEST(DrawingTrace, LeavesOutWhereAnObstacleStands) {
 }
 
 TEST(DrawingTrace, AMadeInstrumentDepartsInProportionToItsTolerances) {
-  const TraceTask one = task({0, 1.4}, Vertex::pole, 50, 35, 3);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 50, 35, 3);
   Random random(5);
   const DrawnStroke stroke = reachable_stroke(one, random, 6);
   const auto departure = [&](double tolerance, std::uint64_t seed) {
@@ -145,7 +146,7 @@ TEST(DrawingTrace, AMadeInstrumentDepartsInProportionToItsTolerances) {
 }
 
 TEST(DrawingTrace, TakesAStrokeOfOnePlaceOrNone) {
-  const TraceTask one = task({0, 1.4}, Vertex::pole, 50, 35, 3);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 50, 35, 3);
   EXPECT_TRUE(trace_drawing(one, {}).drawn.empty());
   const Point p = one.mechanism.linkage.tracer_at(one.opening.middle(), 0);
   EXPECT_LT(trace_drawing(one, {{{p, p}, false}}).departure, 1e-10);

@@ -22,11 +22,11 @@ Point place(std::mt19937_64& random, double size) {
 CopyingLinkage random_linkage(std::mt19937_64& random, double far) {
   for (;;) {
     const double scale = std::exp(uniform(random, -1.5, 1.5)), turn = uniform(random, -pi, pi);
-    const auto vertex = all_vertices[static_cast<std::size_t>(random() % 3)];
+    const auto grounding = all_groundings[static_cast<std::size_t>(random() % 3)];
     const double VA = uniform(random, 30, 200), VB = uniform(random, 30, 200);
     const Point pole = place(random, far);
-    const auto made =
-        CopyingLinkage::make(std::polar(scale, turn), vertex, VA, VB, static_cast<int>(random() % 2), pole);
+    const auto made = CopyingLinkage::make(std::polar(scale, turn), grounding, VA, VB,
+                                           static_cast<int>(random() % 2), pole);
     if (made && made->assembly_interval().width() > radians(40)) return *made;
   }
 }
@@ -105,7 +105,7 @@ TEST(ObstacleWatch, GapIsThatOfManyPoints) {
 }
 
 TEST(ObstacleWatch, LooksOnlyWhereALayerIsShared) {
-  const CopyingLinkage linkage = *CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3);
+  const CopyingLinkage linkage = *CopyingLinkage::make(copy_ratio(1.4, pi / 2), Grounding::pole, 50, 35, 3);
   const Pose pose = linkage.pose_at(radians(130), 0);
   VerificationTask task;
   const Point on_VA = 0.5 * (pose.V + pose.A);

@@ -49,10 +49,10 @@ VerificationTask task_for(const CopyingLinkage& linkage, double bearing) {
 CopyingLinkage random_linkage(std::mt19937_64& random) {
   for (;;) {
     const Complex k = std::polar(std::exp(uniform(random, -1.5, 1.5)), uniform(random, -pi, pi));
-    const auto vertex = all_vertices[static_cast<std::size_t>(random() % 3)];
-    const auto count = assemblies(shape_of(k, vertex)).size();
+    const auto grounding = all_groundings[static_cast<std::size_t>(random() % 3)];
+    const auto count = assembly_modes(shape_of(k, grounding)).size();
     const auto made =
-        CopyingLinkage::make(k, vertex, std::exp(uniform(random, 3, 6)), std::exp(uniform(random, 3, 6)),
+        CopyingLinkage::make(k, grounding, std::exp(uniform(random, 3, 6)), std::exp(uniform(random, 3, 6)),
                              static_cast<int>(random() % count), Point(uniform(random, -90, 90), 20));
     if (!made || made->assembly_interval().width() < radians(40)) continue;
     const auto radii =
@@ -77,7 +77,7 @@ TEST(Verification, CertifiesEveryExactLinkage) {
 }
 
 CopyingLinkage report() {
-  return CopyingLinkage::make(copy_ratio(1.4, pi / 2), Vertex::pole, 50, 35, 3).value();
+  return CopyingLinkage::make(copy_ratio(1.4, pi / 2), Grounding::pole, 50, 35, 3).value();
 }
 
 TEST(Verification, SeesALengthThatNoLongerCopies) {
@@ -163,12 +163,12 @@ TEST(Verification, CarriesTheReportsMechanismAsFarAsItsOwnLimits) {
 std::optional<CopyingLinkage> nearly_straight(std::mt19937_64& random, double bend) {
   const double scale = std::exp(uniform(random, -1.5, 1.5));
   const double rotation = (random() % 2 ? pi : 0) + (random() % 2 ? bend : -bend);
-  const auto vertex = all_vertices[static_cast<std::size_t>(random() % 3)];
+  const auto grounding = all_groundings[static_cast<std::size_t>(random() % 3)];
   const double VA = std::exp(uniform(random, 3, 6)), VB = VA * std::exp(uniform(random, -1, 1));
   const Complex k = std::polar(scale, rotation);
   if (std::abs(k - 1.0) < 0.05) return std::nullopt;
-  for (std::size_t i = 0; i < assemblies(shape_of(k, vertex)).size(); ++i)
-    if (const auto made = CopyingLinkage::make(k, vertex, VA, VB, static_cast<int>(i), Point(30, -20));
+  for (std::size_t i = 0; i < assembly_modes(shape_of(k, grounding)).size(); ++i)
+    if (const auto made = CopyingLinkage::make(k, grounding, VA, VB, static_cast<int>(i), Point(30, -20));
         made && made->assembly_interval().width() > 3)
       return *made;
   return std::nullopt;
@@ -228,8 +228,8 @@ TEST(Verification, LosesNoDigitFarFromTheTablesOrigin) {
   for (int i = 0; i < 60; ++i) {
     const CopyingLinkage near = random_linkage(random);
     const double x = uniform(random, -1e7, 1e7), y = uniform(random, -1e7, 1e7);
-    const auto far =
-        CopyingLinkage::make(near.k(), near.vertex(), near.VA(), near.VB(), near.assembly(), Point(x, y));
+    const auto far = CopyingLinkage::make(near.k(), near.grounding(), near.VA(), near.VB(),
+                                          near.assembly_mode(), Point(x, y));
     const Verification found = verify(task_for(*far, uniform(random, -3, 3)));
     EXPECT_TRUE(found.certified) << found.failure;
     EXPECT_LT(found.copy_error_max, 1e-11 * near.size());
@@ -241,8 +241,8 @@ TEST(Verification, KnowsNoSize) {
   for (int i = 0; i < 60; ++i) {
     const CopyingLinkage one = random_linkage(random);
     const double factor = std::pow(10, uniform(random, -8, 4));
-    const auto other = CopyingLinkage::make(one.k(), one.vertex(), factor * one.VA(), factor * one.VB(),
-                                            one.assembly(), factor * one.pole());
+    const auto other = CopyingLinkage::make(one.k(), one.grounding(), factor * one.VA(), factor * one.VB(),
+                                            one.assembly_mode(), factor * one.pole());
     VerificationTask task = task_for(*other, uniform(random, -3, 3));
     EXPECT_TRUE(verify(task).certified) << factor << verify(task).failure;
     task.mechanism.lengths.CX *= 1 + 1e-5;

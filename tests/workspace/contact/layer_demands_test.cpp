@@ -243,8 +243,8 @@ std::size_t body_of(const Part& part) {
 
 /// In every tuple of up to five layers: the layers each part fills, and the pairs that must keep apart.
 TEST(ContactPairs, AreThoseOfTheDefinitionInEveryTuple) {
-  for (const Vertex vertex : all_vertices) {
-    const CopyingLinkage linkage = *CopyingLinkage::make({0.3, 1.4}, vertex, 50, 35, 0);
+  for (const Grounding grounding : all_groundings) {
+    const CopyingLinkage linkage = *CopyingLinkage::make({0.3, 1.4}, grounding, 50, 35, 0);
     for (const Tuple& tuple : all_tuples(5)) {
       const auto in = filled(tuple);
       std::array<std::set<int>, 10> of_parts;
@@ -302,14 +302,14 @@ TEST(LayerDemands, EightLayersLoseNothingEither) {
 }
 
 TEST(LayerDemands, WithoutObstaclesNoLayerIsLeftEmptyAndMoreThanFourAreOfNoUse) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   for (const LayerAssignment& one : assignments_worth_trying(linkage, 8, {})) EXPECT_TRUE(one.is_stacked());
   EXPECT_EQ(assignments_worth_trying(linkage, 8, {}), assignments_worth_trying(linkage, 4, {}));
   EXPECT_EQ(assignments_worth_trying(linkage, 2, {}).size(), 2u);
 }
 
 TEST(LayerDemands, AnObstacleInEveryLayerOrAboveAllLinksChangesNothing) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   const Ring square{{20, 20}, {30, 20}, {30, 30}, {20, 30}};
   const std::vector<Obstacle> above{{{square, {}}, 6, 8, "roof"}};
   EXPECT_EQ(assignments_worth_trying(linkage, 5, above), assignments_worth_trying(linkage, 5, {}));
@@ -319,7 +319,7 @@ TEST(LayerDemands, AnObstacleInEveryLayerOrAboveAllLinksChangesNothing) {
 }
 
 TEST(LayerDemands, LinksAreLiftedOverALowClamp) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({-0.5, 0}, Vertex::pole, 50, 35, 0);
+  const CopyingLinkage linkage = *CopyingLinkage::make({-0.5, 0}, Grounding::pole, 50, 35, 0);
   const std::vector<Obstacle> clamp{{{{{20, 20}, {30, 20}, {30, 30}, {20, 30}}, {}}, 1, 1, "clamp"}};
   const auto kept = assignments_worth_trying(linkage, 3, clamp);
   EXPECT_NE(std::find(kept.begin(), kept.end(), LayerAssignment{{2, 3, 3, 2}}), kept.end());

@@ -111,7 +111,7 @@ TEST(SelfContact, SmallestGapOverAnIntervalIsNeverBelowItAndIsAttained) {
 
 TEST(SelfContact, TwoBarsOfOneLayerMeetNearTheChangePoint) {
   // VA and B-C run parallel at distance VB |sin d|; with 12 mm bars and 0.5 mm they need 12.5 mm.
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   const auto free = contact_free_openings(linkage, {12, 6, 4, PlateStyle::bent}, {}, 0.5, {1.0, pi}, 1e-9);
   ASSERT_FALSE(free.empty());
   ASSERT_TRUE(free.back().above);
@@ -120,7 +120,7 @@ TEST(SelfContact, TwoBarsOfOneLayerMeetNearTheChangePoint) {
 }
 
 TEST(SelfContact, NothingIsFreeWhenTheLinksAreWiderThanTheLinkage) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   EXPECT_TRUE(
       contact_free_openings(linkage, {100, 6, 4, PlateStyle::bent}, {}, 0.5, linkage.assembly_interval())
           .empty());
@@ -128,7 +128,8 @@ TEST(SelfContact, NothingIsFreeWhenTheLinksAreWiderThanTheLinkage) {
 
 TEST(SelfContact, ScalesWithTheMechanismFromMicrometresToKilometres) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
-    const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::tracer, 50 * scale, 35 * scale, 0);
+    const CopyingLinkage linkage =
+        *CopyingLinkage::make({0, 1.4}, Grounding::tracer, 50 * scale, 35 * scale, 0);
     const LinkStyle style{6 * scale, 3 * scale, 4, PlateStyle::bent};
     const auto free = contact_free_openings(linkage, style, {}, 0.5 * scale, linkage.assembly_interval());
     ASSERT_EQ(free.size(), 1u);

@@ -39,7 +39,7 @@ TEST(Contours, PlacesWithoutAValueAreBelowEveryLevel) {
 }
 
 TEST(Contours, TransmissionIsAtLeastTheLevelInsideItsAnnulusAndBelowOutside) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2, {1, 2});
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2, {1, 2});
   for (const auto& [level, region] :
        transmission_contours(linkage, {radians(10), radians(25), radians(40)})) {
     ASSERT_EQ(region.size(), 1u);

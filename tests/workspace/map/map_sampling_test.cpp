@@ -29,9 +29,9 @@ Obstacle star(Dice& dice, const Point& centre, double size, int corners) {
 struct Case {
   int obstacles, corners;
   Complex k;
-  Vertex vertex;
+  Grounding grounding;
   double VA, VB;
-  int assembly;
+  int assembly_mode;
   PlateStyle plate;
   int layers;  ///< index of the assignment
 };
@@ -46,7 +46,7 @@ class MapSampling : public testing::TestWithParam<Case> {};
 MapTask task_of(const Case& one) {
   Dice dice(static_cast<std::uint64_t>(100 + one.obstacles));
   const CopyingLinkage linkage =
-      *CopyingLinkage::make(one.k, one.vertex, one.VA, one.VB, one.assembly, Point(12, -7));
+      *CopyingLinkage::make(one.k, one.grounding, one.VA, one.VB, one.assembly_mode, Point(12, -7));
   MapTask task{linkage,
                {6, 3, 4, one.plate},
                layer_assignments(4)[static_cast<std::size_t>(one.layers)],
@@ -115,16 +115,17 @@ TEST_P(MapSampling, NoFreePolygonHoldsAContactAndTheAreasAgree) {
 
 INSTANTIATE_TEST_SUITE_P(
     TenCases, MapSampling,
-    testing::Values(Case{0, 0, {0, 1.4}, Vertex::pole, 50, 35, 2, PlateStyle::bent, 0},
-                    Case{1, 4, {0, 1.4}, Vertex::pen, 50, 60, 3, PlateStyle::bent, 0},
-                    Case{2, 20, {2.5, 0}, Vertex::tracer, 60, 55, 1, PlateStyle::triangle, 1},
-                    Case{3, 7, {-0.5, 0}, Vertex::pole, 60, 35, 1, PlateStyle::bent, 0},
-                    Case{5, 20, {0.5, 0.8}, Vertex::pen, 50, 70, 0, PlateStyle::triangle, 8},
-                    Case{8, 20, {0, 1.4}, Vertex::tracer, 50, 90, 0, PlateStyle::bent, 1},
-                    Case{12, 20, {0.5, 0}, Vertex::pen, 70, 60, 1, PlateStyle::bent, 0},
-                    Case{20, 20, {0, 1.4}, Vertex::pole, 50, 35, 2, PlateStyle::bent, 20},
-                    Case{35, 20, {0.5, 0.8660254037844386}, Vertex::tracer, 80, 80, 2, PlateStyle::bent, 0},
-                    Case{50, 20, {0, 1.4}, Vertex::pole, 50, 35, 2, PlateStyle::triangle, 0}),
+    testing::Values(Case{0, 0, {0, 1.4}, Grounding::pole, 50, 35, 2, PlateStyle::bent, 0},
+                    Case{1, 4, {0, 1.4}, Grounding::pen, 50, 60, 3, PlateStyle::bent, 0},
+                    Case{2, 20, {2.5, 0}, Grounding::tracer, 60, 55, 1, PlateStyle::triangle, 1},
+                    Case{3, 7, {-0.5, 0}, Grounding::pole, 60, 35, 1, PlateStyle::bent, 0},
+                    Case{5, 20, {0.5, 0.8}, Grounding::pen, 50, 70, 0, PlateStyle::triangle, 8},
+                    Case{8, 20, {0, 1.4}, Grounding::tracer, 50, 90, 0, PlateStyle::bent, 1},
+                    Case{12, 20, {0.5, 0}, Grounding::pen, 70, 60, 1, PlateStyle::bent, 0},
+                    Case{20, 20, {0, 1.4}, Grounding::pole, 50, 35, 2, PlateStyle::bent, 20},
+                    Case{
+                        35, 20, {0.5, 0.8660254037844386}, Grounding::tracer, 80, 80, 2, PlateStyle::bent, 0},
+                    Case{50, 20, {0, 1.4}, Grounding::pole, 50, 35, 2, PlateStyle::triangle, 0}),
     [](const auto& one) { return std::to_string(one.param.obstacles) + "Obstacles"; });
 
 /// Places of a disc, its outline dense.

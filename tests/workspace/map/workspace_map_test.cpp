@@ -35,7 +35,7 @@ Obstacle block(Polygon shape, int lowest = 1, int highest = 4) {
 
 /// The plagiograph report's linkage, free between 57.4 and 73.9 mm from the pole.
 MapTask report_task(Point pole = Point::Zero()) {
-  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Vertex::pole, 50, 35, 2, pole);
+  const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2, pole);
   return {linkage, {6, 3, 4, PlateStyle::bent}, {}, 0.5, radians(10), {}, {}, {}};
 }
 
@@ -302,8 +302,8 @@ TEST(Coverage, PartsCutOffFromEachOtherAreNamed) {
   for (int i = 0; i < 2; ++i) {
     double bearing = 0;
     Complex mean = 0;
-    for (const ArcVertex& vertex : largest[static_cast<std::size_t>(i)].outer)
-      mean += as_complex(vertex.at) / std::abs(as_complex(vertex.at));
+    for (const ArcVertex& grounding : largest[static_cast<std::size_t>(i)].outer)
+      mean += as_complex(grounding.at) / std::abs(as_complex(grounding.at));
     bearing = std::arg(mean);
     const Point centre = as_point(std::polar(66.0, bearing));
     ASSERT_TRUE(verdict_at(task, centre).free);
@@ -448,7 +448,7 @@ TEST(LayerChoice, ObstacleInALayerDrivesTheLinksOutOfIt) {
 }
 
 TEST(LayerChoice, LinksStandAboveAnEmptyLayerWhereThatHelpsAndItSaysSo) {
-  MapTask task{.linkage = *CopyingLinkage::make({-0.5, 0}, Vertex::pole, 37.7, 44.8, 0),
+  MapTask task{.linkage = *CopyingLinkage::make({-0.5, 0}, Grounding::pole, 37.7, 44.8, 0),
                .style = {15, 6, 4, PlateStyle::bent},
                .layers = {},
                .clearance = 1,
