@@ -27,7 +27,7 @@ constexpr int error_openings = 17;
 RowJet DesignProblem::obstacle_row_values(const Row& row, const DesignVector& x) const {
   RowJet jet = zero_jet(layout_.size());
   const ObstacleTerm& term = terms_.obstacles[row.index];
-  const PlacedJoints joints(reach_, grounding_, lengths_of(x), layout_.pole(x), places_[row.place]);
+  const PlacedJoints joints(reach_, roles_, lengths_of(x), layout_.pole(x), places_[row.place]);
   const PlacedJet gap = obstacle_gap_jet(term, space_.obstacles()[term.obstacle], joints);
   jet.value = gap.value / layout_.unit;
   jet.gradient[log_VA] = gap.by_u / layout_.unit;
@@ -135,7 +135,7 @@ void DesignProblem::add_obstacles(std::vector<Row>& rows, const DesignVector& x,
   std::vector<double> smallest(terms_.obstacles.size(), enough);
   std::vector<Row> worst(terms_.obstacles.size(), {Row::Kind::obstacle});
   for (std::size_t p = 0; p < places_.size(); ++p) {
-    const PlacedJoints joints(reach_, grounding_, lengths_of(x), layout_.pole(x), places_[p]);
+    const PlacedJoints joints(reach_, roles_, lengths_of(x), layout_.pole(x), places_[p]);
     for (std::size_t t = 0; t < terms_.obstacles.size(); ++t) {
       const ObstacleTerm& term = terms_.obstacles[t];
       const double gap = obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest[t]);

@@ -274,11 +274,11 @@ std::optional<ProvenBound> SearchRun::proven_bound(const Requirements& limits, G
   const Objective objective = goal == Goal::transmission ? Objective::transmission : Objective::size;
   const BoundOptions options{.boxes = boxes_of_proof, .shortest = limits.shortest, .stop = stop};
   Spec moved = with_limits(space_.spec(), limits);
-  auto bound = proven_bound(moved, objective, options);
+  auto bound = kempe::proven_bound(moved, objective, options);
   if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
   // The bound holds without the least angle that designs keep; places to start from are those that keep it.
   moved.limits.transmission = 1.001 * least_usable_angle;
-  const auto kept = proven_bound(moved, objective, options);
+  const auto kept = kempe::proven_bound(moved, objective, options);
   bound->design = kept ? kept->design : std::nullopt;
   bound->promising = kept ? kept->promising : std::vector<RelaxedDesign>{};
   return bound;

@@ -12,6 +12,7 @@
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/verification/drive.hpp"
 #include "synthesis/verification/obstacles.hpp"
+#include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {

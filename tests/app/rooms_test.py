@@ -2,30 +2,23 @@
 """The rooms' order: a file includes only its own folder and those below it, the heavy libraries stay in their files, and no two
 types outside unnamed namespaces share a full name (the linker would silently take one's functions for the other's)."""
 import collections
+import importlib.machinery
+import importlib.util
 import pathlib
 import re
 import sys
 
-# From the ground up. A folder may use those before it; a room's own level stands where its folders use it or are used by it.
-FOLDERS = [
-    "geometry", "geometry/regions",
-    "kinematics", "kinematics/planar",
-    "specs/text", "specs/drawings", "specs", "specs/linkages",
-    "workspace", "workspace/contact", "workspace/map",
-    "synthesis/solvers", "synthesis/tolerance", "synthesis/problem", "synthesis/bound", "synthesis/search", "synthesis/design",
-    "synthesis/verification", "synthesis/calibration", "synthesis/functions",
-    "reports/pictures", "reports/data", "reports/drawings", "reports/page", "reports/linkages", "reports/calibration",
-    "reports/audit", "reports",
-    "app", "app/commands",
-]
-ROOMS = sorted({folder.split("/")[0] for folder in FOLDERS})
+loader = importlib.machinery.SourceFileLoader("rooms", str(pathlib.Path(sys.argv[1]) / "scripts" / "rooms"))
+rooms = importlib.util.module_from_spec(importlib.util.spec_from_loader("rooms", loader))
+sys.dont_write_bytecode = True
+loader.exec_module(rooms)
+FOLDERS, ROOMS = rooms.FOLDERS, rooms.ROOMS
 HEAVY = {  # a library's headers -> the files that may include them
     r"CGAL/": r"_backend\.cpp$",
     r"nlopt": r"_backend\.cpp$",
     r"Ip[A-Z]|coin": r"_backend\.cpp$",
 }
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: :| \{|$)")
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 
 def faults_of(path, folder):
@@ -33,7 +26,7 @@ def faults_of(path, folder):
     if folder not in FOLDERS:
         yield f"{path}: the folder {folder} has no place in the order of the rooms"
         return
-    for included in INCLUDE.findall(text):
+    for included in rooms.INCLUDE.findall(text):
         used = included.rpartition("/")[0]
         if used in FOLDERS and FOLDERS.index(used) > FOLDERS.index(folder):
             yield f"{path}: {folder} may not include {included}"
@@ -58,20 +51,19 @@ def types_in(path):
             yield "::".join(spaces + [named[1]])
 
 
-def sources(folder):
-    return sorted(p for e in ("*.hpp", "*.cpp") for p in folder.rglob(e) if "node_modules" not in p.parts)
-
-
 def main(root):
     faults, homes = [], collections.defaultdict(list)
     for room in ROOMS:
-        for path in sources(root / room):
+        for path in rooms.sources(root / room):
             faults += faults_of(path, path.parent.relative_to(root).as_posix())
             for name in types_in(path):
                 homes[name].append(str(path))
     for name, files in homes.items():
         if len(files) > 1:
             faults.append(f"{name} is defined more than once: {', '.join(files)}")
+    picture = root / "docs" / "pictures" / "rooms.svg"
+    if picture.read_text(encoding="utf-8") != rooms.picture(root):
+        faults.append(f"{picture} is not the picture of these sources: run scripts/rooms")
     print("\n".join(faults) or f"{len(FOLDERS)} folders of {len(ROOMS)} rooms in order")
     return 1 if faults else 0
 
