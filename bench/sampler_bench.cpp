@@ -19,6 +19,7 @@
 #include "map_task.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/contact/contact_scene.hpp"
+#include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe::bench {

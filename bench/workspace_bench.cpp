@@ -8,6 +8,7 @@
 
 #include "map_task.hpp"
 #include "workspace/contact/clearance.hpp"
+#include "workspace/contact/self_contact.hpp"
 #include "workspace/map/layer_choice.hpp"
 #include "workspace/reach.hpp"
 

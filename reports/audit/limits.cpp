@@ -10,6 +10,7 @@
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/contact/contact_scene.hpp"
+#include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {

@@ -134,7 +134,7 @@ Spec spec_from(Choices& choices) {
   const int obstacles = choices.upto(3) == 0 ? 1 + choices.upto(3) : 0;
   for (int i = 0; i < obstacles; ++i) spec.obstacles.push_back(obstacle(choices));
   if (choices.upto(6) == 0)
-    spec.objective.groundings = {all_vertices[static_cast<std::size_t>(choices.upto(3))]};
+    spec.objective.groundings = {all_groundings[static_cast<std::size_t>(choices.upto(3))]};
   spec.cutting = cutting(choices);
   if (choices.upto(3) == 1) spec.links.wall = choices.between(0.01, 5);
   if (choices.upto(7) == 1) add_crowd(choices, spec);

@@ -9,6 +9,7 @@
 #include "reports/data/atomic_file.hpp"
 #include "tests/reports/report_specimens.hpp"
 #include "workspace/contact/contact_scene.hpp"
+#include "workspace/contact/self_contact.hpp"
 
 namespace {
 

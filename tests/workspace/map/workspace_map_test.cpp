@@ -8,6 +8,7 @@
 #include "tests/samples.hpp"
 #include "tests/workspace/random_linkage.hpp"
 #include "workspace/contact/clearance.hpp"
+#include "workspace/contact/self_contact.hpp"
 #include "workspace/map/layer_choice.hpp"
 #include "workspace/reach.hpp"
 
