@@ -5,7 +5,7 @@
 // Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission
 // limit, the lengths' limits, the copy error, the gap between the sheets and the linkage's contact with
 // itself and with obstacles (at places of the tracer) are kept; the workshop's grid and stock are not. Steps and
-// proof: docs/lower-bound.md.
+// proof: docs/proven-bound.md.
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What search, bound and check assume alike, held against geometry that does not: docs/lower-bound.md lists them.
+// What search, bound and check assume alike, held against geometry that does not: docs/proven-bound.md lists them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
