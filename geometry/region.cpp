@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/segment_distance.hpp"
+
 namespace kempe {
 namespace {
 
@@ -56,13 +58,6 @@ Side side_of(const Polygon& polygon, const Point& point) {
   return odd ? Side::inside : Side::outside;
 }
 
-double squared_distance_to_edge(const Point& from, const Point& to, const Point& point) {
-  const Point along = to - from;
-  const double length2 = along.squaredNorm();
-  const double share = length2 > 0 ? std::clamp((point - from).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (from + share * along - point).squaredNorm();
-}
-
 double squared_distance_to_box(const Box& box, const Point& point) {
   const Point outside = (box.lower - point).cwiseMax(point - box.upper).cwiseMax(0.0);
   return outside.squaredNorm();
@@ -81,7 +76,7 @@ double squared_distance_to_rings(const Polygon& polygon, const Point& point, dou
   for_each_ring(polygon, [&](const Ring& ring) {
     if (squared_distance_to_box(box_of(ring), point) >= best) return;
     for_each_edge(ring, [&](const Point& from, const Point& to) {
-      best = std::min(best, squared_distance_to_edge(from, to, point));
+      best = std::min(best, squared_distance(point, from, to));
     });
   });
   return best;

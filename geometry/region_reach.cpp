@@ -5,6 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/convex_hull.hpp"
+#include "geometry/segment_distance.hpp"
+
 namespace kempe {
 namespace {
 
@@ -13,27 +16,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void append_edges(const Ring& ring, std::vector<BoundaryEdge>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-}
-
-/// Andrew's monotone chain.
-std::vector<Point> convex_hull(std::vector<Point> points) {
-  const auto before = [](const Point& a, const Point& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Point> hull;
-  const auto extend = [&hull](const Point& point, std::size_t keep) {
-    while (hull.size() >= keep + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
-      hull.pop_back();
-    hull.push_back(point);
-  };
-  for (const Point& point : points) extend(point, 0);
-  const std::size_t lower = hull.size() - 1;
-  for (std::size_t i = points.size() - 1; i-- > 0;) extend(points[i], lower);
-  hull.pop_back();
-  return hull;
 }
 
 double squared_distance(const Box& box, const Point& point) {
@@ -52,16 +34,6 @@ bool crosses_ray(const BoundaryEdge& edge, const Point& point) {
 }
 
 }  // namespace
-
-Point nearest_on_segment(const Point& from, const Point& a, const Point& b) {
-  const Point along = b - a;
-  const double length2 = along.squaredNorm();
-  if (!(length2 > 0)) return a;
-  const double share = (from - a).dot(along) / length2;
-  if (share <= 0) return a;
-  if (share >= 1) return b;
-  return a + share * along;
-}
 
 RegionReach::RegionReach(const Region& region) {
   std::vector<Point> corners;

@@ -58,7 +58,4 @@ class RegionReach {
   std::size_t leaves_ = 1;
 };
 
-/// Place on a segment nearest to `from`.
-Point nearest_on_segment(const Point& from, const Point& a, const Point& b);
-
 }  // namespace kempe

@@ -17,8 +17,18 @@ inline double nearest_share(const Point& point, const Point& a, const Point& b) 
   return squared > 0 ? std::clamp((point - a).dot(along) / squared, 0.0, 1.0) : 0;
 }
 
+/// That place; the end itself where it is an end.
+inline Point nearest_on_segment(const Point& point, const Point& a, const Point& b) {
+  const double share = nearest_share(point, a, b);
+  return share < 1 ? Point(a + share * (b - a)) : b;
+}
+
 inline double squared_distance(const Point& point, const Point& a, const Point& b) {
-  return (a + nearest_share(point, a, b) * (b - a) - point).squaredNorm();
+  return (nearest_on_segment(point, a, b) - point).squaredNorm();
+}
+
+inline double distance(const Point& point, const Point& a, const Point& b) {
+  return std::sqrt(squared_distance(point, a, b));
 }
 
 /// True if the segments a-b and c-d cross at an inner point of both.

@@ -2,25 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "geometry/chance.hpp"
 
 namespace kempe {
 namespace {
 
 /// Work of a search, in iterations times the cube of the unknowns: some seconds.
 constexpr double most_work = 4e9;
-
-/// Uniform numbers whose bytes do not depend on the standard library.
-class Uniform {
- public:
-  explicit Uniform(std::uint64_t seed) : random_(seed) {}
-  double operator()(double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
-
- private:
-  std::mt19937_64 random_;
-};
 
 /// Where the linkage can be expected: about its ground points.
 struct Surroundings {
@@ -40,11 +29,11 @@ Surroundings surroundings_of(const PlanarLinkage& linkage) {
   return result;
 }
 
-PlanarPosition random_position(int bodies, const Surroundings& about, Uniform& uniform) {
+PlanarPosition random_position(int bodies, const Surroundings& about, Chance& chance) {
   PlanarPosition position(static_cast<std::size_t>(bodies));
   for (std::size_t body = 1; body < position.size(); ++body) {
-    const double y = uniform(-about.reach, about.reach), x = uniform(-about.reach, about.reach);
-    position[body] = {about.centre + Point(x, y), uniform(-pi, pi)};
+    const double y = chance.uniform(-about.reach, about.reach), x = chance.uniform(-about.reach, about.reach);
+    position[body] = {about.centre + Point(x, y), chance.uniform(-pi, pi)};
   }
   return position;
 }
@@ -85,7 +74,7 @@ AssembliesFound search_assembly_modes(const PlanarLinkage& linkage, const Planar
                                       const AssemblySearch& search) {
   const Surroundings about = surroundings_of(linkage);
   const std::vector<bool> turns_dropped = free_of_turns(linkage);
-  Uniform uniform(search.seed);
+  Chance chance(search.seed);
   AssembliesFound result;
   std::vector<PlanarPosition>& found = result.assembly_modes;
   const double work_a_step = std::pow(linkage.unknown_count(), 3);
@@ -93,7 +82,7 @@ AssembliesFound search_assembly_modes(const PlanarLinkage& linkage, const Planar
   for (int start = 0; start <= search.starts && static_cast<int>(found.size()) < search.enough; ++start) {
     if (work > most_work || (search.stop && search.stop())) break;
     auto closed = solve_from(
-        linkage, start == 0 ? guess : random_position(linkage.body_count(), about, uniform), driver_values);
+        linkage, start == 0 ? guess : random_position(linkage.body_count(), about, chance), driver_values);
     work += work_a_step * (closed ? closed->iterations : closed.error().iterations);
     if (!closed) {
       if (!result.nearest || closed.error().closure_error < result.nearest->closure_error)

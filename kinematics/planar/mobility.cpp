@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <set>
 
+#include "geometry/chance.hpp"
 #include "kinematics/planar/equations.hpp"
 #include "kinematics/planar/solver.hpp"
 
@@ -17,8 +17,6 @@ constexpr double rank_threshold = 1e-6;  ///< of the largest singular value
 constexpr double first_motion = 2e-2;    ///< sizes: away from singular positions
 constexpr double second_motion = 1e-4;   ///< sizes: around the general position
 constexpr double followed = 3e-2;        ///< share of the second motion that counts as finite
-
-double uniform(std::mt19937_64& random) { return 2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1; }
 
 /// The derivatives of the equations, without units.
 Eigen::MatrixXd scaled_jacobian(const PlanarLinkage& linkage, const Eigen::VectorXd& q) {
@@ -37,21 +35,19 @@ int rank_of(const Eigen::MatrixXd& matrix) {
 }
 
 /// A closed position near q, each unknown first moved by up to `way` sizes; q itself if none is found.
-Eigen::VectorXd near(const PlanarLinkage& linkage, const Eigen::VectorXd& q, double way,
-                     std::mt19937_64& random) {
+Eigen::VectorXd near(const PlanarLinkage& linkage, const Eigen::VectorXd& q, double way, Chance& chance) {
   const double size = linkage.size();
   Eigen::VectorXd moved = q;
-  for (Eigen::Index i = 0; i < q.size(); ++i) moved[i] += way * uniform(random) * (i % 3 == 2 ? 1 : size);
+  for (Eigen::Index i = 0; i < q.size(); ++i) moved[i] += way * chance.symmetric() * (i % 3 == 2 ? 1 : size);
   const auto closed = solve_from(linkage, position_of(moved));
   return closed ? unknowns_of(closed->position) : q;
 }
 
-Eigen::VectorXd general_position(const PlanarLinkage& linkage, const Eigen::VectorXd& q,
-                                 std::mt19937_64& random) {
+Eigen::VectorXd general_position(const PlanarLinkage& linkage, const Eigen::VectorXd& q, Chance& chance) {
   Eigen::VectorXd best = q;
   int best_rank = rank_of(scaled_jacobian(linkage, q));
   for (int i = 0; i < 6; ++i) {
-    const Eigen::VectorXd candidate = near(linkage, q, first_motion, random);
+    const Eigen::VectorXd candidate = near(linkage, q, first_motion, chance);
     const int rank = rank_of(scaled_jacobian(linkage, candidate));
     if (rank > best_rank || (i == 0 && rank == best_rank)) {
       best = candidate;
@@ -62,13 +58,12 @@ Eigen::VectorXd general_position(const PlanarLinkage& linkage, const Eigen::Vect
 }
 
 /// Dimension of the set of closed positions around q: directions in which positions near it really lie.
-int finite_freedoms(const PlanarLinkage& linkage, const Eigen::VectorXd& q, int at_most,
-                    std::mt19937_64& random) {
+int finite_freedoms(const PlanarLinkage& linkage, const Eigen::VectorXd& q, int at_most, Chance& chance) {
   if (at_most == 0) return 0;
   const int samples = 3 * at_most + 4;
   Eigen::MatrixXd ways(q.size(), samples);
   for (int i = 0; i < samples; ++i) {
-    ways.col(i) = near(linkage, q, second_motion, random) - q;
+    ways.col(i) = near(linkage, q, second_motion, chance) - q;
     for (Eigen::Index unknown = 0; unknown < q.size(); ++unknown)
       if (unknown % 3 != 2) ways(unknown, i) /= linkage.size();
   }
@@ -185,13 +180,13 @@ Mobility mobility_of(const PlanarLinkage& driven, const PlanarPosition& closed, 
   result.unknowns = linkage.unknown_count() - result.particles;
   result.equations = linkage.equation_count() - result.particles;
   result.gruebler = result.unknowns - result.equations;
-  std::mt19937_64 random(seed);
+  Chance chance(seed);
   const Eigen::VectorXd q = unknowns_of(closed);
-  const Eigen::VectorXd general = general_position(linkage, q, random);
+  const Eigen::VectorXd general = general_position(linkage, q, chance);
   const Eigen::MatrixXd here = scaled_jacobian(linkage, q), there = scaled_jacobian(linkage, general);
   result.rank_here = rank_of(here) - result.particles;
   result.rank = rank_of(there) - result.particles;
-  result.mobility = finite_freedoms(linkage, general, result.unknowns - result.rank, random);
+  result.mobility = finite_freedoms(linkage, general, result.unknowns - result.rank, chance);
   result.redundant = dependent_sets(there, constraint_of_row(driven));
   if (result.singular_here()) result.dependent_here = dependent_sets(here, constraint_of_row(driven));
   return result;

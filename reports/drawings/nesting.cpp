@@ -8,6 +8,8 @@
 #include <numeric>
 #include <optional>
 
+#include "geometry/segment_distance.hpp"
+
 namespace kempe {
 namespace {
 
@@ -55,13 +57,6 @@ class Cells {
   std::vector<std::uint64_t> bits_;
 };
 
-double distance_to_segment(const Point& point, const Point& a, const Point& b) {
-  const Point way = b - a;
-  const double length = way.squaredNorm();
-  const double t = length > 0 ? std::clamp((point - a).dot(way) / length, 0.0, 1.0) : 0;
-  return (point - a - t * way).norm();
-}
-
 /// A part in one turn: its cells, those included that anything within `reach` of the part touches.
 struct Footing {
   double turn;
@@ -79,7 +74,7 @@ void add_edge(Cells& cells, const Point& a, const Point& b, double cell, double 
   const int top = std::min(cells.rows() - 1, static_cast<int>(upper.y()));
   for (int y = bottom; y <= top; ++y)
     for (int x = left; x <= right; ++x)
-      if (distance_to_segment(cell * Point(x + 0.5, y + 0.5), a, b) <= reach) cells.set(x, y);
+      if (distance(cell * Point(x + 0.5, y + 0.5), a, b) <= reach) cells.set(x, y);
 }
 
 /// Cells whose centres the ring surrounds.

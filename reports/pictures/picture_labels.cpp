@@ -5,15 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/segment_distance.hpp"
+
 namespace kempe {
 namespace {
-
-double distance_to_segment(const Point& at, const Point& from, const Point& to) {
-  const Point along = to - from;
-  const double squared = along.squaredNorm();
-  const double t = squared > 0 ? std::clamp((at - from).dot(along) / squared, 0.0, 1.0) : 0;
-  return (from + t * along - at).norm();
-}
 
 /// No more than the distance of any point of the box from the segment.
 double distance_of_boxes(const PictureBox& box, const Point& from, const Point& to) {
@@ -49,7 +44,7 @@ double LabelPlacer::clearness(const PictureBox& label) const {
     for (const double x : across)
       for (const double y : upward) {
         const Point at = label.centre + label.half.cwiseProduct(Point(x, y));
-        least = std::min(least, distance_to_segment(at, line.from, line.to) - line.half_width);
+        least = std::min(least, distance(at, line.from, line.to) - line.half_width);
       }
   }
   // Words over words or outside the picture cannot be read at all; words over a line can.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/orientation.hpp"
+#include "geometry/convex_hull.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "geometry/regions/region_growth.hpp"
 #include "geometry/regions/ring_loops.hpp"
@@ -13,18 +13,6 @@ namespace kempe {
 namespace {
 
 constexpr double same_place = 1e-3;  ///< mm: ends this near each other are one corner
-
-/// Half of a hull: the chain that only turns left over points sorted by the sweep's order.
-template <class Iterator>
-Ring left_turning_chain(Iterator begin, Iterator end) {
-  Ring chain;
-  for (Iterator point = begin; point != end; ++point) {
-    while (chain.size() >= 2 && orientation(chain[chain.size() - 2], chain.back(), *point) <= 0)
-      chain.pop_back();
-    chain.push_back(*point);
-  }
-  return chain;
-}
 
 using Result = tl::expected<Region, InputError>;
 
@@ -140,18 +128,6 @@ Result stroke_region(const std::vector<DrawnStroke>& strokes, double margin, con
 }
 
 }  // namespace
-
-Ring convex_hull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(), sweeps_before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Ring lower = left_turning_chain(points.begin(), points.end());
-  Ring upper = left_turning_chain(points.rbegin(), points.rend());
-  lower.pop_back();
-  upper.pop_back();
-  lower.insert(lower.end(), upper.begin(), upper.end());
-  return lower;
-}
 
 tl::expected<Region, InputError> covered_region(const std::vector<DrawnStroke>& strokes,
                                                 const std::string& remark, const std::string& file_name,

@@ -23,8 +23,4 @@ tl::expected<Region, InputError> covered_region(const std::vector<DrawnStroke>& 
                                                 const std::string& remark, const std::string& file_name,
                                                 const RegionFileOptions& options);
 
-/// Corners of the convex hull, counter-clockwise, none between two others on a line. Fewer than three if all
-/// points lie on one line. (Andrew's monotone chain with exact orientations.)
-Ring convex_hull(std::vector<Point> points);
-
 }  // namespace kempe

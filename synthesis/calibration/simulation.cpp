@@ -2,27 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "geometry/chance.hpp"
 #include "synthesis/calibration/task.hpp"
 
 namespace kempe {
 namespace {
-
-/// Chance that is the same on every machine: the standard distributions are not.
-class Chance {
- public:
-  explicit Chance(std::uint64_t seed) : generator_(seed) {}
-  double share() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
-  double symmetric(double largest) { return largest * (2 * share() - 1); }
-  double normal() {
-    const double radius = std::sqrt(-2 * std::log(1 - share()));
-    return radius * std::cos(2 * pi * share());
-  }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 struct Place {
   std::optional<double> arm_angle;
@@ -126,9 +111,9 @@ class Simulation {
         with_play(drawn_.drawn + present, wanted_.play, [this] { return chance_.share(); });
     const auto output = output_at(drawn_, loose, place.input);
     if (!output) return std::nullopt;
-    const Point noise(wanted_.noise * chance_.normal(), wanted_.noise * chance_.normal());
+    const double noise_y = wanted_.noise * chance_.normal(), noise_x = wanted_.noise * chance_.normal();
     const Point origin = place.arm_angle ? wanted_output(drawn_, place.input) : Point(0, 0);
-    const Point value = output->at - origin + noise;
+    const Point value = output->at - origin + Point(noise_x, noise_y);
     ReadingSpec reading;
     reading.round = round;
     reading.arm_angle = place.arm_angle;

@@ -74,8 +74,8 @@ Point DesignProblem::unit_pole(double x, double y) const {
 
 LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, double of_m) const {
   if (lengths_are_locked()) return {box_.u.lower, box_.v.lower};
-  const SearchSpace::Annulus annulus = space_.annulus(pole);
-  const double r_max = annulus.farthest, r_min = std::max(annulus.nearest, 1e-6 * r_max);
+  const DistanceRange distances = space_.distances(pole);
+  const double r_max = distances.farthest, r_min = std::max(distances.nearest, 1e-6 * r_max);
   const double limit = reach_.lambda_limit(r_min, r_max, allowed_).value_or(0);
   const double lambda = at_share(overlap({-limit, limit}, reach_.lambda_range(box_)), of_lambda);
   const LogRange log_m =
@@ -156,9 +156,9 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   Attained& has = result.attained;
   const LogLengths& lengths = point.lengths;
   const double unit = layout_.unit, VA = std::exp(lengths.u), VB = std::exp(lengths.v);
-  const SearchSpace::Annulus annulus = space_.annulus(point.pole);
-  result.near_opening = reach_.opening_at(lengths, std::max(annulus.nearest, 0.0));
-  result.far_opening = reach_.opening_at(lengths, annulus.farthest);
+  const DistanceRange distances = space_.distances(point.pole);
+  result.near_opening = reach_.opening_at(lengths, std::max(distances.nearest, 0.0));
+  result.far_opening = reach_.opening_at(lengths, distances.farthest);
   const Reach::LengthFactors& f = reach_.factors();
   has.size = f.size_per_VA * VA + f.size_per_VB * VB;
   has.shortest = std::min(VA * f.least_of_VA, VB * f.least_of_VB);
@@ -177,9 +177,9 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
         std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
   const double too_near =
-      missing(reach_.radius_value(lengths, result.near_opening) - reach_slack * unit, annulus.nearest);
+      missing(reach_.radius_value(lengths, result.near_opening) - reach_slack * unit, distances.nearest);
   const double too_far =
-      missing(annulus.farthest, reach_.radius_value(lengths, result.far_opening) + reach_slack * unit);
+      missing(distances.farthest, reach_.radius_value(lengths, result.far_opening) + reach_slack * unit);
   result.violation = (too_near + too_far) / unit + violation_of(has);
   result.feasible = result.violation == 0;
   result.cost = cost_of(has);
@@ -188,11 +188,11 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
 
 DesignVector DesignProblem::vector_of(const DesignPoint& point) const {
   DesignVector x(layout_.size());
-  const SearchSpace::Annulus annulus = space_.annulus(point.pole);
+  const DistanceRange distances = space_.distances(point.pole);
   x[DesignLayout::log_VA] = point.lengths.u;
   x[DesignLayout::log_VB] = point.lengths.v;
-  x[DesignLayout::near_opening] = reach_.opening_at(point.lengths, std::max(annulus.nearest, 0.0));
-  x[DesignLayout::far_opening] = reach_.opening_at(point.lengths, annulus.farthest);
+  x[DesignLayout::near_opening] = reach_.opening_at(point.lengths, std::max(distances.nearest, 0.0));
+  x[DesignLayout::far_opening] = reach_.opening_at(point.lengths, distances.farthest);
   layout_.set_pole(x, point.pole);
   if (layout_.has_goal) x[layout_.goal()] = goal_in_vector(assess(point, search_openings).attained.of(goal_));
   return x.cwiseMax(proven_bounds()).cwiseMin(upper_bounds());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/segment_distance.hpp"
 #include "synthesis/problem/design_problem.hpp"
 
 namespace kempe {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/segment_distance.hpp"
+
 namespace kempe {
 namespace {
 
@@ -32,9 +34,9 @@ SearchSpace::SearchSpace(Spec given) : spec_(std::move(given)), region_(spec_.re
     layout_.unit = std::max(region_.diagonal(), std::abs(area_->nearest(region_.centre()).distance));
   } else {
     layout_.origin = std::get<Point>(spec.pole.place);
-    fixed_annulus_ =
-        Annulus{region_.nearest(layout_.origin).distance, region_.farthest(layout_.origin).distance};
-    layout_.unit = fixed_annulus_->farthest;
+    distances_of_fixed_pole_ =
+        DistanceRange{region_.nearest(layout_.origin).distance, region_.farthest(layout_.origin).distance};
+    layout_.unit = distances_of_fixed_pole_->farthest;
   }
   sample_poles();
   obstacles_ = obstacle_shapes(spec.obstacles);
@@ -79,10 +81,10 @@ SearchSpace::SmallestSheetGap SearchSpace::smallest_sheet_gap(const Point& pole)
 
 void SearchSpace::sample_poles() {
   if (!area_) {
-    samples_.push_back({layout_.origin, *fixed_annulus_});
+    samples_.push_back({layout_.origin, *distances_of_fixed_pole_});
     return;
   }
-  const auto add = [&](const Point& pole) { samples_.push_back({pole, annulus(pole)}); };
+  const auto add = [&](const Point& pole) { samples_.push_back({pole, distances(pole)}); };
   const Box& box = area_->box();
   for (int i = 0; i < pole_lattice; ++i)
     for (int j = 0; j < pole_lattice; ++j) {
@@ -102,8 +104,8 @@ void SearchSpace::sample_poles() {
   }
 }
 
-SearchSpace::Annulus SearchSpace::annulus(const Point& pole) const {
-  if (fixed_annulus_ && pole == layout_.origin) return *fixed_annulus_;
+DistanceRange SearchSpace::distances(const Point& pole) const {
+  if (distances_of_fixed_pole_ && pole == layout_.origin) return *distances_of_fixed_pole_;
   return {region_.nearest(pole).distance, region_.farthest(pole).distance};
 }
 

@@ -29,11 +29,8 @@ class SearchSpace {
   const DesignLayout& layout() const { return layout_; }
   bool pole_is_free(const Requirements& limits) const { return area_ || limits.pole_margin > 0; }
 
-  /// Distances of the region from a pole, mm; nearest negative inside the region.
-  struct Annulus {
-    double nearest, farthest;
-  };
-  Annulus annulus(const Point& pole) const;
+  /// Distances of the region from a pole, mm; nearest is negative inside the region.
+  DistanceRange distances(const Point& pole) const;
 
   /// Distance of a place from where the pole may stand, mm; 0 inside.
   double pole_distance(const Point& place) const;
@@ -69,10 +66,10 @@ class SearchSpace {
   };
   SmallestSheetGap smallest_sheet_gap(const Point& pole) const;
 
-  /// Permitted poles on a lattice and on the area's edge, each with its annulus.
+  /// Permitted poles on a lattice and on the area's edge, each with its distances.
   struct PoleSample {
     Point pole;
-    Annulus annulus;
+    DistanceRange distances;
   };
   const std::vector<PoleSample>& pole_samples() const { return samples_; }
   /// Half planes around a permitted pole whose intersection is permitted too: for a convex area its edges,
@@ -87,7 +84,7 @@ class SearchSpace {
   RegionReach region_;
   std::optional<RegionReach> area_;
   DesignLayout layout_;
-  std::optional<Annulus> fixed_annulus_;
+  std::optional<DistanceRange> distances_of_fixed_pole_;
   std::vector<PoleSample> samples_;
   std::vector<ObstacleShape> obstacles_;
   std::vector<Point> places_;

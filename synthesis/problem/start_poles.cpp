@@ -14,12 +14,12 @@ using Sample = SearchSpace::PoleSample;
 /// Those that no other beats, by rising farthest distance.
 std::vector<Sample> undominated(std::vector<Sample> samples) {
   std::stable_sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
-    return a.annulus.farthest < b.annulus.farthest ||
-           (a.annulus.farthest == b.annulus.farthest && a.annulus.nearest > b.annulus.nearest);
+    return a.distances.farthest < b.distances.farthest ||
+           (a.distances.farthest == b.distances.farthest && a.distances.nearest > b.distances.nearest);
   });
   std::vector<Sample> kept;
   for (const Sample& sample : samples)
-    if (kept.empty() || sample.annulus.nearest > kept.back().annulus.nearest) kept.push_back(sample);
+    if (kept.empty() || sample.distances.nearest > kept.back().distances.nearest) kept.push_back(sample);
   return kept;
 }
 
@@ -28,7 +28,7 @@ std::vector<Point> thinned(const std::vector<Sample>& samples, int count) {
   std::vector<Point> poles;
   if (samples.empty()) return poles;
   const auto ratio = [](const Sample& sample) {
-    return std::log(sample.annulus.farthest / sample.annulus.nearest);
+    return std::log(sample.distances.farthest / sample.distances.nearest);
   };
   const double step = (ratio(samples.front()) - ratio(samples.back())) / std::max(1, count - 1);
   double next = ratio(samples.front());
@@ -46,8 +46,8 @@ std::vector<Point> DesignProblem::start_poles(int count) const {
   if (!layout_.pole_is_free) return {layout_.origin};
   std::vector<Sample> usable;
   for (const Sample& sample : space_.pole_samples())
-    if (sample.annulus.nearest > 0 &&
-        reach_.lambda_limit(sample.annulus.nearest, sample.annulus.farthest, allowed_))
+    if (sample.distances.nearest > 0 &&
+        reach_.lambda_limit(sample.distances.nearest, sample.distances.farthest, allowed_))
       usable.push_back(sample);
   return thinned(undominated(std::move(usable)), count);
 }

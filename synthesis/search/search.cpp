@@ -1,5 +1,6 @@
 #include "synthesis/search/search.hpp"
 
+#include "geometry/invariant.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/diagnosis.hpp"
@@ -53,7 +54,8 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
     const std::optional<double> known = result.bound;
     return told_with(known, bound, goal, std::move(result));
   }
-  if (!bound || bound->no_design) return result;
+  if (!bound) return result;
+  invariant(!bound->no_design, "no bound says that there is no design after one was found");
   const auto is_near = [&](const SearchResult& found) {
     return std::abs(found.design->value - bound->value) <= unproven_share * std::abs(bound->value);
   };

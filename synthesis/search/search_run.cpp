@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 #include <tuple>
 #include <utility>
 
+#include "geometry/chance.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/search/design_check.hpp"
 #include "synthesis/search/obstacle_check.hpp"
@@ -421,16 +421,12 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
 namespace {
 
 /// A place around a point, the nearer the smaller `reach` (in shares of the lengths and of the task's size).
-DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is_free,
-                std::mt19937_64& random) {
-  const auto within = [&](double size) {
-    return size * (2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1);
-  };
+DesignPoint hop(const DesignPoint& from, double reach, double unit, bool pole_is_free, Chance& chance) {
   DesignPoint to = from;
-  to.lengths.u += within(reach);
-  to.lengths.v += within(reach);
-  const Point step(within(0.5 * reach * unit), within(0.5 * reach * unit));
-  if (pole_is_free) to.pole += step;
+  to.lengths.u += chance.symmetric(reach);
+  to.lengths.v += chance.symmetric(reach);
+  const double step_y = chance.symmetric(0.5 * reach * unit), step_x = chance.symmetric(0.5 * reach * unit);
+  if (pole_is_free) to.pole += Point(step_x, step_y);
   return to;
 }
 
@@ -462,7 +458,7 @@ SearchResult SearchRun::basin_hopping(const Requirements& limits, Goal goal, Sea
     if (task.choice->choice.grounding == found.design->linkage.grounding() &&
         task.choice->choice.assembly_mode == found.design->linkage.assembly_mode())
       tasks.push_back(std::move(task));
-  std::mt19937_64 random(options_.seed);
+  Chance chance(options_.seed);
   constexpr int at_once = 8;
   for (int first = 0; first < hops && !tasks.empty() && !stop_(); first += at_once) {
     const CopyingLinkage& best = found.design->linkage;
@@ -472,7 +468,7 @@ SearchResult SearchRun::basin_hopping(const Requirements& limits, Goal goal, Sea
       const std::size_t task = static_cast<std::size_t>(i) % tasks.size();
       const double reach = 0.6 * std::pow(0.6, i / 2 + first / at_once);
       starts.emplace_back(task,
-                          hop(centre, reach, space_.layout().unit, space_.layout().pole_is_free, random));
+                          hop(centre, reach, space_.layout().unit, space_.layout().pole_is_free, chance));
     }
     std::vector<ChoiceResult> results(starts.size());
     run_parallel(starts.size(), options_.threads, [&](std::size_t i) {

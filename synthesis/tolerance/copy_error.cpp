@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/solvers/golden_section.hpp"
+
 namespace kempe {
 namespace {
 
@@ -137,26 +139,7 @@ double place_of_largest(const OpeningInterval& openings, Function value) {
     }
   }
   if (best == 0 || best == steps) return at(best);
-  constexpr double golden = 0.6180339887498949;
-  double lower = at(best - 1), upper = at(best + 1);
-  double left = upper - golden * (upper - lower), right = lower + golden * (upper - lower);
-  double left_value = value(left), right_value = value(right);
-  for (int j = 0; j < 40; ++j) {
-    if (left_value > right_value) {
-      upper = right;
-      right = left;
-      right_value = left_value;
-      left = upper - golden * (upper - lower);
-      left_value = value(left);
-    } else {
-      lower = left;
-      left = right;
-      left_value = right_value;
-      right = lower + golden * (upper - lower);
-      right_value = value(right);
-    }
-  }
-  const double refined = 0.5 * (lower + upper);
+  const double refined = top_by_golden_section(value, at(best - 1), at(best + 1), 40);
   return value(refined) > best_value ? refined : at(best);
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <tl/expected.hpp>
 
+#include "geometry/chance.hpp"
 #include "kinematics/instrument.hpp"
 
 namespace kempe {
@@ -26,23 +26,6 @@ namespace {
 constexpr double opening_slack = 1e-9;  ///< rad
 constexpr double cut_precision = 1e-9;  ///< mm, or for linkages of few millimetres this share of their size
 
-/// Numbers that depend on the seed alone, not on the standard library's distributions.
-class Chance {
- public:
-  explicit Chance(std::uint64_t seed) : bits_(seed) {}
-  /// Evenly spread over [-1, 1).
-  double even() { return 2 * (static_cast<double>(bits_() >> 11) * 0x1p-53) - 1; }
-  /// Spread like a bell with standard deviation 1: the sum of twelve even ones.
-  double bell() {
-    double sum = 0;
-    for (int i = 0; i < 12; ++i) sum += even();
-    return 0.5 * sum;
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
-
 /// The measures with which an instrument is closed at each pose: as drawn, or as one made within tolerances
 /// with its pins against the walls of their holes.
 class MeasuresInUse {
@@ -52,16 +35,16 @@ class MeasuresInUse {
     if (!made) return;
     for (const Measure measure : {Measure::VA, Measure::VB, Measure::AX, Measure::CX, Measure::offset_A,
                                   Measure::BC, Measure::CY, Measure::offset_B})
-      own_[index_of(measure)] += made->tolerance.length * chance_.even();
+      own_[index_of(measure)] += chance_.symmetric(made->tolerance.length);
     wall_ = 0.5 * made->tolerance.play;
-    for (double& direction : directions_) direction = pi * chance_.even();
+    for (double& direction : directions_) direction = chance_.symmetric(pi);
   }
 
   /// The pins roll on along their holes while the tracer moves by `way` (mm).
   void advance(double way) {
     constexpr double turning_length = 20;  ///< mm over which a pin's direction wanders by a radian
     if (wall_ > 0)
-      for (double& direction : directions_) direction += std::sqrt(way / turning_length) * chance_.bell();
+      for (double& direction : directions_) direction += std::sqrt(way / turning_length) * chance_.normal();
   }
 
   /// `pose`: about where the joints are, for the directions of the links.

@@ -21,8 +21,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 
+#include "geometry/convex_hull.hpp"
+#include "geometry/orientation.hpp"
 #include "geometry/segment_distance.hpp"
 
 namespace kempe {
@@ -47,33 +50,19 @@ struct SmallPolygon {
 };
 
 /// By insertion: the few points of a hull are sorted faster so.
-void sort_from_left(std::array<Point, 9>& points, std::size_t count) {
-  const auto before = [](const Point& a, const Point& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  };
-  for (std::size_t i = 1; i < count; ++i)
-    for (std::size_t j = i; j > 0 && before(points[j], points[j - 1]); --j)
+void sort_from_left(std::span<Point> points) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    for (std::size_t j = i; j > 0 && sweeps_before(points[j], points[j - 1]); --j)
       std::swap(points[j], points[j - 1]);
 }
 
-/// Hull of at most nine points (monotone chain).
-SmallPolygon hull_of(std::array<Point, 9>& points, std::size_t count) {
-  sort_from_left(points, count);
+SmallPolygon hull_of(std::span<Point> points) {
+  sort_from_left(points);
   SmallPolygon hull;
-  const auto turns_left = [&](const Point& next) {
-    const Point& a = hull.corner[hull.count - 2];
-    const Point& b = hull.corner[hull.count - 1];
-    return cross(b - a, next - a) > 0;
+  const auto turns_left = [](const Point& a, const Point& b, const Point& c) {
+    return cross(b - a, c - a) > 0;
   };
-  const auto add = [&](const Point& next, std::size_t keep) {
-    while (hull.count > keep && !turns_left(next)) --hull.count;
-    hull.corner[hull.count++] = next;
-  };
-  for (std::size_t i = 0; i < count; ++i) add(points[i], 1);
-  const std::size_t lower = hull.count;
-  for (std::size_t i = count - 1; i-- > 0;) add(points[i], lower);
-  if (hull.count > 1) --hull.count;  // the last corner is the first again
-  if (hull.count == 2 && hull.corner[0] == hull.corner[1]) hull.count = 1;
+  hull.count = hull_of_sorted(points, hull.corner, turns_left);
   return hull;
 }
 
@@ -212,8 +201,8 @@ RelativeMotion relative_motion(const CopyingLinkage& linkage, const JointHull& o
     for (int j = 0; j < other.count; ++j)
       differences[count++] = as_point(fixed(weights(one, i)) - fixed(weights(other, j)));
   const Complex translation = moving(weights(other, 0)) - moving(weights(one, 0));
-  return {hull_of(differences, count), std::abs(translation), std::arg(translation), from_p ? 1.0 : -1.0,
-          kept};
+  return {hull_of(std::span(differences).first(count)), std::abs(translation), std::arg(translation),
+          from_p ? 1.0 : -1.0, kept};
 }
 
 /// Calls `use(pair index, motion)` for every pair of pieces of every pair of parts.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
 
+#include "geometry/chance.hpp"
 #include "geometry/edge_tree.hpp"
 
 namespace kempe {
@@ -66,14 +66,13 @@ class SheetFinder {
   /// helping.
   Place improved(Place place, bool may_turn) const {
     const double size = (box_.upper - box_.lower).norm();
-    std::mt19937_64 engine(1);
-    const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
+    Chance chance(1);
     place.half_height = half_height_at(place.centre, place.turn, size);
     for (double step = size / pixels; step > 1e-6 * size; step *= 0.5) {
       for (int failures = 0; failures < 24;) {
-        const double down = unit(), across = unit();
+        const double down = chance.symmetric(), across = chance.symmetric();
         const Point centre = place.centre + step * Point(across, down);
-        const double turn = place.turn + (may_turn ? 4 * step / size * unit() : 0);
+        const double turn = place.turn + (may_turn ? chance.symmetric(4 * step / size) : 0);
         const double half_height = half_height_at(centre, turn, size);
         if (half_height > place.half_height) {
           place = {centre, turn, half_height};
