@@ -19,6 +19,7 @@
 #include "reports/data/csv_text.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "specs/json_spec.hpp"
+#include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/json_text.hpp"
 #include "specs/text/printable.hpp"
@@ -74,10 +75,13 @@ Json figures(const Design& design) {
             {"clearance_mm", design.quality.clearance_min},
             {"region_covered", design.map.coverage.covered},
             {"copy_error_max_mm", design.verification.copy_error_max}};
-  if (design.search)
-    line["objective"] = std::string(name(design.search->objective)), line["value"] = design.search->value;
-  if (design.quality.proven_bound) line["lower_bound"] = *design.quality.proven_bound;
-  if (design.search && !design.search->complete) line["complete"] = false;
+  if (const auto& search = design.search) {  // as in design.json
+    line["objective"] = std::string(name(search->objective));
+    line["value"] = in_file_unit(search->objective, search->value);
+    if (const auto& bound = design.quality.proven_bound)
+      line["lower_bound"] = in_file_unit(search->objective, *bound);
+    if (!search->complete) line["complete"] = false;
+  }
   return line;
 }
 

@@ -11,6 +11,7 @@
 #include "reports/design_package.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "reports/drawings/step_assembly.hpp"
+#include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
@@ -67,13 +68,11 @@ std::string lengths_table(const Design& design) {
 }
 
 std::string objective_line(const SearchRecord& search, int decimals) {
-  const double shown = search.objective == Objective::transmission ? degrees(search.value) : search.value;
-  const char* unit = search.objective == Objective::transmission ? "degrees"
-                     : search.objective == Objective::footprint  ? "mm2"
-                                                                 : "mm";
+  const std::string_view unit =
+      search.objective == Objective::transmission ? "degrees" : unit_of(search.objective);
   return fmt::format("{}objective    {} = {:.{}f} {}\n",
-                     search.complete ? "" : "STOPPED EARLY: the best so far\n", name(search.objective), shown,
-                     decimals + 1, unit);
+                     search.complete ? "" : "STOPPED EARLY: the best so far\n", name(search.objective),
+                     in_file_unit(search.objective, search.value), decimals + 1, unit);
 }
 
 std::string layers_line(const Design& design) {
@@ -97,7 +96,7 @@ std::string bound_line(const Design& design) {
   const double bound = *design.quality.proven_bound;
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
   std::string text = fmt::format("bound        no design can be {} {:.{}f} {}", angle ? "above" : "below",
-                                 angle ? degrees(bound) : bound,
+                                 in_file_unit(design.search->objective, bound),
                                  1 + (angle ? 3 : decimals_for(design.linkage)), angle ? "degrees" : "mm");
   if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
   return text + "\n";

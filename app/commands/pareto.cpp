@@ -16,6 +16,7 @@
 #include "app/stopping.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/design_package.hpp"
+#include "specs/objective_unit.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/verification/verification.hpp"
@@ -41,14 +42,6 @@ std::optional<Objective> objective_named(const std::string& word) {
   return std::nullopt;
 }
 
-const char* unit_of(Objective objective) {
-  return objective == Objective::transmission ? "deg" : objective == Objective::footprint ? "mm2" : "mm";
-}
-
-double shown(Objective objective, double value) {
-  return objective == Objective::transmission ? degrees(value) : value;
-}
-
 /// For the table: a millionth of a micrometre is nothing (design.json has every digit).
 double coordinate(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
@@ -63,7 +56,11 @@ struct FrontFiles {
 tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& front,
                                                const LoadedSpec& loaded, Objective first, Objective second) {
   FrontFiles all;
-  all.chart = {std::string(name(first)), unit_of(first), std::string(name(second)), unit_of(second), {}};
+  all.chart = {std::string(name(first)),
+               std::string(unit_of(first)),
+               std::string(name(second)),
+               std::string(unit_of(second)),
+               {}};
   all.csv = fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first),
                         unit_of(first), name(second), unit_of(second));
   std::optional<Design> middle;
@@ -79,11 +76,12 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
       return tl::unexpected("point " + number + ": " + design.verification.failure);
     all.files.push_back({number + "/design.json", design_json(design)});
     const bool is_middle = i == front.size() / 2;
-    all.chart.rows.push_back({number, shown(first, point.a), shown(second, point.b), is_middle});
+    all.chart.rows.push_back(
+        {number, in_file_unit(first, point.a), in_file_unit(second, point.b), is_middle});
     const CopyingLinkage& l = design.linkage;
-    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, shown(first, point.a),
-                           shown(second, point.b), name(l.grounding()), l.assembly_mode(), l.VA(), l.VB(),
-                           coordinate(l.pole().x()), coordinate(l.pole().y()));
+    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, in_file_unit(first, point.a),
+                           in_file_unit(second, point.b), name(l.grounding()), l.assembly_mode(), l.VA(),
+                           l.VB(), coordinate(l.pole().x()), coordinate(l.pole().y()));
     if (is_middle) middle = std::move(design);
   }
   ReportExtras extras;

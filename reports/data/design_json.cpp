@@ -6,6 +6,7 @@
 #include "reports/data/geojson_geometry.hpp"
 #include "reports/data/link_shape.hpp"
 #include "reports/data/stated_angle.hpp"
+#include "specs/objective_unit.hpp"
 
 namespace kempe {
 namespace {
@@ -68,10 +69,10 @@ Json mechanism_json(const Design& design) {
           {"thickness_mm", design.style.thickness}};
 }
 
-/// A figure of the objective in the file's unit: degrees for a transmission angle, mm or mm^2 as it is.
-Json in_file_unit(const std::optional<double>& value, const std::optional<SearchRecord>& search) {
-  const bool is_angle = search && search->objective == Objective::transmission;
-  return value ? finite_or_null(is_angle ? degrees(*value) : *value) : Json(nullptr);
+/// A figure of the objective; without a search, which names one, in the library's unit.
+Json objective_figure(const std::optional<double>& value, const std::optional<SearchRecord>& search) {
+  if (!value) return nullptr;
+  return finite_or_null(search ? in_file_unit(search->objective, *value) : *value);
 }
 
 Json quality_json(const Design& design) {
@@ -84,7 +85,7 @@ Json quality_json(const Design& design) {
           {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
           {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
           {"footprint_mm2", swept},
-          {"lower_bound", in_file_unit(quality.proven_bound, design.search)}};
+          {"lower_bound", objective_figure(quality.proven_bound, design.search)}};
 }
 
 Json sheet_json(const FittingSheet& sheet) {
@@ -140,7 +141,7 @@ Json search_json(const std::optional<SearchRecord>& search) {
             {"evaluations", 0},
             {"seed", 0}};
   Json json{{"objective", name(search->objective)},
-            {"value", in_file_unit(search->value, search)},
+            {"value", objective_figure(search->value, search)},
             {"solvers", search->solvers},
             {"evaluations", search->evaluations},
             {"seed", search->seed},

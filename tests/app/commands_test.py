@@ -488,6 +488,23 @@ class Batch(Case):
         self.assertEqual(json.loads(result[0])["VA_mm"], design["mechanism"]["lengths_mm"]["VA"])
         self.assertEqual(json.loads(result[1])["status"], "bad input")
 
+    def test_values_and_bounds_are_in_the_unit_of_the_design_file(self):
+        spec = {"copy": {"scale": 1.4, "rotation_deg": 90}, "region": {"rectangle_mm": {"at": [60, -5], "size": [10, 10]}},
+                "links": {"width_mm": 6, "pin_diameter_mm": 3}}
+        objectives = ({"minimize": "size"}, {"maximize": "transmission"}, {"minimize": "footprint"})
+        lines = self.scratch / "specs.jsonl"
+        lines.write_text("".join(json.dumps(dict(spec, objective=one)) + "\n" for one in objectives))
+        results = [json.loads(line) for line in self.results(lines, self.scratch / "out")[0].decode().splitlines()]
+        for objective, result in zip(objectives, results):
+            (way, name), = objective.items()
+            self.synthesize(TEN_LINES + f'[objective]\n{way} = "{name}"\n')
+            design = json.loads((self.scratch / "out" / "design.json").read_text())
+            self.assertEqual(result["objective"], name)
+            self.assertEqual(result["value"], design["search"]["value"])
+            self.assertEqual(result.get("lower_bound"), design["quality"]["lower_bound"])
+        self.assertAlmostEqual(results[1]["value"], results[1]["transmission_deg"], places=9)
+        self.assertGreater(results[1]["value"], 10)  # degrees: no angle in radians is so large
+
     def test_lines_know_of_holes(self):
         links = {"width_mm": 12, "pin_diameter_mm": 11, "shortest_mm": 1}
         spec = {"copy": {"scale": 1.4, "rotation_deg": 90}, "region": {"rectangle_mm": {"at": [60, -5], "size": [10, 10]}}}
