@@ -350,31 +350,20 @@ void fill_slab(const std::vector<GrownPiece>& pieces, const std::vector<Bearings
   }
 }
 
-/// The openings at which the linkage meets the region; nothing if it never does.
-std::optional<OpeningInterval> openings_met(const CopyingLinkage& linkage, const Region& region) {
-  const DistanceRange range = distance_range(region, linkage.pole());
-  const CopyingLinkage::RadiusRange reach = linkage.radii_over(linkage.assembly_interval());
-  const double near = std::max(range.nearest, reach.lower), far = std::min(range.farthest, reach.upper);
-  if (near > far) return std::nullopt;
-  const auto from = linkage.opening_at(near), to = linkage.opening_at(far);
-  if (!from || !to) return linkage.assembly_interval();
-  return OpeningInterval{std::min(*from, *to), std::max(*from, *to)};
-}
-
 std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkStyle& style,
                                     const Region& region, const FootprintGrid& grid) {
-  const auto openings = openings_met(linkage, region);
-  if (!openings) return std::nullopt;
-  const Sweep sweep{linkage, style, *openings, true};
+  const OpeningInterval openings = openings_met(linkage, region);
+  if (openings.empty()) return std::nullopt;
+  const Sweep sweep{linkage, style, openings, true};
   const LinkageMotion motion(linkage);
   double farthest = 0;
   for (const Joint joint : all_joints) farthest = std::max(farthest, motion.farthest(joint));
   PolarBins bins(grid, 1.05 * (farthest + style.width));
   const RegionBearings region_bearings(region, linkage.pole());
-  const double half_slab = openings->width() / grid.slabs / 2;
+  const double half_slab = openings.width() / grid.slabs / 2;
   const double one_bin = 2 * pi / grid.bins;  // what lies between is swept to within the grid anyway
   for (int slab = 0; slab < grid.slabs; ++slab) {
-    const double opening = openings->lower + (2 * slab + 1) * half_slab;
+    const double opening = openings.lower + (2 * slab + 1) * half_slab;
     const double a = linkage.radius_at(opening - half_slab), b = linkage.radius_at(opening + half_slab);
     const auto bearings = region_bearings.between(std::min(a, b), std::max(a, b), one_bin);
     fill_slab(pieces_at(sweep, motion, opening, half_slab, bins.step() / 2), bearings, bins);
@@ -442,9 +431,9 @@ Footprint footprint(const CopyingLinkage& linkage, const LinkStyle& style, const
 
 double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
                           const FootprintGrid& grid) {
-  const auto openings = openings_met(linkage, region);
-  if (!openings) return 0;
-  const Sweep sweep{linkage, style, *openings, false};
+  const OpeningInterval openings = openings_met(linkage, region);
+  if (openings.empty()) return 0;
+  const Sweep sweep{linkage, style, openings, false};
   const LinkageMotion motion(linkage);
   double farthest = 0;
   for (const Joint joint : all_joints) farthest = std::max(farthest, motion.farthest(joint));
@@ -453,7 +442,7 @@ double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style,
   std::vector<std::vector<Bearings>> swept(static_cast<std::size_t>(grid.rings));
   std::vector<Bearings> found;
   for (int slab = 0; slab < grid.slabs; ++slab) {
-    const double opening = openings->lower + slab * openings->width() / std::max(1, grid.slabs - 1);
+    const double opening = openings.lower + slab * openings.width() / std::max(1, grid.slabs - 1);
     const double radius = linkage.radius_at(opening);
     const auto bearings = region_bearings.between(radius, radius);
     for (const GrownPiece& piece : pieces_at(sweep, motion, opening, 0, 0)) {

@@ -21,4 +21,8 @@ struct MapTask {
   std::optional<double> sheets_gap{};  ///< mm
 };
 
+/// Of the limits those that a map respects.
+MapTask map_task(const CopyingLinkage& linkage, const LinkStyle& style, const LayerAssignment& layers,
+                 const Limits& limits, const std::vector<Obstacle>& obstacles, const Region& region);
+
 }  // namespace kempe

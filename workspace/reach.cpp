@@ -66,6 +66,16 @@ bool covers(const Annulus& annulus, const Region& region) {
   return annulus.inner <= range.nearest && range.farthest <= annulus.outer;
 }
 
+OpeningInterval openings_met(const CopyingLinkage& linkage, const Region& region) {
+  const Annulus reach = reachable_annulus(linkage);
+  const DistanceRange range = distance_range(region, linkage.pole());
+  const double near = std::max(range.nearest, reach.inner), far = std::min(range.farthest, reach.outer);
+  if (!(near <= far)) return {};
+  const auto a = linkage.opening_at(near), b = linkage.opening_at(far);
+  if (!a || !b) return linkage.assembly_interval();
+  return {std::min(*a, *b), std::max(*a, *b)};
+}
+
 std::optional<OpeningInterval> openings_over(const CopyingLinkage& linkage, const Region& region) {
   if (region.empty()) return std::nullopt;
   const DistanceRange range = distance_range(region, linkage.pole());

@@ -84,6 +84,7 @@ double magnitude(const StoredDesign& design) {
   return std::max({most, box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff()});
 }
 
+/// Filled by hand from the file: a limit that map_task() forgot would be forgotten here too.
 AuditTask audit_task(const StoredDesign& design, const CopyingLinkage& linkage) {
   MapTask mapped{.linkage = linkage, .style = design.style, .layers = design.layers};
   if (design.limits) {

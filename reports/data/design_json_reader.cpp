@@ -404,12 +404,8 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, 
 }
 
 MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage) {
-  const Limits limits = design.limits.value_or(Limits{});
-  MapTask task{linkage, design.style, design.layers};
-  task.clearance = limits.clearance;
-  task.transmission = limits.transmission;
-  task.obstacles = design.obstacles;
-  return task;
+  return map_task(linkage, design.style, design.layers, design.limits.value_or(Limits{}), design.obstacles,
+                  {});
 }
 
 namespace {

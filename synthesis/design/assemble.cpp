@@ -77,14 +77,7 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
 /// Every assignment compared by its gap over the region, obstacles included.
 LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers,
                          const StopFlag& stop) {
-  const MapTask task{.linkage = linkage,
-                     .style = spec.links.style,
-                     .layers = {},
-                     .clearance = spec.limits.clearance,
-                     .transmission = spec.limits.transmission,
-                     .obstacles = spec.obstacles,
-                     .region = spec.region,
-                     .sheets_gap = spec.limits.sheets_gap};
+  const MapTask task = map_task(linkage, spec.links.style, {}, spec.limits, spec.obstacles, spec.region);
   return choose_layers(task, most_layers, stop);
 }
 
@@ -96,14 +89,8 @@ Allowed allowed_by(const Spec& spec) {
 }
 
 MapTask map_task(const Design& design) {
-  return {.linkage = design.linkage,
-          .style = design.style,
-          .layers = design.layers,
-          .clearance = design.limits.clearance,
-          .transmission = design.limits.transmission,
-          .obstacles = design.obstacles,
-          .region = design.region,
-          .sheets_gap = design.limits.sheets_gap};
+  return map_task(design.linkage, design.style, design.layers, design.limits, design.obstacles,
+                  design.region);
 }
 
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options) {

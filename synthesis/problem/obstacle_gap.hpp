@@ -22,7 +22,8 @@ struct EncircledPart {
   double radius = 0;
 };
 
-/// An obstacle's convex parts with a circle around all of them.
+/// An obstacle as the search and the bound ask it: its convex parts, whose nearest features have derivatives, with a circle
+/// around all of them.
 struct ObstacleShape {
   std::vector<EncircledPart> parts;
   Complex centre;

@@ -9,14 +9,10 @@ namespace kempe {
 ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                               const LayerAssignment& layers, const OpeningInterval& certified_opening,
                               const StopFlag& stop) {
-  const MapTask task{.linkage = linkage,
-                     .style = spec.links.style,
-                     .layers = layers,
-                     .clearance = limits.clearance,
-                     .transmission = limits.transmission,
-                     .obstacles = spec.obstacles,
-                     .region = spec.region,
-                     .sheets_gap = std::nullopt};
+  MapTask task = map_task(linkage, spec.links.style, layers, spec.limits, spec.obstacles, spec.region);
+  task.clearance = limits.clearance;
+  task.transmission = limits.transmission;
+  task.sheets_gap.reset();  // not the obstacles' matter
   if (obstacle_at_pole(task)) return {};
   ObstacleCheck check;
   if (const auto figure = smallest_clearance(task, stop)) {

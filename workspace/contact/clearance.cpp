@@ -19,17 +19,6 @@ double certain_to(const CopyingLinkage& linkage) {
 constexpr std::size_t most_cells = 200'000;
 constexpr std::size_t tried_each_level = 400;
 
-/// The openings of the assembly mode at which the tracer stands at some distance of the region; perhaps empty.
-OpeningInterval openings_met(const CopyingLinkage& linkage, const Region& region) {
-  const Annulus reach = reachable_annulus(linkage);
-  const DistanceRange range = distance_range(region, linkage.pole());
-  const double near = std::max(range.nearest, reach.inner), far = std::min(range.farthest, reach.outer);
-  if (!(near <= far)) return {};
-  const auto a = linkage.opening_at(near), b = linkage.opening_at(far);
-  if (!a || !b) return {};
-  return {std::min(*a, *b), std::max(*a, *b)};
-}
-
 /// A point of the region's outlines at a distance from the pole, or the nearest of their points to it.
 Point place_at_distance(const Region& region, const Point& pole, double radius) {
   Point best = pole;

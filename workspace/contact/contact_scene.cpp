@@ -10,7 +10,7 @@ namespace {
 /// Distances are rounded by less than this share of the coordinates they come from.
 constexpr double rounding = 1e-14;
 
-bool share_layer(const Part& part, const SceneObstacle& obstacle) {
+bool share_layer(const Part& part, const Obstacle& obstacle) {
   return std::max(part.lowest_layer, obstacle.lowest_layer) <=
          std::min(part.highest_layer, obstacle.highest_layer);
 }
@@ -37,15 +37,14 @@ ContactScene::ContactScene(const MapTask& task, double within) : motion(task.lin
   for (const ScenePiece& piece : pieces) size = std::max(size, piece.farthest + piece.half_width);
   for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
     const Obstacle& given = task.obstacles[number];
-    SceneObstacle obstacle{EdgeTree(given.shape, task.linkage.pole()), number, given.lowest_layer,
-                           given.highest_layer, 0};
+    SceneObstacle obstacle{EdgeTree(given.shape, task.linkage.pole()), number, 0};
     if (obstacle.edges.empty()) continue;
     obstacle.slack =
         rounding * (size + task.clearance + obstacle.edges.magnitude() + task.linkage.pole().norm());
     const std::size_t before = encounters.size();
     const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (share_layer(pieces[i].part, obstacle) &&
+      if (share_layer(pieces[i].part, given) &&
           nearest < pieces[i].farthest + pieces[i].half_width + within)
         encounters.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(obstacles.size())});
     if (encounters.size() > before) obstacles.push_back(std::move(obstacle));
@@ -92,35 +91,33 @@ Part pole_post_of(const MapTask& task) {
   return post;
 }
 
-/// Distance of an obstacle from the pole, if it reaches the post's layers.
-std::optional<double> distance_from_pole(const MapTask& task, const Part& post, const Obstacle& obstacle) {
-  // A pole in the lowest layer's link stands in its layer too: the joint itself must be clear.
-  if (obstacle.lowest_layer > std::max(post.highest_layer, 1)) return std::nullopt;
-  return distance(Region{{obstacle.shape}}, task.linkage.pole());
-}
-
 }  // namespace
 
-std::optional<std::size_t> obstacle_at_pole(const MapTask& task) {
+std::vector<PoleGap> gaps_at_pole(const MapTask& task) {
   const Part post = pole_post_of(task);
-  const double needed = half_width(post, task.style) + task.clearance;
+  // A pole in the lowest layer's link stands in its layer too: the joint itself must be clear.
+  const int highest = std::max(post.highest_layer, 1);
+  std::vector<PoleGap> gaps;
   for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
-    const auto away = distance_from_pole(task, post, task.obstacles[number]);
-    if (away && *away < needed) return number;
+    const Obstacle& obstacle = task.obstacles[number];
+    if (obstacle.lowest_layer > highest) continue;
+    const double away = distance(Region{{obstacle.shape}}, task.linkage.pole());
+    gaps.push_back({name(post), number, away - half_width(post, task.style)});
   }
+  return gaps;
+}
+
+std::optional<std::size_t> obstacle_at_pole(const MapTask& task) {
+  for (const PoleGap& at : gaps_at_pole(task))
+    if (at.gap < task.clearance) return at.obstacle;
   return std::nullopt;
 }
 
 std::optional<PoleGap> tightest_at_pole(const MapTask& task) {
-  const Part post = pole_post_of(task);
-  std::optional<PoleGap> tightest;
-  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
-    const auto away = distance_from_pole(task, post, task.obstacles[number]);
-    if (!away) continue;
-    const double gap = *away - half_width(post, task.style);
-    if (!tightest || gap < tightest->gap) tightest = PoleGap{name(post), number, gap};
-  }
-  return tightest;
+  const std::vector<PoleGap> gaps = gaps_at_pole(task);
+  const auto tightest = std::min_element(gaps.begin(), gaps.end(),
+                                         [](const PoleGap& a, const PoleGap& b) { return a.gap < b.gap; });
+  return tightest == gaps.end() ? std::nullopt : std::optional(*tightest);
 }
 
 }  // namespace kempe

@@ -17,11 +17,12 @@ struct ScenePiece {
   double farthest;    ///< mm, upper bound of the axis's distance from the pole
 };
 
+/// An obstacle as the map asks it: the distance of its edges, exact up to `slack`. (The search asks for derivatives instead, of
+/// its convex parts: ObstacleShape in synthesis/problem.)
 struct SceneObstacle {
   EdgeTree edges;      ///< the pole at the origin
   std::size_t number;  ///< index in MapTask::obstacles
-  int lowest_layer, highest_layer;
-  double slack;  ///< mm: rounding of distances to it
+  double slack;        ///< mm: rounding of distances to it
 };
 
 /// A piece that shares a layer with an obstacle and may come near it.
@@ -52,16 +53,16 @@ struct ObstacleGap {
 };
 ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing);
 
-/// The first obstacle within `clearance` of the pole post, which no position changes; nothing if there is
-/// none.
-std::optional<std::size_t> obstacle_at_pole(const MapTask& task);
-
-/// The obstacle nearest to the pole post in its layers, and their gap, mm; nothing without one.
+/// The gap between the pole post, which does not move, and an obstacle in its layers.
 struct PoleGap {
   std::string post;
   std::size_t obstacle;  ///< index in MapTask::obstacles
-  double gap;
+  double gap;            ///< mm
 };
+std::vector<PoleGap> gaps_at_pole(const MapTask& task);
+/// The smallest of them, the first of equals; nothing without an obstacle in its layers.
 std::optional<PoleGap> tightest_at_pole(const MapTask& task);
+/// The first obstacle within `clearance` of the pole post; nothing if there is none.
+std::optional<std::size_t> obstacle_at_pole(const MapTask& task);
 
 }  // namespace kempe
