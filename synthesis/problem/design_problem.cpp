@@ -4,15 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/problem/tolerances.hpp"
 #include "workspace/footprint.hpp"
 
 namespace kempe {
 namespace {
 
-/// Kept inside the transmission limit, rad, so that rounding the result cannot pass it.
-constexpr double inward_angle = 1e-9;
-/// Rounding allowed in a reach, in shares of the task's size.
-constexpr double reach_slack = 1e-13;
 /// Stands for no contact at all, in shares of the task's size.
 constexpr double far_apart = 1e3;
 /// Openings looked at for contact where only a first impression is wanted.
@@ -50,7 +47,7 @@ DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, con
 }
 
 OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
-  return shrink(reach.interval(), std::max(transmission, least_usable_angle) + inward_angle);
+  return shrink(reach.interval(), std::max(transmission, least_usable_angle) + tolerance::inward_opening);
 }
 
 bool DesignProblem::possible() const { return !box_.u.empty() && !box_.v.empty() && !allowed_.empty(); }
@@ -75,7 +72,8 @@ Point DesignProblem::unit_pole(double x, double y) const {
 LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, double of_m) const {
   if (lengths_are_locked()) return {box_.u.lower, box_.v.lower};
   const DistanceRange distances = space_.distances(pole);
-  const double r_max = distances.farthest, r_min = std::max(distances.nearest, 1e-6 * r_max);
+  const double r_max = distances.farthest,
+               r_min = std::max(distances.nearest, tolerance::least_distance_share * r_max);
   const double limit = reach_.lambda_limit(r_min, r_max, allowed_).value_or(0);
   const double lambda = at_share(overlap({-limit, limit}, reach_.lambda_range(box_)), of_lambda);
   const LogRange log_m =
@@ -117,12 +115,14 @@ double DesignProblem::footprint_at(const DesignPoint& point) const {
 }
 
 bool DesignProblem::tighten(Goal limit, double shortfall) {
-  const double more = 1.5 * shortfall;
+  const double more = tolerance::tightening_factor * shortfall;
   switch (limit) {
-    case Goal::clearance: limits_.clearance += more + 1e-12 * layout_.unit; return true;
-    case Goal::transmission: allowed_ = shrink(allowed_, more + 1e-12); return !allowed_.empty();
+    case Goal::clearance: limits_.clearance += more + tolerance::least_tightening * layout_.unit; return true;
+    case Goal::transmission:
+      allowed_ = shrink(allowed_, more + tolerance::least_tightening);
+      return !allowed_.empty();
     case Goal::sheets_gap:
-      limits_.sheets_gap = *limits_.sheets_gap + more + 1e-12 * layout_.unit;
+      limits_.sheets_gap = *limits_.sheets_gap + more + tolerance::least_tightening * layout_.unit;
       return true;
     default: return false;
   }
@@ -133,7 +133,8 @@ double DesignProblem::goal_scale() const {
     case Goal::transmission: return 1;
     case Goal::footprint: return layout_.unit * layout_.unit;
     case Goal::copy_error:
-      return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play, 1e-9);
+      return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play,
+                      tolerance::least_error_scale);
     default: return layout_.unit;
   }
 }
@@ -142,9 +143,9 @@ double DesignProblem::violation_of(const Attained& has) const {
   const double unit = layout_.unit;
   double sum = missing(limits_.transmission, has.transmission);
   sum += missing(limits_.clearance, has.clearance) / unit;
-  sum += missing(limits_.shortest * (1 - 1e-12), has.shortest) / unit;
-  sum += missing(has.longest * (1 - 1e-12), limits_.longest) / unit;
-  sum += missing(has.pole_margin, limits_.pole_margin + 1e-12 * unit) / unit;
+  sum += missing(limits_.shortest * (1 - tolerance::limit_rounding), has.shortest) / unit;
+  sum += missing(has.longest * (1 - tolerance::limit_rounding), limits_.longest) / unit;
+  sum += missing(has.pole_margin, limits_.pole_margin + tolerance::limit_rounding * unit) / unit;
   if (limits_.size) sum += missing(has.size, *limits_.size) / unit;
   if (limits_.footprint) sum += missing(has.footprint, *limits_.footprint) / (unit * unit);
   if (limits_.sheets_gap) sum += missing(*limits_.sheets_gap, has.sheets_gap) / unit;
@@ -177,9 +178,10 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
         std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
   const double too_near =
-      missing(reach_.radius_value(lengths, result.near_opening) - reach_slack * unit, distances.nearest);
-  const double too_far =
-      missing(distances.farthest, reach_.radius_value(lengths, result.far_opening) + reach_slack * unit);
+      missing(reach_.radius_value(lengths, result.near_opening) - tolerance::reach_rounding * unit,
+              distances.nearest);
+  const double too_far = missing(distances.farthest, reach_.radius_value(lengths, result.far_opening) +
+                                                         tolerance::reach_rounding * unit);
   result.violation = (too_near + too_far) / unit + violation_of(has);
   result.feasible = result.violation == 0;
   result.cost = cost_of(has);
@@ -195,7 +197,7 @@ DesignVector DesignProblem::vector_of(const DesignPoint& point) const {
   x[DesignLayout::far_opening] = reach_.opening_at(point.lengths, distances.farthest);
   layout_.set_pole(x, point.pole);
   if (layout_.has_goal) x[layout_.goal()] = goal_in_vector(assess(point, search_openings).attained.of(goal_));
-  return x.cwiseMax(proven_bounds()).cwiseMin(upper_bounds());
+  return x.cwiseMax(lower_bounds()).cwiseMin(upper_bounds());
 }
 
 DesignPoint DesignProblem::point_of(const DesignVector& x) const {
@@ -212,7 +214,7 @@ double DesignProblem::goal_in_vector(double value) const {
   }
 }
 
-DesignVector DesignProblem::proven_bounds() const {
+DesignVector DesignProblem::lower_bounds() const {
   DesignVector bound(layout_.size());
   bound.head<4>() << box_.u.lower, box_.v.lower, allowed_.lower, allowed_.lower;
   if (layout_.pole_is_free)

@@ -136,7 +136,7 @@ class DesignProblem {
   RowJet objective(const DesignVector& x, Derivatives wanted = Derivatives::second) const;
   /// The program of these rows; refers to this problem and copies the rows.
   SmoothProgram program(const std::vector<Row>& rows) const;
-  DesignVector proven_bounds() const;
+  DesignVector lower_bounds() const;
   DesignVector upper_bounds() const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include "geometry/segment_distance.hpp"
 #include "synthesis/problem/design_problem.hpp"
+#include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -15,11 +16,6 @@ LogLengths lengths_of(const DesignVector& x) { return {x[log_VA], x[log_VB]}; }
 
 /// Openings at which contacts are looked for between the region's two openings, before each is refined.
 constexpr int openings_looked_at = 33;
-/// Kept inside a limit that is a length, in shares of the task's size, so that rounding the result cannot
-/// pass it.
-constexpr double inward_length = 4e-11;
-/// The same for gaps: certified openings end 1e-9 rad before a contact, which is 1e-9 of a lever arm.
-constexpr double inward_gap = 4e-8;
 /// Contacts nearer than this become rows from the start, in shares of the task's size.
 constexpr double contact_band = 0.05;
 
@@ -90,7 +86,7 @@ RowJet DesignProblem::contact_row(std::size_t term, double share, const DesignVe
   if (goal_ == Goal::clearance)
     add_variable(jet, x, layout_.goal(), -1);
   else
-    jet.value -= limits_.clearance / layout_.unit + inward_gap;
+    jet.value -= limits_.clearance / layout_.unit + tolerance::inward_gap;
   return jet;
 }
 
@@ -131,7 +127,7 @@ RowJet DesignProblem::length_row(bool longest, std::size_t family, const DesignV
 
 RowJet DesignProblem::half_plane_row(std::size_t plane, const DesignVector& x) const {
   RowJet jet = zero_jet(layout_.size());
-  jet.value = room_[plane].inside(layout_.pole(x)) / layout_.unit - inward_length;
+  jet.value = room_[plane].inside(layout_.pole(x)) / layout_.unit - tolerance::inward_distance;
   jet.gradient.segment<2>(pole_x) = -room_[plane].normal;
   return jet;
 }
@@ -265,7 +261,7 @@ void DesignProblem::set_room(const Point& pole) {
 
 SmoothProgram DesignProblem::program(const std::vector<Row>& rows) const {
   SmoothProgram program{
-      .lower = proven_bounds(), .upper = upper_bounds(), .constraint_count = static_cast<int>(rows.size())};
+      .lower = lower_bounds(), .upper = upper_bounds(), .constraint_count = static_cast<int>(rows.size())};
   program.objective = [this](const DesignVector& x, DesignVector* gradient) {
     const RowJet jet = objective(x, gradient ? Derivatives::first : Derivatives::none);
     if (gradient) *gradient = jet.gradient;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "synthesis/problem/design_problem.hpp"
+#include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -15,10 +16,6 @@ LogLengths lengths_of(const DesignVector& x) { return {x[log_VA], x[log_VB]}; }
 
 RowJet zero_jet(int n) { return {0, DesignVector::Zero(n), DesignMatrix::Zero(n, n)}; }
 
-/// Kept inside the clearance to obstacles, in shares of the task's size: they are looked at in single places of the
-/// tracer, and between two of them the gap may be a trifle smaller.
-constexpr double inward_obstacle = 2e-5;
-constexpr double inward_length = 4e-11;
 /// Openings at which the copy error is looked at between the region's two.
 constexpr int error_openings = 17;
 
@@ -37,7 +34,7 @@ RowJet DesignProblem::obstacle_row_values(const Row& row, const DesignVector& x)
     jet.value -= x[layout_.goal()];
     jet.gradient[layout_.goal()] = -1;
   } else {
-    jet.value -= limits_.clearance / layout_.unit + inward_obstacle;
+    jet.value -= limits_.clearance / layout_.unit + tolerance::inward_obstacle;
   }
   return jet;
 }
@@ -45,7 +42,7 @@ RowJet DesignProblem::obstacle_row_values(const Row& row, const DesignVector& x)
 RowJet DesignProblem::obstacle_row(const Row& row, const DesignVector& x, Derivatives wanted) const {
   RowJet jet = obstacle_row_values(row, x);
   if (wanted != Derivatives::second) return jet;
-  constexpr double step = 1e-5;  // second derivatives as differences of exact first ones
+  constexpr double step = tolerance::obstacle_step;  // second derivatives as differences of exact first ones
   for (int j = 0; j < layout_.size(); ++j) {
     if (j == DesignLayout::near_opening || j == DesignLayout::far_opening) continue;
     DesignVector ahead = x, behind = x;
@@ -74,7 +71,7 @@ RowJet DesignProblem::sheets_row(std::size_t corner, const DesignVector& x) cons
     jet.value -= x[layout_.goal()];
     jet.gradient[layout_.goal()] = -1;
   } else {
-    jet.value -= *limits_.sheets_gap / layout_.unit + inward_length;
+    jet.value -= *limits_.sheets_gap / layout_.unit + tolerance::inward_distance;
   }
   return jet;
 }
@@ -84,7 +81,7 @@ RowJet DesignProblem::copy_error_row(double share, const DesignVector& x) const 
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
   const double opening = near + share * (far - near), scale = goal_scale();
   const CopyErrorAt here = copy_error_->at(opening);
-  constexpr double step = 1e-6;
+  constexpr double step = tolerance::copy_error_step;
   const double curvature =
       (copy_error_->at(opening + step).worst_slope - copy_error_->at(opening - step).worst_slope) /
       (2 * step);
@@ -116,7 +113,7 @@ RowJet DesignProblem::footprint_objective(const DesignVector& x, Derivatives wan
   const auto area = [&](const DesignVector& at) { return footprint_at(point_of(at)) / goal_scale(); };
   jet.value = area(x);
   if (wanted == Derivatives::none) return jet;
-  constexpr double step = 2e-3;  // above the grain of the estimate
+  constexpr double step = tolerance::footprint_step;
   for (int j = 0; j < layout_.size(); ++j) {
     if (j == DesignLayout::near_opening || j == DesignLayout::far_opening) continue;
     DesignVector ahead = x, behind = x;
@@ -131,7 +128,7 @@ void DesignProblem::add_obstacles(std::vector<Row>& rows, const DesignVector& x,
   if (terms_.obstacles.empty()) return;
   const double unit = layout_.unit;
   const double enough = (goal_ == Goal::clearance ? x[layout_.goal()] * unit : limits_.clearance) +
-                        (band + inward_obstacle) * unit;
+                        (band + tolerance::inward_obstacle) * unit;
   std::vector<double> smallest(terms_.obstacles.size(), enough);
   std::vector<Row> worst(terms_.obstacles.size(), {Row::Kind::obstacle});
   for (std::size_t p = 0; p < places_.size(); ++p) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "geometry/convex_distance.hpp"
+#include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -119,7 +120,7 @@ PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
   const LinkageJet radius = reach_.radius(lengths_, opening_);
   const double slope = radius.gradient[2];
   // At a serial dead point the opening has no derivative; no design comes near one.
-  const double per_slope = std::abs(slope) > 1e-9 * radius.value ? 1 / slope : 0;
+  const double per_slope = std::abs(slope) > tolerance::zero_slope * radius.value ? 1 / slope : 0;
   const Complex by_opening = reach_vector_ * xi_d;
   const Complex direction = reach_vector_ / std::abs(reach_vector_);
   return {reach_vector_ * xi_u - by_opening * radius.gradient[0] * per_slope,

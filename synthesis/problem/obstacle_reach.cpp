@@ -5,12 +5,10 @@
 
 #include "geometry/edge_tree.hpp"
 #include "synthesis/problem/search_space.hpp"
+#include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-/// Room for rounding, in shares of the figures it is added to: many times what they can be off.
-constexpr double slack = 1e-9;
 
 /// A box around places at which a joint may stand, and how far from the joint parts may reach.
 struct Surroundings {
@@ -79,7 +77,7 @@ std::vector<Surroundings> surroundings_of(const Spec& spec, const Requirements& 
   const double beside = 0.5 * std::max(style.width, style.pin_diameter) + limits.clearance;
   const JointRoles roles = roles_of(grounding);
   const auto around = [&](Joint joint, double length) {
-    return Surroundings{places.of(joint, roles), length * (1 + slack) + beside};
+    return Surroundings{places.of(joint, roles), length * (1 + tolerance::reach_box_slack) + beside};
   };
   return {around(Joint::V, std::max(VA, VB)), around(Joint::X, VB * std::max(1.0, turn) / scale),
           around(Joint::Y, VA * std::max(scale, turn))};
@@ -99,7 +97,7 @@ bool in_reach(const Obstacle& obstacle, const std::vector<Surroundings>& all) {
   if (obstacle.shape.outer.empty()) return false;
   const Box box = box_around(obstacle.shape.outer);
   return std::any_of(all.begin(), all.end(), [&](const Surroundings& one) {
-    const double rounding = slack * (magnitude(box) + magnitude(one.places));
+    const double rounding = tolerance::reach_box_slack * (magnitude(box) + magnitude(one.places));
     return distance(box, one.places) <= one.length + rounding;
   });
 }

@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "geometry/segment_distance.hpp"
+#include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-/// Relative distance kept from a bound of lengths, so that rounding a length cannot pass it.
-constexpr double inward = 1e-11;
 
 /// Poles looked at first: a lattice of so many squared, and so many places along the outline.
 constexpr int pole_lattice = 16;
@@ -146,7 +144,7 @@ std::vector<HalfPlane> SearchSpace::room_around(const Point& pole) const {
     return a.distance < b.distance || (a.distance == b.distance && a.edge < b.edge);
   });
   std::vector<HalfPlane> room;
-  const double touching = 1e-9 * layout_.unit;
+  const double touching = tolerance::same_place * layout_.unit;
   for (const Cut& cut : cuts) {
     const Point &from = area_->edges()[cut.edge].from, &to = area_->edges()[cut.edge].to;
     const auto beyond = [&](const HalfPlane& plane) {
@@ -171,7 +169,7 @@ namespace {
 
 /// To one value, which may lie on a limit, or be another locked length's up to its last digits.
 void lock(LogRange& range, double locked) {
-  constexpr double slack = 2 * inward;
+  constexpr double slack = 2 * tolerance::inward_log_length;
   if (locked < range.lower - slack || locked > range.upper + slack)
     range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   else if (range.width() > 0)
@@ -182,9 +180,11 @@ void lock(LogRange& range, double locked) {
 
 LogBox length_box(const Reach& reach, const Requirements& limits, const WorkshopSpec& workshop) {
   const Reach::LengthFactors& f = reach.factors();
-  const double low = std::max(limits.shortest, 1e-9 * limits.longest);
-  LogBox box{{std::log(low / f.least_of_VA) + inward, std::log(limits.longest / f.most_of_VA) - inward},
-             {std::log(low / f.least_of_VB) + inward, std::log(limits.longest / f.most_of_VB) - inward}};
+  const double low = std::max(limits.shortest, tolerance::least_length_share * limits.longest);
+  LogBox box{{std::log(low / f.least_of_VA) + tolerance::inward_log_length,
+              std::log(limits.longest / f.most_of_VA) - tolerance::inward_log_length},
+             {std::log(low / f.least_of_VB) + tolerance::inward_log_length,
+              std::log(limits.longest / f.most_of_VB) - tolerance::inward_log_length}};
   const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
   // VA, VB, AC, BC, AX, CX, BY, CY as multiples of VA (true) or VB
   const std::array<std::pair<bool, double>, 8> multiples{{{true, 1},

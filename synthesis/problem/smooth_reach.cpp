@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/problem/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
@@ -27,7 +29,7 @@ Reach::Reach(Complex k, Grounding grounding, int assembly_mode)
 LinkageJet Reach::radius(const LogLengths& lengths, double opening) const {
   const double a = std::exp(lengths.u), b = std::exp(lengths.v - log_s_);
   const double ab_cos = a * b * std::cos(opening - arg_s_), ab_sin = a * b * std::sin(opening - arg_s_);
-  const double W = std::max(a * a + b * b + 2 * ab_cos, 1e-300);
+  const double W = std::max(a * a + b * b + 2 * ab_cos, tolerance::above_zero);
   const Eigen::Vector3d W1(2 * a * a + 2 * ab_cos, 2 * b * b + 2 * ab_cos, -2 * ab_sin);
   Eigen::Matrix3d W2;
   W2 << 4 * a * a + 2 * ab_cos, 2 * ab_cos, -2 * ab_sin,  //
@@ -74,14 +76,15 @@ std::optional<double> Reach::lambda_limit(double r_min, double r_max, const Open
   const double q2 = (r_max * r_max) / (r_min * r_min);
   if (!std::isfinite(q2) || far - q2 * near < q2 - 1) return std::nullopt;
   constexpr double most = 50;  // b = e^50 VA: far beyond any box of lengths
-  if (q2 - 1 < 1e-20) return most;
+  if (q2 - 1 < tolerance::point_like) return most;
   return std::min(most, std::acosh(std::max(1.0, (far - q2 * near) / (q2 - 1))));
 }
 
 LogRange Reach::log_m_range(double lambda, double r_min, double r_max, const OpeningInterval& allowed) const {
   const double h = std::cosh(lambda);
-  return {std::log(chain_ * r_max) - 0.5 * std::log(h + far_cosine(allowed)),
-          std::log(chain_ * r_min) - 0.5 * std::log(std::max(h + near_cosine(allowed), 1e-300))};
+  return {
+      std::log(chain_ * r_max) - 0.5 * std::log(h + far_cosine(allowed)),
+      std::log(chain_ * r_min) - 0.5 * std::log(std::max(h + near_cosine(allowed), tolerance::above_zero))};
 }
 
 LogRange Reach::log_m_range(double lambda, const LogBox& box) const {

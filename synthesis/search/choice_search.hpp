@@ -5,15 +5,13 @@
 #include <cstdint>
 
 #include "synthesis/problem/design_problem.hpp"
+#include "synthesis/search/budgets.hpp"
 
 namespace kempe {
 
 struct ChoiceOptions {
-  int poles = 12;           ///< looked at by lattice, where the pole is free
-  int lattice = 10;         ///< squared: pairs of lengths looked at from each of these poles
-  int evaluations = 200;    ///< of the global search over lengths and poles together
-  int starts = 6;           ///< local solutions
-  int starts_if_none = 16;  ///< local solutions while none is feasible
+  ChoiceBudget budget{};
+  LocalBudget local{};
   std::uint64_t seed = 1;
   std::vector<DesignPoint> hints{};  ///< further starts, tried first
   double bound = -1e300;  ///< no cost below this is possible: a result that reaches it ends the search
@@ -35,20 +33,22 @@ ChoiceResult no_result();
 bool better(const ChoiceResult& a, const ChoiceResult& b);
 
 /// What a design promises, the less the better: the goal in shares of its scale, and ten times what is missing from the
-/// limits, at nine openings.
-double merit_at(const DesignProblem& problem, const DesignPoint& point);
+/// limits, at `local.openings` openings.
+double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);
 
 ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& options);
 
 /// The best poles by a global search over the pole alone, a few pairs of lengths tried at each; none if the
 /// pole is fixed. Meant for problems without contact.
-std::vector<Point> promising_poles(const DesignProblem& problem, int evaluations, int count,
-                                   const StopFlag& stop);
+std::vector<Point> promising_poles(const DesignProblem& problem, const PoleBudget& budget,
+                                   const LocalBudget& local, const StopFlag& stop);
 
 /// A local solution from a start, the last digits included, judged anew.
-ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const StopFlag& stop);
+ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const LocalBudget& local,
+                    const StopFlag& stop);
 
 /// The same from a solution already found, by the second solver; the better of both.
-ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const StopFlag& stop);
+ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const LocalBudget& local,
+                            const StopFlag& stop);
 
 }  // namespace kempe

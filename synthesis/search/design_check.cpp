@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "geometry/regions/region_algebra.hpp"
+#include "synthesis/problem/tolerances.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr double rounding = 1e-12;
 
 double distance_from_place(const PoleSpec& pole, const Point& place) {
   return pole.is_fixed() ? (place - std::get<Point>(pole.place)).norm()
@@ -52,10 +51,13 @@ OpeningInterval certified_opening(const Spec& spec, const Requirements& limits, 
 std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                                  const DesignCheck& check) {
   const Attained& has = check.attained;
-  const auto below = [](double value, double least) { return value < least - rounding * std::abs(least); };
+  const auto below = [](double value, double least) {
+    return value < least - tolerance::limit_rounding * std::abs(least);
+  };
   if (below(has.shortest, limits.shortest)) return Goal::shortest;
   if (below(limits.longest, has.longest)) return Goal::longest;
-  if (below(limits.pole_margin + 1e-11 * has.size, has.pole_margin)) return Goal::pole_margin;
+  if (below(limits.pole_margin + tolerance::pole_rounding * has.size, has.pole_margin))
+    return Goal::pole_margin;
   if (check.needed.empty() || below(has.transmission, limits.transmission)) return Goal::transmission;
   if (has.clearance < limits.clearance || check.opening.empty()) return Goal::clearance;
   if (limits.copy_error && below(*limits.copy_error, has.copy_error)) return Goal::copy_error;

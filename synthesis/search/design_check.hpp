@@ -15,8 +15,8 @@ struct DesignCheck {
   Attained attained{};         ///< copy_error 0 without [tolerance]; footprint not measured
 };
 
-/// Obstacles are not looked at (obstacle_check.hpp). A limit that is met up to rounding (1e-12 of itself) is
-/// met.
+/// Obstacles are not looked at (obstacle_check.hpp). A limit that is met up to tolerance::limit_rounding of itself
+/// is met.
 DesignCheck check_design(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                          const LayerAssignment& layers);
 

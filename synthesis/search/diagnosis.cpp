@@ -10,11 +10,10 @@
 #include <cmath>
 
 #include "synthesis/problem/obstacle_reach.hpp"
+#include "synthesis/search/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr int most_rounds = 8;  ///< of looking for a design nearer to what is demanded
 
 /// A limit that can be moved: how a person knows it and how far it may go at most.
 struct Movable {
@@ -32,13 +31,6 @@ constexpr std::array movables{
     Movable{Goal::copy_error, "limits.copy_error_mm", 1, 1e3},
     Movable{Goal::pole_margin, "pole.within_mm", 1, 1e4},
 };
-
-constexpr double nearest_joints = 1e-3;  ///< mm: no joints of a link are looked for that are nearer
-
-/// A wall thinner than this share of the hole is none.
-constexpr double least_wall_share = 1e-3;
-/// Halvings of what the pins may have to give.
-constexpr int pin_rounds = 10;
 
 /// To four digits, not more than the value.
 double rounded_down(double value) {
@@ -75,11 +67,12 @@ Requirements moved(Requirements limits, Goal goal, double value) {
   return limits;
 }
 
-/// The attained value given way by a thousandth of itself, or less where it is near what was demanded: by less than a
-/// fiftieth of the way between them, in the limit's own unit rounded on the loose side.
+/// The limit moved past the value attained (tolerance::give_of_value), in its own unit, then rounded outwards.
 double possible_value(const Movable& limit, double demanded, double attained) {
   const double best = attained / limit.unit, way = std::abs(best - demanded / limit.unit);
-  const double give = std::max(std::min(1e-3 * std::abs(best), 8e-3 * way), 1e-6);
+  const double give =
+      std::max(std::min(tolerance::give_of_value * std::abs(best), tolerance::give_of_way * way),
+               tolerance::least_give);
   const double step = std::pow(10, std::floor(std::log10(give)));
   const double rounded =
       is_maximized(limit.goal) ? std::floor((best - give) / step) : std::ceil((best + give) / step);
@@ -108,10 +101,11 @@ std::string sentence_of(const Movable& limit, double demanded, double possible) 
 /// search for the spec's objective with the limit nearer to what is demanded finds what it missed.
 SearchResult best_attained(const SearchRun& run, const Requirements& limits, const Movable& limit,
                            double demanded) {
+  const DiagnosisBudget& budget = run.options().budgets.diagnosis;
   SearchResult best = run.best(moved(limits, limit.goal, limit.loosest), limit.goal);
-  for (int rounds = 0; best.design && rounds < most_rounds && !run.stop()(); ++rounds) {
+  for (int rounds = 0; best.design && rounds < budget.rounds && !run.stop()(); ++rounds) {
     bool nearer = false;
-    for (const double share : {0.5, 0.9, 0.98}) {
+    for (const double share : budget.nearer) {
       if (run.stop()()) break;
       const double attained = best.design->attained.of(limit.goal);
       const Requirements narrowed = moved(limits, limit.goal, demanded + share * (attained - demanded));
@@ -156,8 +150,9 @@ std::optional<Relaxation> thinner_wall(const SearchRun& run, const Requirements&
                                        std::uint64_t& evaluations) {
   const Spec& spec = run.spec();
   const double bore = joint_width(spec), wall = least_wall(spec);
-  const Movable limit{Goal::shortest, "links.wall_mm", 1,
-                      std::max({spec.links.shortest, (1 + least_wall_share) * bore, nearest_joints})};
+  const Movable limit{
+      Goal::shortest, "links.wall_mm", 1,
+      std::max({spec.links.shortest, (1 + tolerance::least_wall_share) * bore, tolerance::nearest_joints})};
   if (limit.loosest >= limits.shortest) return std::nullopt;
   auto relaxation = relaxation_of(run, limits, limit, evaluations);
   if (!relaxation) return std::nullopt;
@@ -183,9 +178,9 @@ std::optional<Relaxation> thinner_pins(const SearchRun& run, const Requirements&
     evaluations += found.evaluations;
     return found;
   };
-  double enough = least_wall_share * pin, too_much = pin;
+  double enough = tolerance::least_wall_share * pin, too_much = pin;
   std::optional<FoundDesign> design = with_pins(enough).design;
-  for (int i = 0; design && i < pin_rounds && !run.stop()(); ++i) {
+  for (int i = 0; design && i < run.options().budgets.diagnosis.pin_halvings && !run.stop()(); ++i) {
     const double middle = rounded_down(0.5 * (enough + too_much));
     if (middle <= enough) break;
     const SearchResult found = with_pins(middle);
@@ -208,15 +203,13 @@ std::optional<Relaxation> nearer_joints(const SearchRun& run, const Requirements
                                         std::uint64_t& evaluations) {
   const double holes = hole_distance(run.spec()), shortest = run.spec().links.shortest;
   if (shortest > holes)
-    return relaxation_of(
-        run, limits, {Goal::shortest, "links.shortest_mm", 1, std::max(holes, nearest_joints)}, evaluations);
+    return relaxation_of(run, limits,
+                         {Goal::shortest, "links.shortest_mm", 1, std::max(holes, tolerance::nearest_joints)},
+                         evaluations);
   if (shortest == holes) return std::nullopt;
   if (auto wall = thinner_wall(run, limits, evaluations)) return wall;
   return thinner_pins(run, limits, evaluations);
 }
-
-/// Obstacles looked at one by one; with more of them only all together.
-constexpr std::size_t most_single_obstacles = 12;
 
 std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirements& limits,
                                             const std::vector<Obstacle>& left, const std::string& gone,
@@ -247,7 +240,8 @@ std::vector<Relaxation> obstacle_relaxations(const SearchRun& run, const Require
       without_obstacles(run, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
   if (!none_left) return {};
   std::vector<Relaxation> single;
-  for (std::size_t i = 0; i < all.size() && all.size() > 1 && all.size() <= most_single_obstacles; ++i) {
+  if (all.size() > run.options().budgets.diagnosis.single_obstacles) return {*none_left};
+  for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i) {
     std::vector<Obstacle> left = all;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     if (const auto one = without_obstacles(run, limits, left, all[i].name, evaluations))
@@ -262,7 +256,8 @@ NoDesign impossible(std::string requirement, std::string sentence) {
 
 /// The share of itself by which a limit has to give; an obstacle is whole or away.
 double give(const Relaxation& r) {
-  return r.limit ? std::abs(r.possible - r.demanded) / std::max(std::abs(r.demanded), 1e-3) : 1;
+  return r.limit ? std::abs(r.possible - r.demanded) / std::max(std::abs(r.demanded), tolerance::least_demand)
+                 : 1;
 }
 
 /// A length that some links must not exceed, and where the spec says so.
@@ -291,9 +286,9 @@ MostLength least_most_length(const LinkSpec& links) {
 /// Holes that need more than the lengths that the workshop dictates.
 std::optional<NoDesign> holes_too_near(const Spec& spec) {
   const MostLength most = least_most_length(spec.links);
-  if (hole_distance(spec) <= most.length * (1 + 1e-9)) return std::nullopt;
+  if (hole_distance(spec) <= most.length * (1 + tolerance::hole_rounding)) return std::nullopt;
   const double room = most.length - joint_width(spec), pin = pin_for_hole_distance(spec, most.length);
-  const bool by_wall = spec.links.wall && room > least_wall_share * joint_width(spec);
+  const bool by_wall = spec.links.wall && room > tolerance::least_wall_share * joint_width(spec);
   const std::string key = by_wall ? "links.wall_mm" : "links.pin_diameter_mm";
   std::string sentence = fmt::format("{} = {:.6g} is in the way: {}, and {} leaves them {:.6g} mm", key,
                                      by_wall ? *spec.links.wall : spec.links.style.pin_diameter,

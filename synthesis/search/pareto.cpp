@@ -6,6 +6,7 @@
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/diagnosis.hpp"
 #include "synthesis/search/search_run.hpp"
+#include "synthesis/search/tolerances.hpp"
 #include "workspace/footprint.hpp"
 
 namespace kempe {
@@ -24,7 +25,7 @@ Requirements limited(Requirements limits, Objective objective, double value) {
 
 /// A copy of `value` that a design with exactly this value still keeps.
 double slackened(Objective objective, double value) {
-  return value * (is_maximized(objective) ? 1 - 1e-7 : 1 + 1e-7);
+  return value * (is_maximized(objective) ? 1 - tolerance::same_value : 1 + tolerance::same_value);
 }
 
 double value_of(const Spec& spec, const FoundDesign& design, Objective objective) {
@@ -33,11 +34,9 @@ double value_of(const Spec& spec, const FoundDesign& design, Objective objective
   return design.attained.of(goal_of(objective));
 }
 
-/// Differences of this share of a figure are rounding: no user pays for them with the other figure.
-constexpr double same = 1e-7;
-
 bool is_no_worse(Objective objective, double one, double other) {
-  return is_maximized(objective) ? one >= other * (1 - same) : one <= other * (1 + same);
+  return is_maximized(objective) ? one >= other * (1 - tolerance::same_value)
+                                 : one <= other * (1 + tolerance::same_value);
 }
 
 /// Without those that another beats in one and equals in the other, in the order of `a`.

@@ -5,15 +5,10 @@
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/diagnosis.hpp"
 #include "synthesis/search/search_run.hpp"
+#include "synthesis/search/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-/// A design further than this from the proven bound is searched around once more, and then searched again.
-constexpr double unproven_share = 0.004;
-constexpr int hops = 24;
-/// Searches from other random numbers where the first found nothing, or nothing near the bound.
-constexpr int more_searches = 3;
 
 bool has_workshop_lengths(const Spec& spec) {
   return spec.links.workshop.grid || !spec.links.workshop.stock.empty();
@@ -22,7 +17,7 @@ bool has_workshop_lengths(const Spec& spec) {
 /// The best of a search and of others from further random numbers, told as the first one's.
 template <typename Enough>
 SearchResult searched_again(const SearchRun& run, SearchResult found, Goal goal, const Enough& is_enough) {
-  for (int i = 1; i <= more_searches && !run.stop()() && !is_enough(found); ++i) {
+  for (int i = 1; i <= run.options().budgets.improve.searches && !run.stop()() && !is_enough(found); ++i) {
     SearchOptions options = run.options_of_part();
     options.seed += static_cast<std::uint64_t>(i);
     const SearchResult again = SearchRun(run.spec(), options).best(requirements_of(run.spec()), goal);
@@ -46,7 +41,7 @@ SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBo
 /// The proven bound, and the design improved where the bound's tree met a better one or the bound is far away.
 SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   const Spec& spec = run.spec();
-  if (std::abs(result.design->linkage.k() - spec.copy.k) > 1e-12 * std::abs(spec.copy.k))
+  if (std::abs(result.design->linkage.k() - spec.copy.k) > tolerance::same_ratio * std::abs(spec.copy.k))
     return result;  // the bound is one of designs with the exact ratio
   const auto bound =
       proven_bound(run.space().spec(), {.incumbent = result.design->value, .stop = run.stop()});
@@ -57,12 +52,13 @@ SearchResult with_bound(const SearchRun& run, SearchResult result, Goal goal) {
   if (!bound) return result;
   invariant(!bound->no_design, "no bound says that there is no design after one was found");
   const auto is_near = [&](const SearchResult& found) {
-    return std::abs(found.design->value - bound->value) <= unproven_share * std::abs(bound->value);
+    return std::abs(found.design->value - bound->value) <=
+           run.options().budgets.improve.near * std::abs(bound->value);
   };
   if (!has_workshop_lengths(spec) && !run.stop()()) {
     for (const RelaxedDesign& start : starts_of(*bound))
       result = run.best_from(start, requirements_of(spec), goal, std::move(result));
-    if (!is_near(result)) result = run.basin_hopping(requirements_of(spec), goal, std::move(result), hops);
+    if (!is_near(result)) result = run.basin_hopping(requirements_of(spec), goal, std::move(result));
     result = searched_again(run, std::move(result), goal, is_near);
   }
   result.design->proven_bound = bound->value;

@@ -13,6 +13,7 @@
 #include "synthesis/search/design_check.hpp"
 #include "synthesis/search/obstacle_check.hpp"
 #include "synthesis/search/stock_lengths.hpp"
+#include "synthesis/search/tolerances.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
 #include "synthesis/solvers/parallel.hpp"
 #include "synthesis/solvers/polish.hpp"
@@ -21,19 +22,6 @@
 
 namespace kempe {
 namespace {
-
-/// Choices searched before what is found may leave out others.
-constexpr std::size_t group_size = 4;
-/// Of the global search for promising poles; how many are kept.
-constexpr int pole_evaluations = 240;
-constexpr int promising = 5;
-/// How often a place of the region in contact with an obstacle is added before a choice is given up.
-constexpr int most_repairs = 12;
-/// Of the tree that looks for a proof or a start before the search: some tenths of a second at most.
-constexpr std::size_t boxes_of_proof = 20000;
-/// Of a time limit: when the proof must end, when the search for a first design must, and what the search with any lengths
-/// may take where the workshop dictates them.
-constexpr double share_of_proof = 0.2, share_of_first_design = 0.6, share_of_any_lengths = 0.4;
 
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
 std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
@@ -44,7 +32,8 @@ std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& ch
   const CopyErrorProfile profile(spec.copy.k, choice.grounding, CopyTolerance::uniform(*spec.tolerance));
   std::vector<OpeningInterval> allowed;
   for (const OpeningInterval& within : profile.openings_within(*limits.copy_error, usable))
-    if (const OpeningInterval inside = shrink(within, 1e-9); !inside.empty()) allowed.push_back(inside);
+    if (const OpeningInterval inside = shrink(within, tolerance::inward_opening); !inside.empty())
+      allowed.push_back(inside);
   return allowed;
 }
 
@@ -158,13 +147,13 @@ std::vector<SearchTask> SearchRun::tasks_for(const Requirements& limits, Goal go
 }
 
 ChoiceOptions SearchRun::options_for(bool relaxed) const {
-  ChoiceOptions options{.seed = options_.seed, .stop = stop_};
+  const ChoiceBudgets& budgets = options_.budgets.choice;
   const bool free = space_.layout().pole_is_free;
-  const bool obstacles = !space_.obstacles().empty() && !relaxed;
-  options.lattice = free ? 8 : 20;
-  options.evaluations = relaxed ? 60 : free ? (obstacles ? 500 : 300) : 200;
-  options.starts = obstacles ? 10 : 6;
-  return options;
+  const ChoiceBudget& budget = relaxed ? (free ? budgets.relaxed_free_pole : budgets.relaxed_fixed_pole)
+                               : space_.obstacles().empty()
+                                   ? (free ? budgets.free_pole : budgets.fixed_pole)
+                                   : (free ? budgets.free_pole_obstacles : budgets.fixed_pole_obstacles);
+  return {.budget = budget, .local = options_.budgets.local, .seed = options_.seed, .stop = stop_};
 }
 
 /// Groundings, assembly modes and allowed openings once each, without contact.
@@ -185,7 +174,7 @@ void SearchRun::relax(std::vector<SearchTask>& tasks, const Requirements& limits
   run_parallel(all.size(), options_.threads, [&](std::size_t i) {
     Relaxed& here = *all[i];
     const DesignProblem problem(space_, here.task->choice->choice, limits, goal, here.task->allowed, {});
-    here.poles = promising_poles(problem, pole_evaluations, promising, stop_);
+    here.poles = promising_poles(problem, options_.budgets.pole, options_.budgets.local, stop_);
     ChoiceOptions options = options_for(true);
     for (const Point& pole : here.poles)
       for (const double of_lambda : {0.0, 1.0})
@@ -208,7 +197,7 @@ bool SearchRun::demand_more(SearchTask& task, const DesignCheck& check, const Re
                                             : 0;
   if (!task.problem->tighten(*check.broken, std::max(0.0, shortfall))) return false;
   const std::uint64_t before = task.result.evaluations;
-  task.result = refine(*task.problem, task.result.point, stop_);
+  task.result = refine(*task.problem, task.result.point, options_.budgets.local, stop_);
   task.result.evaluations += before;
   return task.result.feasible;
 }
@@ -220,20 +209,20 @@ bool SearchRun::certify(SearchTask& task, const Requirements& limits) const {
     const DesignCheck check = linkage ? check_design(spec(), limits, *linkage, layers) : DesignCheck{};
     task.result.feasible = check.feasible;
     if (!check.feasible) {
-      if (repairs == most_repairs || stop_() || !demand_more(task, check, limits)) break;
+      if (repairs == options_.budgets.certify.repairs || stop_() || !demand_more(task, check, limits)) break;
       continue;
     }
     if (space_.obstacles().empty()) break;
     const ObstacleCheck obstacles =
         check_obstacles(space_.spec(), limits, *linkage, layers, check.opening, stop_);
     if (obstacles.clear) break;
-    if (!obstacles.witness || repairs == most_repairs || stop_()) {
+    if (!obstacles.witness || repairs == options_.budgets.certify.repairs || stop_()) {
       task.result.feasible = false;
       break;
     }
     task.problem->add_place(*obstacles.witness);
     const std::uint64_t before = task.result.evaluations;
-    task.result = refine(*task.problem, task.result.point, stop_);
+    task.result = refine(*task.problem, task.result.point, options_.budgets.local, stop_);
     task.result.evaluations += before;
   }
   return task.result.feasible;
@@ -272,7 +261,8 @@ std::optional<ProvenBound> SearchRun::proven_bound(const Requirements& limits, G
                                                    const StopFlag& stop) const {
   if (goal == Goal::pole_margin || limits.pole_margin > 0) return std::nullopt;
   const Objective objective = goal == Goal::transmission ? Objective::transmission : Objective::size;
-  const BoundOptions options{.boxes = boxes_of_proof, .shortest = limits.shortest, .stop = stop};
+  const BoundOptions options{
+      .boxes = options_.budgets.proof.boxes, .shortest = limits.shortest, .stop = stop};
   Spec moved = with_limits(space_.spec(), limits);
   auto bound = kempe::proven_bound(moved, objective, options);
   if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
@@ -287,13 +277,13 @@ std::optional<ProvenBound> SearchRun::proven_bound(const Requirements& limits, G
 /// The first design that local searches from what is known without contact lead to.
 std::optional<FoundDesign> SearchRun::first_design(const Requirements& limits, Goal goal,
                                                    const std::vector<RelaxedDesign>& known) const {
-  const StopFlag enough = after_share(share_of_first_design);
+  const StopFlag enough = after_share(options_.budgets.time.first_design);
   std::vector<SearchTask> tasks = relaxed_tasks(limits, goal == Goal::footprint ? Goal::size : goal, known);
   for (SearchTask& task : tasks) {
     if (task.relaxed.feasible) task.known.push_back(task.relaxed.point);
     for (const DesignPoint& start : task.known) {
       if (enough()) return std::nullopt;
-      task.result = refine(*task.problem, start, enough);
+      task.result = refine(*task.problem, start, options_.budgets.local, enough);
       if (!certify(task, limits)) continue;
       if (auto design = design_of(task, limits, goal)) return design;
     }
@@ -304,7 +294,7 @@ std::optional<FoundDesign> SearchRun::first_design(const Requirements& limits, G
 /// Within a share of the time limit, the proof as far as it comes and a first design.
 SearchRun::FirstLook SearchRun::first_look(const Requirements& limits, Goal goal) const {
   FirstLook look;
-  const StopFlag enough = after_share(share_of_proof);
+  const StopFlag enough = after_share(options_.budgets.time.proof);
   look.proof = proven_bound(limits, goal, enough);
   look.proof_is_whole = !enough();
   if (look.proof && look.proof->no_design) return look;
@@ -347,6 +337,7 @@ SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goa
   const std::size_t left_out = spec_.obstacles.size() - space_.obstacles().size();
   ChoiceResult best = no_result();
   SearchTask* chosen = nullptr;
+  const std::size_t group_size = options_.budgets.group;
   for (std::size_t first = 0; first < tasks.size() && !stop_(); first += group_size) {
     const std::size_t count = std::min(group_size, tasks.size() - first);
     search_group(tasks, first, count, best);
@@ -359,7 +350,7 @@ SearchResult SearchRun::best_of_any_lengths(const Requirements& limits, Goal goa
   }
   if (chosen) {
     const ChoiceResult first = chosen->result;
-    if (!stop_()) chosen->result = refine_further(*chosen->problem, first, stop_);
+    if (!stop_()) chosen->result = refine_further(*chosen->problem, first, options_.budgets.local, stop_);
     if (!certify(*chosen, limits)) chosen->result = first;
     result.design = design_of(*chosen, limits, goal);
   }
@@ -387,13 +378,10 @@ SearchResult SearchRun::best_footprint(const Requirements& limits,
   }
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const SearchTask& a, const SearchTask& b) { return better(a.relaxed, b.relaxed); });
-  if (tasks.size() > group_size) tasks.resize(group_size);
+  if (tasks.size() > options_.budgets.group) tasks.resize(options_.budgets.group);
   run_parallel(tasks.size(), options_.threads, [&](std::size_t i) {
-    const ChoiceOptions options{.poles = 4,
-                                .lattice = 4,
-                                .evaluations = 80,
-                                .starts = 2,
-                                .starts_if_none = 2,
+    const ChoiceOptions options{.budget = options_.budgets.choice.footprint,
+                                .local = options_.budgets.local,
                                 .seed = options_.seed,
                                 .hints = {tasks[i].relaxed.point},
                                 .stop = stop_};
@@ -442,7 +430,7 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
         task.choice->choice.assembly_mode != start.assembly_mode)
       continue;
     if (stop_()) break;
-    task.result = refine(*task.problem, point, stop_);
+    task.result = refine(*task.problem, point, options_.budgets.local, stop_);
     found.evaluations += task.result.evaluations;
     if (!certify(task, limits)) continue;
     const auto design = design_of(task, limits, goal);
@@ -451,35 +439,36 @@ SearchResult SearchRun::best_from(const RelaxedDesign& start, const Requirements
   return found;
 }
 
-SearchResult SearchRun::basin_hopping(const Requirements& limits, Goal goal, SearchResult found,
-                                      int hops) const {
+SearchResult SearchRun::basin_hopping(const Requirements& limits, Goal goal, SearchResult found) const {
   std::vector<SearchTask> tasks;
   for (SearchTask& task : tasks_for(limits, goal))
     if (task.choice->choice.grounding == found.design->linkage.grounding() &&
         task.choice->choice.assembly_mode == found.design->linkage.assembly_mode())
       tasks.push_back(std::move(task));
   Chance chance(options_.seed);
-  constexpr int at_once = 8;
-  for (int first = 0; first < hops && !tasks.empty() && !stop_(); first += at_once) {
+  const ImproveBudget& budget = options_.budgets.improve;
+  const int at_once = budget.hops_at_once;
+  for (int first = 0; first < budget.hops && !tasks.empty() && !stop_(); first += at_once) {
     const CopyingLinkage& best = found.design->linkage;
     const DesignPoint centre{{std::log(best.VA()), std::log(best.VB())}, best.pole()};
     std::vector<std::pair<std::size_t, DesignPoint>> starts;
     for (int i = 0; i < at_once; ++i) {
       const std::size_t task = static_cast<std::size_t>(i) % tasks.size();
-      const double reach = 0.6 * std::pow(0.6, i / 2 + first / at_once);
+      const double reach = budget.first_reach * std::pow(budget.nearer, i / 2 + first / at_once);
       starts.emplace_back(task,
                           hop(centre, reach, space_.layout().unit, space_.layout().pole_is_free, chance));
     }
     std::vector<ChoiceResult> results(starts.size());
     run_parallel(starts.size(), options_.threads, [&](std::size_t i) {
-      results[i] = refine(*tasks[starts[i].first].problem, starts[i].second, stop_);
+      results[i] = refine(*tasks[starts[i].first].problem, starts[i].second, options_.budgets.local, stop_);
     });
     for (std::size_t i = 0; i < starts.size(); ++i) {
       found.evaluations += results[i].evaluations;
       const double now = is_maximized(goal) ? -found.design->value : found.design->value;
       SearchTask& task = tasks[starts[i].first];
       task.result = results[i];
-      if (!task.result.feasible || task.result.cost > now - 1e-6 * std::abs(now) || !certify(task, limits))
+      if (!task.result.feasible || task.result.cost > now - tolerance::hop_gain * std::abs(now) ||
+          !certify(task, limits))
         continue;
       const auto design = design_of(task, limits, goal);
       if (design && is_better(goal, *design, *found.design)) found.design = design;
@@ -496,7 +485,7 @@ SearchResult SearchRun::best(const Requirements& limits, Goal goal) const {
   if (proof && proof->no_design) return {.proven_none = true};
   const std::vector<RelaxedDesign> known = proof ? starts_of(*proof) : std::vector<RelaxedDesign>{};
   SearchResult result = has_workshop_lengths && has_time_limit()
-                            ? SearchRun(spec(), part_of_time(share_of_any_lengths), limits)
+                            ? SearchRun(spec(), part_of_time(options_.budgets.time.any_lengths), limits)
                                   .best_of_any_lengths(limits, goal, known)
                             : best_of_any_lengths(limits, goal, known);
   if (result.design && has_workshop_lengths) {

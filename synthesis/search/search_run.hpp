@@ -78,8 +78,8 @@ class SearchRun {
   SearchResult best_from(const RelaxedDesign& start, const Requirements& limits, Goal goal,
                          SearchResult found) const;
 
-  /// The better of a design and what local searches from `hops` random places around it find, ever nearer ones.
-  SearchResult basin_hopping(const Requirements& limits, Goal goal, SearchResult found, int hops) const;
+  /// The better of a design and what local searches from random places around it find, ever nearer ones.
+  SearchResult basin_hopping(const Requirements& limits, Goal goal, SearchResult found) const;
 
   /// The steps of it, for searches of other kinds.
   std::vector<SearchTask> tasks_for(const Requirements& limits, Goal goal) const;

@@ -7,24 +7,15 @@
 #include <queue>
 #include <tuple>
 
+#include "synthesis/search/tolerances.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {
 
-/// Two lengths closer than this share of the larger are one.
-constexpr double same_length = 1e-9;
-/// Pairs of lengths tried before the search gives up.
-constexpr std::size_t most_candidates = 4000;
-/// Of one shape, next to its best lengths; of all of them, before a goal other than size gives up.
-constexpr std::size_t near_one_shape = 400, near_all_shapes = 1000;
-/// Choices of layers tried after one that works.
-constexpr int most_more_layers = 4;
-/// Inexact ratios tried of each grounding; designs with one that are found before the best of them is taken (obstacles make
-/// each of them slow).
-constexpr int most_ratios = 48, most_found_ratios = 24, most_found_among_obstacles = 4;
-/// A design with another ratio is good enough if its goal is no more than so much worse than with any lengths.
-constexpr double worse_for_ratio = 1.25;
+using tolerance::same_length;
+
+const StockBudget& budget_of(const SearchRun& run) { return run.options().budgets.stock; }
 
 std::vector<double> all_lengths(const WorkshopSpec& workshop, double longest) {
   std::vector<double> lengths = workshop.stock;
@@ -164,7 +155,7 @@ void sort_and_cut(std::vector<Candidate>& all, std::size_t most) {
 }
 
 /// By size, from the size that no lengths can beat up to `largest`.
-std::vector<Candidate> candidates_by_size(const std::vector<SearchTask>& tasks,
+std::vector<Candidate> candidates_by_size(const SearchRun& run, const std::vector<SearchTask>& tasks,
                                           const std::vector<Shape>& shapes,
                                           const std::optional<FoundDesign>& any_lengths, double largest) {
   std::vector<Candidate> all;
@@ -174,17 +165,17 @@ std::vector<Candidate> candidates_by_size(const std::vector<SearchTask>& tasks,
     const double per_VA = task.problem->reach().factors().size_per_VA;
     const double per_VB = task.problem->reach().factors().size_per_VB;
     const auto size = [&](double VA, double VB) { return per_VA * VA + per_VB * VB; };
-    const double least =
-        (1 - 1e-9) * std::max(task.relaxed.cost, any_lengths ? any_lengths->attained.size : 0);
+    const double least = (1 - tolerance::bound_rounding) *
+                         std::max(task.relaxed.cost, any_lengths ? any_lengths->attained.size : 0);
     const auto order = [&](double VA, double VB) {
       const double here = size(VA, VB);
       return here < least || here >= largest ? std::numeric_limits<double>::infinity() : here;
     };
     const auto best_VB = [&](double VA) { return (least - per_VA * VA) / per_VB; };
-    for (const LengthPair& pair : pairs_in_order(shape.lengths, most_candidates, order, best_VB))
+    for (const LengthPair& pair : pairs_in_order(shape.lengths, budget_of(run).candidates, order, best_VB))
       all.push_back({&shape, pair, size(pair.VA, pair.VB)});
   }
-  sort_and_cut(all, most_candidates);
+  sort_and_cut(all, budget_of(run).candidates);
   return all;
 }
 
@@ -215,14 +206,14 @@ std::vector<Candidate> candidates_near(const SearchRun& run, const std::vector<S
       return std::hypot(std::log(VA) - centre.lengths.u, std::log(VB) - centre.lengths.v);
     };
     const DesignProblem problem(run.space(), task.choice->choice, limits, quick_goal(goal), task.allowed, {});
-    for (const LengthPair& pair : pairs_in_order(shape.lengths, near_one_shape, away,
+    for (const LengthPair& pair : pairs_in_order(shape.lengths, budget_of(run).near_one_shape, away,
                                                  [&](double) { return std::exp(centre.lengths.v); })) {
       if (run.stop()()) break;
       const DesignPoint point{{std::log(pair.VA), std::log(pair.VB)}, centre.pole};
-      all.push_back({&shape, pair, merit_at(problem, point)});
+      all.push_back({&shape, pair, merit_at(problem, point, run.options().budgets.local)});
     }
   }
-  sort_and_cut(all, near_all_shapes);
+  sort_and_cut(all, budget_of(run).near_all_shapes);
   return all;
 }
 
@@ -241,9 +232,9 @@ class LockedLengths {
     const ChoiceResult small = search(first, {}, Goal::size, starts_at(poles), result);
     if (!small.feasible) return result;
     const double near_enough =
-        goal_ == Goal::footprint ? 1e-3 : 1e-7;  // more is not known, or not worth its time
+        goal_ == Goal::footprint ? tolerance::near_free_footprint : tolerance::near_free_cost;
     const ChoiceResult free = goal_ == Goal::size ? small : search(first, {}, goal_, {small.point}, result);
-    int more_layers = most_more_layers;
+    int more_layers = budget_of(run_).more_layers;
     for (const std::size_t i : candidate_.shape->tasks) {
       if (run_.stop()() || (result.design && more_layers-- == 0)) break;
       if (result.design && cost_of(*result.design) <= free.cost + near_enough * std::abs(free.cost)) break;
@@ -270,12 +261,11 @@ class LockedLengths {
                       std::vector<DesignPoint> hints, SearchResult& counted) const {
     const DesignProblem problem(space_, task.choice->choice, limits_, sought, task.allowed, contact);
     const bool slow = sought == Goal::footprint, obstacles = !contact.obstacles.empty();
-    ChoiceResult found = search_choice(problem, {.poles = slow ? 4 : 16,
-                                                 .evaluations = slow        ? 40
-                                                                : obstacles ? 60
-                                                                            : 100,
-                                                 .starts = slow ? 1 : 3,
-                                                 .starts_if_none = slow ? 1 : 8,
+    const ChoiceBudgets& budgets = run_.options().budgets.choice;
+    ChoiceResult found = search_choice(problem, {.budget = slow        ? budgets.locked_footprint
+                                                           : obstacles ? budgets.locked_obstacles
+                                                                       : budgets.locked,
+                                                 .local = run_.options().budgets.local,
                                                  .seed = run_.options().seed,
                                                  .hints = std::move(hints),
                                                  .stop = run_.stop()});
@@ -326,7 +316,8 @@ SearchResult best_candidate(const SearchRun& run, const std::vector<SearchTask>&
   SearchResult best;
   std::size_t working = 0;
   const std::size_t group_size =
-      std::clamp<std::size_t>(enough, 4, 16);  // of fixed size: threads change nothing
+      std::clamp(enough, budget_of(run).least_group,
+                 budget_of(run).largest_group);  // of fixed size: threads change nothing
   for (std::size_t first = 0; first < all.size() && working < enough && !run.stop()(); first += group_size) {
     const std::size_t count = std::min(group_size, all.size() - first);
     std::vector<SearchResult> found(count);
@@ -352,12 +343,14 @@ SearchResult best_with_exact_ratio(const SearchRun& run, const std::vector<Searc
                                    const std::optional<FoundDesign>& any_lengths) {
   const std::vector<Shape> shapes = shapes_of(run, tasks, limits.longest);
   const auto near = candidates_near(run, tasks, shapes, limits, goal, any_lengths);
-  const std::size_t enough = goal == Goal::size || goal == Goal::footprint ? 4 : 8;
+  const std::size_t enough =
+      goal == Goal::size || goal == Goal::footprint ? budget_of(run).enough_by_size : budget_of(run).enough;
   SearchResult result = best_candidate(run, tasks, near, limits, goal, any_lengths, enough);
   if (goal == Goal::size) {  // the smallest works first
     const double largest = result.design ? result.design->value : std::numeric_limits<double>::infinity();
-    SearchResult smallest = best_candidate(
-        run, tasks, candidates_by_size(tasks, shapes, any_lengths, largest), limits, goal, any_lengths, 1);
+    SearchResult smallest =
+        best_candidate(run, tasks, candidates_by_size(run, tasks, shapes, any_lengths, largest), limits, goal,
+                       any_lengths, 1);
     result.evaluations += smallest.evaluations;
     if (smallest.design) result.design = std::move(smallest.design);
   }
@@ -373,12 +366,13 @@ struct Ratio {
 };
 
 /// Those that lengths up to `longest` allow, the smallest error first.
-std::vector<Ratio> ratios_near(const Spec& spec, double longest) {
+std::vector<Ratio> ratios_near(const SearchRun& run, double longest) {
+  const Spec& spec = run.spec();
   std::vector<Ratio> ratios;
   for (const Grounding grounding : spec.objective.groundings) {
     const Complex shape = shape_of(spec.copy.k, grounding);
     for (const WorkshopLengths& lengths :
-         nearest_workshop_lengths(spec.links.workshop, std::abs(shape), longest, most_ratios)) {
+         nearest_workshop_lengths(spec.links.workshop, std::abs(shape), longest, budget_of(run).ratios)) {
       const Complex k = ratio_of(shape / std::abs(shape) * lengths.ratio, grounding);
       ratios.push_back({k, grounding, std::abs(k - spec.copy.k)});
     }
@@ -391,14 +385,13 @@ std::vector<Ratio> ratios_near(const Spec& spec, double longest) {
 /// Tasks of a ratio next to another one, whose results without contact are as good as their own.
 std::vector<SearchTask> tasks_next_to(const std::vector<SearchTask>& known, const SearchRun& run,
                                       const Requirements& limits, Goal goal) {
-  constexpr double lower_cost = 0.98;  // the size without contact is no bound here
   std::vector<SearchTask> tasks = run.tasks_for(limits, goal);
   for (SearchTask& task : tasks)
     for (const SearchTask& one : known)
       if (one.choice->choice.grounding == task.choice->choice.grounding &&
           one.choice->choice.assembly_mode == task.choice->choice.assembly_mode) {
         task.relaxed = one.relaxed;
-        task.relaxed.cost *= goal == Goal::size ? lower_cost : 1;
+        task.relaxed.cost *= goal == Goal::size ? budget_of(run).neighbouring_size : 1;
         task.poles = one.poles;
         break;
       }
@@ -423,7 +416,8 @@ SearchResult best_of_ratios(const SearchRun& run, const std::vector<SearchTask>&
   const Goal sought = quick_goal(goal);
   SearchResult result;
   const Ratio* chosen = nullptr;
-  const int most_found = run.spec().obstacles.empty() ? most_found_ratios : most_found_among_obstacles;
+  const int most_found =
+      run.spec().obstacles.empty() ? budget_of(run).found_ratios : budget_of(run).found_ratios_obstacles;
   int found = 0;
   for (const Ratio& ratio : ratios) {
     if (run.stop()()) break;
@@ -449,16 +443,17 @@ SearchResult best_of_ratios(const SearchRun& run, const std::vector<SearchTask>&
 SearchResult best_with_another_ratio(const SearchRun& run, const std::vector<SearchTask>& known,
                                      const Requirements& limits, Goal goal, const FoundDesign& any_lengths) {
   const auto lengths = any_lengths.linkage.lengths().values();
+  const double worse_for_ratio = budget_of(run).worse_for_ratio;
   const double longest = worse_for_ratio * *std::max_element(lengths.begin(), lengths.end());
   const auto good = [&](const FoundDesign& design) {
     const double value = any_lengths.attained.of(design.goal);
     return is_maximized(design.goal) ? design.value >= value / worse_for_ratio
                                      : design.value <= value * worse_for_ratio;
   };
-  SearchResult result = best_of_ratios(run, known, ratios_near(run.spec(), std::min(longest, limits.longest)),
-                                       limits, goal, good);
+  SearchResult result =
+      best_of_ratios(run, known, ratios_near(run, std::min(longest, limits.longest)), limits, goal, good);
   if (result.design || result.stopped) return result;
-  SearchResult farther = best_of_ratios(run, known, ratios_near(run.spec(), limits.longest), limits, goal,
+  SearchResult farther = best_of_ratios(run, known, ratios_near(run, limits.longest), limits, goal,
                                         [](const FoundDesign&) { return true; });
   farther.evaluations += result.evaluations;
   return farther;

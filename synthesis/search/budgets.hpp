@@ -1,0 +1,140 @@
+#pragma once
+// How much work the search may spend on what: all its numbers in one place.
+//
+// The design depends on them, so each is a count or a share and none a time: the same budgets give the same design on every
+// machine. The exception are the shares of a time limit, which are asked for only where there is one. With these the designs
+// of some thousand random specs lay within 0.1 % of their proven bound in 97 of 100 cases (docs/search.md).
+
+#include <array>
+#include <cstddef>
+
+namespace kempe {
+
+/// Of the first proof, before the search.
+struct ProofBudget {
+  /// Boxes of the bound's tree: some tenths of a second at most. Less, and specs without a design are searched in vain.
+  std::size_t boxes = 20000;
+};
+
+/// Of the pole alone, before the problem without contact is solved.
+struct PoleBudget {
+  int evaluations = 240;  ///< poles that a global search looks at
+  int promising = 5;      ///< of them kept as starts, apart from each other
+  /// Pairs of lengths tried at each pole, as shares of the ranges of lambda and log m (smooth_reach.hpp).
+  std::array<double, 5> lambda_shares{0.0, 0.25, 0.5, 0.75, 1.0};
+  std::array<double, 3> m_shares{0.0, 0.5, 1.0};
+};
+
+/// Of the search of one choice (choice_search.hpp): a lattice, a global search, and local solutions from the best of both.
+struct ChoiceBudget {
+  int poles = 12;           ///< looked at by lattice, where the pole is free
+  int lattice = 10;         ///< squared: pairs of lengths looked at from each of these poles
+  int evaluations = 200;    ///< points that the global search over lengths and poles looks at
+  int starts = 6;           ///< local solutions
+  int starts_if_none = 16;  ///< local solutions while none is feasible
+};
+
+/// The choices' budgets by what makes them hard.
+struct ChoiceBudgets {
+  /// Without contact. Two unknowns: a fine lattice is the better part of the search. Four: few lengths from each of the
+  /// poles, which have been looked at already.
+  ChoiceBudget relaxed_fixed_pole{.lattice = 20, .evaluations = 60};
+  ChoiceBudget relaxed_free_pole{.lattice = 8, .evaluations = 60};
+  /// With contact.
+  ChoiceBudget fixed_pole{.lattice = 20};
+  ChoiceBudget free_pole{.lattice = 8, .evaluations = 300};
+  /// Obstacles divide the designs into islands: more starts.
+  ChoiceBudget fixed_pole_obstacles{.lattice = 20, .starts = 10};
+  ChoiceBudget free_pole_obstacles{.lattice = 8, .evaluations = 500, .starts = 10};
+  /// The footprint takes a thousand times as long to evaluate as a size, and the search begins at a small design.
+  ChoiceBudget footprint{.poles = 4, .lattice = 4, .evaluations = 80, .starts = 2, .starts_if_none = 2};
+  /// With VA and VB locked to stock lengths only the pole is sought, for thousands of pairs.
+  ChoiceBudget locked{.poles = 16, .evaluations = 100, .starts = 3, .starts_if_none = 8};
+  ChoiceBudget locked_obstacles{.poles = 16, .evaluations = 60, .starts = 3, .starts_if_none = 8};
+  ChoiceBudget locked_footprint{.poles = 4, .evaluations = 40, .starts = 1, .starts_if_none = 1};
+};
+
+/// Of one local solution, and of how starts are told apart.
+struct LocalBudget {
+  int openings = 9;          ///< at which contact is looked at for a first impression
+  int final_openings = 129;  ///< the same for a result, before it is certified in closed form
+  int exchanges = 10;        ///< rounds of the exchange method
+  int evaluations = 120;     ///< of the local solver in one round
+  /// Starts differ at least by so much in the unit square of lengths, or by so much of the task's size in the pole's place:
+  /// nearer ones lead to the same solution.
+  double lengths_apart = 0.15, poles_apart = 0.6;
+  /// Promising poles, and starts with locked lengths, differ by so much of the task's size: kinks of the region's distances
+  /// lie close together.
+  double locked_poles_apart = 0.06;
+};
+
+/// Of the way from a solution to a design that is certain.
+struct CertifyBudget {
+  /// Steps: places of the region in contact with an obstacle that are added, and limits that are demanded more strictly,
+  /// before a choice is given up.
+  int repairs = 12;
+};
+
+/// Of the search around a design that is farther from its bound than `near`.
+struct ImproveBudget {
+  double near = 0.004;   ///< share of the bound; the bound's own tolerance is a quarter of it
+  int hops = 24;         ///< random places around the design (basin hopping)
+  int hops_at_once = 8;  ///< solved in parallel from one centre; fixed, so that threads change nothing
+  double first_reach =
+      0.6;  ///< how far the first hops go: share of the lengths, and half that of the task's size
+  double nearer =
+      0.6;  ///< factor of the reach from one pair of hops to the next, and from one round to the next
+  int searches = 3;  ///< whole searches from other random numbers, there and where nothing was found
+};
+
+/// Of stock lengths (stock_lengths.hpp).
+struct StockBudget {
+  std::size_t candidates = 4000;  ///< pairs of lengths in the order of size before the search gives up
+  std::size_t near_one_shape = 400, near_all_shapes = 1000;  ///< pairs next to the best of any lengths
+  /// Pairs that work, after which the best of them is taken: where small ones are good ones, and elsewhere.
+  std::size_t enough_by_size = 4, enough = 8;
+  std::size_t least_group = 4,
+              largest_group = 16;  ///< pairs searched in parallel: as many as are enough, within these
+  int more_layers = 4;             ///< choices of layers tried after one that works
+  int ratios = 48;                 ///< inexact ratios of each grounding
+  int found_ratios = 24;           ///< designs with an inexact ratio before the best of them is taken
+  int found_ratios_obstacles = 4;  ///< the same where obstacles make each of them slow
+  double worse_for_ratio =
+      1.25;  ///< factor: an inexact ratio will do if its goal is no more worse than with any lengths
+  /// Factor of the size without contact where it was found for a ratio next to the one meant: it is no bound there.
+  double neighbouring_size = 0.98;
+};
+
+/// Of why there is no design (diagnosis.hpp).
+struct DiagnosisBudget {
+  int rounds = 8;  ///< of looking for a design nearer to what is demanded
+  /// Of the way from what is demanded to what is attained: where such a design is looked for, the nearest first.
+  std::array<double, 3> nearer{0.5, 0.9, 0.98};
+  int pin_halvings = 10;              ///< of what the pins may have to give: to a thousandth
+  std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
+};
+
+/// Shares of a time limit.
+struct TimeShares {
+  double proof = 0.2;         ///< when the first proof must end: then the search goes on without it
+  double first_design = 0.6;  ///< when the search for a first design must
+  double any_lengths =
+      0.4;  ///< of what is left: the search with any lengths, where the workshop dictates them
+};
+
+struct SearchBudgets {
+  /// Group size: choices searched in parallel. Pruning uses the results of earlier groups only, so it is fixed and not the
+  /// number of threads.
+  std::size_t group = 4;
+  ProofBudget proof{};
+  PoleBudget pole{};
+  ChoiceBudgets choice{};
+  LocalBudget local{};
+  CertifyBudget certify{};
+  ImproveBudget improve{};
+  StockBudget stock{};
+  DiagnosisBudget diagnosis{};
+  TimeShares time{};
+};
+
+}  // namespace kempe

@@ -1,0 +1,60 @@
+#pragma once
+// Every tolerance of the search, each with its unit and its reason; those of the problem stand in
+// synthesis/problem/tolerances.hpp.
+//
+// None of them decides whether a design is right: that is `limit_rounding` of the problem alone. These decide when two
+// figures are one, and which gain is worth more work.
+
+#include "synthesis/problem/tolerances.hpp"
+
+namespace kempe::tolerance {
+
+// When two figures are one
+
+/// Share of |k|: a design farther off has another ratio than the spec's (stock lengths), and the bound does not hold for it.
+inline constexpr double same_ratio = 1e-12;
+/// Share of the larger: two lengths of the workshop are one. Grid times a count is rounded, and lengths in mm have no more
+/// than seven digits.
+inline constexpr double same_length = 1e-9;
+/// Share of a figure: two points of a front are equal in it. What no user pays for with the other figure.
+inline constexpr double same_value = 1e-7;
+/// Share of the cost without contact: a size below it is one that rounding alone makes smaller than that bound.
+inline constexpr double bound_rounding = 1e-9;
+/// Share of a length: holes that fit but for rounding fit.
+inline constexpr double hole_rounding = 1e-9;
+/// Unit (DesignLayout::unit): a row of the exchange method missed by no more is not violated; the local solvers leave so much.
+inline constexpr double violated_row = 1e-11;
+
+// Which gain is worth more work
+
+/// Share of the cost: a choice that comes so near to its bound is searched no further.
+inline constexpr double at_bound = 1e-7;
+/// Share of the cost: the second solver's result replaces the first's only if it is better by more; rounding must not make
+/// one solver's digits look better than the other's.
+inline constexpr double solver_gain = 1e-9;
+/// Share of the value: a design met by basin hopping is certified only if it is better by more.
+inline constexpr double hop_gain = 1e-6;
+/// Share of the cost: layers on stock lengths that come so near to the cost without contact end the look at further layers;
+/// for a footprint no more is known.
+inline constexpr double near_free_cost = 1e-7, near_free_footprint = 1e-3;
+
+// Limits that give way (diagnosis)
+
+/// Share of the value attained, share of the way from what was demanded, and the limit's own unit (mm or degree): a limit
+/// gives way by the first, or by the second if that is less, but by the third at least; so that the value told is round and
+/// the search for it is not one for a single point.
+inline constexpr double give_of_value = 1e-3, give_of_way = 8e-3, least_give = 1e-6;
+/// mm or rad: what the share by which a limit gives way is of, where the limit itself is less.
+inline constexpr double least_demand = 1e-3;
+/// mm: no joints of a link are looked for that are nearer.
+inline constexpr double nearest_joints = 1e-3;
+/// Share of the hole: a wall thinner than this is none.
+inline constexpr double least_wall_share = 1e-3;
+
+// Weights of a first impression
+
+/// None: what is missing from the limits against the goal, both in shares of the task's size; what an infeasible point is
+/// worse by at least, so that a feasible one of the same goal comes first.
+inline constexpr double missing_weight = 10, infeasible_weight = 1e-3;
+
+}  // namespace kempe::tolerance
