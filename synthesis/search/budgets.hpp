@@ -52,6 +52,18 @@ struct ChoiceBudgets {
   ChoiceBudget locked{.poles = 16, .evaluations = 100, .starts = 3, .starts_if_none = 8};
   ChoiceBudget locked_obstacles{.poles = 16, .evaluations = 60, .starts = 3, .starts_if_none = 8};
   ChoiceBudget locked_footprint{.poles = 4, .evaluations = 40, .starts = 1, .starts_if_none = 1};
+
+  const ChoiceBudget& without_contact(bool pole_is_free) const {
+    return pole_is_free ? relaxed_free_pole : relaxed_fixed_pole;
+  }
+  const ChoiceBudget& with_contact(bool pole_is_free, bool has_obstacles) const {
+    if (has_obstacles) return pole_is_free ? free_pole_obstacles : fixed_pole_obstacles;
+    return pole_is_free ? free_pole : fixed_pole;
+  }
+  const ChoiceBudget& with_locked_lengths(bool of_footprint, bool has_obstacles) const {
+    if (of_footprint) return locked_footprint;
+    return has_obstacles ? locked_obstacles : locked;
+  }
 };
 
 /// Of one local solution, and of how starts are told apart.

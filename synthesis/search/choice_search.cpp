@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "synthesis/search/tolerances.hpp"
-#include "synthesis/solvers/newton_polish.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
-#include "synthesis/solvers/polish.hpp"
 
 namespace kempe {
 namespace {
-
-double merit_of(const DesignProblem& problem, const Assessment& seen) {
-  return seen.cost / problem.goal_scale() + tolerance::missing_weight * seen.violation +
-         (seen.feasible ? 0 : tolerance::infeasible_weight);
-}
 
 /// A place to start from: in the unit square of lengths, seen from a pole.
 struct Start {
@@ -74,126 +66,6 @@ std::vector<Start> best_starts(const DesignProblem& problem, const ChoiceOptions
   return picked;
 }
 
-ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local) {
-  const Assessment seen = problem.assess(point, local.final_openings);
-  return {.feasible = seen.feasible,
-          .cost = seen.cost,
-          .violation = seen.violation,
-          .point = point,
-          .evaluations = 1};
-}
-
-/// Rounded to a decimal place so far below the task's size that it costs nothing: the last digits of a solver then do not
-/// matter, and numbers are short in print.
-DesignPoint rounded(const DesignProblem& problem, const DesignPoint& point) {
-  const double scale = std::pow(10.0, 11 - std::floor(std::log10(problem.layout().unit)));
-  const auto to_place = [&](double value) { return std::round(value * scale) / scale; };
-  DesignPoint result{
-      {std::log(to_place(std::exp(point.lengths.u))), std::log(to_place(std::exp(point.lengths.v)))},
-      point.pole};
-  if (problem.layout().pole_is_free) result.pole = {to_place(point.pole.x()), to_place(point.pole.y())};
-  return result;
-}
-
-}  // namespace
-
-double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local) {
-  return merit_of(problem, problem.assess(point, local.openings));
-}
-
-ChoiceResult no_result() {
-  return {.cost = std::numeric_limits<double>::infinity(),
-          .violation = std::numeric_limits<double>::infinity()};
-}
-
-bool better(const ChoiceResult& a, const ChoiceResult& b) {
-  if (a.feasible != b.feasible) return a.feasible;
-  return a.feasible ? a.cost < b.cost : a.violation < b.violation;
-}
-
-namespace {
-
-using LocalSolver = std::function<LocalResult(const SmoothProgram&, const DesignVector&)>;
-
-/// The exchange method: solve, add the rows that the solution violates, solve again; then the last digits.
-ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, const LocalSolver& solve,
-                      const LocalBudget& local, const StopFlag& stop) {
-  DesignProblem problem = shared;
-  problem.set_room(start.pole);
-  DesignVector x = problem.vector_of(start);
-  std::vector<Row> rows = problem.rows_at(x);
-  std::uint64_t evaluations = 0;
-  for (int i = 0; i < local.exchanges && !stop(); ++i) {
-    const LocalResult solved = solve(problem.program(rows), x);
-    evaluations += static_cast<std::uint64_t>(solved.evaluations);
-    if (!solved.usable) break;
-    x = solved.x;
-    if (!problem.add_violated(rows, x, tolerance::violated_row)) break;
-  }
-  const DesignVector polished = stop() ? x : newton_polish(problem.program(rows), x);
-  ChoiceResult best = judged(problem, problem.point_of(x), local);
-  for (const DesignPoint& point :
-       {problem.point_of(polished), rounded(problem, problem.point_of(polished))}) {
-    const ChoiceResult here = judged(problem, point, local);
-    if (here.feasible || better(here, best)) best = here;
-  }
-  best.evaluations += evaluations;
-  return best;
-}
-
-}  // namespace
-
-ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const LocalBudget& local,
-                    const StopFlag& stop) {
-  const LocalSolver sqp = [&](const SmoothProgram& program, const DesignVector& x) {
-    return minimize_by_sqp(program, x, local.evaluations, stop);
-  };
-  return exchange(problem, start, sqp, local, stop);
-}
-
-ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const LocalBudget& local,
-                            const StopFlag& stop) {
-  const LocalSolver second = [&](const SmoothProgram& program, const DesignVector& x) {
-    return polish(program, x, stop);
-  };
-  ChoiceResult best = exchange(problem, found.point, second, local, stop);
-  const std::uint64_t evaluations = best.evaluations + found.evaluations;
-  // Rounding must not make one solver's digits look better than the other's.
-  if (!best.feasible || best.cost > found.cost - tolerance::solver_gain * std::abs(found.cost)) best = found;
-  best.evaluations = evaluations;
-  return best;
-}
-
-std::vector<Point> promising_poles(const DesignProblem& problem, const PoleBudget& budget,
-                                   const LocalBudget& local, const StopFlag& stop) {
-  if (!problem.layout().pole_is_free || !problem.possible()) return {};
-  const auto merit = [&](std::span<const double> z) {
-    const Point pole = problem.unit_pole(z[0], z[1]);
-    double best = std::numeric_limits<double>::infinity();
-    for (const double of_lambda : budget.lambda_shares)
-      for (const double of_m : budget.m_shares) {
-        const DesignPoint point{problem.unit_lengths(pole, of_lambda, of_m), pole};
-        best = std::min(best, merit_of(problem, problem.assess(point, 1)));
-      }
-    return best;
-  };
-  std::vector<Explored> seen = explore({2, budget.evaluations, 1, merit, stop});
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const Explored& a, const Explored& b) { return a.merit < b.merit; });
-  std::vector<Point> poles;
-  for (const Explored& place : seen) {
-    const Point pole = problem.unit_pole(place.z[0], place.z[1]);
-    const auto close = [&](const Point& other) {
-      return (pole - other).norm() < local.locked_poles_apart * problem.layout().unit;
-    };
-    if (std::none_of(poles.begin(), poles.end(), close)) poles.push_back(pole);
-    if (static_cast<int>(poles.size()) == budget.promising) break;
-  }
-  return poles;
-}
-
-namespace {
-
 /// The best places of the lattices and of the global search, more than enough of them.
 std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& options,
                              std::uint64_t& evaluations) {
@@ -217,7 +89,8 @@ std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& 
 
 /// Nothing better can be hoped for.
 bool is_done(const ChoiceResult& best, const ChoiceOptions& options) {
-  return best.feasible && best.cost <= options.bound + tolerance::at_bound * std::abs(options.bound);
+  return best.feasible && options.bound &&
+         best.cost <= *options.bound + tolerance::at_bound * std::abs(*options.bound);
 }
 
 }  // namespace

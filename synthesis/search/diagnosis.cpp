@@ -10,6 +10,8 @@
 #include <cmath>
 
 #include "synthesis/problem/obstacle_reach.hpp"
+#include "synthesis/search/best_design.hpp"
+#include "synthesis/search/nearby_search.hpp"
 #include "synthesis/search/tolerances.hpp"
 
 namespace kempe {
@@ -97,25 +99,27 @@ std::string sentence_of(const Movable& limit, double demanded, double possible) 
                      possible / limit.unit);
 }
 
+RelaxedDesign start_at(const CopyingLinkage& linkage) {
+  return {linkage.grounding(), linkage.assembly_mode(), linkage.VA(), linkage.VB(), linkage.pole(), {}};
+}
+
 /// The best that designs can have of a limit while all others hold. Its own search may miss where the pole wanders far: a
 /// search for the spec's objective with the limit nearer to what is demanded finds what it missed.
-SearchResult best_attained(const SearchRun& run, const Requirements& limits, const Movable& limit,
+SearchResult best_attained(const SearchTask& task, const Requirements& limits, const Movable& limit,
                            double demanded) {
-  const DiagnosisBudget& budget = run.options().budgets.diagnosis;
-  SearchResult best = run.best(moved(limits, limit.goal, limit.loosest), limit.goal);
-  for (int rounds = 0; best.design && rounds < budget.rounds && !run.stop()(); ++rounds) {
+  const DiagnosisBudget& budget = task.budgets().diagnosis;
+  SearchResult best = best_design(task.with(moved(limits, limit.goal, limit.loosest), limit.goal));
+  for (int rounds = 0; best.design && rounds < budget.rounds && !task.stopped(); ++rounds) {
     bool nearer = false;
     for (const double share : budget.nearer) {
-      if (run.stop()()) break;
+      if (task.stopped()) break;
       const double attained = best.design->attained.of(limit.goal);
       const Requirements narrowed = moved(limits, limit.goal, demanded + share * (attained - demanded));
-      SearchResult found = run.best(narrowed, goal_of(run.spec().objective.objective));
+      SearchResult found = best_design(task.with(narrowed, task.goal));
       best.evaluations += found.evaluations;
       if (!found.design) continue;
-      const CopyingLinkage& linkage = found.design->linkage;
-      const SearchResult polished = run.best_from(
-          {linkage.grounding(), linkage.assembly_mode(), linkage.VA(), linkage.VB(), linkage.pole(), {}},
-          narrowed, limit.goal, {});
+      const SearchResult polished =
+          best_from(start_at(found.design->linkage), task.with(narrowed, limit.goal), {});
       best.evaluations += polished.evaluations;
       best.design = polished.design ? polished.design : found.design;
       nearer = true;
@@ -126,16 +130,15 @@ SearchResult best_attained(const SearchRun& run, const Requirements& limits, con
   return best;
 }
 
-std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements& limits,
+std::optional<Relaxation> relaxation_of(const SearchTask& task, const Requirements& limits,
                                         const Movable& limit, std::uint64_t& evaluations) {
-  const auto demanded = value_of(limits, run.spec(), limit.goal);
-  if (!demanded || run.stop()()) return std::nullopt;
-  const SearchResult widest = best_attained(run, limits, limit, *demanded);
+  const auto demanded = value_of(limits, task.spec(), limit.goal);
+  if (!demanded || task.stopped()) return std::nullopt;
+  const SearchResult widest = best_attained(task, limits, limit, *demanded);
   evaluations += widest.evaluations;
   if (!widest.design) return std::nullopt;
   const double possible = possible_value(limit, *demanded, widest.design->attained.of(limit.goal));
-  const SearchResult again =
-      run.best(moved(limits, limit.goal, possible), goal_of(run.spec().objective.objective));
+  const SearchResult again = best_design(task.with(moved(limits, limit.goal, possible), task.goal));
   evaluations += again.evaluations;
   return Relaxation{limit.goal,
                     limit.key,
@@ -146,41 +149,43 @@ std::optional<Relaxation> relaxation_of(const SearchRun& run, const Requirements
 }
 
 /// A thinner wall between two holes, of which something is left.
-std::optional<Relaxation> thinner_wall(const SearchRun& run, const Requirements& limits,
+std::optional<Relaxation> thinner_wall(const SearchTask& task, const Requirements& limits,
                                        std::uint64_t& evaluations) {
-  const Spec& spec = run.spec();
+  const Spec& spec = task.spec();
   const double bore = joint_width(spec), wall = least_wall(spec);
   const Movable limit{
       Goal::shortest, "links.wall_mm", 1,
       std::max({spec.links.shortest, (1 + tolerance::least_wall_share) * bore, tolerance::nearest_joints})};
   if (limit.loosest >= limits.shortest) return std::nullopt;
-  auto relaxation = relaxation_of(run, limits, limit, evaluations);
+  auto relaxation = relaxation_of(task, limits, limit, evaluations);
   if (!relaxation) return std::nullopt;
   relaxation->possible = std::max(relaxation->possible, limit.loosest);
   relaxation->sentence = holes_sentence(spec, limit.key, wall, relaxation->possible - bore);
   return relaxation;
 }
 
+/// The same question of another spec.
+SearchResult best_of_other_spec(const SearchTask& task, const Spec& spec, const Requirements& limits) {
+  return best_design(pose(spec, task.control.silent_part()).with(limits, task.goal));
+}
+
 /// Thinner pins, which stand in fewer parts' way too: the thickest with which there is a design, by halving. Thinner ones
 /// never forbid what thicker ones allow.
-std::optional<Relaxation> thinner_pins(const SearchRun& run, const Requirements& limits,
+std::optional<Relaxation> thinner_pins(const SearchTask& task, const Requirements& limits,
                                        std::uint64_t& evaluations) {
-  const double pin = run.spec().links.style.pin_diameter;
-  const Goal goal = goal_of(run.spec().objective.objective);
+  const double pin = task.spec().links.style.pin_diameter;
   const auto with_pins = [&](double diameter) {
-    Spec spec = run.spec();
+    Spec spec = task.spec();
     spec.links.style.pin_diameter = diameter;
-    SearchOptions options = run.options_of_part();
-    options.progress = nullptr;
     Requirements thinner = limits;
     thinner.shortest = least_joint_distance(spec);
-    SearchResult found = SearchRun(spec, options).best(thinner, goal);
+    const SearchResult found = best_of_other_spec(task, spec, thinner);
     evaluations += found.evaluations;
     return found;
   };
   double enough = tolerance::least_wall_share * pin, too_much = pin;
   std::optional<FoundDesign> design = with_pins(enough).design;
-  for (int i = 0; design && i < run.options().budgets.diagnosis.pin_halvings && !run.stop()(); ++i) {
+  for (int i = 0; design && i < task.budgets().diagnosis.pin_halvings && !task.stopped(); ++i) {
     const double middle = rounded_down(0.5 * (enough + too_much));
     if (middle <= enough) break;
     const SearchResult found = with_pins(middle);
@@ -188,38 +193,36 @@ std::optional<Relaxation> thinner_pins(const SearchRun& run, const Requirements&
     if (found.design) design = found.design;
   }
   if (!design) return std::nullopt;
-  Spec spec = run.spec();
+  Spec spec = task.spec();
   spec.links.style.pin_diameter = enough;
   return Relaxation{Goal::shortest,
                     "links.pin_diameter_mm",
                     limits.shortest,
                     least_joint_distance(spec),
-                    holes_sentence(run.spec(), "links.pin_diameter_mm", pin, enough),
+                    holes_sentence(task.spec(), "links.pin_diameter_mm", pin, enough),
                     *design};
 }
 
 /// The joints of a link are kept apart by shortest_mm or by their holes, whichever asks for more: that one may give.
-std::optional<Relaxation> nearer_joints(const SearchRun& run, const Requirements& limits,
+std::optional<Relaxation> nearer_joints(const SearchTask& task, const Requirements& limits,
                                         std::uint64_t& evaluations) {
-  const double holes = hole_distance(run.spec()), shortest = run.spec().links.shortest;
+  const double holes = hole_distance(task.spec()), shortest = task.spec().links.shortest;
   if (shortest > holes)
-    return relaxation_of(run, limits,
+    return relaxation_of(task, limits,
                          {Goal::shortest, "links.shortest_mm", 1, std::max(holes, tolerance::nearest_joints)},
                          evaluations);
   if (shortest == holes) return std::nullopt;
-  if (auto wall = thinner_wall(run, limits, evaluations)) return wall;
-  return thinner_pins(run, limits, evaluations);
+  if (auto wall = thinner_wall(task, limits, evaluations)) return wall;
+  return thinner_pins(task, limits, evaluations);
 }
 
-std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirements& limits,
+std::optional<Relaxation> without_obstacles(const SearchTask& task, const Requirements& limits,
                                             const std::vector<Obstacle>& left, const std::string& gone,
                                             std::uint64_t& evaluations) {
-  if (run.stop()()) return std::nullopt;
-  Spec spec = run.spec();
+  if (task.stopped()) return std::nullopt;
+  Spec spec = task.spec();
   spec.obstacles = left;
-  SearchOptions options = run.options_of_part();
-  options.progress = nullptr;
-  const SearchResult found = SearchRun(spec, options).best(limits, goal_of(spec.objective.objective));
+  const SearchResult found = best_of_other_spec(task, spec, limits);
   evaluations += found.evaluations;
   if (!found.design) return std::nullopt;
   return Relaxation{
@@ -232,19 +235,19 @@ std::optional<Relaxation> without_obstacles(const SearchRun& run, const Requirem
       *found.design};
 }
 
-std::vector<Relaxation> obstacle_relaxations(const SearchRun& run, const Requirements& limits,
+std::vector<Relaxation> obstacle_relaxations(const SearchTask& task, const Requirements& limits,
                                              std::uint64_t& evaluations) {
-  const std::vector<Obstacle>& all = run.space().spec().obstacles;  // no other is in the way
+  const std::vector<Obstacle>& all = task.space().spec().obstacles;  // no other is in the way
   if (all.empty()) return {};
   const auto none_left =
-      without_obstacles(run, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
+      without_obstacles(task, limits, {}, all.size() == 1 ? all[0].name : "the obstacles", evaluations);
   if (!none_left) return {};
   std::vector<Relaxation> single;
-  if (all.size() > run.options().budgets.diagnosis.single_obstacles) return {*none_left};
+  if (all.size() > task.budgets().diagnosis.single_obstacles) return {*none_left};
   for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i) {
     std::vector<Obstacle> left = all;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-    if (const auto one = without_obstacles(run, limits, left, all[i].name, evaluations))
+    if (const auto one = without_obstacles(task, limits, left, all[i].name, evaluations))
       single.push_back(*one);
   }
   return single.empty() ? std::vector{*none_left} : single;
@@ -320,23 +323,23 @@ std::optional<NoDesign> plainly_impossible(const Spec& spec) {
   return holes_too_near(spec);
 }
 
-NoDesign diagnose(const SearchRun& run, const SearchResult& nothing) {
+NoDesign diagnose(const SearchTask& task, const SearchResult& nothing) {
   NoDesign none{.requirement = "limits",
                 .sentence = "no design keeps all limits",
                 .relaxations = {},
                 .proven = nothing.proven_none,
-                .obstacles_out_of_reach = names_out_of_reach(run.spec()),
+                .obstacles_out_of_reach = names_out_of_reach(task.spec()),
                 .evaluations = nothing.evaluations};
-  if (!run.options().diagnose) return none;
-  const Requirements limits = requirements_of(run.spec());
+  if (!task.control.options().diagnose) return none;
+  const Requirements limits = requirements_of(task.spec());
   for (const Movable& limit : movables)
-    if (const auto relaxation = relaxation_of(run, limits, limit, none.evaluations))
+    if (const auto relaxation = relaxation_of(task, limits, limit, none.evaluations))
       none.relaxations.push_back(*relaxation);
-  if (auto relaxation = nearer_joints(run, limits, none.evaluations))
+  if (auto relaxation = nearer_joints(task, limits, none.evaluations))
     none.relaxations.push_back(*std::move(relaxation));
-  for (Relaxation& relaxation : obstacle_relaxations(run, limits, none.evaluations))
+  for (Relaxation& relaxation : obstacle_relaxations(task, limits, none.evaluations))
     none.relaxations.push_back(std::move(relaxation));
-  none.diagnosed = !run.stop()();
+  none.diagnosed = !task.stopped();
   std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
                    [](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
   if (none.relaxations.empty()) {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "synthesis/problem/local_frame.hpp"
+#include "synthesis/search/best_design.hpp"
 #include "synthesis/search/diagnosis.hpp"
-#include "synthesis/search/search_run.hpp"
 #include "synthesis/search/tolerances.hpp"
 #include "workspace/footprint.hpp"
 
@@ -61,8 +61,8 @@ using Front = tl::expected<std::vector<ParetoPoint>, NoDesign>;
 
 Front front_here(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
   if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
-  const SearchRun run(spec, options);
-  const Requirements limits = requirements_of(spec);
+  const SearchTask task = pose(spec, SearchControl(options));
+  const Requirements& limits = task.limits;
   // The footprint is the one that is hard to limit: then the other is limited.
   const Objective limited_one = a == Objective::footprint ? b : a, other = a == Objective::footprint ? a : b;
   std::vector<ParetoPoint> found;
@@ -72,20 +72,20 @@ Front front_here(const Spec& spec, Objective a, Objective b, int points, const S
     return result.design.has_value();
   };
   const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };
-  const SearchResult first = run.best(limits, goal_of(limited_one));
+  const SearchResult first = best_design(task.with(goal_of(limited_one)));
   if (!first.design && first.stopped && !first.proven_none) return found;
-  if (!first.design) return tl::unexpected(diagnose(run, first));
+  if (!first.design) return tl::unexpected(diagnose(task, first));
   const double from = value_of(spec, *first.design, limited_one);
-  add(run.best(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other)));
+  add(best_design(task.with(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other))));
   if (found.empty()) add(first);
-  if (run.stop()() || !add(run.best(limits, goal_of(other)))) return found;
+  if (task.stopped() || !add(best_design(task.with(goal_of(other))))) return found;
   const double to = limited_value(found.back());
   const int steps = std::max(2, points) - 1;
-  for (int i = 1; i < steps && !run.stop()(); ++i) {
+  for (int i = 1; i < steps && !task.stopped(); ++i) {
     if (options.progress) options.progress(static_cast<double>(i) / steps, "front");
     // Even steps in the logarithm: both ends may differ by much.
     const double at = from * std::pow(to / from, static_cast<double>(i) / steps);
-    add(run.best(limited(limits, limited_one, at), goal_of(other)));
+    add(best_design(task.with(limited(limits, limited_one, at), goal_of(other))));
   }
   return undominated(std::move(found), a, b);
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "synthesis/search/search_run.hpp"
+#include "synthesis/search/search.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 

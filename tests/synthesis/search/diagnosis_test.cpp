@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "specs/spec_reader.hpp"
+#include "synthesis/search/best_design.hpp"
 #include "synthesis/search/design_check.hpp"
 #include "synthesis/search/obstacle_check.hpp"
 #include "synthesis/search/pareto.hpp"
@@ -43,7 +44,7 @@ NoDesign nothing_for(const Spec& spec) {
 
 /// Each relaxation's design keeps all other limits, and a hundredth less of it leaves nothing.
 void check(const Spec& spec, const NoDesign& none) {
-  const SearchRun run(spec, {.diagnose = false});
+  const SearchTask task = pose(spec, SearchControl({.diagnose = false}));
   for (const Relaxation& relaxation : none.relaxations) {
     SCOPED_TRACE(relaxation.sentence);
     ASSERT_TRUE(relaxation.limit);
@@ -52,7 +53,8 @@ void check(const Spec& spec, const NoDesign& none) {
     const DesignCheck design = check_design(spec, moved, relaxation.design.linkage, relaxation.design.layers);
     EXPECT_TRUE(design.feasible) << (design.broken ? name(*design.broken) : "");
     const double less = relaxation.demanded + 0.98 * (relaxation.possible - relaxation.demanded);
-    EXPECT_FALSE(run.best(with(requirements_of(spec), *relaxation.limit, less), Goal::size).design)
+    EXPECT_FALSE(
+        best_design(task.with(with(requirements_of(spec), *relaxation.limit, less), Goal::size)).design)
         << "less would do: " << less;
   }
 }

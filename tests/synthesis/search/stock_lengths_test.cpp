@@ -5,6 +5,7 @@
 
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/design_check.hpp"
+#include "synthesis/search/workshop_lengths.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 

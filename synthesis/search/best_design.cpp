@@ -1,0 +1,94 @@
+// prove                 the bound's tree: it proves that there is no design, or gives places to start from
+// relax                 every choice without contact: an order, and what to prune by
+// for group in order    of fixed size, so that threads change nothing
+//   search              in parallel; a choice that cannot beat what earlier groups found is left out
+//   certify             every limit anew; a miss adds a place or tightens a limit, then again; the best is kept
+// finish                the best by the second solver
+//
+// Under a time limit all this comes after a first look: a share of the limit goes to a proof as far as it comes and to a first
+// design, which are kept for the case that the time runs out. Where the workshop dictates lengths, the best design with any
+// lengths leads to those.
+
+#include "synthesis/search/best_design.hpp"
+
+#include <fmt/format.h>
+
+#include <span>
+
+#include "synthesis/search/prove.hpp"
+#include "synthesis/search/stock_lengths.hpp"
+#include "synthesis/search/strategy.hpp"
+#include "synthesis/solvers/parallel.hpp"
+
+namespace kempe {
+namespace {
+
+std::vector<ChoiceResult> search_group(const Strategy& strategy, const SearchTask& task,
+                                       std::span<const Prospect> group, const ChoiceResult& best) {
+  std::vector<ChoiceResult> found(group.size(), no_result());
+  run_parallel(group.size(), task.control.options().threads,
+               [&](std::size_t i) { found[i] = strategy.search(task, group[i], best); });
+  return found;
+}
+
+void report(const SearchTask& task, std::size_t searched, std::size_t all) {
+  const std::size_t left_out = task.problem->obstacles_out_of_reach();
+  task.control.report(
+      static_cast<double>(searched) / static_cast<double>(all),
+      left_out == 0 ? "searching" : fmt::format("searching; {} obstacles out of reach left out", left_out));
+}
+
+SearchResult best_by(const Strategy& strategy, const SearchTask& task,
+                     const std::vector<RelaxedDesign>& known) {
+  Incumbent best;
+  std::vector<Prospect> order = strategy.relax(task, known, best);
+  std::size_t searched = 0;
+  while (searched < order.size() && !task.stopped()) {
+    const auto group =
+        std::span(order).subspan(searched, std::min(task.budgets().group, order.size() - searched));
+    const std::vector<ChoiceResult> found = search_group(strategy, task, group, best.result);
+    for (std::size_t i = 0; i < group.size(); ++i) strategy.certify(task, group[i], found[i], best);
+    report(task, searched += group.size(), order.size());
+  }
+  strategy.finish(task, best);
+  return {.design = best.design, .stopped = task.stopped(), .evaluations = best.evaluations};
+}
+
+/// The best with any lengths; where the workshop dictates lengths, they leave time for those.
+SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
+  const bool in_part = has_stock_lengths(task.spec()) && task.control.has_time_limit();
+  return best_by(*strategy_for(task.goal),
+                 in_part ? task.with(task.control.part_of_time(task.budgets().time.any_lengths)) : task,
+                 known);
+}
+
+/// What no design can beat, of goals that the bound's tree knows.
+std::optional<double> bound_of(Goal goal, const FirstLook& look, const std::optional<ProvenBound>& proof) {
+  if (goal != Goal::size && goal != Goal::transmission) return std::nullopt;
+  std::optional<double> bound;
+  for (const auto& one : {look.proof, proof})
+    if (one) bound = tighter_bound(goal, bound, one->value);
+  return bound;
+}
+
+}  // namespace
+
+SearchResult best_design(const SearchTask& asked) {
+  const SearchTask task = posed_for_its_limits(asked);
+  const FirstLook look = first_look(task);
+  const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
+  if (proof && proof->no_design) return {.proven_none = true};
+  SearchResult found = best_of_any_lengths(task, starts_of(proof));
+  const bool stopped = found.stopped;
+  if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);
+  found.stopped = found.stopped || stopped;
+  if (found.stopped) keep_better(task.goal, look.design, found.design);
+  found.bound = bound_of(task.goal, look, proof);
+  if (found.design) {
+    found.design->evaluations = found.evaluations;
+    found.design->complete = !found.stopped;
+  }
+  return found;
+}
+
+}  // namespace kempe

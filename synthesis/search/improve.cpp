@@ -1,0 +1,69 @@
+#include "synthesis/search/improve.hpp"
+
+#include <cmath>
+
+#include "geometry/invariant.hpp"
+#include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/search/best_design.hpp"
+#include "synthesis/search/nearby_search.hpp"
+#include "synthesis/search/tolerances.hpp"
+
+namespace kempe {
+namespace {
+
+/// The bound is one of designs with the exact ratio.
+bool has_exact_ratio(const FoundDesign& design, const Spec& spec) {
+  return std::abs(design.linkage.k() - spec.copy.k) <= tolerance::same_ratio * std::abs(spec.copy.k);
+}
+
+/// A stopped search's design with the better of the bounds that it came to.
+SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBound>& last, Goal goal,
+                       SearchResult found) {
+  if (last && !last->no_design) bound = tighter_bound(goal, bound, last->value);
+  found.design->proven_bound = bound;
+  return found;
+}
+
+/// Searched from the bound's starts, then around the design, then all over from other random numbers.
+SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchResult found) {
+  const auto is_near = [&](const SearchResult& one) {
+    return std::abs(one.design->value - bound.value) <= task.budgets().improve.near * std::abs(bound.value);
+  };
+  for (const RelaxedDesign& start : starts_of(bound)) found = best_from(start, task, std::move(found));
+  if (!is_near(found)) found = basin_hopping(task, std::move(found));
+  return searched_again(task, std::move(found), is_near);
+}
+
+}  // namespace
+
+SearchResult searched_again(const SearchTask& task, SearchResult found,
+                            const std::function<bool(const SearchResult&)>& is_enough) {
+  const std::uint64_t seed = task.control.options().seed;
+  for (int i = 1; i <= task.budgets().improve.searches && !task.stopped() && !is_enough(found); ++i) {
+    const SearchResult again =
+        best_design(task.with(task.control.part_with_seed(seed + static_cast<std::uint64_t>(i))));
+    found.evaluations += again.evaluations;
+    if (!again.design || (found.design && !is_better(task.goal, *again.design, *found.design))) continue;
+    found.design = again.design;
+    found.design->seed = seed;
+  }
+  found.stopped = task.stopped();
+  return found;
+}
+
+SearchResult improved(const SearchTask& task, SearchResult found) {
+  if (!has_exact_ratio(*found.design, task.spec())) return found;
+  const auto bound =
+      proven_bound(task.space().spec(), {.incumbent = found.design->value, .stop = task.stop()});
+  if (task.stopped()) {
+    const std::optional<double> known = found.bound;
+    return told_with(known, bound, task.goal, std::move(found));
+  }
+  if (!bound) return found;
+  invariant(!bound->no_design, "no bound says that there is no design after one was found");
+  if (!has_stock_lengths(task.spec()) && !task.stopped()) found = nearer_to(*bound, task, std::move(found));
+  found.design->proven_bound = bound->value;
+  return found;
+}
+
+}  // namespace kempe
