@@ -284,7 +284,7 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
   if (const auto lack = why_no_step(); lack && extras.why_no_parts.empty()) told.push_back(*lack);
   print(session.json ? summary_json(design, folder, files, told) : summary_text(design, folder, files, told));
-  for (const std::string& sentence : left_out) fail(done, sentence);
+  for (const std::string& sentence : left_out) say(sentence);
   return done;
 }
 
