@@ -1,6 +1,6 @@
 #pragma once
 // Every tolerance of the problem, each with its unit and its reason; those of the search stand in
-// synthesis/search/tolerances.hpp. (How much a linkage's joints and holes may be off is synthesis/tolerance/.)
+// synthesis/search/steps/tolerances.hpp. (How much a linkage's joints and holes may be off is synthesis/tolerance/.)
 //
 // Rounding: what floating-point evaluation may be off by. Inward: kept inside a limit, so that the finished design, whose
 // numbers are rounded and which is checked anew, keeps the limit itself. Floors: keep a divisor or a logarithm's argument

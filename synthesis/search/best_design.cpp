@@ -15,9 +15,9 @@
 
 #include <span>
 
-#include "synthesis/search/prove.hpp"
-#include "synthesis/search/stock_lengths.hpp"
-#include "synthesis/search/strategy.hpp"
+#include "synthesis/search/steps/prove.hpp"
+#include "synthesis/search/strategies/stock_lengths.hpp"
+#include "synthesis/search/strategies/strategy.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {

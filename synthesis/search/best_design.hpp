@@ -2,8 +2,8 @@
 // The driver of the search for one goal under given limits: what synthesize(), the diagnosis of specs without a design and the
 // fronts share.
 
-#include "synthesis/search/search_result.hpp"
-#include "synthesis/search/search_task.hpp"
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
 
 namespace kempe {
 

@@ -12,7 +12,7 @@
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/search/best_design.hpp"
 #include "synthesis/search/nearby_search.hpp"
-#include "synthesis/search/tolerances.hpp"
+#include "synthesis/search/steps/tolerances.hpp"
 
 namespace kempe {
 namespace {

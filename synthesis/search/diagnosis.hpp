@@ -1,8 +1,8 @@
 #pragma once
 // Why a spec has no design: every limit moved alone, as little as makes a design possible.
 
-#include "synthesis/search/search_result.hpp"
-#include "synthesis/search/search_task.hpp"
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
 
 namespace kempe {
 

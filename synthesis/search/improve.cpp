@@ -6,7 +6,7 @@
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/search/best_design.hpp"
 #include "synthesis/search/nearby_search.hpp"
-#include "synthesis/search/tolerances.hpp"
+#include "synthesis/search/steps/tolerances.hpp"
 
 namespace kempe {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "synthesis/search/search_result.hpp"
-#include "synthesis/search/search_task.hpp"
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
 
 namespace kempe {
 

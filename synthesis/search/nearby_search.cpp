@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "geometry/chance.hpp"
-#include "synthesis/search/certify.hpp"
-#include "synthesis/search/tolerances.hpp"
+#include "synthesis/search/steps/certify.hpp"
+#include "synthesis/search/steps/tolerances.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
@@ -24,8 +24,8 @@ DesignPoint hop(const DesignPoint& from, double reach, const DesignLayout& layou
   DesignPoint to = from;
   to.lengths.u += chance.symmetric(reach);
   to.lengths.v += chance.symmetric(reach);
-  const double north =
-      chance.symmetric(0.5 * reach * layout.unit);  // drawn before the other: designs depend on it
+  // North is drawn first: designs depend on the order.
+  const double north = chance.symmetric(0.5 * reach * layout.unit);
   const double east = chance.symmetric(0.5 * reach * layout.unit);
   if (layout.pole_is_free) to.pole += Point(east, north);
   return to;

@@ -2,8 +2,8 @@
 // Local searches around a design that is known.
 
 #include "synthesis/bound/proven_bound.hpp"
-#include "synthesis/search/search_result.hpp"
-#include "synthesis/search/search_task.hpp"
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
 
 namespace kempe {
 

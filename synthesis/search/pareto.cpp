@@ -6,7 +6,7 @@
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/best_design.hpp"
 #include "synthesis/search/diagnosis.hpp"
-#include "synthesis/search/tolerances.hpp"
+#include "synthesis/search/steps/tolerances.hpp"
 #include "workspace/footprint.hpp"
 
 namespace kempe {

@@ -1,8 +1,8 @@
 #pragma once
 // The search: from a spec to the best design that keeps every limit, or to the reason why there is none.
 
-#include "synthesis/search/outcome.hpp"
-#include "synthesis/search/search_options.hpp"
+#include "synthesis/search/steps/outcome.hpp"
+#include "synthesis/search/steps/search_options.hpp"
 
 namespace kempe {
 

@@ -8,9 +8,9 @@
 
 #include "specs/spec_reader.hpp"
 #include "synthesis/search/best_design.hpp"
-#include "synthesis/search/design_check.hpp"
-#include "synthesis/search/obstacle_check.hpp"
 #include "synthesis/search/pareto.hpp"
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "specs/spec_reader.hpp"
-#include "synthesis/search/design_check.hpp"
+#include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 
 namespace kempe {

@@ -8,7 +8,7 @@
 #include "specs/spec_reader.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/design_check.hpp"
+#include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "synthesis/verification/verification.hpp"
 #include "tests/samples.hpp"

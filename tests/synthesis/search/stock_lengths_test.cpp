@@ -1,11 +1,11 @@
 // Lengths from a grid, a stock list, or locked; and the advice about follower and cutter.
-#include "synthesis/search/stock_lengths.hpp"
+#include "synthesis/search/strategies/stock_lengths.hpp"
 
 #include <gtest/gtest.h>
 
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/design_check.hpp"
-#include "synthesis/search/workshop_lengths.hpp"
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/strategies/workshop_lengths.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 

@@ -7,10 +7,10 @@
 #include "specs/spec_reader.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/design_check.hpp"
-#include "synthesis/search/obstacle_check.hpp"
 #include "synthesis/search/pareto.hpp"
 #include "synthesis/search/search.hpp"
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 

@@ -1,0 +1,107 @@
+#include "synthesis/search/steps/certify.hpp"
+
+#include <cmath>
+
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/local_search.hpp"
+#include "synthesis/search/steps/obstacle_check.hpp"
+#include "synthesis/solvers/nlopt_backend.hpp"
+#include "synthesis/solvers/polish.hpp"
+#include "workspace/footprint.hpp"
+
+namespace kempe {
+namespace {
+
+/// A length from its logarithm: the decimal number next to it, 120 and not 119.99999999999999.
+double length_from(double logarithm) {
+  const double length = std::exp(logarithm);
+  const double scale = std::pow(10.0, 13 - std::floor(std::log10(length)));
+  return std::round(length * scale) / scale;
+}
+
+std::optional<CopyingLinkage> linkage_of(const Spec& spec, const Choice& choice, const DesignPoint& point) {
+  const auto made = CopyingLinkage::make(spec.copy.k, choice.grounding, length_from(point.lengths.u),
+                                         length_from(point.lengths.v), choice.assembly_mode, point.pole);
+  if (!made) return std::nullopt;
+  return *made;
+}
+
+ChoiceResult solved_again(const SearchTask& task, const Subproblem& sub, const ChoiceResult& found) {
+  ChoiceResult again = refine(*sub.problem, found.point, task.budgets().local, task.stop());
+  again.evaluations += found.evaluations;
+  return again;
+}
+
+/// By how much the broken limit is missed; 0 for limits that only rounding can miss.
+double shortfall(const Requirements& limits, const DesignCheck& check) {
+  switch (*check.broken) {
+    case Goal::clearance: return limits.clearance - check.attained.clearance;
+    case Goal::transmission: return limits.transmission - check.attained.transmission;
+    case Goal::sheets_gap: return *limits.sheets_gap - check.attained.sheets_gap;
+    default: return 0;
+  }
+}
+
+/// The broken limit demanded more strictly from now on; false if that one cannot be.
+bool demand_more(Subproblem& sub, const Requirements& limits, const DesignCheck& check) {
+  if (!check.broken || check.needed.empty()) return false;
+  return sub.problem->tighten(*check.broken, std::max(0.0, shortfall(limits, check)));
+}
+
+ObstacleCheck checked_obstacles(const SearchTask& task, const Subproblem& sub, const CopyingLinkage& linkage,
+                                const OpeningInterval& certified_opening) {
+  return check_obstacles(task.space().spec(), task.limits, linkage, sub.choice->choice.layers,
+                         certified_opening, task.stop());
+}
+
+/// The subproblem with what the finished design misses; false if it misses nothing, or nothing that can be added. Tells in
+/// `found` which of the two it is.
+bool learn(const SearchTask& task, Subproblem& sub, ChoiceResult& found, bool may_solve_again) {
+  const Choice& choice = sub.choice->choice;
+  const auto linkage = linkage_of(task.spec(), choice, found.point);
+  const DesignCheck check =
+      linkage ? check_design(task.spec(), task.limits, *linkage, choice.layers) : DesignCheck{};
+  found.feasible = check.feasible;
+  if (!check.feasible) return may_solve_again && !task.stopped() && demand_more(sub, task.limits, check);
+  if (task.space().obstacles().empty()) return false;
+  const ObstacleCheck obstacles = checked_obstacles(task, sub, *linkage, check.opening);
+  found.feasible = obstacles.clear;
+  if (obstacles.clear || !obstacles.witness || !may_solve_again || task.stopped()) return false;
+  sub.problem->add_place(*obstacles.witness);
+  return true;
+}
+
+}  // namespace
+
+ChoiceResult certified(const SearchTask& task, Subproblem& subproblem, ChoiceResult candidate) {
+  const int most = task.budgets().certify.repairs;
+  for (int repairs = 0; candidate.feasible; ++repairs) {
+    if (!learn(task, subproblem, candidate, repairs < most)) break;
+    candidate = solved_again(task, subproblem, candidate);
+  }
+  return candidate;
+}
+
+std::optional<FoundDesign> design_of(const SearchTask& task, const Subproblem& subproblem,
+                                     const ChoiceResult& found) {
+  const Choice& choice = subproblem.choice->choice;
+  const auto linkage = linkage_of(task.spec(), choice, found.point);
+  if (!linkage) return std::nullopt;
+  const DesignCheck check = check_design(task.spec(), task.limits, *linkage, choice.layers);
+  if (!check.feasible) return std::nullopt;
+  FoundDesign design{.linkage = *linkage, .layers = choice.layers, .goal = task.goal};
+  design.attained = check.attained;
+  if (task.goal == Goal::footprint || task.limits.footprint)
+    design.attained.footprint = footprint(*linkage, task.spec().links.style, task.spec().region).area;
+  if (!task.space().obstacles().empty())
+    design.attained.clearance = std::min(
+        design.attained.clearance, checked_obstacles(task, subproblem, *linkage, check.opening).clearance);
+  design.value = design.attained.of(task.goal);
+  design.opening = check.opening;
+  design.seed = task.control.options().seed;
+  design.solvers = {nlopt_name() + " DIRECT-L", nlopt_name() + " CRS2", nlopt_name() + " SLSQP",
+                    polish_solver()};
+  return design;
+}
+
+}  // namespace kempe

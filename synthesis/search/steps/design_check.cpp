@@ -1,0 +1,89 @@
+#include "synthesis/search/steps/design_check.hpp"
+
+#include <algorithm>
+
+#include "geometry/regions/region_algebra.hpp"
+#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+#include "workspace/contact/self_contact.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+double distance_from_place(const PoleSpec& pole, const Point& place) {
+  return pole.is_fixed() ? (place - std::get<Point>(pole.place)).norm()
+                         : distance(std::get<Region>(pole.place), place);
+}
+
+void measure_lengths(const CopyingLinkage& linkage, Attained& attained) {
+  const auto lengths = linkage.lengths().values();
+  attained.size = linkage.size();
+  attained.shortest = *std::min_element(lengths.begin(), lengths.end());
+  attained.longest = *std::max_element(lengths.begin(), lengths.end());
+}
+
+void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
+                           const OpeningInterval& needed, Attained& attained) {
+  attained.transmission =
+      std::min(linkage.transmission_angle(needed.lower), linkage.transmission_angle(needed.upper));
+  attained.clearance = smallest_gap_over(linkage, spec.links.style, layers, needed).gap;
+  if (spec.tolerance)
+    attained.copy_error =
+        copy_error_profile(linkage, CopyTolerance::uniform(*spec.tolerance)).largest(needed).worst.worst;
+}
+
+double sheets_gap(const Spec& spec, const CopyingLinkage& linkage) {
+  const auto nearest = nearest_places(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()));
+  return nearest ? nearest->distance : 0;
+}
+
+/// The contact-free interval that holds the openings needed; empty if there is none.
+OpeningInterval certified_opening(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
+                                  const LayerAssignment& layers, const OpeningInterval& needed) {
+  for (const FreeOpenings& free :
+       contact_free_openings(linkage, spec.links.style, layers, limits.clearance,
+                             linkage.openings_with_transmission(limits.transmission)))
+    if (free.interval.contains(needed)) return free.interval;
+  return {};
+}
+
+std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
+                                 const DesignCheck& check) {
+  const Attained& has = check.attained;
+  const auto below = [](double value, double least) {
+    return value < least - tolerance::limit_rounding * std::abs(least);
+  };
+  if (below(has.shortest, limits.shortest)) return Goal::shortest;
+  if (below(limits.longest, has.longest)) return Goal::longest;
+  if (below(limits.pole_margin + tolerance::pole_rounding * has.size, has.pole_margin))
+    return Goal::pole_margin;
+  if (check.needed.empty() || below(has.transmission, limits.transmission)) return Goal::transmission;
+  if (has.clearance < limits.clearance || check.opening.empty()) return Goal::clearance;
+  if (limits.copy_error && below(*limits.copy_error, has.copy_error)) return Goal::copy_error;
+  if (limits.size && below(*limits.size, has.size)) return Goal::size;
+  if (limits.sheets_gap &&
+      !are_apart(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()), *limits.sheets_gap))
+    return Goal::sheets_gap;
+  return std::nullopt;
+}
+
+}  // namespace
+
+DesignCheck check_design(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
+                         const LayerAssignment& layers) {
+  DesignCheck check;
+  measure_lengths(linkage, check.attained);
+  check.attained.pole_margin = distance_from_place(spec.pole, linkage.pole());
+  if (limits.sheets_gap) check.attained.sheets_gap = sheets_gap(spec, linkage);
+  if (const auto needed = openings_over(linkage, spec.region)) {
+    check.needed = *needed;
+    measure_over_openings(spec, linkage, layers, *needed, check.attained);
+    check.opening = certified_opening(spec, limits, linkage, layers, *needed);
+  }
+  check.broken = first_broken(spec, limits, linkage, check);
+  check.feasible = !check.broken;
+  return check;
+}
+
+}  // namespace kempe

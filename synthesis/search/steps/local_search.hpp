@@ -1,0 +1,43 @@
+#pragma once
+// One local solution of one choice: the exchange method, the last digits, and the figures of the point judged anew.
+
+#include <cstdint>
+
+#include "synthesis/problem/design_problem.hpp"
+#include "synthesis/search/steps/budgets.hpp"
+
+namespace kempe {
+
+/// A point that a search came to: a candidate, until it is certified (certify.hpp).
+struct ChoiceResult {
+  bool feasible = false;
+  double cost = 0;       ///< of the goal, with a minus if it is to be large; meaningless unless feasible
+  double violation = 0;  ///< what is missing at the nearest miss
+  DesignPoint point{};
+  std::uint64_t evaluations = 0;
+};
+
+/// Not run: infeasible, at infinite cost.
+ChoiceResult no_result();
+
+/// True if a is better than b: by feasibility, then cost (or violation).
+bool better(const ChoiceResult& a, const ChoiceResult& b);
+
+/// What an assessment promises, the less the better: the goal in shares of its scale, and what is missing from the limits
+/// (tolerance::missing_weight).
+double merit_of(const DesignProblem& problem, const Assessment& seen);
+/// The same of a point, seen at `local.openings` openings.
+double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);
+
+/// A point's figures, seen at `local.final_openings` openings.
+ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);
+
+/// A local solution from a start, the last digits included, judged anew.
+ChoiceResult refine(const DesignProblem& problem, const DesignPoint& start, const LocalBudget& local,
+                    const StopFlag& stop);
+
+/// The same from a solution already found, by the second solver; the better of both.
+ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& found, const LocalBudget& local,
+                            const StopFlag& stop);
+
+}  // namespace kempe

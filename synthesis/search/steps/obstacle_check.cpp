@@ -1,0 +1,36 @@
+#include "synthesis/search/steps/obstacle_check.hpp"
+
+#include "workspace/contact/clearance.hpp"
+#include "workspace/contact/contact_scene.hpp"
+#include "workspace/map/coverage.hpp"
+
+namespace kempe {
+
+ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
+                              const LayerAssignment& layers, const OpeningInterval& certified_opening,
+                              const StopFlag& stop) {
+  MapTask task = map_task(linkage, spec.links.style, layers, spec.limits, spec.obstacles, spec.region);
+  task.clearance = limits.clearance;
+  task.transmission = limits.transmission;
+  task.sheets_gap.reset();  // not the obstacles' matter
+  if (obstacle_at_pole(task)) return {};
+  ObstacleCheck check;
+  if (const auto figure = smallest_clearance(task, stop)) {
+    check.clearance = figure->gap;
+    if (figure->gap < limits.clearance) {
+      check.witness = figure->at;
+      return check;
+    }
+  }
+  const ContactScene scene(task);
+  const EdgeTree region(task.region, linkage.pole());
+  std::vector<Subdivision> charts;
+  charts.emplace_back(scene, region, AngleGrid(linkage, certified_opening), limits.clearance,
+                      SubdivisionMode{.region_only = true});
+  const Coverage coverage = coverage_of(task, charts, region, stop);
+  check.clear = coverage.covered;
+  check.witness = coverage.witness;
+  return check;
+}
+
+}  // namespace kempe

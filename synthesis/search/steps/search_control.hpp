@@ -1,0 +1,41 @@
+#pragma once
+// How a search runs: its random numbers, threads and budgets, and when it must end.
+
+#include <chrono>
+
+#include "synthesis/search/steps/search_options.hpp"
+
+namespace kempe {
+
+/// A value: copies share the clock of the one they were copied from.
+class SearchControl {
+ public:
+  /// The time limit begins now.
+  explicit SearchControl(SearchOptions options);
+
+  const SearchOptions& options() const { return options_; }
+  const SearchBudgets& budgets() const { return options_.budgets; }
+  /// Set by request or at the end of the time limit.
+  const StopFlag& stop() const { return stop_; }
+  bool has_time_limit() const;
+  /// Set by request or when that share of the time limit is over.
+  StopFlag after_share(double share) const;
+
+  /// Of a search that is part of this one: it stops with this one and has no limit of its own.
+  SearchControl part() const;
+  SearchControl part_with_seed(std::uint64_t seed) const;
+  SearchControl silent_part() const;
+  /// Of a part that has a share of the time left.
+  SearchControl part_of_time(double share) const;
+
+  void report(double share, std::string_view what) const;
+
+ private:
+  double seconds() const;  ///< since the beginning
+
+  std::chrono::steady_clock::time_point start_;
+  SearchOptions options_;
+  StopFlag stop_;
+};
+
+}  // namespace kempe

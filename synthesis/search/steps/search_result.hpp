@@ -1,0 +1,36 @@
+#pragma once
+// What the search for one goal comes back with, and which of two is better.
+
+#include <algorithm>
+
+#include "synthesis/search/steps/outcome.hpp"
+
+namespace kempe {
+
+struct SearchResult {
+  std::optional<FoundDesign> design{};
+  bool stopped = false;      ///< by time or by request
+  bool proven_none = false;  ///< interval arithmetic proves that no design keeps the limits
+  /// That no design with the exact ratio beats, of the goal; where one was proven.
+  std::optional<double> bound{};
+  std::uint64_t evaluations = 0;
+};
+
+/// True if a has the better value of the goal; both have been found for it.
+inline bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
+  return is_maximized(goal) ? a.value > b.value : a.value < b.value;
+}
+
+/// `best` becomes `other` if that is better, or all there is.
+inline void keep_better(Goal goal, const std::optional<FoundDesign>& other,
+                        std::optional<FoundDesign>& best) {
+  if (other && (!best || is_better(goal, *other, *best))) best = other;
+}
+
+/// The one of two bounds that says more; `one` may be absent.
+inline double tighter_bound(Goal goal, const std::optional<double>& one, double other) {
+  if (!one) return other;
+  return is_maximized(goal) ? std::min(*one, other) : std::max(*one, other);
+}
+
+}  // namespace kempe

@@ -1,0 +1,15 @@
+#pragma once
+// The strategy for lengths that the workshop dictates (workshop_lengths.hpp): pairs of them in a good order, the pole and the
+// layers sought for each. Where none keeps the spec's ratio, those of ratios next to it.
+
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
+
+namespace kempe {
+
+/// The best design with stock lengths, given the best with any lengths. Size: the best of all. Other goals: the best of those
+/// next to the best with any lengths. The design's linkage has another ratio than the spec where the workshop's lengths do not
+/// allow the spec's.
+SearchResult best_with_stock_lengths(const SearchTask& task, const SearchResult& any_lengths);
+
+}  // namespace kempe
