@@ -153,6 +153,41 @@ TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
   EXPECT_GT(designs, test::expected(30));
 }
 
+/// A search that may hardly look anywhere.
+SearchOptions hurried() {
+  SearchOptions options = quick();
+  SearchBudgets& budgets = options.budgets;
+  budgets.group = 1;
+  for (ChoiceBudget* one : {&budgets.choice.relaxed_fixed_pole, &budgets.choice.relaxed_free_pole,
+                            &budgets.choice.fixed_pole, &budgets.choice.free_pole})
+    *one = {.poles = 1, .lattice = 2, .evaluations = 4, .starts = 1, .starts_if_none = 1};
+  budgets.proof.boxes = 1;
+  budgets.improve.hops = budgets.improve.searches = 0;
+  return options;
+}
+
+TEST(Search, LittleWorkMissesNoLimitAndBeatsNoBound) {
+  test::SpecDice dice(41);
+  int designs = 0;
+  std::uint64_t little = 0, usual = 0;
+  for (int i = 0; i < test::samples(30); ++i) {
+    const Spec spec = dice.spec();
+    const SearchOutcome outcome = synthesize(spec, hurried());
+    const auto* found = std::get_if<FoundDesign>(&outcome);
+    const auto best = found_for(spec);
+    if (!found || !best) continue;
+    ++designs;
+    little += found->evaluations;
+    usual += best->evaluations;
+    EXPECT_TRUE(keeps_limits(spec, found->linkage, found->layers)) << i;
+    if (best->proven_bound) {
+      EXPECT_GE(found->value, *best->proven_bound * (1 - 1e-9)) << i;
+    }
+  }
+  EXPECT_GT(designs, test::expected(10));
+  EXPECT_LE(5 * little, usual);
+}
+
 /// Thousands of pairs of lengths with every grounding and assembly.
 TEST(Search, NoRandomPairOfLengthsIsBetter) {
   test::SpecDice dice(17);
