@@ -8,6 +8,7 @@
 
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/picture_labels.hpp"
+#include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 #include "synthesis/calibration/plan.hpp"
 
@@ -41,9 +42,15 @@ class Box {
   Point upper_ = Point::Constant(-std::numeric_limits<double>::infinity());
 };
 
-class Picture {
+Point downward(const Point& at) { return {at.x(), -at.y()}; }
+
+SvgElement disc(std::string_view css, const Point& at, double radius) {
+  return SvgElement("circle").with("class", css).at("cx", "cy", downward(at)).with("r", radius);
+}
+
+class ErrorVectorPicture {
  public:
-  Picture(const CalibrationRecord& record, ErrorVectors which) : record_(record), which_(which) {
+  ErrorVectorPicture(const CalibrationRecord& record, ErrorVectors which) : record_(record), which_(which) {
     for (const ReadingRecord& reading : record.readings)
       vectors_.push_back({reading.wanted,
                           which == ErrorVectors::before ? reading.fit.departure : reading.fit.left,
@@ -164,11 +171,13 @@ class Picture {
                        : joint == mounting.output ? "mark pen"
                                                   : "pin";
     const Point words = placer.place_around(at, 5 * unit_, Point(6, 8) * unit_, Point(0, 1));
-    return fmt::format(
-        "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><g class=\"words\"><text class=\"letter\" "
-        "x=\"{}\" y=\"{}\" dy=\".35em\">{}</text></g>\n",
-        role, coordinate(at.x()), coordinate(-at.y()), coordinate(5 * unit_), coordinate(words.x()),
-        coordinate(-words.y()), letter_of(joint));
+    const SvgElement letter = SvgElement("text")
+                                  .with("class", "letter")
+                                  .at("x", "y", downward(words))
+                                  .with("dy", ".35em")
+                                  .saying(letter_of(joint));
+    return disc(role, at, 5 * unit_).text() +
+           SvgElement("g").with("class", "words").holding(letter.text()).line();
   }
 
   /// A shaft and two barbs as one open path.
@@ -194,18 +203,19 @@ class Picture {
     for (std::size_t i = 0; i < vectors_.size(); ++i) {
       const Vector& vector = vectors_[i];
       if (!before)
-        svg += fmt::format(
-            "<circle class=\"m-target\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\".3\" "
-            "vector-effect=\"non-scaling-stroke\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
-            coordinate(vector.at.x()), coordinate(-vector.at.y()), coordinate(target));
+        svg += disc("m-target", vector.at, target)
+                   .with("fill", "none")
+                   .with("stroke", "currentColor")
+                   .with("stroke-opacity", ".3")
+                   .with("vector-effect", "non-scaling-stroke")
+                   .line();
       svg += fmt::format(
           "<path class=\"curve {}\" d=\"{}\" vector-effect=\"non-scaling-stroke\"><title>{}: "
           "{}</title></path>\n",
           before || vector.outlier ? "worst" : "rss", arrow_path(vector),
           html_escaped(record_.measurements.readings[record_.readings[i].reading].name),
           length_text(vector.error.norm()));
-      svg += fmt::format("<circle class=\"core pen\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n",
-                         coordinate(vector.at.x()), coordinate(-vector.at.y()), coordinate(2.4 * unit_));
+      svg += disc("core pen", vector.at, 2.4 * unit_).line();
     }
     return svg + "</g>\n";
   }
@@ -235,7 +245,7 @@ class Picture {
 }  // namespace
 
 VectorPicture vector_picture(const CalibrationRecord& record, ErrorVectors which) {
-  return record.readings.empty() ? VectorPicture{} : Picture(record, which).draw();
+  return record.readings.empty() ? VectorPicture{} : ErrorVectorPicture(record, which).draw();
 }
 
 }  // namespace kempe

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/pictures/axis.hpp"
 #include "reports/pictures/html_text.hpp"
-#include "reports/pictures/round_step.hpp"
+#include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
 namespace {
@@ -14,13 +15,8 @@ namespace {
 constexpr double chart_width = 420, chart_height = 260;
 constexpr double left = 58, right = 14, top = 14, bottom = 46;
 
-/// Values along one side of a chart and where they stand in it.
-struct Axis {
-  double lower, upper, step, from, to;
-  double at(double value) const { return from + (value - lower) / (upper - lower) * (to - from); }
-};
-
-Axis axis(double lower, double upper, double from, double to) {
+/// From one tick to another, with room for a single value.
+Axis whole_axis(double lower, double upper, double from, double to) {
   const double span = upper > lower ? upper - lower : std::max(1e-6, std::abs(upper)) * 0.2;
   const double step = round_step(span / 5);
   return {std::floor(lower / step) * step, std::ceil((upper > lower ? upper : lower + span) / step) * step,
@@ -28,23 +24,26 @@ Axis axis(double lower, double upper, double from, double to) {
 }
 
 std::string text(double x, double y, std::string_view css, const std::string& words) {
-  return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", css, x, y, words);
+  return SvgElement("text").with("class", css).at("x", "y", {x, y}, 1).saying(words).line();
+}
+
+std::string path(std::string_view css, const std::string& data) {
+  return SvgElement("path").with("class", css).with("d", data).line();
 }
 
 std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const std::string& y_name) {
   std::string lines, figures;
-  for (const double value : multiples_within(x.step, x.lower, x.upper)) {
+  for (const double value : x.ticks()) {
     lines += fmt::format("M{:.1f},{:.1f}V{:.1f}", x.at(value), y.from, y.to);
     figures += text(x.at(value), y.from + 16, "tick", number_text(value, 6));
   }
-  for (const double value : multiples_within(y.step, y.lower, y.upper)) {
+  for (const double value : y.ticks()) {
     lines += fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(value), x.to);
     figures += text(x.from - 6, y.at(value) + 4, "tick end", number_text(value, 6));
   }
-  return fmt::format("<path class=\"grid-line\" d=\"{}\"/>\n", lines) + figures +
-         text(x.to, y.from + 36, "tick end", html_escaped(x_name)) +
-         fmt::format("<text class=\"tick end\" transform=\"translate(12,{:.1f}) rotate(-90)\">{}</text>\n",
-                     y.to, html_escaped(y_name));
+  const std::string beside = fmt::format("translate(12,{:.1f}) rotate(-90)", y.to);
+  return path("grid-line", lines) + figures + text(x.to, y.from + 36, "tick end", x_name) +
+         SvgElement("text").with("class", "tick end").with("transform", beside).saying(y_name).line();
 }
 
 std::string svg_chart(std::string_view title, const std::string& inside) {
@@ -57,11 +56,11 @@ std::string svg_chart(std::string_view title, const std::string& inside) {
 template <class Value>
 std::string curve(const std::vector<CopyErrorChart::Row>& rows, const Axis& x, const Axis& y,
                   std::string_view css, Value value) {
-  std::string path;
+  std::string data;
   for (const CopyErrorChart::Row& row : rows)
-    path += fmt::format("{}{:.1f},{:.1f}", path.empty() ? "M" : "L", x.at(degrees(row.opening)),
+    data += fmt::format("{}{:.1f},{:.1f}", data.empty() ? "M" : "L", x.at(degrees(row.opening)),
                         y.at(value(row)));
-  return fmt::format("<path class=\"curve {}\" d=\"{}\"/>\n", css, path);
+  return path(fmt::format("curve {}", css), data);
 }
 
 }  // namespace
@@ -79,10 +78,9 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
   if (rows.size() < 2) return {};
   double most = 0;
   for (const CopyErrorChart::Row& row : rows) most = std::max({most, row.worst, row.rss});
-  const Axis x{degrees(rows.front().opening), degrees(rows.back().opening),
-               round_step(degrees(rows.back().opening - rows.front().opening) / 6), left,
-               chart_width - right};
-  const Axis y = axis(0, most, chart_height - bottom, top);
+  const Axis x =
+      axis_over(degrees(rows.front().opening), degrees(rows.back().opening), 6, left, chart_width - right);
+  const Axis y = whole_axis(0, most, chart_height - bottom, top);
   std::string inside;
   if (!chart.used.empty())
     inside += fmt::format(
@@ -91,8 +89,7 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
         x.at(degrees(chart.used.upper)) - x.at(degrees(chart.used.lower)), chart_height - bottom - top);
   inside += frame(x, y, "opening, °", "copy error, mm");
   if (chart.limit && *chart.limit <= y.upper)
-    inside += fmt::format("<path class=\"curve limit\" d=\"M{:.1f},{:.1f}H{:.1f}\"/>\n", x.from,
-                          y.at(*chart.limit), x.to);
+    inside += path("curve limit", fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(*chart.limit), x.to));
   inside += curve(rows, x, y, "worst", [](const CopyErrorChart::Row& r) { return r.worst; });
   inside += curve(rows, x, y, "rss", [](const CopyErrorChart::Row& r) { return r.rss; });
   return "<figure class=\"chart-figure\">" + svg_chart("Copy error over the opening", inside) +
@@ -106,22 +103,24 @@ std::string pareto_chart(const ParetoFront& front) {
   const auto by_second = [](const ParetoRow& a, const ParetoRow& b) { return a.second < b.second; };
   const auto [left_most, right_most] = std::minmax_element(front.rows.begin(), front.rows.end(), by_first);
   const auto [lowest, highest] = std::minmax_element(front.rows.begin(), front.rows.end(), by_second);
-  const Axis x = axis(left_most->first, right_most->first, left, chart_width - right);
-  const Axis y = axis(lowest->second, highest->second, chart_height - bottom, top);
+  const Axis x = whole_axis(left_most->first, right_most->first, left, chart_width - right);
+  const Axis y = whole_axis(lowest->second, highest->second, chart_height - bottom, top);
   std::vector<ParetoRow> sorted = front.rows;
   std::stable_sort(sorted.begin(), sorted.end(), by_first);
   std::string line, marks;
   for (const ParetoRow& row : sorted) {
     line += fmt::format("{}{:.1f},{:.1f}", line.empty() ? "M" : "L", x.at(row.first), y.at(row.second));
-    marks += fmt::format(
-        "<circle class=\"dot{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"><title>{}</title></circle>\n",
-        row.is_this_design ? " this" : "", x.at(row.first), y.at(row.second), row.is_this_design ? 6 : 4,
-        html_escaped(row.name));
+    marks += SvgElement("circle")
+                 .with("class", row.is_this_design ? "dot this" : "dot")
+                 .at("cx", "cy", {x.at(row.first), y.at(row.second)}, 1)
+                 .with("r", row.is_this_design ? 6 : 4)
+                 .holding(SvgElement("title").saying(row.name).text())
+                 .line();
   }
   return svg_chart(
       "The front between the two objectives",
       frame(x, y, front.first_name + ", " + front.first_unit, front.second_name + ", " + front.second_unit) +
-          fmt::format("<path class=\"curve front\" d=\"{}\"/>\n", line) + marks);
+          path("curve front", line) + marks);
 }
 
 }  // namespace kempe

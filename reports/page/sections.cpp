@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/page/html_page.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
@@ -34,18 +35,9 @@ std::string joint_of(const CopyingLinkage& linkage, std::string_view what) {
   return {};
 }
 
-std::string badge(bool good, std::string_view yes, std::string_view no) {
-  return fmt::format("<li class=\"badge {}\">{} {}</li>\n", good ? "good" : "bad", good ? "✓" : "✗",
-                     good ? yes : no);
-}
-
 std::string notice(const std::string& sentence) {
   return sentence.empty() ? std::string()
                           : fmt::format("<p class=\"notice\">{}</p>\n", html_escaped(sentence));
-}
-
-std::string key_figure(std::string_view name, const std::string& value, const std::string& note) {
-  return fmt::format("<div class=\"key\"><dt>{}</dt><dd>{}<small>{}</small></dd></div>\n", name, value, note);
 }
 
 std::string size_text(double scale) {
@@ -94,11 +86,13 @@ std::string title(const Design& design, const ReportExtras& extras) {
 
 std::string header(const Design& design, const ReportExtras& extras) {
   const CopyingLinkage& linkage = design.linkage;
-  std::string badges = design.region.empty()
-                           ? badge(true, "Workspace mapped, no region given", "")
-                           : badge(design.map.coverage.covered, "Region covered", "Region not covered");
-  badges += badge(design.verification.certified, "Verified by driving it", "Not verified");
-  if (design.search && !design.search->complete) badges += badge(false, "", "Search stopped early");
+  std::string badges = design.region.empty() ? html_badge(true, "Workspace mapped, no region given")
+                                             : html_badge(design.map.coverage.covered,
+                                                          design.map.coverage.covered ? "Region covered"
+                                                                                      : "Region not covered");
+  badges += html_badge(design.verification.certified,
+                       design.verification.certified ? "Verified by driving it" : "Not verified");
+  if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
   return fmt::format(
       "<header>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
       "<p class=\"lead\">What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> "
@@ -115,18 +109,18 @@ std::string header(const Design& design, const ReportExtras& extras) {
 
 std::string key_figures(const Design& design) {
   const Quality& q = design.quality;
-  std::string html = key_figure("Size", length_text(q.size, 1), "links, half their outline");
-  html += key_figure("Smallest transmission", angle_text(q.transmission_min, 1),
-                     "limit " + angle_text(design.limits.transmission, 1));
+  std::string html = html_key_figure("Size", length_text(q.size, 1), "links, half their outline");
+  html += html_key_figure("Smallest transmission", angle_text(q.transmission_min, 1),
+                          "limit " + angle_text(design.limits.transmission, 1));
   if (std::isfinite(q.clearance_min))
-    html += key_figure("Smallest clearance", length_text(q.clearance_min, 2),
-                       "limit " + length_text(design.limits.clearance, 2));
+    html += html_key_figure("Smallest clearance", length_text(q.clearance_min, 2),
+                            "limit " + length_text(design.limits.clearance, 2));
   if (q.copy_error_worst)
-    html += key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
-                       design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
-                                                : "under the tolerances");
-  html += key_figure("Free workspace", area_text(area(design.map.collision_free)), "without contact");
-  html += key_figure(
+    html += html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
+                            design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
+                                                     : "under the tolerances");
+  html += html_key_figure("Free workspace", area_text(area(design.map.collision_free)), "without contact");
+  html += html_key_figure(
       "Opening", angle_text(design.opening.width(), 1),
       fmt::format("{} to {}", angle_text(design.opening.lower, 1), angle_text(design.opening.upper, 1)));
   return "<dl class=\"keys\">\n" + html + "</dl>\n";
