@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-#include "geometry/point.hpp"
+#include "geometry/complex_vectors.hpp"
 
 namespace kempe {
 
@@ -27,8 +27,5 @@ struct NearestFeatures {
 };
 
 NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second);
-
-inline double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
-inline double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
 
 }  // namespace kempe

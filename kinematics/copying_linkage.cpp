@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
+
 namespace kempe {
 namespace {
 
@@ -180,10 +182,9 @@ namespace {
 
 /// Real u, v with u a + v b = c; nothing if a and b are parallel.
 tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, Complex c) {
-  const auto wedge = [](Complex m, Complex n) { return m.real() * n.imag() - m.imag() * n.real(); };
-  const double det = wedge(a, b);
+  const double det = cross(a, b);
   if (std::abs(det) <= 1e-14 * std::abs(a) * std::abs(b)) return tl::unexpected(Unreachable::too_far);
-  return std::array{wedge(c, b) / det, wedge(a, c) / det};
+  return std::array{cross(c, b) / det, cross(a, c) / det};
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
+
 namespace kempe {
 namespace {
 
@@ -17,8 +19,6 @@ struct MovedLength {
   Eigen::Matrix<double, 1, measure_count> by = Eigen::Matrix<double, 1, measure_count>::Zero();
 };
 
-double dot(Complex a, Complex b) { return (std::conj(a) * b).real(); }
-double cross(Complex a, Complex b) { return (std::conj(a) * b).imag(); }
 int side_of(Complex from, Complex to, Complex point) { return cross(to - from, point - from) < 0 ? -1 : 1; }
 
 Moved fixed(const Point& point) {

@@ -7,6 +7,7 @@
 #include "reports/pictures/mechanism_picture.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
+#include "workspace/obstacles.hpp"
 
 namespace kempe {
 namespace {
@@ -82,7 +83,7 @@ Json obstacles(const Design& design, double detail) {
   Json all = Json::array();
   for (std::size_t i = 0; i < design.obstacles.size(); ++i) {
     const Obstacle& obstacle = design.obstacles[i];
-    all.push_back({{"name", called(design.obstacles, i)},
+    all.push_back({{"name", obstacle_name(design.obstacles, i)},
                    {"layers", {obstacle.lowest_layer, obstacle.highest_layer}},
                    {"rings", rings(obstacle.shape, detail)}});
   }

@@ -15,6 +15,7 @@
 #include "reports/pictures/round_step.hpp"
 #include "reports/pictures/svg_path.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "workspace/obstacles.hpp"
 
 namespace kempe {
 namespace {
@@ -429,9 +430,9 @@ std::string Picture::labels() const {
   beside(copy_, "copy", "copy");
   for (std::size_t i = 0; i < design_.obstacles.size(); ++i) {
     if (!is_near[i]) continue;
-    const std::string words = called(design_.obstacles, i);
+    const std::string words = obstacle_name(design_.obstacles, i);
     // One table of the spec may hold several rings.
-    if (i == 0 || called(design_.obstacles, i - 1) != words)
+    if (i == 0 || obstacle_name(design_.obstacles, i - 1) != words)
       beside(Region{{design_.obstacles[i].shape}}, "obstacles", shortened(words));
   }
   return fmt::format("<g class=\"words\">\n{}</g>\n", svg);

@@ -71,11 +71,6 @@ double drawn_pin_radius(const LinkStyle& style, double unit) {
   return std::max(style.pin_diameter / 2, 3.2 * unit);
 }
 
-std::string called(const std::vector<Obstacle>& obstacles, std::size_t index) {
-  const std::string& given = obstacles[index].name;
-  return given.empty() ? fmt::format("obstacle {}", index + 1) : given;
-}
-
 Ring corners(const FittingSheet& sheet) {
   const Complex turn = std::polar(1.0, sheet.turn);
   Ring ring;

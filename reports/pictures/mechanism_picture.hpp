@@ -19,9 +19,6 @@ double drawn_width(const LinkStyle& style, double unit);
 /// Radius at which joints are drawn, mm.
 double drawn_pin_radius(const LinkStyle& style, double unit);
 
-/// An obstacle as people call it: its name, or "obstacle 2".
-std::string called(const std::vector<Obstacle>& obstacles, std::size_t index);
-
 /// The corners of a sheet, counter-clockwise, mm.
 Ring corners(const FittingSheet& sheet);
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/complex_vectors.hpp"
 #include "workspace/contact/layer_demands.hpp"
 
 namespace kempe::bounding {
@@ -49,9 +50,6 @@ struct Nearest {
   MaterialPoint first, second;
 };
 
-double dot(Complex u, Complex v) { return u.real() * v.real() + u.imag() * v.imag(); }
-double wedge(Complex u, Complex v) { return u.real() * v.imag() - u.imag() * v.real(); }
-
 MaterialPoint between(const MaterialPoint& from, const MaterialPoint& to, double share) {
   return {from.of_a + share * (to.of_a - from.of_a), from.of_b + share * (to.of_b - from.of_b)};
 }
@@ -72,14 +70,14 @@ void approach(const Piece& piece, const Piece& other, bool swapped, Nearest& bes
 }
 
 /// Edges that cross.
-void cross(const Piece& one, const Piece& other, Nearest& best) {
+void cross_edges(const Piece& one, const Piece& other, Nearest& best) {
   for (std::size_t i = 0; i < one.edges(); ++i)
     for (std::size_t j = 0; j < other.edges(); ++j) {
       const Complex u = one.at[one.next(i)] - one.at[i], v = other.at[other.next(j)] - other.at[j];
-      const double turn = wedge(u, v);
+      const double turn = cross(u, v);
       if (turn == 0) continue;
       const Complex gap = other.at[j] - one.at[i];
-      const double share = wedge(gap, v) / turn, other_share = wedge(gap, u) / turn;
+      const double share = cross(gap, v) / turn, other_share = cross(gap, u) / turn;
       if (share < 0 || share > 1 || other_share < 0 || other_share > 1) continue;
       best = {0, between(one.corner[i], one.corner[one.next(i)], share),
               between(other.corner[j], other.corner[other.next(j)], other_share)};
@@ -90,11 +88,11 @@ void cross(const Piece& one, const Piece& other, Nearest& best) {
 void contain(const Piece& triangle, const Piece& other, bool swapped, Nearest& best) {
   if (triangle.count != 3) return;
   const Complex u = triangle.at[1] - triangle.at[0], v = triangle.at[2] - triangle.at[0];
-  const double area = wedge(u, v);
+  const double area = cross(u, v);
   if (area == 0) return;
   for (std::size_t i = 0; i < other.count; ++i) {
     const Complex to = other.at[i] - triangle.at[0];
-    const double x = wedge(to, v) / area, y = wedge(u, to) / area;
+    const double x = cross(to, v) / area, y = cross(u, to) / area;
     if (x < 0 || y < 0 || x + y > 1) continue;
     const auto& [p, q, r] = triangle.corner;
     const MaterialPoint inside{p.of_a + x * (q.of_a - p.of_a) + y * (r.of_a - p.of_a),
@@ -143,7 +141,7 @@ NearestPoints nearest_points(const ContactPair& pair, Complex shape, const LinkS
     for (const Piece& other : pieces_of(pair.second, shape, style, a, turned)) {
       approach(one, other, false, best);
       approach(other, one, true, best);
-      cross(one, other, best);
+      cross_edges(one, other, best);
       contain(one, other, false, best);
       contain(other, one, true, best);
     }

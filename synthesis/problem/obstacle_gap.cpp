@@ -7,6 +7,7 @@
 
 #include "geometry/convex_distance.hpp"
 #include "synthesis/problem/tolerances.hpp"
+#include "workspace/obstacles.hpp"
 
 namespace kempe {
 namespace {
@@ -87,7 +88,7 @@ std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const La
   for (std::size_t i = 0; i < spec.obstacles.size(); ++i)
     for (const Part& part : parts_of(linkage, layers)) {
       const Obstacle& obstacle = spec.obstacles[i];
-      if (part.lowest_layer > obstacle.highest_layer || obstacle.lowest_layer > part.highest_layer) continue;
+      if (!share_layer(part, obstacle)) continue;
       for (const JointHull& hull : axis_of(part, linkage.shape(), spec.links.style.plate))
         terms.push_back({{hull, half_width(part, spec.links.style)}, i});
     }

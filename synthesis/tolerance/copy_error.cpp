@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
@@ -20,8 +21,6 @@ constexpr Complex i_unit{0, 1};
 /// Keeps the change point a huge number instead of a division by zero.
 constexpr double smallest_sine = 1e-120;
 
-double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
-double wedge(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
 Complex unit(Complex z) { return z / std::abs(z); }
 
 /// Displacement of a plate's third hole, at `hole` in the frame whose x axis runs from the corner to C at
@@ -31,7 +30,7 @@ std::array<Complex, 3> hole_displacements(Complex hole, bool flat) {
   const Complex from_corner = unit(hole);
   if (flat) return {0, from_corner, i_unit * from_corner};
   const Complex from_C = unit(hole - 1.0);
-  const double sine = wedge(from_corner, from_C);
+  const double sine = cross(from_corner, from_C);
   const Complex by_corner = -i_unit * from_C / sine, by_C = i_unit * from_corner / sine;
   return {by_C * from_C.real(), by_corner, by_C};
 }

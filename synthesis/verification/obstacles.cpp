@@ -1,10 +1,10 @@
 #include "synthesis/verification/obstacles.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "workspace/obstacles.hpp"
 
 namespace kempe {
 namespace {
@@ -17,6 +17,7 @@ Corners corners_of(const JointHull& hull, const Pose& pose) {
   return corners;
 }
 
+/// Not geometry/segment_distance.hpp, by which the map keeps clear: a fault there must show here.
 double distance(const Point& point, const Point& from, const Point& to) {
   const Point along = to - from;
   const double squared = along.squaredNorm();
@@ -83,17 +84,14 @@ ObstacleWatch::ObstacleWatch(const CopyingLinkage& linkage, const VerificationTa
   for (const Obstacle& obstacle : task.obstacles) {
     const Polygon shape = seen_from(task.mechanism.pole_position, obstacle.shape);
     obstacles_.push_back(
-        {obstacle.name.empty() ? fmt::format("obstacle {}", obstacles_.size() + 1) : obstacle.name, shape,
-         bounding_box(Region{{shape}})});
+        {obstacle_name(task.obstacles, obstacles_.size()), shape, bounding_box(Region{{shape}})});
   }
   if (obstacles_.empty()) return;
   for (const Part& part : parts_of(linkage, task.layers))
     for (const JointHull& hull : axis_of(part, linkage.shape(), task.style.plate)) {
       pieces_.push_back({hull, half_width(part, task.style), name(part)});
       for (std::size_t i = 0; i < task.obstacles.size(); ++i)
-        if (task.obstacles[i].lowest_layer <= part.highest_layer &&
-            part.lowest_layer <= task.obstacles[i].highest_layer)
-          meetings_.push_back({pieces_.size() - 1, i});
+        if (share_layer(part, task.obstacles[i])) meetings_.push_back({pieces_.size() - 1, i});
     }
 }
 

@@ -66,7 +66,7 @@ void improve(ClearanceFigure& best, double& named, const MapTask& task, const Co
     const ObstacleGap here = tightest_obstacle(scene, *opening, std::atan2(reach.y(), reach.x()));
     if (here.gap < named - as_tight * certain_to(linkage)) {
       best.parts = name(scene.pieces[here.between.piece].part) + " and " +
-                   obstacle_name(task, scene.obstacles[here.between.obstacle].number);
+                   obstacle_name(task.obstacles, scene.obstacles[here.between.obstacle].number);
       best.at = *point;
       named = here.gap;
     }
@@ -86,7 +86,7 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const Sto
       place_at_distance(task.region, task.linkage.pole(), task.linkage.radius_at(own.opening)), true};
   if (const auto post = tightest_at_pole(task); post && post->gap < best.gap) {
     best.gap = post->gap;
-    best.parts = post->post + " and " + obstacle_name(task, post->obstacle);
+    best.parts = post->post + " and " + obstacle_name(task.obstacles, post->obstacle);
   }
   const ContactScene scene(task, best.gap);
   if (scene.encounters.empty() || !(openings.width() > 0)) return best;

@@ -10,11 +10,6 @@ namespace {
 /// Distances are rounded by less than this share of the coordinates they come from.
 constexpr double rounding = 1e-14;
 
-bool share_layer(const Part& part, const Obstacle& obstacle) {
-  return std::max(part.lowest_layer, obstacle.lowest_layer) <=
-         std::min(part.highest_layer, obstacle.highest_layer);
-}
-
 double farthest_of(const LinkageMotion& motion, const JointHull& hull) {
   double farthest = 0;
   for (int corner = 0; corner < hull.count; ++corner)
@@ -44,16 +39,10 @@ ContactScene::ContactScene(const MapTask& task, double within) : motion(task.lin
     const std::size_t before = encounters.size();
     const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (share_layer(pieces[i].part, given) &&
-          nearest < pieces[i].farthest + pieces[i].half_width + within)
+      if (share_layer(pieces[i].part, given) && nearest < pieces[i].farthest + pieces[i].half_width + within)
         encounters.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(obstacles.size())});
     if (encounters.size() > before) obstacles.push_back(std::move(obstacle));
   }
-}
-
-std::string obstacle_name(const MapTask& task, std::size_t index) {
-  const std::string& given = task.obstacles[index].name;
-  return given.empty() ? "obstacle " + std::to_string(index + 1) : given;
 }
 
 namespace {

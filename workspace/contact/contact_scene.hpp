@@ -6,6 +6,7 @@
 
 #include "workspace/contact/gap_bounds.hpp"
 #include "workspace/map_task.hpp"
+#include "workspace/obstacles.hpp"
 
 namespace kempe {
 
@@ -41,9 +42,6 @@ struct ContactScene {
   std::vector<SceneObstacle> obstacles;  ///< the others can be nowhere so near
   std::vector<Encounter> encounters;
 };
-
-/// The obstacle's name, or "obstacle 2": numbered from 1 in the order of the task.
-std::string obstacle_name(const MapTask& task, std::size_t index);
 
 /// The smallest gap to any obstacle with the mechanism in one pose, mm; +infinity without obstacles. A piece
 /// inside an obstacle has the gap of a piece at its edge: minus its half width.

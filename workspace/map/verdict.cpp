@@ -78,9 +78,10 @@ SmallestGap smallest_gap(const MapTask& task, double opening, double bearing) {
   const ObstacleGap obstacle = tightest_obstacle(scene, opening, bearing);
   if (obstacle.gap < smallest.gap)
     smallest = {obstacle.gap, Cause::obstacle_contact, name(scene.pieces[obstacle.between.piece].part),
-                obstacle_name(task, scene.obstacles[obstacle.between.obstacle].number)};
+                obstacle_name(task.obstacles, scene.obstacles[obstacle.between.obstacle].number)};
   if (const auto post = tightest_at_pole(task); post && post->gap < smallest.gap)
-    smallest = {post->gap, Cause::obstacle_contact, post->post, obstacle_name(task, post->obstacle)};
+    smallest = {post->gap, Cause::obstacle_contact, post->post,
+                obstacle_name(task.obstacles, post->obstacle)};
   return smallest;
 }
 
@@ -98,10 +99,11 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
                 fmt::format("transmission below the limit: {:.4g} degrees here, the limit is {:.4g}",
                             degrees(transmission), degrees(limit)));
   if (const auto number = obstacle_at_pole(task))
-    return lost(Cause::obstacle_contact,
-                fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
-                            obstacle_name(task, *number)),
-                {std::string("pole post ") + letter(linkage.pole_joint()), obstacle_name(task, *number)});
+    return lost(
+        Cause::obstacle_contact,
+        fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
+                    obstacle_name(task.obstacles, *number)),
+        {std::string("pole post ") + letter(linkage.pole_joint()), obstacle_name(task.obstacles, *number)});
   const Point reach = tracer - linkage.pole();
   const SmallestGap smallest = smallest_gap(task, *opening, std::atan2(reach.y(), reach.x()));
   const double slack = undecided * (linkage.size() + task.clearance);

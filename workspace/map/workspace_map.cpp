@@ -60,7 +60,7 @@ void add_cells(WorkspaceMap& map, const MapTask& task, const ContactScene& scene
     lost[{scene.obstacles[one.between.obstacle].number, names[one.between.piece]}].push_back(one.cell);
   for (const auto& [between, cells] : lost)
     map.lost.push_back({Cause::obstacle_contact,
-                        {std::string(between.second), obstacle_name(task, between.first)},
+                        {std::string(between.second), obstacle_name(task.obstacles, between.first)},
                         polygons_of(chart.grid(), cells, Corners::join)});
 }
 
@@ -154,14 +154,14 @@ OpeningInterval certified(const MapTask& task, const std::vector<FreeOpenings>& 
 void lose_all_to(WorkspaceMap& map, const MapTask& task, std::size_t obstacle) {
   const std::string post = std::string("pole post ") + letter(task.linkage.pole_joint());
   ArcRegion area = as_region(annulus_over(task.linkage, map.certified_opening));
-  add_lost(map, Cause::obstacle_contact, {post, obstacle_name(task, obstacle)}, std::move(area));
+  add_lost(map, Cause::obstacle_contact, {post, obstacle_name(task.obstacles, obstacle)}, std::move(area));
   map.coverage = {false,
                   false,
-                  "The " + post + " stands in " + obstacle_name(task, obstacle) +
+                  "The " + post + " stands in " + obstacle_name(task.obstacles, obstacle) +
                       " or within its clearance: no position of the linkage is free.",
                   task.linkage.pole(),
                   Cause::obstacle_contact,
-                  {post, obstacle_name(task, obstacle)}};
+                  {post, obstacle_name(task.obstacles, obstacle)}};
 }
 
 void add_losses(WorkspaceMap& map, const Region& region) {
