@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 namespace kempe::app {
 

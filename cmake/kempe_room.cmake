@@ -6,9 +6,7 @@ function(kempe_room name)
   add_library(kempe::${name} ALIAS kempe_${name})
   set_target_properties(kempe_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(kempe_${name} PUBLIC cxx_std_20)
-  target_include_directories(kempe_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kempe>)
+  target_include_directories(kempe_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES})
   kempe_warnings(kempe_${name})
   set_property(GLOBAL APPEND PROPERTY KEMPE_ROOMS ${name})

@@ -89,7 +89,27 @@ Ring image(const Ring& ring, Complex k, const Point& pole) {
   return result;
 }
 
+/// What a circle's polygon has.
+constexpr int circle_corners = 1440;
+
 }  // namespace
+
+Region Region::rectangle(const Point& lower_left, const Point& size) {
+  const Point corner = lower_left + size;
+  return {{{{lower_left, {corner.x(), lower_left.y()}, corner, {lower_left.x(), corner.y()}}, {}}}};
+}
+
+Region Region::circle(const Point& centre, double radius) {
+  const double reach = radius / std::cos(pi / circle_corners);
+  Ring ring;
+  for (int i = 0; i < circle_corners; ++i)
+    ring.push_back(centre + as_point(std::polar(reach, 2 * pi * i / circle_corners)));
+  return {{{std::move(ring), {}}}};
+}
+
+Region Region::polygon(Ring outer, std::vector<Ring> holes) {
+  return {{{std::move(outer), std::move(holes)}}};
+}
 
 double signed_area(const Ring& ring) {
   if (ring.empty()) return 0;

@@ -1,29 +1,10 @@
 #pragma once
-// Plane regions with straight edges: what the tracer must cover, where the pole may stand, what is in the way.
-
-#include <vector>
+// What regions measure and contain.
 
 #include "geometry/point.hpp"
+#include "kempe/region.hpp"
 
 namespace kempe {
-
-/// A closed ring of points, mm; the last point is not the first repeated.
-using Ring = std::vector<Point>;
-
-/// Invariant (kept by the reader, assumed by all others): rings are simple and do not cross, the outer ring runs
-/// counter-clockwise, holes run clockwise and lie inside.
-struct Polygon {
-  Ring outer;
-  std::vector<Ring> holes;
-  bool operator==(const Polygon&) const = default;
-};
-
-/// A set of polygons with disjoint interiors, mm.
-struct Region {
-  std::vector<Polygon> polygons;
-  bool empty() const { return polygons.empty(); }
-  bool operator==(const Region&) const = default;
-};
 
 struct Box {
   Point lower, upper;

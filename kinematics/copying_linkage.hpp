@@ -15,32 +15,11 @@
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "kempe/pose.hpp"
 #include "kinematics/grounding.hpp"
 #include "kinematics/opening_interval.hpp"
 
 namespace kempe {
-
-/// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
-struct Pose {
-  Point V, A, B, C, X, Y;
-  const Point& operator[](Joint joint) const;
-  Point& operator[](Joint joint);
-};
-
-/// The eight distances between joints of one link, mm.
-struct LinkLengths {
-  double VA, VB, AC, BC, AX, CX, BY, CY;
-  static constexpr std::array<std::string_view, 8> names{"VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY"};
-  std::array<double, 8> values() const { return {VA, VB, AC, BC, AX, CX, BY, CY}; }
-};
-
-/// Why a pose does not exist: an outcome of the domain, not an error.
-enum class Unreachable {
-  too_far,             ///< beyond the outer reach (serial dead point V, A, X stretched)
-  too_near,            ///< inside the inner reach (serial dead point folded), the pole itself included
-  beyond_change_point  ///< the chain reaches it, but only with the parallelogram past its flat position
-};
-std::string_view name(Unreachable why);
 
 /// Why a ratio or a pair of lengths is no copying linkage.
 enum class LinkageFault {

@@ -1,30 +1,18 @@
 #pragma once
-// The three groundings of the one mechanism: which of the homologous points V, X, Y is the pole, the tracer, the pen.
+// What follows from a grounding: the roles of its joints, the plates' shape, the chain.
 
 #include <array>
 #include <optional>
 #include <string_view>
 
 #include "geometry/point.hpp"
+#include "kempe/grounding.hpp"
 
 namespace kempe {
 
-/// The six named points of the drawing.
-enum class Joint { V, A, B, C, X, Y };
 inline constexpr std::array<Joint, 6> all_joints{Joint::V, Joint::A, Joint::B, Joint::C, Joint::X, Joint::Y};
 /// 'V', 'A', 'B', 'C', 'X' or 'Y'.
 char letter(Joint joint);
-
-/// A grounding, named after what stands at the parallelogram's vertex V.
-enum class Grounding {
-  pole,    ///< pole V, tracer X, pen Y; s = k        (plagiograph)
-  tracer,  ///< pole X, tracer V, pen Y; s = 1 - k    (drawing pantograph)
-  pen      ///< pole X, tracer Y, pen V; s = 1 - 1/k  (variable ratio pantograph)
-};
-inline constexpr std::array<Grounding, 3> all_groundings{Grounding::pole, Grounding::tracer, Grounding::pen};
-
-/// "pole", "tracer" or "pen".
-std::string_view name(Grounding grounding);
 
 /// The grounding of that name; nothing for any other word.
 std::optional<Grounding> grounding_named(std::string_view word);

@@ -4,22 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "kempe/pose.hpp"
+
 namespace kempe {
-
-/// A closed interval of the opening, rad, within [-pi, pi]; empty when lower > upper.
-struct OpeningInterval {
-  double lower = 1;
-  double upper = 0;
-
-  bool empty() const { return !(lower <= upper); }
-  double width() const { return empty() ? 0 : upper - lower; }
-  double middle() const { return 0.5 * (lower + upper); }
-  bool contains(double opening) const { return lower <= opening && opening <= upper; }
-  bool contains(const OpeningInterval& other) const {
-    return other.empty() || (lower <= other.lower && other.upper <= upper);
-  }
-  bool operator==(const OpeningInterval&) const = default;
-};
 
 /// The openings in both; empty if there are none.
 OpeningInterval intersect(const OpeningInterval& a, const OpeningInterval& b);

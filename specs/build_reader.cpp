@@ -197,7 +197,7 @@ ObjectiveSpec read_objective(const TableView& table, Complaints& complaints) {
   return objective;
 }
 
-std::optional<MechanismSpec> read_mechanism(const TableView& table, const CopySpec& copy, int layers,
+std::optional<MechanismSpec> read_mechanism(const TableView& table, const Copy& copy, int layers,
                                             Complaints& complaints) {
   if (!table.present()) return std::nullopt;
   MechanismSpec mechanism;
@@ -209,7 +209,7 @@ std::optional<MechanismSpec> read_mechanism(const TableView& table, const CopySp
   mechanism.grounding = grounding_or_last(grounding);
   mechanism.layers = read_link_layers(table, layers, complaints);
   if (!complaints.none()) return mechanism;
-  const auto count = static_cast<int>(assembly_modes(shape_of(copy.k, mechanism.grounding)).size());
+  const auto count = static_cast<int>(assembly_modes(shape_of(copy.k(), mechanism.grounding)).size());
   if (mechanism.assembly_mode >= count) {
     complaints.add(table.line_of_key("assembly"), "mechanism.assembly",
                    fmt::format("{}", mechanism.assembly_mode),

@@ -19,7 +19,7 @@ ObjectiveSpec read_objective(const TableView& table, Complaints& complaints);
 CuttingSpec read_cutting(const TableView& table);
 
 /// Checked against the copy ratio (the number of assembly modes) and against the layers that [links] allows, too.
-std::optional<MechanismSpec> read_mechanism(const TableView& table, const CopySpec& copy, int layers,
+std::optional<MechanismSpec> read_mechanism(const TableView& table, const Copy& copy, int layers,
                                             Complaints& complaints);
 
 }  // namespace kempe

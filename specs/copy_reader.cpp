@@ -76,34 +76,26 @@ CopyReading read_copy_from_pairs(const TableView& table, Complaints& complaints)
     complaints.add(line_of(node), "copy.pairs_mm", text.found, text.allowed);
     return {};
   }
-  CopyReading reading;
-  reading.copy.scale = std::abs(fit->k);
-  reading.copy.rotation = std::arg(fit->k);
-  reading.copy.k = fit->k;
-  reading.copy.fit = PairFit{pairs.size(), fit->residual_rms, fit->residual_largest, fit->translation};
-  reading.pole = fit->fixed_point();
-  return reading;
+  const PairFit quality{pairs.size(), fit->residual_rms, fit->residual_largest, fit->translation};
+  return {Copy::fitted(fit->k, quality), fit->fixed_point()};
 }
 
 CopyReading read_copy_given(const TableView& table) {
-  double rotation_degrees = 0;
-  CopyReading reading;
-  table.set("scale", reading.copy.scale);
+  double scale = 1, rotation_degrees = 0;
+  table.set("scale", scale);
   table.set("rotation_deg", rotation_degrees);
-  reading.copy.rotation = radians(within_one_turn(rotation_degrees));
-  reading.copy.k = copy_ratio(reading.copy.scale, reading.copy.rotation);
-  return reading;
+  return {Copy::of(scale, radians(within_one_turn(rotation_degrees))), std::nullopt};
 }
 
-void check_ratio(const TableView& table, const CopySpec& copy, const char* key, Complaints& complaints) {
+void check_ratio(const TableView& table, const Copy& copy, const char* key, Complaints& complaints) {
   const KeyRange& range = find_spec_key("copy", "scale")->range;
-  if (!range.contains(copy.scale)) {
-    complaints.add(table.line_of_key(key), table.dotted(key), fmt::format("a scale of {}", copy.scale),
+  if (!range.contains(copy.scale())) {
+    complaints.add(table.line_of_key(key), table.dotted(key), fmt::format("a scale of {}", copy.scale()),
                    "a scale " + range.describe());
   }
-  if (std::abs(copy.k - 1.0) >= nearest_to_one) return;
+  if (std::abs(copy.k() - 1.0) >= nearest_to_one) return;
   complaints.add(table.line_of_key(key), table.dotted(key),
-                 fmt::format("scale {} without rotation: a translation, which has no pole", copy.scale),
+                 fmt::format("scale {} without rotation: a translation, which has no pole", copy.scale()),
                  "a scale other than 1 or a rotation");
 }
 

@@ -11,7 +11,7 @@ namespace kempe {
 
 /// The copy asked for, and where its pole must be if pairs say so.
 struct CopyReading {
-  CopySpec copy;
+  Copy copy;
   std::optional<Point> pole;  ///< the fixed point of the similarity that fits the pairs
 };
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 namespace kempe {
 

@@ -77,7 +77,7 @@ Ring read_rectangle(const TableView& table) {
   Point at = Point::Zero(), size = Point::Zero();
   table.set("at", at);
   table.set("size", size);
-  return {at, {at.x() + size.x(), at.y()}, at + size, {at.x(), at.y() + size.y()}};
+  return Region::rectangle(at, size).polygons.front().outer;
 }
 
 Ring read_circle(const TableView& table) {
@@ -85,7 +85,7 @@ Ring read_circle(const TableView& table) {
   double radius = 0;
   table.set("centre", centre);
   table.set("radius", radius);
-  return polygon_around_circle(centre, radius);
+  return Region::circle(centre, radius).polygons.front().outer;
 }
 
 /// Where a ring of a key stands: the element of the list of rings, or the whole value.
@@ -141,15 +141,6 @@ std::optional<Region> read_shape(const TableView& table, std::string_view key, C
   complaints.add(line_of_ring(table, at_fault, fault.ring), table.dotted(at_fault), fault.found,
                  fault.allowed);
   return std::nullopt;
-}
-
-Ring polygon_around_circle(const Point& centre, double radius) {
-  constexpr int corners = 1440;
-  const double reach = radius / std::cos(pi / corners);
-  Ring ring;
-  for (int i = 0; i < corners; ++i)
-    ring.push_back(centre + as_point(std::polar(reach, 2 * pi * i / corners)));
-  return ring;
 }
 
 }  // namespace kempe

@@ -28,8 +28,4 @@ Ring read_figure(const TableView& table, std::string_view key);
 /// such a key. Polygons that overlap or touch are united.
 std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints);
 
-/// A circle as a region must hold it to be covered: the regular polygon around it with 1440 corners, which
-/// exceeds the radius by 2.4e-6 of it at most.
-Ring polygon_around_circle(const Point& centre, double radius);
-
 }  // namespace kempe

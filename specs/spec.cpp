@@ -13,6 +13,16 @@ double widening(const Spec& spec) { return std::max(0.0, spec.cutting.hole_fit);
 
 }  // namespace
 
+Copy Copy::of(double scale, double rotation) { return {scale, rotation, copy_ratio(scale, rotation)}; }
+
+Copy Copy::of(Complex k) { return {std::abs(k), std::arg(k), k}; }
+
+Copy Copy::fitted(Complex k, const PairFit& fit) {
+  Copy copy = of(k);
+  copy.fit_ = fit;
+  return copy;
+}
+
 std::string_view name(Objective objective) {
   switch (objective) {
     case Objective::size: return "size";

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "kempe/input_error.hpp"
 #include "specs/spec.hpp"
-#include "specs/text/input_error.hpp"
 
 namespace kempe {
 

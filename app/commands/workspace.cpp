@@ -34,10 +34,10 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const LoadedSpec& loaded) {
     return tl::unexpected(InputError{loaded.file, 0, "pole.within_mm", "an area",
                                      "at_mm: a given mechanism stands at one place"});
   const MechanismSpec& given = *spec.mechanism;
-  const auto linkage = CopyingLinkage::make(spec.copy.k, given.grounding, given.VA, given.VB,
+  const auto linkage = CopyingLinkage::make(spec.copy.k(), given.grounding, given.VA, given.VB,
                                             given.assembly_mode, std::get<Point>(spec.pole.place));
   if (linkage) return *linkage;
-  const std::size_t count = assembly_modes(shape_of(spec.copy.k, given.grounding)).size();
+  const std::size_t count = assembly_modes(shape_of(spec.copy.k(), given.grounding)).size();
   return tl::unexpected(InputError{loaded.file, 0, "mechanism", std::string(name(linkage.error())),
                                    fmt::format("positive lengths and an assembly below {}", count)});
 }

@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 #include "synthesis/design/design.hpp"
 #include "synthesis/verification/verification.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 namespace kempe {
 

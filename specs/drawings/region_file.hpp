@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "geometry/region.hpp"
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 namespace kempe {
 

@@ -6,9 +6,9 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "kempe/input_error.hpp"
 #include "specs/drawings/curve_flattening.hpp"
 #include "specs/drawings/region_file.hpp"
-#include "specs/text/input_error.hpp"
 
 namespace kempe {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "kempe/input_error.hpp"
 #include "kinematics/planar/driver_motion.hpp"
-#include "specs/text/input_error.hpp"
 
 namespace kempe {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 namespace kempe {
 

@@ -1,4 +1,4 @@
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 #include "specs/text/printable.hpp"
 

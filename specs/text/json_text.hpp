@@ -6,7 +6,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 
 namespace kempe {
 

@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "geometry/region.hpp"
-#include "specs/text/input_error.hpp"
+#include "kempe/input_error.hpp"
 #include "specs/text/printable.hpp"
 
 namespace kempe {

@@ -45,8 +45,8 @@ Branch make_branch(const Spec& spec, Grounding grounding, int number, std::vecto
   AssemblyMode& assembly_mode = branch.assembly_mode;
   assembly_mode.grounding = grounding;
   assembly_mode.number = number;
-  assembly_mode.s = shape_of(spec.copy.k, grounding);
-  assembly_mode.chain = chain_length_per_tracer(spec.copy.k, grounding);
+  assembly_mode.s = shape_of(spec.copy.k(), grounding);
+  assembly_mode.chain = chain_length_per_tracer(spec.copy.k(), grounding);
   const OpeningInterval interval = assembly_modes(assembly_mode.s)[static_cast<std::size_t>(number)];
   const double psi = wrapped(interval.middle() - std::arg(assembly_mode.s));
   assembly_mode.bend = psi < 0 ? -1 : 1;
@@ -61,7 +61,7 @@ Branch make_branch(const Spec& spec, Grounding grounding, int number, std::vecto
   assembly_mode.a = allowed(spec, shortest, {{{0, 1}, {3, 1}, {6, plate}, {7, side}}});
   assembly_mode.b = allowed(spec, shortest, {{{1, plate}, {2, plate}, {4, 1}, {5, side}}});
   if (spec.limits.copy_error && spec.tolerance) {
-    const CopyErrorProfile profile(spec.copy.k, grounding, CopyTolerance::uniform(*spec.tolerance));
+    const CopyErrorProfile profile(spec.copy.k(), grounding, CopyTolerance::uniform(*spec.tolerance));
     const OpeningInterval kept = profile.openings_not_ruled_out(*spec.limits.copy_error, interval);
     const double one = branch.psi_of(kept.lower), other = branch.psi_of(kept.upper);
     assembly_mode.allowed = kept.empty() ? Range{} : Range{std::min(one, other), std::max(one, other)};

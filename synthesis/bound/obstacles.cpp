@@ -36,11 +36,12 @@ struct ObstacleTest::Middle {
 
 ObstacleTest::ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
                            const std::vector<LayerAssignment>& layers, StopFlag stop)
-    : assembly_mode_(assembly_mode), reach_(spec.copy.k, assembly_mode.grounding, assembly_mode.number),
+    : assembly_mode_(assembly_mode), reach_(spec.copy.k(), assembly_mode.grounding, assembly_mode.number),
       roles_(roles_of(assembly_mode.grounding)), clearance_(spec.limits.clearance),
       shapes_(obstacle_shapes(spec.obstacles)), places_(tracer_places(spec.region, first_places)),
       many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
-  const auto any = CopyingLinkage::make(spec.copy.k, assembly_mode.grounding, 100, 100, assembly_mode.number);
+  const auto any =
+      CopyingLinkage::make(spec.copy.k(), assembly_mode.grounding, 100, 100, assembly_mode.number);
   std::map<TermKey, std::size_t> known;
   for (std::size_t i = 0; any && i < layers.size() && !stop_(); ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec)) {

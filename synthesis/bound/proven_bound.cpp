@@ -77,7 +77,7 @@ class Tree {
     if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
     // The posts stand on the table: pole, tracer and pen keep their distance from each other.
     const double between_posts = spec.links.style.pin_diameter + spec.limits.clearance;
-    const double k = std::abs(spec.copy.k), third = std::abs(1.0 - spec.copy.k);
+    const double k = std::abs(spec.copy.k()), third = std::abs(1.0 - spec.copy.k());
     least_radius_ = options.self_contact ? between_posts / std::min({1.0, k, third}) * (1 - 1e-12) : 0;
   }
 
@@ -122,9 +122,9 @@ class Tree {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
       const auto layers =
-          bounding::layer_choices(spec_.copy.k, grounding, spec_.links.layers,
+          bounding::layer_choices(spec_.copy.k(), grounding, spec_.links.layers,
                                   sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{});
-      const std::size_t count = assembly_modes(shape_of(spec_.copy.k, grounding)).size();
+      const std::size_t count = assembly_modes(shape_of(spec_.copy.k(), grounding)).size();
       for (std::size_t number = 0; number < count; ++number) {
         if (options_.stop()) return false;
         branches_.push_back(
@@ -291,7 +291,7 @@ class Tree {
 
   tl::expected<CopyingLinkage, LinkageFault> linkage_of(const Branch& branch, double a, double b,
                                                         const Point& pole) const {
-    return CopyingLinkage::make(spec_.copy.k, branch.assembly_mode.grounding, a,
+    return CopyingLinkage::make(spec_.copy.k(), branch.assembly_mode.grounding, a,
                                 b * std::abs(branch.assembly_mode.s), branch.assembly_mode.number, pole);
   }
 

@@ -6,7 +6,7 @@
 namespace kempe::bounding {
 
 SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
-    : region_(region), k_(spec.copy.k), gap_(spec.limits.sheets_gap) {
+    : region_(region), k_(spec.copy.k()), gap_(spec.limits.sheets_gap) {
   if (!gap_) return;
   constexpr std::size_t most = 24;
   const auto& edges = region.edges();

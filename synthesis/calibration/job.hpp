@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "kempe/input_error.hpp"
 #include "specs/measurements.hpp"
-#include "specs/text/input_error.hpp"
 #include "synthesis/calibration/knight.hpp"
 #include "synthesis/calibration/plan.hpp"
 

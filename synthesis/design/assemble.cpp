@@ -40,10 +40,10 @@ void measure_copy_error(Design& design) {
 }
 
 /// With workshop lengths k may be off: the design then states what it attains, and what was wanted beside it.
-void note_ratio(Design& design, const CopySpec& copy) {
-  const double error = std::abs(design.linkage.k() - copy.k);
-  if (error <= 1e-12 * std::abs(copy.k)) return;
-  design.wanted = WantedCopy{copy.scale, copy.rotation, error};
+void note_ratio(Design& design, const Copy& copy) {
+  const double error = std::abs(design.linkage.k() - copy.k());
+  if (error <= 1e-12 * std::abs(copy.k())) return;
+  design.wanted = WantedCopy{copy.scale(), copy.rotation(), error};
   design.scale = std::abs(design.linkage.k());
   design.rotation = std::arg(design.linkage.k());
 }
@@ -51,8 +51,8 @@ void note_ratio(Design& design, const CopySpec& copy) {
 Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
                  const MapOptions& options) {
   Design design{.linkage = linkage,
-                .scale = spec.copy.scale,
-                .rotation = spec.copy.rotation,
+                .scale = spec.copy.scale(),
+                .rotation = spec.copy.rotation(),
                 .region = spec.region,
                 .style = spec.links.style,
                 .layers = layers,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kempe/verification.hpp"
 #include "synthesis/design/tool_advice.hpp"
 #include "workspace/map/workspace_map.hpp"
 
@@ -21,28 +22,6 @@ struct Quality {
   double footprint = 0;  ///< mm^2, outer bound of the area swept while the tracer covers the region
   /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
   std::optional<double> proven_bound;
-};
-
-/// Something that a design or its file states and that does not hold.
-struct BrokenLimit {
-  std::string limit;                            ///< its key: "limits.clearance_mm", "obstacles", "region"
-  std::optional<double> attained{}, allowed{};  ///< in the key's unit; absent where no number says it
-  std::optional<Point> where{};                 ///< the tracer's place, mm; absent where it is no one place
-  std::string sentence;                         ///< for a person
-};
-
-/// What the independent verification found (verification.hpp).
-struct Verification {
-  std::size_t samples = 0;
-  double copy_error_max = 0;       ///< mm
-  double loop_residual_max = 0;    ///< mm
-  double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
-  int flips = 0;                   ///< changes of assembly mode seen
-  bool certified = false;
-  bool over_workspace =
-      false;              ///< driven over the free workspace: there is no region, or none of it within reach
-  std::string failure{};  ///< a sentence; empty if certified
-  std::vector<BrokenLimit> broken{};  ///< the first breach of each limit
 };
 
 struct SearchRecord {

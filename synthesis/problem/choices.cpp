@@ -7,12 +7,12 @@ namespace kempe {
 std::vector<ContactChoice> choices_of(const Spec& spec) {
   std::vector<ContactChoice> choices;
   for (const Grounding grounding : spec.objective.groundings) {
-    const Complex shape = shape_of(spec.copy.k, grounding);
+    const Complex shape = shape_of(spec.copy.k(), grounding);
     const bool mirrored = is_straight(shape) && spec.obstacles.empty();
     std::vector<LayerAssignment> assignments;  // those of one assembly mode are those of all
     for (int assembly_mode = 0; assembly_mode < static_cast<int>(assembly_modes(shape).size());
          ++assembly_mode) {
-      const auto linkage = CopyingLinkage::make(spec.copy.k, grounding, 1, 1, assembly_mode);
+      const auto linkage = CopyingLinkage::make(spec.copy.k(), grounding, 1, 1, assembly_mode);
       if (!linkage) continue;
       if (assignments.empty())
         assignments = assignments_worth_trying(*linkage, spec.links.layers, spec.obstacles);

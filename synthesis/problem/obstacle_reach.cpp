@@ -62,13 +62,13 @@ struct Places {
 Places places_of(const Spec& spec, const Requirements& limits) {
   const Box pole = box_of_pole(spec.pole, limits.pole_margin);
   return {pole, bounding_box(spec.region),
-          sum(image(pole, 1.0 - spec.copy.k), image(spec.region, spec.copy.k))};
+          sum(image(pole, 1.0 - spec.copy.k()), image(spec.region, spec.copy.k()))};
 }
 
 /// Around V, X and Y; none if no lengths keep the limits.
 std::vector<Surroundings> surroundings_of(const Spec& spec, const Requirements& limits, Grounding grounding,
                                           const Places& places) {
-  const Reach reach(spec.copy.k, grounding, 0);
+  const Reach reach(spec.copy.k(), grounding, 0);
   const LogBox box = length_box(reach, limits, spec.links.workshop);
   if (box.u.empty() || box.v.empty()) return {};
   const double VA = std::exp(box.u.upper), VB = std::exp(box.v.upper);

@@ -24,7 +24,7 @@ class SearchSpace {
   explicit SearchSpace(Spec spec);
 
   const Spec& spec() const { return spec_; }
-  Complex k() const { return spec_.copy.k; }
+  Complex k() const { return spec_.copy.k(); }
   const RegionReach& region() const { return region_; }
   const DesignLayout& layout() const { return layout_; }
   bool pole_is_free(const Requirements& limits) const { return area_ || limits.pole_margin > 0; }

@@ -13,7 +13,7 @@ namespace {
 
 /// The bound is one of designs with the exact ratio.
 bool has_exact_ratio(const FoundDesign& design, const Spec& spec) {
-  return std::abs(design.linkage.k() - spec.copy.k) <= tolerance::same_ratio * std::abs(spec.copy.k);
+  return std::abs(design.linkage.k() - spec.copy.k()) <= tolerance::same_ratio * std::abs(spec.copy.k());
 }
 
 /// A stopped search's design with the better of the bounds that it came to.

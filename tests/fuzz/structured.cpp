@@ -119,10 +119,10 @@ CuttingSpec cutting(Choices& choices) {
 
 Spec spec_from(Choices& choices) {
   Spec spec;
-  spec.copy.scale = std::exp(choices.between(std::log(0.1), std::log(10)));
-  spec.copy.rotation = choices.upto(3) == 0 ? choices.upto(4) * pi / 2 : choices.between(-pi, pi);
-  spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
-  if (std::abs(spec.copy.k - 1.0) < 1e-3) spec.copy.k = copy_ratio(spec.copy.scale = 2, spec.copy.rotation);
+  const double scale = std::exp(choices.between(std::log(0.1), std::log(10)));
+  const double rotation = choices.upto(3) == 0 ? choices.upto(4) * pi / 2 : choices.between(-pi, pi);
+  spec.copy = Copy::of(scale, rotation);
+  if (std::abs(spec.copy.k() - 1.0) < 1e-3) spec.copy = Copy::of(2, rotation);
   spec.region.polygons.push_back(polygon(choices));
   spec.links = links(choices);
   spec.limits = limits(choices);

@@ -25,7 +25,7 @@ Spec draw_task() {
   RC_PRE(std::abs(linkage.k() - 1.0) > 0.2);
   RC_PRE(linkage.assembly_interval().width() > 0.3);
   Spec spec;
-  spec.copy = {std::abs(linkage.k()), std::arg(linkage.k()), linkage.k(), {}};
+  spec.copy = Copy::of(linkage.k());
   spec.pole.place = linkage.pole();
   const double opening = draw_opening(linkage, 0.25);
   const Point centre = linkage.tracer_at(opening, *angle());
@@ -48,7 +48,7 @@ Spec draw_task() {
 
 Design design_of(const Spec& spec) {
   const MechanismSpec& given = *spec.mechanism;
-  const auto linkage = CopyingLinkage::make(spec.copy.k, given.grounding, given.VA, given.VB,
+  const auto linkage = CopyingLinkage::make(spec.copy.k(), given.grounding, given.VA, given.VB,
                                             given.assembly_mode, std::get<Point>(spec.pole.place));
   RC_ASSERT(linkage.has_value());
   Design design = assemble_given(spec, *linkage, {});

@@ -45,10 +45,7 @@ struct Movement {
 
   Spec operator()(const Spec& spec) const {
     Spec moved = spec;
-    if (mirror) {
-      moved.copy.k = std::conj(spec.copy.k);
-      moved.copy.rotation = std::arg(moved.copy.k);
-    }
+    if (mirror) moved.copy = Copy::of(std::conj(spec.copy.k()));
     moved.region = (*this)(spec.region);
     if (spec.pole.is_fixed())
       moved.pole.place = (*this)(std::get<Point>(spec.pole.place));
@@ -63,7 +60,7 @@ struct Movement {
       moved.mechanism->VA *= scale;
       moved.mechanism->VB *= scale;
       moved.mechanism->assembly_mode =
-          assembly_mode(spec.mechanism->assembly_mode, spec.copy.k, spec.mechanism->grounding);
+          assembly_mode(spec.mechanism->assembly_mode, spec.copy.k(), spec.mechanism->grounding);
     }
     return moved;
   }

@@ -45,7 +45,7 @@ std::optional<FoundDesign> design_of(const Spec& spec, Objective objective, cons
   if (!bound.design) return std::nullopt;
   const RelaxedDesign& met = *bound.design;
   const auto linkage =
-      CopyingLinkage::make(spec.copy.k, met.grounding, met.VA, met.VB, met.assembly_mode, met.pole);
+      CopyingLinkage::make(spec.copy.k(), met.grounding, met.VA, met.VB, met.assembly_mode, met.pole);
   if (!linkage || !limit_missed(spec, *linkage, met.layers, 1e-9).empty()) return std::nullopt;
   const auto openings = openings_over(*linkage, spec.region);
   FoundDesign found{.linkage = *linkage, .layers = met.layers, .goal = goal_of(objective), .complete = false};

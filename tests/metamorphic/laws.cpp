@@ -27,7 +27,8 @@ std::vector<Finding> beaten(const Task& task, const Answer& proof, const FoundDe
                             const std::string& law) {
   if (proof.proven_none) return {{true, law, "proven that there is no design, but there is one", {task}}};
   std::vector<Finding> findings;
-  const bool exact = std::abs(design.linkage.k() - proof.spec.copy.k) <= 1e-12 * std::abs(proof.spec.copy.k);
+  const bool exact =
+      std::abs(design.linkage.k() - proof.spec.copy.k()) <= 1e-12 * std::abs(proof.spec.copy.k());
   const double size = unit * design.linkage.size(), transmission = design.attained.transmission;
   if (exact && proof.least_size && size < *proof.least_size * (1 - rounding))
     findings.push_back(
@@ -69,7 +70,7 @@ std::vector<Finding> check_alone(const Task& task, const Answer& answer) {
   if (!answer.design) return {};
   std::vector<Finding> findings = beaten(task, answer, *answer.design, 1, "own bound");
   Spec spec = answer.spec;
-  spec.copy.k = answer.design->linkage.k();  // with a grid of lengths it may be off
+  spec.copy = Copy::of(answer.design->linkage.k());  // with a grid of lengths it may be off
   const std::string missed = limit_missed(spec, answer.design->linkage, answer.design->layers, rounding);
   if (!missed.empty()) findings.push_back({true, "own limits", "the design found misses " + missed, {task}});
   return findings;

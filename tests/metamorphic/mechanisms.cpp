@@ -45,9 +45,9 @@ std::optional<CopyingLinkage> draw_linkage(const Spec& spec, Dice& dice) {
   const Grounding grounding =
       groundings[static_cast<std::size_t>(dice.below(static_cast<int>(groundings.size())))];
   const int assembly_mode =
-      dice.below(static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size()));
-  const double VB = dice.log_uniform(0.2, 5) * std::abs(shape_of(spec.copy.k, grounding));
-  const auto unit = CopyingLinkage::make(spec.copy.k, grounding, 1, VB, assembly_mode, *pole);
+      dice.below(static_cast<int>(assembly_modes(shape_of(spec.copy.k(), grounding)).size()));
+  const double VB = dice.log_uniform(0.2, 5) * std::abs(shape_of(spec.copy.k(), grounding));
+  const auto unit = CopyingLinkage::make(spec.copy.k(), grounding, 1, VB, assembly_mode, *pole);
   if (!unit) return std::nullopt;
   const OpeningInterval openings = unit->openings_with_transmission(spec.limits.transmission);
   if (openings.empty()) return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<CopyingLinkage> draw_linkage(const Spec& spec, Dice& dice) {
   if (!(least < most)) return std::nullopt;
   const double share = dice.percent(50) ? 1e-6 : dice.uniform(0, 1);
   const double VA = least * std::pow(std::min(most / least, 10.0), share);
-  const auto linkage = CopyingLinkage::make(spec.copy.k, grounding, VA, VA * VB, assembly_mode, *pole);
+  const auto linkage = CopyingLinkage::make(spec.copy.k(), grounding, VA, VA * VB, assembly_mode, *pole);
   if (!linkage) return std::nullopt;
   for (const double length : linkage->lengths().values())
     if (length < spec.links.shortest || length > spec.links.longest) return std::nullopt;

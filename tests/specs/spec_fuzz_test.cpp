@@ -103,9 +103,9 @@ bool keeps_invariant(const Region& region) {
 }
 
 void expect_promises_kept(const Spec& spec) {
-  EXPECT_TRUE(std::isfinite(spec.copy.scale) && spec.copy.scale > 0);
-  EXPECT_GT(std::abs(spec.copy.k - 1.0), 1e-7);
-  EXPECT_TRUE(std::abs(spec.copy.rotation) <= pi);
+  EXPECT_TRUE(std::isfinite(spec.copy.scale()) && spec.copy.scale() > 0);
+  EXPECT_GT(std::abs(spec.copy.k() - 1.0), 1e-7);
+  EXPECT_TRUE(std::abs(spec.copy.rotation()) <= pi);
   EXPECT_TRUE(keeps_invariant(spec.region));
   EXPECT_TRUE(!spec.region.empty() || spec.mechanism);
   EXPECT_TRUE(spec.pole.is_fixed() || keeps_invariant(std::get<Region>(spec.pole.place)));

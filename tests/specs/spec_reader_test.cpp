@@ -95,9 +95,9 @@ kerf_mm = 0.2
 sheet_mm = [600, 300]
 gap_mm = 8
 )");
-  EXPECT_EQ(spec.copy.k, Complex(0, 1.4));
-  EXPECT_EQ(spec.copy.scale, 1.4);
-  EXPECT_DOUBLE_EQ(spec.copy.rotation, pi / 2);
+  EXPECT_EQ(spec.copy.k(), Complex(0, 1.4));
+  EXPECT_EQ(spec.copy.scale(), 1.4);
+  EXPECT_DOUBLE_EQ(spec.copy.rotation(), pi / 2);
   EXPECT_EQ(spec.region.polygons.size(), 2u);
   EXPECT_DOUBLE_EQ(area(spec.region), 80 - 1 + 81);
   EXPECT_DOUBLE_EQ(area(std::get<Region>(spec.pole.place)), 50);
@@ -145,8 +145,8 @@ TEST(SpecReader, ReadsStockLengthsInOrderAndOnce) {
 
 TEST(SpecReader, TakesScaleOrRotationAlone) {
   const std::string region = "[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n";
-  EXPECT_EQ(read_or_fail("[copy]\nscale = 2\n" + region).copy.k, Complex(2, 0));
-  EXPECT_EQ(read_or_fail("[copy]\nrotation_deg = 180\n" + region).copy.k, Complex(-1, 0));
+  EXPECT_EQ(read_or_fail("[copy]\nscale = 2\n" + region).copy.k(), Complex(2, 0));
+  EXPECT_EQ(read_or_fail("[copy]\nrotation_deg = 180\n" + region).copy.k(), Complex(-1, 0));
 }
 
 TEST(SpecReader, BringsRotationsIntoOneTurn) {
@@ -155,21 +155,21 @@ TEST(SpecReader, BringsRotationsIntoOneTurn) {
                         "\n[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n")
         .copy;
   };
-  EXPECT_DOUBLE_EQ(rotation("-180").rotation, pi);
-  EXPECT_EQ(rotation("-180").k, Complex(-2, 0));
-  EXPECT_EQ(rotation("450").k, Complex(0, 2));
-  EXPECT_EQ(rotation("-90").k, Complex(0, -2));
-  EXPECT_DOUBLE_EQ(rotation("3500.5").rotation, -99.5 * pi / 180);
+  EXPECT_DOUBLE_EQ(rotation("-180").rotation(), pi);
+  EXPECT_EQ(rotation("-180").k(), Complex(-2, 0));
+  EXPECT_EQ(rotation("450").k(), Complex(0, 2));
+  EXPECT_EQ(rotation("-90").k(), Complex(0, -2));
+  EXPECT_DOUBLE_EQ(rotation("3500.5").rotation(), -99.5 * pi / 180);
 }
 
 TEST(SpecReader, PairsGiveRatioPoleAndResidual) {
   const Spec spec = read_or_fail(
       "[copy]\npairs_mm = [[[7.5,0],[0,10.5]], [[7,0],[0,9.8]], [[5.6,0],[0,7.84]]]\n"
       "[region]\ncircle_mm = {centre = [66, 0], radius = 4}\n");
-  EXPECT_NEAR(std::abs(spec.copy.k - Complex(0, 1.4)), 0, 1e-14);
-  EXPECT_EQ(spec.copy.scale, std::abs(spec.copy.k));
-  ASSERT_TRUE(spec.copy.fit);
-  EXPECT_EQ(spec.copy.fit->pairs, 3u);
+  EXPECT_NEAR(std::abs(spec.copy.k() - Complex(0, 1.4)), 0, 1e-14);
+  EXPECT_EQ(spec.copy.scale(), std::abs(spec.copy.k()));
+  ASSERT_TRUE(spec.copy.fit());
+  EXPECT_EQ(spec.copy.fit()->pairs, 3u);
   EXPECT_EQ(std::get<Point>(spec.pole.place), Point(0, 0));
 }
 
@@ -277,9 +277,9 @@ TEST(SpecReader, ReadsBackRandomSpecs) {
         "clearance_mm = {}\ntransmission_deg = {}\nsheets_gap_mm = {}\n",
         scale, rotation, ring_text(ring), ring_text(pole), width, pin, thickness, layers, shortest_length,
         longest, clearance, transmission, gap));
-    EXPECT_EQ(spec.copy.scale, scale);
-    EXPECT_DOUBLE_EQ(spec.copy.rotation, rotation * pi / 180);
-    EXPECT_LT(std::abs(spec.copy.k - std::polar(scale, rotation * pi / 180)), 1e-14 * scale);
+    EXPECT_EQ(spec.copy.scale(), scale);
+    EXPECT_DOUBLE_EQ(spec.copy.rotation(), rotation * pi / 180);
+    EXPECT_LT(std::abs(spec.copy.k() - std::polar(scale, rotation * pi / 180)), 1e-14 * scale);
     EXPECT_EQ(spec.region, (Region{{{ring, {}}}}));
     EXPECT_EQ(std::get<Region>(spec.pole.place), (Region{{{pole, {}}}}));
     EXPECT_EQ(spec.links.style, (LinkStyle{width, pin, thickness, PlateStyle::bent}));

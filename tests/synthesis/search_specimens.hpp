@@ -30,9 +30,8 @@ class SpecDice {
 
   Spec spec() {
     Spec spec;
-    spec.copy.scale = log_uniform(0.1, 10);
-    spec.copy.rotation = uniform(-pi, pi);
-    spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+    const double scale = log_uniform(0.1, 10);
+    spec.copy = Copy::of(scale, uniform(-pi, pi));
     const double away = uniform(60, 300);
     const Point centre = as_point(std::polar(away, uniform(-pi, pi)));
     const int corners = 3 + static_cast<int>(random_() % 12);  // drawn one by one: arguments have no order

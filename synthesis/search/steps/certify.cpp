@@ -20,7 +20,7 @@ double length_from(double logarithm) {
 }
 
 std::optional<CopyingLinkage> linkage_of(const Spec& spec, const Choice& choice, const DesignPoint& point) {
-  const auto made = CopyingLinkage::make(spec.copy.k, choice.grounding, length_from(point.lengths.u),
+  const auto made = CopyingLinkage::make(spec.copy.k(), choice.grounding, length_from(point.lengths.u),
                                          length_from(point.lengths.v), choice.assembly_mode, point.pole);
   if (!made) return std::nullopt;
   return *made;

@@ -10,10 +10,10 @@ namespace {
 /// The openings at which transmission and copy error keep their limits: one interval, or several.
 std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& choice,
                                               const Requirements& limits) {
-  const Reach reach(spec.copy.k, choice.grounding, choice.assembly_mode);
+  const Reach reach(spec.copy.k(), choice.grounding, choice.assembly_mode);
   const OpeningInterval usable = openings_with_transmission(reach, limits.transmission);
   if (!limits.copy_error || !spec.tolerance || usable.empty()) return {usable};
-  const CopyErrorProfile profile(spec.copy.k, choice.grounding, CopyTolerance::uniform(*spec.tolerance));
+  const CopyErrorProfile profile(spec.copy.k(), choice.grounding, CopyTolerance::uniform(*spec.tolerance));
   std::vector<OpeningInterval> allowed;
   for (const OpeningInterval& within : profile.openings_within(*limits.copy_error, usable))
     if (const OpeningInterval inside = shrink(within, tolerance::inward_opening); !inside.empty())

@@ -76,11 +76,11 @@ std::vector<Ratio> ratios_near(const SearchTask& task, double longest) {
   const Spec& spec = task.spec();
   std::vector<Ratio> ratios;
   for (const Grounding grounding : spec.objective.groundings) {
-    const Complex shape = shape_of(spec.copy.k, grounding);
+    const Complex shape = shape_of(spec.copy.k(), grounding);
     for (const WorkshopLengths& lengths : nearest_workshop_lengths(spec.links.workshop, std::abs(shape),
                                                                    longest, task.budgets().stock.ratios)) {
       const Complex k = ratio_of(shape / std::abs(shape) * lengths.ratio, grounding);
-      ratios.push_back({k, grounding, std::abs(k - spec.copy.k)});
+      ratios.push_back({k, grounding, std::abs(k - spec.copy.k())});
     }
   }
   std::stable_sort(ratios.begin(), ratios.end(),
@@ -108,7 +108,7 @@ std::vector<Prospect> prospects_next_to(const std::vector<Prospect>& known, cons
 
 SearchResult best_with_ratio(const SearchTask& task, const std::vector<Prospect>& known, const Ratio& ratio) {
   Spec other = task.spec();
-  other.copy.k = ratio.k;
+  other.copy = Copy::of(ratio.k);
   other.objective.groundings = {ratio.grounding};
   const SearchTask there{std::make_shared<const SearchProblem>(other, task.limits), task.control.part(),
                          task.limits, task.goal};

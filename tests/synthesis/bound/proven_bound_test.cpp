@@ -131,7 +131,7 @@ double half_perimeter(Complex a, Complex b, Complex c) {
 
 /// What a design attains, or nothing if it breaks a limit (or may).
 std::optional<Figures> check(const Spec& spec, const Candidate& design) {
-  const Complex k = spec.copy.k;
+  const Complex k = spec.copy.k();
   const Complex s = design.grounding == Grounding::pole     ? k
                     : design.grounding == Grounding::tracer ? 1.0 - k
                                                             : 1.0 - 1.0 / k;
@@ -215,11 +215,11 @@ std::optional<Figures> check(const Spec& spec, const Candidate& design) {
 /// A spec at whose scale everything matters: reach, lengths, contact, the pole's place.
 Spec random_spec(Chance& chance) {
   Spec spec;
-  spec.copy.scale = chance.log_uniform(0.3, 3);
+  double enlarged = chance.log_uniform(0.3, 3);
   const std::size_t kind = chance.below(5);
-  spec.copy.rotation = kind == 0 ? pi : kind == 1 ? 0 : chance.uniform(-pi, pi);
-  if (kind == 1 && std::abs(spec.copy.scale - 1) < 0.3) spec.copy.scale = 2;
-  spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+  const double rotation = kind == 0 ? pi : kind == 1 ? 0 : chance.uniform(-pi, pi);
+  if (kind == 1 && std::abs(enlarged - 1) < 0.3) enlarged = 2;
+  spec.copy = Copy::of(enlarged, rotation);
   const double scale = chance.log_uniform(0.3, 3);
   spec.region = star(chance, Point(chance.uniform(80, 160), chance.uniform(-60, 60)) * scale,
                      chance.uniform(15, 50) * scale);
@@ -238,7 +238,7 @@ Spec random_spec(Chance& chance) {
 
 Candidate random_candidate(Chance& chance, const Spec& spec) {
   const Grounding grounding = all_groundings[chance.below(3)];
-  Candidate design{grounding, chance.below(assembly_modes(shape_of(spec.copy.k, grounding)).size()), 0, 0,
+  Candidate design{grounding, chance.below(assembly_modes(shape_of(spec.copy.k(), grounding)).size()), 0, 0,
                    Point::Zero()};
   const double size = spec.region.polygons[0].outer[0].norm();
   design.VA = size * chance.log_uniform(0.1, 3);
@@ -316,10 +316,9 @@ TEST(ProvenBound, NoDesignOfRandomSpecsBeatsIt) {
 
 Spec straight_spec(Chance& chance) {
   Spec spec;
-  spec.copy.scale = chance.log_uniform(1.3, 3);
-  if (chance.below(2) == 0) spec.copy.scale = 1 / spec.copy.scale;
-  spec.copy.rotation = chance.below(2) == 0 ? 0 : pi;
-  spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+  double scale = chance.log_uniform(1.3, 3);
+  if (chance.below(2) == 0) scale = 1 / scale;
+  spec.copy = Copy::of(scale, chance.below(2) == 0 ? 0 : pi);
   spec.region = star(chance, {chance.uniform(100, 150), chance.uniform(-40, 40)}, chance.uniform(20, 60));
   spec.links.shortest = 1e-3;
   spec.links.longest = 1e5;
@@ -365,11 +364,11 @@ TEST(ProvenBound, IsTheSmallestOfAFineScanForAFixedPole) {
     double least = 1e300;
     for (const Grounding grounding : all_groundings)
       for (std::size_t assembly_mode = 0;
-           assembly_mode < assembly_modes(shape_of(spec.copy.k, grounding)).size(); ++assembly_mode)
+           assembly_mode < assembly_modes(shape_of(spec.copy.k(), grounding)).size(); ++assembly_mode)
         for (double ratio = -6; ratio < 6; ratio += 2e-3) {
           // The smallest linkage with these proportions that reaches the farthest place; or a larger one for
           // the limits.
-          const auto unit = CopyingLinkage::make(spec.copy.k, grounding, 1, std::exp(ratio),
+          const auto unit = CopyingLinkage::make(spec.copy.k(), grounding, 1, std::exp(ratio),
                                                  static_cast<int>(assembly_mode))
                                 .value();
           const OpeningInterval d = unit.openings_with_transmission(spec.limits.transmission);
@@ -426,8 +425,7 @@ TEST(ProvenBound, IsTheSameInAMirror) {
   for (int n = 0; n < test::samples(12); ++n) {
     const Spec spec = random_spec(chance);
     Spec mirrored = spec;
-    mirrored.copy.rotation = -spec.copy.rotation;
-    mirrored.copy.k = std::conj(spec.copy.k);
+    mirrored.copy = Copy::of(spec.copy.scale(), -spec.copy.rotation());
     const auto mirror = [](Ring& ring) {
       for (Point& corner : ring) corner.y() = -corner.y();
       std::reverse(ring.begin(), ring.end());
@@ -550,7 +548,7 @@ TEST(ProvenBound, IsRepeatable) {
 
 TEST(ProvenBound, ProvesThatThereIsNoDesign) {
   Spec spec;
-  spec.copy.k = copy_ratio(1.4, pi / 2);
+  spec.copy = Copy::of(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
   spec.links.longest = 60;  // the chain cannot reach
   EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
@@ -569,7 +567,7 @@ TEST(ProvenBound, ProvesThatThereIsNoDesign) {
 
 TEST(ProvenBound, ContactBindsWhereItSays) {
   Spec spec;
-  spec.copy.k = copy_ratio(1.4, pi / 2);
+  spec.copy = Copy::of(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
   const double with = proven_bound(spec, Objective::size).value().value;
   const double without = proven_bound(spec, Objective::size, {.self_contact = false}).value().value;
@@ -582,7 +580,7 @@ TEST(ProvenBound, ContactBindsWhereItSays) {
 
 TEST(ProvenBound, LockedLengthsRaiseIt) {
   Spec spec;
-  spec.copy.k = copy_ratio(1.4, pi / 2);
+  spec.copy = Copy::of(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
   const double free = proven_bound(spec, Objective::size).value().value;
   spec.links.workshop.locked[0] = 250;
@@ -594,7 +592,7 @@ TEST(ProvenBound, LockedLengthsRaiseIt) {
 
 TEST(ProvenBound, IsSilentAboutOtherObjectives) {
   Spec spec;
-  spec.copy.k = 2;
+  spec.copy = Copy::of(2, 0);
   spec.region = rectangle(100, -30, 80, 60);
   EXPECT_FALSE(proven_bound(spec, Objective::footprint));
   EXPECT_FALSE(proven_bound(spec, Objective::copy_error));

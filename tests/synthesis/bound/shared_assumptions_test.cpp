@@ -120,9 +120,7 @@ TEST(SharedAssumptions, OnlyItsFootprintDiffersAndTheSearchLooksAtBoth) {
   int differ = 0;
   for (int i = 0; i < test::samples(6); ++i) {
     Spec spec = dice.spec();
-    spec.copy.scale = dice.log_uniform(0.3, 3);
-    spec.copy.rotation = pi;
-    spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+    spec.copy = Copy::of(dice.log_uniform(0.3, 3), pi);
     spec.pole.place = Point(Point::Zero());
     spec.objective.objective = Objective::footprint;
     const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
@@ -204,7 +202,8 @@ TEST(SharedAssumptions, SheetsSaidToBeTooNearForABoxOfPolesAreTooNearForEach) {
   for (int i = 0; i < test::samples(200); ++i) {
     Spec spec;
     spec.region = any_region(dice, i % 3);
-    spec.copy.k = std::polar(dice.log_uniform(0.3, 3), dice.uniform(-pi, pi));
+    const double scale = dice.log_uniform(0.3, 3);
+    spec.copy = Copy::of(scale, dice.uniform(-pi, pi));
     spec.limits.sheets_gap = dice.uniform(0, 20);
     const RegionReach reach(spec.region);
     const bounding::SheetsGap sheets(spec, reach);
@@ -215,7 +214,7 @@ TEST(SharedAssumptions, SheetsSaidToBeTooNearForABoxOfPolesAreTooNearForEach) {
       ++too_near;
       const Point one = pole + as_point(std::polar(radius * dice.uniform(0, 1), dice.uniform(-pi, pi)));
       EXPECT_FALSE(
-          are_apart(spec.region, similar_image(spec.region, spec.copy.k, one), *spec.limits.sheets_gap))
+          are_apart(spec.region, similar_image(spec.region, spec.copy.k(), one), *spec.limits.sheets_gap))
           << i << " " << j;
     }
   }

@@ -88,7 +88,7 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
     const auto choices = choices_of(spec);
     ASSERT_FALSE(choices.empty());
     const ContactChoice& choice = choices[static_cast<std::size_t>(i) % choices.size()];
-    const Reach reach(spec.copy.k, choice.choice.grounding, choice.choice.assembly_mode);
+    const Reach reach(spec.copy.k(), choice.choice.grounding, choice.choice.assembly_mode);
     DesignProblem problem(space, choice.choice, limits, goal,
                           openings_with_transmission(reach, limits.transmission), choice.terms);
     if (!problem.possible()) continue;

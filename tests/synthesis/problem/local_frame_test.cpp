@@ -147,12 +147,11 @@ TEST(LocalFrame, DesignsChangeSmoothlyTowardsStraightPlates) {
   for (int i = 0; i < test::samples(4); ++i) {
     Spec spec = spec_on_grid(dice, false);
     spec.pole.place = Point(Point::Zero());
-    spec.copy.scale = dice.uniform(1.5, 5);
+    const double scale = dice.uniform(1.5, 5);
     spec.limits.transmission = radians(25);
     std::optional<double> straight;
     for (const double bend : {0.0, 1e-14, 1e-12, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3}) {
-      spec.copy.rotation = (i % 2 ? pi : 0) - bend;
-      spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+      spec.copy = Copy::of(scale, (i % 2 ? pi : 0) - bend);
       const auto bound = proven_bound(spec);
       ASSERT_TRUE(bound);
       const double value = bound->no_design ? 0 : bound->value;

@@ -67,7 +67,7 @@ struct LengthLimits {
   double VA, VB;
 };
 LengthLimits longest_of(const Spec& spec, Grounding grounding) {
-  const Complex k = spec.copy.k;
+  const Complex k = spec.copy.k();
   const Complex s = grounding == Grounding::pole     ? k
                     : grounding == Grounding::tracer ? 1.0 - k
                                                      : 1.0 - 1.0 / k;
@@ -107,7 +107,7 @@ TEST(ObstacleReach, NothingLeftOutIsEverTouchedByAPermittedInstrument) {
   for (int n = 0; n < test::samples(300); ++n) {
     Spec spec = dice.spec();
     spec.links.longest = dice.log_uniform(100, 1000);
-    const double span = 3 * (spec.links.longest + 300) * (1 + spec.copy.scale);
+    const double span = 3 * (spec.links.longest + 300) * (1 + spec.copy.scale());
     for (int i = 0; i < 60; ++i) {
       const double away = dice.log_uniform(20, span);
       spec.obstacles.push_back(block_at(dice, away, 5));
@@ -124,7 +124,7 @@ TEST(ObstacleReach, NothingLeftOutIsEverTouchedByAPermittedInstrument) {
       const Complex P = spec.pole.is_fixed() ? as_complex(std::get<Point>(spec.pole.place))
                                              : as_complex(place_in(dice, std::get<Region>(spec.pole.place)));
       const Complex T = as_complex(place_in(dice, spec.region));
-      const auto joints = joints_at(spec.copy.k, grounding, VA, VB, P, T, tried % 2 == 0 ? 1 : -1);
+      const auto joints = joints_at(spec.copy.k(), grounding, VA, VB, P, T, tried % 2 == 0 ? 1 : -1);
       if (!joints || !are_permitted(lengths_of(*joints), spec)) continue;
       ++instruments;
       const double needed = 0.5 * spec.links.style.width + spec.limits.clearance;
@@ -144,9 +144,7 @@ TEST(ObstacleReach, NothingLeftOutIsEverTouchedByAPermittedInstrument) {
 
 Spec plagiograph() {
   Spec spec;
-  spec.copy.scale = 1.4;
-  spec.copy.rotation = radians(90);
-  spec.copy.k = copy_ratio(1.4, radians(90));
+  spec.copy = Copy::of(1.4, radians(90));
   spec.region.polygons.push_back({{{62, -5}, {70, -5}, {70, 5}, {62, 5}}, {}});
   spec.links.style.width = 6;
   spec.links.style.pin_diameter = 3;

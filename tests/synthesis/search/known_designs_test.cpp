@@ -31,7 +31,7 @@ class KnownDesigns : public testing::TestWithParam<path> {
     spec_ = *read;
     ASSERT_TRUE(spec_.mechanism && spec_.objective.objective == Objective::size);
     const MechanismSpec& given = *spec_.mechanism;
-    const auto linkage = CopyingLinkage::make(spec_.copy.k, given.grounding, given.VA, given.VB,
+    const auto linkage = CopyingLinkage::make(spec_.copy.k(), given.grounding, given.VA, given.VB,
                                               given.assembly_mode, std::get<Point>(spec_.pole.place));
     ASSERT_TRUE(linkage);
     const Design design = assemble_given(spec_, *linkage, {.largest_sheets = false});

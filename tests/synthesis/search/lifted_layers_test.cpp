@@ -101,7 +101,7 @@ std::optional<Rival> best_rival(const Spec& spec, const std::optional<FoundDesig
   const auto tuples = every_tuple(spec.links.layers);
   for (int i = 0; i < tries; ++i) {
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
-    const int count = static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
+    const int count = static_cast<int>(assembly_modes(shape_of(spec.copy.k(), grounding)).size());
     const int assembly_mode = i / 3 % count;
     double VA = dice.log_uniform(5, 2000);
     double VB = dice.log_uniform(5, 2000);
@@ -109,7 +109,7 @@ std::optional<Rival> best_rival(const Spec& spec, const std::optional<FoundDesig
       VA = found->linkage.VA() * dice.log_uniform(0.7, 1.3);
       VB = found->linkage.VB() * dice.log_uniform(0.7, 1.3);
     }
-    const auto linkage = CopyingLinkage::make(spec.copy.k, grounding, VA, VB, assembly_mode, Point::Zero());
+    const auto linkage = CopyingLinkage::make(spec.copy.k(), grounding, VA, VB, assembly_mode, Point::Zero());
     if (!linkage || (best && linkage->size() >= best->linkage.size())) continue;
     if (!reaches_with_transmission(spec, *linkage)) continue;
     for (const LayerAssignment& layers : tuples)
@@ -154,9 +154,7 @@ TEST(LiftedLayers, NoRandomMechanismInAnyLayersIsBetter) {
 /// Two rails across everything the links could sweep, in layer 1: only links above pass.
 Spec rails() {
   Spec spec;
-  spec.copy.scale = 0.5;
-  spec.copy.rotation = pi;
-  spec.copy.k = -0.5;
+  spec.copy = Copy::of(0.5, pi);
   spec.region.polygons = {{{{60, -30}, {120, -30}, {120, 30}, {60, 30}}, {}}};
   spec.pole.place = Point(Point::Zero());
   spec.links.style = {15, 6, 4, PlateStyle::bent};
@@ -205,7 +203,7 @@ TEST(LiftedLayers, ASpareLayerMakesNothingWorse) {
 TEST(LiftedLayers, AGivenMechanismIsLiftedOverWhatStandsInItsWay) {
   const Spec spec = rails();
   const auto linkage =
-      CopyingLinkage::make(spec.copy.k, Grounding::pole, 37.692723253, 44.803065224, 0, Point::Zero());
+      CopyingLinkage::make(spec.copy.k(), Grounding::pole, 37.692723253, 44.803065224, 0, Point::Zero());
   ASSERT_TRUE(linkage);
   MapOptions map;
   map.largest_sheets = false;

@@ -83,8 +83,7 @@ TEST(Search, HolesOfALinkKeepAWallBetweenThem) {
     Spec spec = dice.spec();
     spec.links.shortest = 0.01;
     spec.links.style.pin_diameter = spec.links.style.width * dice.uniform(0.6, 1);
-    if (dice.one_in(3))
-      spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation = dice.one_in(2) ? pi : 0);
+    if (dice.one_in(3)) spec.copy = Copy::of(spec.copy.scale(), dice.one_in(2) ? pi : 0);
     if (dice.one_in(2)) spec.links.wall = dice.log_uniform(0.01, 20);
     if (dice.one_in(3)) spec.cutting.hole_fit = dice.uniform(-0.5, 2);
     if (dice.one_in(3))
@@ -199,12 +198,12 @@ TEST(Search, NoRandomPairOfLengthsIsBetter) {
     double best = 1e300;
     for (const Grounding grounding : all_groundings)
       for (int assembly_mode = 0;
-           assembly_mode < static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
+           assembly_mode < static_cast<int>(assembly_modes(shape_of(spec.copy.k(), grounding)).size());
            ++assembly_mode)
         for (int j = 0; j < 3000; ++j) {
           const double VA = dice.log_uniform(5, 3000), VB = dice.log_uniform(5, 3000);
           const auto linkage =
-              CopyingLinkage::make(spec.copy.k, grounding, VA, VB, assembly_mode, Point::Zero());
+              CopyingLinkage::make(spec.copy.k(), grounding, VA, VB, assembly_mode, Point::Zero());
           if (!linkage || linkage->size() >= best) continue;
           for (const LayerAssignment& layers : layer_assignments(spec.links.layers))
             if (keeps_limits(spec, *linkage, layers)) {
@@ -285,7 +284,7 @@ TEST(Search, KeepsTheSheetsApart) {
     const auto found = found_for(spec);
     if (!found) continue;
     ++designs;
-    const Region copy = similar_image(spec.region, spec.copy.k, found->linkage.pole());
+    const Region copy = similar_image(spec.region, spec.copy.k(), found->linkage.pole());
     EXPECT_GE(boundary_distance(spec.region, copy), *spec.limits.sheets_gap * (1 - 1e-9));
     EXPECT_FALSE(contains(spec.region, copy.polygons[0].outer[0]));
     EXPECT_FALSE(contains(copy, spec.region.polygons[0].outer[0]));

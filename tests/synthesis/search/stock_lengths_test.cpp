@@ -14,9 +14,7 @@ namespace {
 
 Spec quarter_turn() {
   Spec spec;
-  spec.copy.scale = 1.4;
-  spec.copy.rotation = pi / 2;
-  spec.copy.k = copy_ratio(1.4, pi / 2);
+  spec.copy = Copy::of(1.4, pi / 2);
   spec.region = Region{{{{{-50, 80}, {50, 80}, {50, 140}, {-50, 140}}, {}}}};
   spec.links.longest = 600;
   return spec;
@@ -45,7 +43,7 @@ TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
   spec.links.workshop.grid = 5;
   const auto found = found_for(spec);
   ASSERT_TRUE(found);
-  EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k), 1e-12);
+  EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k()), 1e-12);
   for (const double length :
        {found->linkage.VA(), found->linkage.VB(), found->linkage.lengths().AX, found->linkage.lengths().BY})
     EXPECT_TRUE(is_multiple(length, 5)) << length;
@@ -53,12 +51,12 @@ TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
   double best = 1e300;
   for (const Grounding grounding : all_groundings)
     for (int assembly_mode = 0;
-         assembly_mode < static_cast<int>(assembly_modes(shape_of(spec.copy.k, grounding)).size());
+         assembly_mode < static_cast<int>(assembly_modes(shape_of(spec.copy.k(), grounding)).size());
          ++assembly_mode)
       for (double VA = 15; VA <= 600; VA += 5)
         for (double VB = 15; VB <= 600; VB += 5) {
           const auto linkage =
-              CopyingLinkage::make(spec.copy.k, grounding, VA, VB, assembly_mode, Point::Zero());
+              CopyingLinkage::make(spec.copy.k(), grounding, VA, VB, assembly_mode, Point::Zero());
           if (!linkage || linkage->size() >= best || !is_multiple(linkage->lengths().AX, 5) ||
               !is_multiple(linkage->lengths().BY, 5))
             continue;
@@ -70,9 +68,7 @@ TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
 
 TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
   Spec spec = quarter_turn();
-  spec.copy.scale = std::sqrt(2.0);
-  spec.copy.rotation = 0.6;
-  spec.copy.k = copy_ratio(spec.copy.scale, spec.copy.rotation);
+  spec.copy = Copy::of(std::sqrt(2.0), 0.6);
   spec.links.workshop.grid = 5;
   spec.links.longest = 300;
   const auto found = found_for(spec);
@@ -84,10 +80,11 @@ TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
   map.largest_sheets = false;
   const Design design = assemble_design(spec, *found, map);
   ASSERT_TRUE(design.wanted);
-  EXPECT_EQ(design.wanted->scale, spec.copy.scale);
+  EXPECT_EQ(design.wanted->scale, spec.copy.scale());
   EXPECT_GT(design.wanted->error, 0);
   EXPECT_LT(design.wanted->error, 0.02);
-  EXPECT_NEAR(design.wanted->error, std::abs(std::polar(design.scale, design.rotation) - spec.copy.k), 1e-12);
+  EXPECT_NEAR(design.wanted->error, std::abs(std::polar(design.scale, design.rotation) - spec.copy.k()),
+              1e-12);
   EXPECT_FALSE(design.quality.proven_bound) << "the bound is one of the exact ratio";
 }
 
@@ -102,7 +99,7 @@ TEST(Workshop, AFineGridCostsNothing) {
     ASSERT_TRUE(found) << grid;
     EXPECT_GE(found->value, free->value * (1 - 1e-9));
     EXPECT_LT(found->value, free->value + 40 * grid) << grid;
-    EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k), 1e-12);
+    EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k()), 1e-12);
   }
 }
 
@@ -121,9 +118,9 @@ TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
     if (!found) continue;
     ++compared;
     small += found->value <= 1.25 * free->value;
-    EXPECT_GT(std::abs(found->linkage.k() - spec.copy.k), 0) << "spec " << i;
+    EXPECT_GT(std::abs(found->linkage.k() - spec.copy.k()), 0) << "spec " << i;
     EXPECT_NEAR(std::arg(shape_of(found->linkage.k(), found->linkage.grounding())),
-                std::arg(shape_of(spec.copy.k, found->linkage.grounding())), 1e-9)
+                std::arg(shape_of(spec.copy.k(), found->linkage.grounding())), 1e-9)
         << "the plates keep their angle";
   }
   EXPECT_EQ(compared, wanted);
@@ -132,9 +129,7 @@ TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
 
 TEST(Workshop, StockLengthsAreTheOnlyOnesUsed) {
   Spec spec = quarter_turn();
-  spec.copy.scale = 2;
-  spec.copy.rotation = pi;
-  spec.copy.k = copy_ratio(2, pi);
+  spec.copy = Copy::of(2, pi);
   spec.links.workshop.stock = {60, 80, 100, 120, 160, 200, 240, 300};
   const auto found = found_for(spec);
   ASSERT_TRUE(found);

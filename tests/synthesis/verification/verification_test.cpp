@@ -293,7 +293,7 @@ TEST(Verification, DrivesOverTheFreeWorkspaceWhereThereIsNoRegion) {
 
 TEST(Verification, DrivesOverTheFreeWorkspaceWhereNothingOfTheRegionIsReached) {
   Spec spec;
-  spec.copy.k = report().k();
+  spec.copy = Copy::of(report().k());
   spec.region = rectangle({500, 500}, {510, 510});
   const Design design = assemble_given(spec, report(), {.largest_sheets = false});
   ASSERT_FALSE(design.map.coverage.covered);

@@ -5,15 +5,16 @@
 
 namespace kempe {
 
+/// A fault of a file, or of a spec filled in a program (then without file and line).
 struct InputError {
   std::string file;     ///< as the user named it; empty if not from a file
   int line = 0;         ///< from 1; 0: no one line
-  std::string key;      ///< dotted, "copy.scale"; empty: no one key
+  std::string key;      ///< dotted, as in a spec's file: "copy.scale"; empty: no one key
   std::string found;    ///< what stands there
   std::string allowed;  ///< what may stand there
 
   /// "FILE:LINE: KEY: found FOUND; allowed: ALLOWED" without the parts that are empty; what could
-  /// mislead on a terminal is written out (printable.hpp).
+  /// mislead on a terminal is written out.
   std::string message() const;
 };
 

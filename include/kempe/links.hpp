@@ -1,0 +1,42 @@
+#pragma once
+// What the links are made of and which lengths they may have.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace kempe {
+
+enum class PlateStyle {
+  bent,     ///< two arms: C-A-X with its corner at A, C-B-Y with its corner at B
+  triangle  ///< the hull of the three joints
+};
+
+/// What the links are made of: all that decides their outlines.
+struct LinkStyle {
+  double width = 12;        ///< mm, > 0; a bar is its segment grown by half of this
+  double pin_diameter = 6;  ///< mm, > 0, <= width
+  double thickness = 4;     ///< mm, > 0
+  PlateStyle plate = PlateStyle::bent;
+  bool operator==(const LinkStyle&) const = default;
+};
+
+/// Lengths that the workshop dictates.
+struct WorkshopSpec {
+  std::optional<double> grid;                   ///< mm: lengths are multiples of this
+  std::vector<double> stock;                    ///< mm: lengths are from this list; empty: any
+  std::array<std::optional<double>, 8> locked;  ///< mm, in the order of LinkLengths::names
+  bool any() const;
+};
+
+struct LinkSpec {
+  LinkStyle style;
+  int layers = 2;        ///< at most, >= 2
+  double shortest = 15;  ///< mm, between joints of one link
+  double longest = 400;  ///< mm
+  std::optional<double>
+      wall{};  ///< mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
+  WorkshopSpec workshop;
+};
+
+}  // namespace kempe

@@ -1,0 +1,23 @@
+#pragma once
+// Points of the table's plane, and angles.
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+namespace kempe {
+
+/// A point or vector of the table's plane, mm; x to the right, y away from you.
+using Point = Eigen::Vector2d;
+
+/// A plane vector where a formula is a similarity: multiplication turns and scales.
+using Complex = std::complex<double>;
+
+/// Straight edges from point to point, mm.
+using Polyline = std::vector<Point>;
+
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double radians(double degrees) { return degrees * (pi / 180); }
+inline constexpr double degrees(double radians) { return radians * (180 / pi); }
+
+}  // namespace kempe

@@ -1,0 +1,50 @@
+#pragma once
+// Where the six points of a linkage are, and the lengths and openings that say it.
+
+#include <array>
+#include <string_view>
+
+#include "kempe/grounding.hpp"
+#include "kempe/point.hpp"
+
+namespace kempe {
+
+/// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
+struct Pose {
+  Point V, A, B, C, X, Y;
+  const Point& operator[](Joint joint) const;
+  Point& operator[](Joint joint);
+};
+
+/// The eight distances between joints of one link, mm.
+struct LinkLengths {
+  double VA, VB, AC, BC, AX, CX, BY, CY;
+  static constexpr std::array<std::string_view, 8> names{"VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY"};
+  std::array<double, 8> values() const { return {VA, VB, AC, BC, AX, CX, BY, CY}; }
+};
+
+/// Why a pose does not exist: an outcome of the domain, not an error.
+enum class Unreachable {
+  too_far,             ///< beyond the outer reach (serial dead point V, A, X stretched)
+  too_near,            ///< inside the inner reach (serial dead point folded), the pole itself included
+  beyond_change_point  ///< the chain reaches it, but only with the parallelogram past its flat position
+};
+/// "beyond the outer reach" and so on, for a person.
+std::string_view name(Unreachable why);
+
+/// A closed interval of the opening d = arg(B - V) - arg(A - V), rad, within [-pi, pi]; empty when lower > upper.
+struct OpeningInterval {
+  double lower = 1;
+  double upper = 0;
+
+  bool empty() const { return !(lower <= upper); }
+  double width() const { return empty() ? 0 : upper - lower; }
+  double middle() const { return 0.5 * (lower + upper); }
+  bool contains(double opening) const { return lower <= opening && opening <= upper; }
+  bool contains(const OpeningInterval& other) const {
+    return other.empty() || (lower <= other.lower && other.upper <= upper);
+  }
+  bool operator==(const OpeningInterval&) const = default;
+};
+
+}  // namespace kempe

@@ -1,0 +1,37 @@
+#pragma once
+// Plane regions with straight edges: what the tracer must cover, where the pole may stand, what is in the way.
+
+#include <vector>
+
+#include "kempe/point.hpp"
+
+namespace kempe {
+
+/// A closed ring of points, mm; the last point is not the first repeated.
+using Ring = std::vector<Point>;
+
+/// Invariant (validate() and the reader establish it, all others assume it): rings are simple and do not cross, the outer
+/// ring runs counter-clockwise, holes run clockwise and lie inside.
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+  bool operator==(const Polygon&) const = default;
+};
+
+/// A set of polygons with disjoint interiors, mm. A value: what is wrong with it is said by validate().
+struct Region {
+  std::vector<Polygon> polygons;
+
+  /// The upright rectangle with this lower left corner, width and height, mm.
+  static Region rectangle(const Point& lower_left, const Point& size);
+  /// A circle, mm, as a region must hold it to be covered: the regular polygon around it with 1440 corners, which exceeds
+  /// the radius by 2.4e-6 of it at most.
+  static Region circle(const Point& centre, double radius);
+  /// What a ring encloses, mm; it may run either way.
+  static Region polygon(Ring outer, std::vector<Ring> holes = {});
+
+  bool empty() const { return polygons.empty(); }
+  bool operator==(const Region&) const = default;
+};
+
+}  // namespace kempe
