@@ -6,20 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
-#include "reports/audit/recheck.hpp"
 #include "reports/data/design_json.hpp"
-#include "reports/design_package.hpp"
-#include "reports/drawings/parts_fault.hpp"
 #include "reports/drawings/step_assembly.hpp"
+#include "reports/publication.hpp"
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
-#include "synthesis/verification/verification.hpp"
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace kempe::app {
 
@@ -244,45 +237,23 @@ int tell_no_design(const Session& session, const NoDesign& none) {
   return fail(no_design, message);
 }
 
-namespace {
-
-/// What a search over a million corners and the texts of its files took is freed in small pieces, a hundred megabytes
-/// that glibc would keep beside what comes next.
-void give_memory_back() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
-}  // namespace
-
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
                    const std::filesystem::path& folder) {
-  design.verification = verify(verification_task(design));
-  if (!design.verification.certified)
-    return fail(verification_failed,
-                "the design failed its verification, nothing is written: " + design.verification.failure);
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
-  const CuttingSpec& cutting = spec.spec.cutting;
-  if (const auto fault = parts_fault(design, cutting)) extras.why_no_parts = fault->sentence;
-  give_memory_back();
   FolderDraft draft(folder);
-  const auto drafted =
-      make_design_package(design, cutting, extras, [&](const OutputFile& file) { return draft.add(file); });
-  if (!drafted) return fail(cannot_write, drafted.error());
-  give_memory_back();
-  if (const auto faults = recheck(draft, design, cutting); !faults.empty())
-    return fail(verification_failed,
-                "the drawings, read again, are not the design; nothing is written: " + faults.front());
+  const auto drafted = draft_design(design, extras, draft);
+  if (!drafted)
+    return fail(drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
+                drafted.error().sentence);
   const std::vector<std::string> files = draft.names();
   if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(*clash);
   if (const auto written = draft.put_in_place(); !written) return fail(cannot_write, written.error());
-  const std::vector<std::string>& left_out = *drafted;
+  const std::vector<std::string>& left_out = drafted->left_out;
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
-  if (const auto lack = why_no_step(); lack && extras.why_no_parts.empty()) told.push_back(*lack);
+  if (const auto lack = why_no_step(); lack && drafted->has_parts) told.push_back(*lack);
   print(session.json ? summary_json(design, folder, files, told) : summary_text(design, folder, files, told));
   for (const std::string& sentence : left_out) say(sentence);
   return done;

@@ -1,5 +1,5 @@
 # kempe_room(NAME SOURCES ... USES ... [PRIVATE_USES ...])
-# One room of the house: the static library kempe_NAME (alias kempe::NAME), its warnings and its include root.
+# One room of the house: the static library kempe_NAME (alias kempe::NAME), its warnings and its include roots.
 function(kempe_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
   add_library(kempe_${name} STATIC ${ROOM_SOURCES})
@@ -10,6 +10,7 @@ function(kempe_room name)
   target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES})
   kempe_warnings(kempe_${name})
   set_property(GLOBAL APPEND PROPERTY KEMPE_ROOMS ${name})
+  set_property(GLOBAL APPEND PROPERTY KEMPE_OUTSIDE ${ROOM_USES} ${ROOM_PRIVATE_USES})
 endfunction()
 
 function(kempe_warnings target)

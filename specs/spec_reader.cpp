@@ -4,6 +4,7 @@
 #include "specs/copy_reader.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/region_reader.hpp"
+#include "specs/spec_table.hpp"
 #include "specs/text/complaints.hpp"
 #include "specs/text/text_file.hpp"
 #include "specs/text/toml_access.hpp"
@@ -73,19 +74,26 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
   return spec;
 }
 
+tl::expected<Spec, InputError> read_root(const toml::table& root, const std::string& file_name,
+                                         const std::filesystem::path& folder) {
+  Complaints complaints(file_name);
+  check_keys(root, complaints);
+  if (complaints.none()) require_tables(root, complaints);
+  if (!complaints.none()) return tl::unexpected(complaints.first());
+  Spec spec = read_tables(root, folder, complaints);
+  if (!complaints.none()) return tl::unexpected(complaints.first());
+  return spec;
+}
+
 }  // namespace
+
+tl::expected<Spec, InputError> read_spec_table(const toml::table& root) { return read_root(root, "", ""); }
 
 tl::expected<Spec, InputError> read_spec(std::string_view text, const std::string& file_name,
                                          const std::filesystem::path& folder) {
   const auto root = parse_toml(text, file_name);
   if (!root) return tl::unexpected(root.error());
-  Complaints complaints(file_name);
-  check_keys(*root, complaints);
-  if (complaints.none()) require_tables(*root, complaints);
-  if (!complaints.none()) return tl::unexpected(complaints.first());
-  Spec spec = read_tables(*root, folder, complaints);
-  if (!complaints.none()) return tl::unexpected(complaints.first());
-  return spec;
+  return read_root(*root, file_name, folder);
 }
 
 tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path) {

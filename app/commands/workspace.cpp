@@ -22,26 +22,6 @@ struct WorkspaceArguments {
   double time_limit = Stopping::unlimited;
 };
 
-InputError no_mechanism(const std::string& file) {
-  return {file, 0, "mechanism", "no such table",
-          "[mechanism] with vertex, VA_mm, VB_mm and assembly (kempe synthesize finds them)"};
-}
-
-tl::expected<CopyingLinkage, InputError> linkage_of(const LoadedSpec& loaded) {
-  const Spec& spec = loaded.spec;
-  if (!spec.mechanism) return tl::unexpected(no_mechanism(loaded.file));
-  if (!spec.pole.is_fixed())
-    return tl::unexpected(InputError{loaded.file, 0, "pole.within_mm", "an area",
-                                     "at_mm: a given mechanism stands at one place"});
-  const MechanismSpec& given = *spec.mechanism;
-  const auto linkage = CopyingLinkage::make(spec.copy.k(), given.grounding, given.VA, given.VB,
-                                            given.assembly_mode, std::get<Point>(spec.pole.place));
-  if (linkage) return *linkage;
-  const std::size_t count = assembly_modes(shape_of(spec.copy.k(), given.grounding)).size();
-  return tl::unexpected(InputError{loaded.file, 0, "mechanism", std::string(name(linkage.error())),
-                                   fmt::format("positive lengths and an assembly below {}", count)});
-}
-
 int tell_why(const Session& session, const Design& design, const Point& tracer) {
   const Verdict verdict = verdict_at(map_task(design), tracer);
   if (!session.json) {
@@ -61,7 +41,7 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   const Stopping stopping(arguments.time_limit);
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(loaded.error());
-  const auto linkage = linkage_of(*loaded);
+  const auto linkage = given_linkage(loaded->spec, loaded->file);
   if (!linkage) return fail(linkage.error());
   if (const auto none = plainly_impossible(loaded->spec); none && none->requirement == "obstacles")
     return tell_no_design(session, *none);

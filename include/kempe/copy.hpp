@@ -10,7 +10,7 @@ namespace kempe {
 
 /// How well pairs of points fit a similarity (complex least squares).
 struct PairFit {
-  std::size_t pairs = 0;
+  std::size_t pairs = 0;              ///< that were fitted
   double residual_rms = 0;            ///< mm, at the pen
   double residual_largest = 0;        ///< mm, at the pen
   Point translation = Point::Zero();  ///< the similarity's value at the tracer's origin, mm
@@ -33,9 +33,9 @@ class Copy {
   /// The same, of a ratio that pairs of points determined.
   static Copy fitted(Complex k, const PairFit& fit);
 
-  double scale() const { return scale_; }
-  double rotation() const { return rotation_; }  ///< rad
-  Complex k() const { return k_; }
+  double scale() const { return scale_; }                     ///< |k|
+  double rotation() const { return rotation_; }               ///< rad
+  Complex k() const { return k_; }                            ///< the ratio itself
   const std::optional<PairFit>& fit() const { return fit_; }  ///< present if pairs gave the ratio
 
  private:

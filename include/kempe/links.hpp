@@ -14,10 +14,10 @@ enum class PlateStyle {
 
 /// What the links are made of: all that decides their outlines.
 struct LinkStyle {
-  double width = 12;        ///< mm, > 0; a bar is its segment grown by half of this
-  double pin_diameter = 6;  ///< mm, > 0, <= width
-  double thickness = 4;     ///< mm, > 0
-  PlateStyle plate = PlateStyle::bent;
+  double width = 12;                    ///< mm, > 0; a bar is its segment grown by half of this
+  double pin_diameter = 6;              ///< mm, > 0, <= width
+  double thickness = 4;                 ///< mm, > 0
+  PlateStyle plate = PlateStyle::bent;  ///< of the two links with three joints
   bool operator==(const LinkStyle&) const = default;
 };
 
@@ -26,17 +26,19 @@ struct WorkshopSpec {
   std::optional<double> grid;                   ///< mm: lengths are multiples of this
   std::vector<double> stock;                    ///< mm: lengths are from this list; empty: any
   std::array<std::optional<double>, 8> locked;  ///< mm, in the order of LinkLengths::names
+  /// True if anything is dictated.
   bool any() const;
 };
 
+/// What to build of, and within which lengths.
 struct LinkSpec {
-  LinkStyle style;
+  LinkStyle style;       ///< outlines
   int layers = 2;        ///< at most, >= 2
   double shortest = 15;  ///< mm, between joints of one link
   double longest = 400;  ///< mm
   std::optional<double>
-      wall{};  ///< mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
-  WorkshopSpec workshop;
+      wall{};             ///< mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
+  WorkshopSpec workshop;  ///< any lengths unless given
 };
 
 }  // namespace kempe

@@ -11,15 +11,31 @@ namespace kempe {
 
 /// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
 struct Pose {
-  Point V, A, B, C, X, Y;
+  Point V;  ///< vertex of the parallelogram
+  Point A;  ///< of the parallelogram, on the plate A-C-X
+  Point B;  ///< of the parallelogram, on the plate B-C-Y
+  Point C;  ///< opposite to V
+  Point X;  ///< end of the plate A-C-X
+  Point Y;  ///< end of the plate B-C-Y
+  /// The point of that name.
   const Point& operator[](Joint joint) const;
+  /// The same, to be set.
   Point& operator[](Joint joint);
 };
 
 /// The eight distances between joints of one link, mm.
 struct LinkLengths {
-  double VA, VB, AC, BC, AX, CX, BY, CY;
+  double VA;  ///< from V to A
+  double VB;  ///< from V to B
+  double AC;  ///< from A to C
+  double BC;  ///< from B to C
+  double AX;  ///< from A to X
+  double CX;  ///< from C to X
+  double BY;  ///< from B to Y
+  double CY;  ///< from C to Y
+  /// Their names in their order.
   static constexpr std::array<std::string_view, 8> names{"VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY"};
+  /// The lengths in that order, mm.
   std::array<double, 8> values() const { return {VA, VB, AC, BC, AX, CX, BY, CY}; }
 };
 
@@ -34,13 +50,18 @@ std::string_view name(Unreachable why);
 
 /// A closed interval of the opening d = arg(B - V) - arg(A - V), rad, within [-pi, pi]; empty when lower > upper.
 struct OpeningInterval {
-  double lower = 1;
-  double upper = 0;
+  double lower = 1;  ///< rad
+  double upper = 0;  ///< rad
 
+  /// True if it holds no opening.
   bool empty() const { return !(lower <= upper); }
+  /// rad; 0 if empty.
   double width() const { return empty() ? 0 : upper - lower; }
+  /// rad.
   double middle() const { return 0.5 * (lower + upper); }
+  /// True for an opening in it, its ends included.
   bool contains(double opening) const { return lower <= opening && opening <= upper; }
+  /// True if every opening of the other is in it.
   bool contains(const OpeningInterval& other) const {
     return other.empty() || (lower <= other.lower && other.upper <= upper);
   }

@@ -13,14 +13,14 @@ using Ring = std::vector<Point>;
 /// Invariant (validate() and the reader establish it, all others assume it): rings are simple and do not cross, the outer
 /// ring runs counter-clockwise, holes run clockwise and lie inside.
 struct Polygon {
-  Ring outer;
-  std::vector<Ring> holes;
+  Ring outer;               ///< counter-clockwise
+  std::vector<Ring> holes;  ///< clockwise
   bool operator==(const Polygon&) const = default;
 };
 
 /// A set of polygons with disjoint interiors, mm. A value: what is wrong with it is said by validate().
 struct Region {
-  std::vector<Polygon> polygons;
+  std::vector<Polygon> polygons;  ///< in any order
 
   /// The upright rectangle with this lower left corner, width and height, mm.
   static Region rectangle(const Point& lower_left, const Point& size);
@@ -30,6 +30,7 @@ struct Region {
   /// What a ring encloses, mm; it may run either way.
   static Region polygon(Ring outer, std::vector<Ring> holes = {});
 
+  /// True if it has no polygon.
   bool empty() const { return polygons.empty(); }
   bool operator==(const Region&) const = default;
 };

@@ -12,21 +12,23 @@ namespace kempe {
 
 /// Something that a design or its file states and that does not hold.
 struct BrokenLimit {
-  std::string limit;                            ///< its key: "limits.clearance_mm", "obstacles", "region"
-  std::optional<double> attained{}, allowed{};  ///< in the key's unit; absent where no number says it
-  std::optional<Point> where{};                 ///< the tracer's place, mm; absent where it is no one place
-  std::string sentence;                         ///< for a person
+  std::string limit;                 ///< its key: "limits.clearance_mm", "obstacles", "region"
+  std::optional<double> attained{};  ///< in the key's unit; absent where no number says it
+  std::optional<double> allowed{};   ///< the same
+  std::optional<Point> where{};      ///< the tracer's place, mm; absent where it is no one place
+  std::string sentence;              ///< for a person
 };
 
 /// What came of building the linkage from its eight lengths alone and driving the tracer over the region, with the general
 /// solver: no formula of the synthesis has a part in it.
 struct Verification {
-  std::size_t samples = 0;
-  double copy_error_max = 0;       ///< mm
-  double loop_residual_max = 0;    ///< mm
-  double scale = 0, rotation = 0;  ///< of the similarity fitted to the driven pairs
-  int flips = 0;                   ///< changes of assembly mode seen
-  bool certified = false;
+  std::size_t samples = 0;       ///< places visited
+  double copy_error_max = 0;     ///< mm
+  double loop_residual_max = 0;  ///< mm
+  double scale = 0;              ///< of the similarity fitted to the driven pairs
+  double rotation = 0;           ///< of the same, rad
+  int flips = 0;                 ///< changes of assembly mode seen
+  bool certified = false;        ///< everything holds
   bool over_workspace =
       false;              ///< driven over the free workspace: there is no region, or none of it within reach
   std::string failure{};  ///< a sentence; empty if certified

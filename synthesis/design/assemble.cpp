@@ -1,5 +1,7 @@
 #include "synthesis/design/assemble.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -81,7 +83,26 @@ LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int mo
   return choose_layers(task, most_layers, stop);
 }
 
+InputError no_mechanism(const std::string& file) {
+  return {file, 0, "mechanism", "no such table",
+          "[mechanism] with vertex, VA_mm, VB_mm and assembly (kempe synthesize finds them)"};
+}
+
 }  // namespace
+
+tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const std::string& file) {
+  if (!spec.mechanism) return tl::unexpected(no_mechanism(file));
+  if (!spec.pole.is_fixed())
+    return tl::unexpected(
+        InputError{file, 0, "pole.within_mm", "an area", "at_mm: a given mechanism stands at one place"});
+  const MechanismSpec& given = *spec.mechanism;
+  const auto linkage = CopyingLinkage::make(spec.copy.k(), given.grounding, given.VA, given.VB,
+                                            given.assembly_mode, std::get<Point>(spec.pole.place));
+  if (linkage) return *linkage;
+  const std::size_t count = assembly_modes(shape_of(spec.copy.k(), given.grounding)).size();
+  return tl::unexpected(InputError{file, 0, "mechanism", std::string(name(linkage.error())),
+                                   fmt::format("positive lengths and an assembly below {}", count)});
+}
 
 Allowed allowed_by(const Spec& spec) {
   return {spec.pole,           spec.links.layers,         spec.links.shortest, spec.links.longest,

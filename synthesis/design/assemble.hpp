@@ -2,6 +2,9 @@
 // From a linkage to a finished design: opening certified, workspace mapped, quality measured. Verification is
 // not part of it (verification.hpp).
 
+#include <tl/expected.hpp>
+
+#include "kempe/input_error.hpp"
 #include "synthesis/design/design.hpp"
 #include "synthesis/search/search.hpp"
 
@@ -9,6 +12,9 @@ namespace kempe {
 
 /// The design that a search found, with the record of the search.
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options);
+
+/// The linkage that the spec's mechanism gives; `file` is for the error.
+tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const std::string& file);
 
 /// A given linkage in the spec's layers, or without them in the assignment that covers the region with the
 /// widest contact-free opening (the first of equals). It need not keep any limit of the spec: the map says

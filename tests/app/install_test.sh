@@ -1,25 +1,31 @@
 #!/usr/bin/env bash
-# Installs the build into a scratch folder and builds a program that knows only find_package(kempe).
+# Installs the build into a scratch folder, looks at what is there, and builds and runs the examples outside the tree, which know
+# only find_package(kempe). Every public header is compiled alone.
 set -euo pipefail
 source="$1" build="$2"
 scratch="$(mktemp -d)"
 trap 'rm -rf "$scratch"' EXIT
-cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
-cmake -S "$source/tests/app/client" -B "$scratch/build" -G Ninja -DCMAKE_PREFIX_PATH="$scratch/prefix" \
-  -DCMAKE_CXX_FLAGS="$(sed -n 's/^CMAKE_CXX_FLAGS:STRING=//p' "$build/CMakeCache.txt")" \
-  -DCMAKE_CXX_COMPILER="$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")" >/dev/null
-cmake --build "$scratch/build" >/dev/null
-"$scratch/build/client"
+cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
-# The installed program finds the module that writes STEP; without it the summary says so, and nothing else changes.
-design() { "$scratch/prefix/bin/kempe" synthesize "$source/specs/examples/plagiograph.toml" -o "$scratch/$1" --quiet; }
-design with >"$scratch/with.txt"
-rm -rf "$scratch"/prefix/lib*/kempe/kempe-step-* "$scratch"/prefix/lib*/*/kempe/kempe-step-*
-design without >"$scratch/without.txt"
-grep -q "no parts/assembly.step: .*scripts/bootstrap step" "$scratch/without.txt"
-[ ! -e "$scratch/without/parts/assembly.step" ]
-cmp "$scratch/with/design.json" "$scratch/without/design.json"
-if ls "$build"/modules/kempe-step-* >/dev/null 2>&1; then
-  [ -s "$scratch/with/parts/assembly.step" ]
-  ! grep -q assembly.step "$scratch/with.txt"
-fi
+cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
+diff <(cd "$source/include" && find . -type f | sort) <(cd "$scratch/prefix/include" && find . -type f | sort)
+
+cp -r "$source/examples" "$scratch/examples"
+for header in "$scratch"/prefix/include/kempe/*.hpp; do
+  name="$(basename "$header" .hpp)"
+  printf '#include <kempe/%s.hpp>\n#include <kempe/%s.hpp>\n' "$name" "$name" >"$scratch/examples/alone_$name.cpp"
+done
+cat >>"$scratch/examples/CMakeLists.txt" <<'CMAKE'
+file(GLOB alone alone_*.cpp)
+add_library(alone OBJECT ${alone})
+target_link_libraries(alone PRIVATE kempe::kempe)
+CMAKE
+cmake -S "$scratch/examples" -B "$scratch/build" -G Ninja -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+  -DCMAKE_CXX_FLAGS="$(cached CMAKE_CXX_FLAGS)" -DCMAKE_EXE_LINKER_FLAGS="$(cached CMAKE_EXE_LINKER_FLAGS)" \
+  -DCMAKE_CXX_COMPILER="$(cached CMAKE_CXX_COMPILER)" >/dev/null
+cmake --build "$scratch/build" >/dev/null
+
+"$scratch/build/design_and_write" "$scratch/design"
+test -s "$scratch/design/report.html"
+"$scratch/build/map_past_obstacles" | grep -q '^lost .*vice'
+"$scratch/build/many_specs" 4 | grep -q 'designs for 4 tasks'

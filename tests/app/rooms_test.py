@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The rooms' order: a file includes only its own folder and those below it, the heavy libraries stay in their files, and no two
+"""The rooms' order: a file includes only its own folder and those below it, the heavy libraries stay in their files,
+the public headers (include/kempe) stand on their own, and no two
 types outside unnamed namespaces share a full name (the linker would silently take one's functions for the other's)."""
 import collections
 import importlib.machinery
@@ -18,6 +19,8 @@ HEAVY = {  # a library's headers -> the files that may include them
     r"nlopt": r"_backend\.cpp$",
     r"Ip[A-Z]|coin": r"_backend\.cpp$",
 }
+# The public headers that need the whole library below them; the others hold the values that every room uses.
+FACADE = {f"kempe/{name}.hpp" for name in ("design", "kempe", "map", "options", "trace", "validate", "verify", "write")}
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: :| \{|$)")
 
 
@@ -28,6 +31,10 @@ def faults_of(path, folder):
         return
     for included in rooms.INCLUDE.findall(text):
         used = included.rpartition("/")[0]
+        if folder == "kempe" and not re.fullmatch(r"kempe/\w+\.hpp|Eigen/\w+|[a-z_]+", included):
+            yield f"{path}: a public header includes the standard library, Eigen and its like, not {included}"
+        if included in FACADE and folder not in ("kempe", "library"):
+            yield f"{path}: {included} is for users of the library; inside it only library/ includes it"
         if used in FOLDERS and FOLDERS.index(used) > FOLDERS.index(folder):
             yield f"{path}: {folder} may not include {included}"
         elif used.split("/")[0] in ROOMS and used not in FOLDERS:
@@ -54,8 +61,8 @@ def types_in(path):
 def main(root):
     faults, homes = [], collections.defaultdict(list)
     for room in ROOMS:
-        for path in rooms.sources(root / room):
-            faults += faults_of(path, path.parent.relative_to(root).as_posix())
+        for path in rooms.sources(root / rooms.PLACES.get(room, room)):
+            faults += faults_of(path, rooms.folder_of(path, root))
             for name in types_in(path):
                 homes[name].append(str(path))
     for name, files in homes.items():

@@ -1,0 +1,127 @@
+#pragma once
+// From a spec to the best design that keeps every limit, or to the reason why there is none.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "kempe/copy.hpp"
+#include "kempe/input_error.hpp"
+#include "kempe/map.hpp"
+#include "kempe/options.hpp"
+#include "kempe/spec.hpp"
+#include "kempe/verification.hpp"
+
+namespace kempe {
+
+/// A linkage with its parts, its map and its figures: found by design(), or given and mapped by map().
+///
+/// A value, cheap to copy, safe to read from several threads. Lengths mm, angles rad, places in the table's frame.
+class FinishedDesign {
+ public:
+  Copy copy() const;            ///< the ratio attained; with workshop lengths it may differ from the spec's
+  Grounding grounding() const;  ///< what stands at V
+  int assembly_mode() const;    ///< which usable interval of the opening, from 0
+  Point pole() const;           ///< mm
+  LinkLengths lengths() const;  ///< mm
+  std::array<int, 4> layers() const;  ///< of the links VA, VB, ACX, BCY; 1 is next to the table
+  OpeningInterval opening() const;    ///< certified usable opening, rad; empty if there is none
+
+  double size() const;              ///< mm, half the perimeters of the links' hulls, summed
+  double transmission_min() const;  ///< rad, smallest over the region; 0 where the region is not reached
+  /// mm, smallest gap between parts while the tracer covers the region; absent where nothing can touch.
+  std::optional<double> clearance_min() const;
+  double footprint() const;  ///< mm^2, outer bound of the area swept while the tracer covers the region
+  /// mm, worst case over the region under Spec::tolerance; absent without it.
+  std::optional<double> copy_error() const;
+
+  Objective objective() const;  ///< what was made small or large; size for a given mechanism
+  /// The objective's value: mm, rad (transmission) or mm^2 (footprint); absent for a given mechanism.
+  std::optional<double> value() const;
+  /// No design for the spec can be better than this, in the same unit: proven with directed rounding. Absent where nothing
+  /// is proven.
+  std::optional<double> proven_bound() const;
+  bool complete() const;  ///< false: the search was stopped early, a better design may exist
+
+  /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached. Contact plays no part:
+  /// see Map::at().
+  std::variant<Pose, Unreachable> pose_with_tracer_at(const Point& tracer) const;
+
+  /// Where the tracer can stand.
+  const Map& map() const { return map_; }
+
+  /// What design.json would hold (docs/design-file.md).
+  std::string json() const;
+
+ private:
+  friend struct Workings;
+  FinishedDesign(std::shared_ptr<const Design> inside, std::string spec_text);
+  std::shared_ptr<const Design> inside_;
+  std::string spec_text_;  ///< for the report
+  Map map_;
+};
+
+/// One limit that, moved so far and alone, makes a design possible; or one obstacle that, taken away alone, does.
+struct PossibleChange {
+  std::string key;       ///< "links.longest_mm"; "obstacles"
+  std::string sentence;  ///< "transmission_deg = 30 is in the way; 27.4 would do"
+};
+
+/// What comes of a spec: a design, or why there is none, or what is wrong with the spec.
+class Outcome {
+ public:
+  /// What came of it.
+  enum class Kind {
+    design,     ///< there is one
+    no_design,  ///< none was found; proven() says if none exists
+    stopped,    ///< neither is known
+    bad_spec    ///< fault() says what is wrong
+  };
+
+  /// What came of it.
+  Kind kind() const { return kind_; }
+  /// True if there is a design.
+  explicit operator bool() const { return design_.has_value(); }
+  /// There must be a design.
+  const FinishedDesign& operator*() const { return *design_; }
+  /// The same.
+  const FinishedDesign* operator->() const { return &*design_; }
+
+  /// Why there is no design, a sentence for a person; empty if there is one.
+  const std::string& reason() const { return reason_; }
+  /// True if it is proven that no design exists; else a search found none.
+  bool proven() const { return proven_; }
+  /// Without a design: what would make one possible, the least change first.
+  const std::vector<PossibleChange>& changes() const { return changes_; }
+  /// What no design for the spec can beat, in the objective's unit (mm, rad), as far as proven.
+  const std::optional<double>& proven_bound() const { return proven_bound_; }
+  /// What is wrong with the spec; present exactly for bad_spec.
+  const std::optional<InputError>& fault() const { return fault_; }
+
+ private:
+  friend struct Workings;
+  Kind kind_ = Kind::stopped;
+  std::optional<FinishedDesign> design_;
+  std::string reason_;
+  bool proven_ = false;
+  std::optional<double> proven_bound_;
+  std::vector<PossibleChange> changes_;
+  std::optional<InputError> fault_;
+};
+
+/// The best design for a spec. The spec is checked first (validate()). Guarantees:
+///  1. a design keeps every limit of the spec, evaluated anew, its contact certified, and its map covers the region;
+///  2. the same spec and seed give the same outcome, bit for bit, for any number of threads (unless stopped early);
+///  3. nothing is shared between calls: they may run in several threads at once.
+Outcome design(const Spec& spec, const Options& options = {});
+
+/// The map of the mechanism that Spec::mechanism gives, among the spec's obstacles. The limits are not required of it: the
+/// map says where they are kept. Of the options seed, threads, progress and diagnose play no part. Where the spec gives no
+/// mechanism, or an area for its pole, fault() says so.
+Outcome map(const Spec& spec, const Options& options = {});
+
+}  // namespace kempe

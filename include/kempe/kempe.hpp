@@ -1,0 +1,13 @@
+#pragma once
+/// @file
+/// The whole library: design synthesis for copying linkages.
+///
+/// Lengths are millimetres and angles radians everywhere; places are in the table's frame. A function never throws for what
+/// a spec, a file or a folder may be: the answer says it. There is no global state.
+
+#include "kempe/design.hpp"
+#include "kempe/trace.hpp"
+#include "kempe/units.hpp"
+#include "kempe/validate.hpp"
+#include "kempe/verify.hpp"
+#include "kempe/write.hpp"

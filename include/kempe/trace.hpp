@@ -1,0 +1,34 @@
+#pragma once
+// A drawing copied through a design's mechanism, pose by pose.
+
+#include <cstddef>
+#include <vector>
+
+#include "kempe/design.hpp"
+
+namespace kempe {
+
+/// A line that the pen drew, or where it should have drawn one, mm on the table.
+struct CopiedLine {
+  std::size_t original = 0;  ///< which of the given lines, from 0
+  Polyline points;           ///< the pen's places
+};
+
+/// What became of a drawing.
+struct CopiedDrawing {
+  std::vector<CopiedLine> drawn;    ///< in the original's order and direction
+  std::vector<CopiedLine> missing;  ///< where the pen should have been
+  double drawn_length = 0;          ///< mm of the original
+  double missing_length = 0;        ///< mm of the original
+  std::size_t poses = 0;            ///< tried
+  std::size_t poses_missed = 0;     ///< of them, those that do not exist
+  double departure = 0;             ///< mm, largest distance of the pen from the similar image at any pose
+};
+
+/// Copies lines (mm, table frame), poses at most `step` (mm, > 0) apart. Every point of a drawn line is the pen's place in a
+/// pose whose loops close, without contact with an obstacle; the similarity is never used to place the pen. Where the tracer
+/// cannot follow, the line is cut to 1e-9 mm of the last place that it reaches. Points that are not finite are refused: the
+/// drawing is then empty.
+CopiedDrawing trace(const FinishedDesign& design, const std::vector<Polyline>& lines, double step = 0.5);
+
+}  // namespace kempe

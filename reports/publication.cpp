@@ -1,0 +1,47 @@
+#include "reports/publication.hpp"
+
+#include "reports/audit/recheck.hpp"
+#include "reports/design_package.hpp"
+#include "reports/drawings/parts_fault.hpp"
+#include "synthesis/verification/verification.hpp"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace kempe {
+namespace {
+
+/// What a search over a million corners and the texts of its files took is freed in small pieces, a hundred megabytes
+/// that glibc would keep beside what comes next.
+void give_memory_back() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) {
+  return tl::unexpected(NotPublished{by, std::move(sentence)});
+}
+
+}  // namespace
+
+tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft) {
+  using enum NotPublished::By;
+  design.verification = verify(verification_task(design));
+  if (!design.verification.certified)
+    return refused(verification,
+                   "the design failed its verification, nothing is written: " + design.verification.failure);
+  if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
+  give_memory_back();
+  auto left_out = make_design_package(design, design.cutting, extras,
+                                      [&](const OutputFile& file) { return draft.add(file); });
+  if (!left_out) return refused(writing, left_out.error());
+  give_memory_back();
+  if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
+    return refused(rereading,
+                   "the drawings, read again, are not the design; nothing is written: " + faults.front());
+  return Drafted{std::move(*left_out), extras.why_no_parts.empty()};
+}
+
+}  // namespace kempe

@@ -1,0 +1,218 @@
+#include "specs/spec_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "geometry/point.hpp"
+#include "kinematics/copying_linkage.hpp"
+#include "kinematics/grounding.hpp"
+#include "specs/spec_table.hpp"
+#include "specs/text/toml_access.hpp"
+
+namespace kempe {
+namespace {
+
+/// The angle in degrees, with the fewest digits that give the radians back.
+double written_degrees(double angle) {
+  for (const int digits : {15, 16, 17}) {
+    const double shown = std::stod(fmt::format("{:.{}g}", degrees(angle), digits));
+    if (radians(shown) == angle) return shown;
+  }
+  return std::stod(fmt::format("{:.15g}", degrees(angle)));
+}
+
+toml::array list_of(const Point& point) { return toml::array{point.x(), point.y()}; }
+
+toml::array list_of(const Ring& ring) {
+  toml::array list;
+  for (const Point& corner : ring) list.push_back(list_of(corner));
+  return list;
+}
+
+template <typename Numbers>
+toml::array numbers(const Numbers& values) {
+  toml::array list;
+  for (const auto& value : values) list.push_back(value);
+  return list;
+}
+
+toml::array outer_rings(const Region& region) {
+  toml::array rings;
+  for (const Polygon& polygon : region.polygons) rings.push_back(list_of(polygon.outer));
+  return rings;
+}
+
+toml::array holes(const Region& region) {
+  toml::array rings;
+  for (const Polygon& polygon : region.polygons)
+    for (const Ring& hole : polygon.holes) rings.push_back(list_of(hole));
+  return rings;
+}
+
+void put(toml::table& table, std::string_view key, const std::optional<double>& value) {
+  if (value) table.insert(key, *value);
+}
+
+/// What is as it would be without a word is left out: a fault is then laid to the key that makes it.
+template <typename Value>
+void put(toml::table& table, std::string_view key, const Value& value, const Value& usual) {
+  if (value != usual) table.insert(key, value);
+}
+
+toml::table copy_table(const Copy& copy) {
+  toml::table table{{"scale", copy.scale()}};
+  put(table, "rotation_deg", written_degrees(copy.rotation()), 0.0);
+  return table;
+}
+
+toml::table region_table(const Region& region) {
+  toml::table table{{"polygon_mm", outer_rings(region)}};
+  if (toml::array rings = holes(region); !rings.empty()) table.insert("holes_mm", std::move(rings));
+  return table;
+}
+
+toml::table pole_table(const PoleSpec& pole) {
+  if (pole.is_fixed()) return toml::table{{"at_mm", list_of(std::get<Point>(pole.place))}};
+  return toml::table{{"within_mm", outer_rings(std::get<Region>(pole.place))}};
+}
+
+toml::table links_table(const LinkSpec& links) {
+  const LinkSpec usual;
+  toml::table table;
+  put(table, "width_mm", links.style.width, usual.style.width);
+  put(table, "pin_diameter_mm", links.style.pin_diameter, usual.style.pin_diameter);
+  put(table, "thickness_mm", links.style.thickness, usual.style.thickness);
+  if (links.style.plate == PlateStyle::triangle) table.insert("plate", "triangle");
+  put(table, "layers", links.layers, usual.layers);
+  put(table, "shortest_mm", links.shortest, usual.shortest);
+  put(table, "longest_mm", links.longest, usual.longest);
+  put(table, "wall_mm", links.wall);
+  put(table, "grid_mm", links.workshop.grid);
+  if (!links.workshop.stock.empty()) table.insert("stock_mm", numbers(links.workshop.stock));
+  for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
+    put(table, std::string(LinkLengths::names[i]) + "_mm", links.workshop.locked[i]);
+  return table;
+}
+
+toml::table limits_table(const Limits& limits) {
+  const Limits usual;
+  toml::table table;
+  put(table, "clearance_mm", limits.clearance, usual.clearance);
+  put(table, "transmission_deg", written_degrees(limits.transmission), written_degrees(usual.transmission));
+  put(table, "sheets_gap_mm", limits.sheets_gap);
+  put(table, "copy_error_mm", limits.copy_error);
+  return table;
+}
+
+toml::table tool_table(const ToolSpec& tool) {
+  toml::table table;
+  put(table, "follower_radius_mm", tool.follower_radius);
+  put(table, "cutter_radius_mm", tool.cutter_radius);
+  return table;
+}
+
+toml::table obstacle_table(const Obstacle& obstacle) {
+  toml::table table{{"polygon_mm", list_of(obstacle.shape.outer)},
+                    {"layers", toml::array{obstacle.lowest_layer, obstacle.highest_layer}}};
+  if (!obstacle.name.empty()) table.insert("name", obstacle.name);
+  return table;
+}
+
+toml::array obstacle_tables(const std::vector<Obstacle>& obstacles) {
+  toml::array tables;
+  for (const Obstacle& obstacle : obstacles) tables.push_back(obstacle_table(obstacle));
+  return tables;
+}
+
+toml::table objective_table(const ObjectiveSpec& objective) {
+  const ObjectiveSpec usual;
+  toml::table table;
+  if (objective.objective != usual.objective)
+    table.insert(is_maximized(objective.objective) ? "maximize" : "minimize",
+                 std::string(name(objective.objective)));
+  if (objective.groundings == usual.groundings) return table;
+  toml::array groundings;
+  for (const Grounding grounding : objective.groundings) groundings.push_back(std::string(name(grounding)));
+  table.insert("groundings", std::move(groundings));
+  return table;
+}
+
+toml::table mechanism_table(const MechanismSpec& mechanism) {
+  toml::table table{
+      {"vertex", std::string(name(mechanism.grounding))}, {"VA_mm", mechanism.VA}, {"VB_mm", mechanism.VB}};
+  put(table, "assembly", mechanism.assembly_mode, 0);
+  if (mechanism.layers) table.insert("layers", numbers(*mechanism.layers));
+  return table;
+}
+
+toml::table tolerance_table(const Tolerance& tolerance) {
+  return toml::table{{"length_mm", tolerance.length}, {"play_mm", tolerance.play}};
+}
+
+toml::table cutting_table(const CuttingSpec& cutting) {
+  const CuttingSpec usual;
+  toml::table table;
+  put(table, "hole_fit_mm", cutting.hole_fit, usual.hole_fit);
+  put(table, "kerf_mm", cutting.kerf, usual.kerf);
+  put(table, "gap_mm", cutting.gap, usual.gap);
+  if (cutting.sheet) table.insert("sheet_mm", list_of(*cutting.sheet));
+  return table;
+}
+
+void put_if_any(toml::table& root, std::string_view key, toml::table table) {
+  if (!table.empty()) root.insert(key, std::move(table));
+}
+
+toml::table table_of(const Spec& spec) {
+  toml::table root{{"copy", copy_table(spec.copy)}, {"pole", pole_table(spec.pole)}};
+  if (!spec.region.empty()) root.insert("region", region_table(spec.region));
+  put_if_any(root, "links", links_table(spec.links));
+  put_if_any(root, "limits", limits_table(spec.limits));
+  if (spec.tolerance) root.insert("tolerance", tolerance_table(*spec.tolerance));
+  put_if_any(root, "tool", tool_table(spec.tool));
+  if (!spec.obstacles.empty()) root.insert("obstacles", obstacle_tables(spec.obstacles));
+  put_if_any(root, "objective", objective_table(spec.objective));
+  if (spec.mechanism) root.insert("mechanism", mechanism_table(*spec.mechanism));
+  put_if_any(root, "cutting", cutting_table(spec.cutting));
+  return root;
+}
+
+bool has_holes(const Polygon& polygon) { return !polygon.holes.empty(); }
+
+/// What a file has no words for.
+std::optional<InputError> unspeakable(const Spec& spec) {
+  const auto refused = [](std::string key) {
+    return InputError{"", 0, std::move(key), "a polygon with holes", "polygons without holes"};
+  };
+  if (!spec.pole.is_fixed()) {
+    const auto& polygons = std::get<Region>(spec.pole.place).polygons;
+    if (std::any_of(polygons.begin(), polygons.end(), has_holes)) return refused("pole.within_mm");
+  }
+  for (const Obstacle& obstacle : spec.obstacles)
+    if (has_holes(obstacle.shape)) return refused("obstacles.polygon_mm");
+  return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<Spec, InputError> check_spec(const Spec& spec) {
+  if (auto fault = unspeakable(spec)) return tl::unexpected(std::move(*fault));
+  auto read = read_spec_table(table_of(spec));
+  if (!read) return tl::unexpected(read.error());
+  Spec checked = spec;
+  checked.region = std::move(read->region);
+  checked.obstacles = std::move(read->obstacles);
+  checked.links.workshop.stock = std::move(read->links.workshop.stock);  // sorted, each once
+  if (!spec.pole.is_fixed()) checked.pole = std::move(read->pole);
+  return checked;
+}
+
+std::string toml_text(const Spec& spec) {
+  std::ostringstream text;
+  text << toml::toml_formatter(table_of(spec)) << "\n";
+  return text.str();
+}
+
+}  // namespace kempe

@@ -1,0 +1,142 @@
+// What a program that uses the library gets: designs, reasons, maps, traces.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kempe/kempe.hpp"
+
+namespace kempe {
+namespace {
+
+Spec small_task() {
+  Spec spec;
+  spec.copy = Copy::of(1.4, 90 * degree);
+  spec.region = Region::rectangle({62, -5}, {8, 10});
+  spec.links.style.width = 6;
+  spec.links.style.pin_diameter = 3;
+  return spec;
+}
+
+Spec given_mechanism() {
+  Spec spec = small_task();
+  spec.mechanism = MechanismSpec{Grounding::pole, 50, 35, 3, {}};
+  spec.limits.transmission = 15 * degree;
+  return spec;
+}
+
+TEST(Library, FindsADesignThatCopies) {
+  const Outcome outcome = design(small_task());
+  ASSERT_TRUE(outcome) << outcome.reason();
+  EXPECT_EQ(outcome.kind(), Outcome::Kind::design);
+  EXPECT_EQ(outcome.reason(), "");
+  EXPECT_TRUE(outcome->map().covers_region()) << outcome->map().why_not_covered();
+  ASSERT_TRUE(outcome->value());
+  EXPECT_NEAR(*outcome->value(), outcome->size(), 1e-9 * outcome->size());
+  ASSERT_TRUE(outcome->proven_bound());
+  EXPECT_LE(*outcome->proven_bound(), *outcome->value());
+  EXPECT_GE(outcome->transmission_min(), small_task().limits.transmission - 1e-9);
+  EXPECT_TRUE(verify(*outcome).certified);
+  for (const double x : {62.0, 65.5, 70.0})
+    for (const double y : {-5.0, 1.0, 5.0}) {
+      const auto answer = outcome->pose_with_tracer_at({x, y});
+      ASSERT_TRUE(std::holds_alternative<Pose>(answer));
+      const Pose& pose = std::get<Pose>(answer);
+      const Point pen = outcome->grounding() == Grounding::pen ? pose.V : pose.Y;
+      EXPECT_NEAR(pen.x(), -1.4 * y, 1e-9);  // a quarter turn about the origin, 1.4 times as large
+      EXPECT_NEAR(pen.y(), 1.4 * x, 1e-9);
+    }
+}
+
+TEST(Library, GivesTheSameDesignForAnyNumberOfThreads) {
+  Options two;
+  two.threads = 2;
+  const Outcome one = design(small_task()), other = design(small_task(), two);
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->json(), other->json());
+}
+
+TEST(Library, SaysWhyThereIsNoDesign) {
+  Spec spec = small_task();
+  spec.links.longest = 20;
+  const Outcome outcome = design(spec);
+  EXPECT_FALSE(outcome);
+  EXPECT_EQ(outcome.kind(), Outcome::Kind::no_design);
+  EXPECT_TRUE(outcome.proven());
+  EXPECT_NE(outcome.reason(), "");
+}
+
+TEST(Library, SaysWhatIsWrongWithASpec) {
+  Spec spec = small_task();
+  spec.links.style.width = -3;
+  for (const Outcome& outcome : {design(spec), map(spec)}) {
+    EXPECT_EQ(outcome.kind(), Outcome::Kind::bad_spec);
+    ASSERT_TRUE(outcome.fault());
+    EXPECT_EQ(outcome.fault()->key, "links.width_mm");
+    EXPECT_EQ(outcome.reason(), outcome.fault()->message());
+    EXPECT_EQ(validate(spec)->message(), outcome.reason());
+  }
+}
+
+TEST(Library, StopsWhenAsked) {
+  Options options;
+  options.stop = [] { return true; };
+  EXPECT_EQ(design(small_task(), options).kind(), Outcome::Kind::stopped);
+}
+
+TEST(Library, MapsAGivenMechanism) {
+  const Outcome outcome = map(given_mechanism());
+  ASSERT_TRUE(outcome) << outcome.reason();
+  EXPECT_EQ(outcome->lengths().VA, 50);
+  EXPECT_EQ(outcome->lengths().VB, 35);
+  EXPECT_FALSE(outcome->value());
+  const Map& map = outcome->map();
+  EXPECT_GE(map.reachable_area(), map.usable_area());
+  EXPECT_GE(map.usable_area(), map.collision_free_area());
+  EXPECT_TRUE(map.at({66, 0}).free) << map.at({66, 0}).sentence;
+  EXPECT_FALSE(map.at({500, 0}).free);
+}
+
+TEST(Library, WantsAMechanismToMap) {
+  const Outcome outcome = map(small_task());
+  ASSERT_TRUE(outcome.fault());
+  EXPECT_EQ(outcome.fault()->key, "mechanism");
+}
+
+TEST(Library, ObstaclesTakeFromTheFreeWorkspace) {
+  Spec obstructed = given_mechanism();
+  obstructed.obstacles.push_back({Region::rectangle({60, -20}, {10, 10}).polygons.front(), 1, 8, "vice"});
+  const Outcome free = map(given_mechanism()), less = map(obstructed);
+  ASSERT_TRUE(free && less);
+  EXPECT_LT(less->map().collision_free_area(), free->map().collision_free_area());
+  bool named = false;
+  for (const Loss& loss : less->map().losses())
+    for (const std::string& part : loss.parts) named = named || part == "vice";
+  EXPECT_TRUE(named);
+}
+
+TEST(Library, TracesADrawing) {
+  const Outcome outcome = map(given_mechanism());
+  ASSERT_TRUE(outcome);
+  const CopiedDrawing copy = trace(*outcome, {{{63, -4}, {69, -4}, {69, 4}}, {{1000, 0}, {1010, 0}}});
+  ASSERT_EQ(copy.drawn.size(), 1u);
+  EXPECT_NEAR(copy.drawn_length, 14, 1e-6);
+  EXPECT_NEAR(copy.missing_length, 10, 1e-6);
+  EXPECT_NEAR((copy.drawn[0].points.front() - Point(5.6, 88.2)).norm(), 0, 1e-9);
+  EXPECT_TRUE(trace(*outcome, {{{std::nan(""), 0}, {1, 1}}}).drawn.empty());
+}
+
+TEST(Library, RegionsAreWhatTheySay) {
+  EXPECT_EQ(Region::rectangle({1, 2}, {3, 4}).polygons[0].outer, (Ring{{1, 2}, {4, 2}, {4, 6}, {1, 6}}));
+  const Region circle = Region::circle({5, -3}, 2);
+  for (const Point& corner : circle.polygons[0].outer)
+    EXPECT_NEAR((corner - Point(5, -3)).norm(), 2, 2 * 2.4e-6);
+  EXPECT_FALSE(validate([] {
+    Spec spec = small_task();
+    spec.region = Region::polygon({{62, -5}, {62, 5}, {70, 5}, {70, -5}});  // clockwise
+    return spec;
+  }()));
+}
+
+}  // namespace
+}  // namespace kempe

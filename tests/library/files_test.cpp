@@ -1,0 +1,95 @@
+// Designs as files, by the library.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "kempe/kempe.hpp"
+
+namespace kempe {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("kempe-library-" + std::to_string(::getpid()))) {
+    fs::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+Outcome mapped() {
+  Spec spec;
+  spec.copy = Copy::of(1.4, 90 * degree);
+  spec.region = Region::rectangle({62, -5}, {8, 10});
+  spec.links.style.width = 6;
+  spec.links.style.pin_diameter = 3;
+  spec.mechanism = MechanismSpec{Grounding::pole, 50, 35, 3, {}};
+  spec.limits.transmission = 15 * degree;
+  return map(spec);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Write, WritesWhatTheAuditCertifies) {
+  const Folder folder;
+  const Outcome outcome = mapped();
+  ASSERT_TRUE(outcome) << outcome.reason();
+  const Written written = write(*outcome, folder.path() / "design");
+  ASSERT_TRUE(written) << written.reason;
+  for (const std::string& file : written.files)
+    EXPECT_TRUE(fs::exists(folder.path() / "design" / file)) << file;
+  EXPECT_NE(std::find(written.files.begin(), written.files.end(), "report.html"), written.files.end());
+  const auto audit = verify(folder.path() / "design" / "design.json");
+  ASSERT_TRUE(std::holds_alternative<Audit>(audit)) << std::get<InputError>(audit).message();
+  EXPECT_TRUE(std::get<Audit>(audit).certified);
+}
+
+TEST(Write, SaysWhyNothingIsWritten) {
+  const Folder folder;
+  std::ofstream(folder.path() / "file") << "in the way";
+  const Outcome outcome = mapped();
+  ASSERT_TRUE(outcome);
+  const Written written = write(*outcome, folder.path() / "file");
+  EXPECT_FALSE(written);
+  EXPECT_TRUE(written.files.empty());
+  EXPECT_NE(written.reason, "");
+  EXPECT_EQ(text_of(folder.path() / "file"), "in the way");
+}
+
+TEST(VerifyFile, FindsWhatWasChanged) {
+  const Folder folder;
+  const Outcome outcome = mapped();
+  ASSERT_TRUE(outcome && write(*outcome, folder.path()));
+  std::string text = text_of(folder.path() / "design.json");
+  const std::size_t at = text.find("\"VA\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t digit = text.find("50", at);
+  ASSERT_NE(digit, std::string::npos);
+  text.replace(digit, 2, "51");
+  std::ofstream(folder.path() / "design.json") << text;
+  const auto audit = verify(folder.path() / "design.json");
+  EXPECT_FALSE(std::holds_alternative<Audit>(audit) && std::get<Audit>(audit).certified);
+}
+
+TEST(VerifyFile, SaysWhyAFileCannotBeRead) {
+  EXPECT_TRUE(std::holds_alternative<InputError>(verify(fs::path("/nowhere/design.json"))));
+}
+
+}  // namespace
+}  // namespace kempe
