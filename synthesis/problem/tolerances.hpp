@@ -12,8 +12,7 @@ namespace kempe::tolerance {
 
 // Rounding
 
-/// Share of a limit: a limit missed by no more is met. Some thousand roundings of a double, which is what a length or a
-/// transmission angle passes through.
+/// Share of a limit: a limit missed by no more is met. Some thousand times the rounding of a double.
 inline constexpr double limit_rounding = 1e-12;
 /// Share of the design's size: the pole of a finished design beside its area. It comes from coordinates, whose rounding is
 /// that of the largest of them.
@@ -40,8 +39,8 @@ inline constexpr double inward_opening = 1e-9;
 inline constexpr double inward_log_length = 1e-11;
 /// Unit: inside a limit that is a distance in the plane (the gap of the sheets, the edges of the pole's area).
 inline constexpr double inward_distance = 4e-11;
-/// Unit: inside the clearance of two links. Certified openings end `inward_opening` before a contact, times a lever arm of
-/// some units.
+/// Unit: inside the clearance of two links. Certified openings end 1e-9 rad before a contact, and an angle counts by its lever
+/// arm.
 inline constexpr double inward_gap = 4e-8;
 /// Unit: inside the clearance to obstacles, which are looked at in single places of the tracer; between two of them the gap
 /// may be a trifle smaller.

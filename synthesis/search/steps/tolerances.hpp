@@ -18,7 +18,7 @@ inline constexpr double same_ratio = 1e-12;
 inline constexpr double same_length = 1e-9;
 /// Share of a figure: two points of a front are equal in it. What no user pays for with the other figure.
 inline constexpr double same_value = 1e-7;
-/// Share of the cost without contact: a size below it is one that rounding alone makes smaller than that bound.
+/// Share of the cost without contact: a size smaller by no more is so by rounding alone.
 inline constexpr double bound_rounding = 1e-9;
 /// Share of a length: holes that fit but for rounding fit.
 inline constexpr double hole_rounding = 1e-9;
@@ -41,8 +41,8 @@ inline constexpr double near_free_cost = 1e-7, near_free_footprint = 1e-3;
 // Limits that give way (diagnosis)
 
 /// Share of the value attained, share of the way from what was demanded, and the limit's own unit (mm or degree): a limit
-/// gives way by the first, or by the second if that is less, but by the third at least; so that the value told is round and
-/// the search for it is not one for a single point.
+/// gives way by the first, or by the second if that is less, but by the third at least: a value told without any leeway would
+/// be kept by a single design.
 inline constexpr double give_of_value = 1e-3, give_of_way = 8e-3, least_give = 1e-6;
 /// mm or rad: what the share by which a limit gives way is of, where the limit itself is less.
 inline constexpr double least_demand = 1e-3;
