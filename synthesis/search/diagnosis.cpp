@@ -179,7 +179,7 @@ std::optional<Relaxation> thinner_pins(const SearchTask& task, const Requirement
     spec.links.style.pin_diameter = diameter;
     Requirements thinner = limits;
     thinner.shortest = least_joint_distance(spec);
-    const SearchResult found = best_of_other_spec(task, spec, thinner);
+    SearchResult found = best_of_other_spec(task, spec, thinner);
     evaluations += found.evaluations;
     return found;
   };

@@ -46,7 +46,7 @@ class LockedLengths {
     ChoiceOptions options = choice_options(task_, task_.budgets().choice.with_locked_lengths(
                                                       sought == Goal::footprint, !contact.obstacles.empty()));
     options.hints = std::move(hints);
-    const ChoiceResult found = search_choice(problem, options);
+    ChoiceResult found = search_choice(problem, options);
     evaluations_ += found.evaluations;
     return found;
   }
