@@ -92,8 +92,8 @@ std::optional<ClearanceFigure> clearance_of(const AuditTask& task, bool with_obs
   ClearanceFigure figure{own.gap, own.pair ? name(*own.pair) : "", mapped.linkage.tracer_at(own.opening, 0),
                          true};
   if (const auto post = tightest_at_pole(mapped); with_obstacles && post)
-    figure = {post->gap, post->post + " and " + obstacle_name(mapped.obstacles, post->obstacle), mapped.linkage.pole(),
-              true};
+    figure = {post->gap, post->post + " and " + obstacle_name(mapped.obstacles, post->obstacle),
+              mapped.linkage.pole(), true};
   return figure;
 }
 
