@@ -11,6 +11,14 @@ namespace {
 /// rounding.
 constexpr double rounding = 1e-12;
 
+/// The opening at a distance within the reach; at an end of the reach, which rounding may put outside, that of the end.
+double opening_within(const CopyingLinkage& linkage, double distance) {
+  if (const auto opening = linkage.opening_at(distance)) return *opening;
+  const OpeningInterval& all = linkage.assembly_interval();
+  const double lower = linkage.radius_at(all.lower), upper = linkage.radius_at(all.upper);
+  return std::abs(lower - distance) < std::abs(upper - distance) ? all.lower : all.upper;
+}
+
 }  // namespace
 
 bool Annulus::contains(const Point& point) const {
@@ -71,9 +79,8 @@ OpeningInterval openings_met(const CopyingLinkage& linkage, const Region& region
   const DistanceRange range = distance_range(region, linkage.pole());
   const double near = std::max(range.nearest, reach.inner), far = std::min(range.farthest, reach.outer);
   if (!(near <= far)) return {};
-  const auto a = linkage.opening_at(near), b = linkage.opening_at(far);
-  if (!a || !b) return linkage.assembly_interval();
-  return {std::min(*a, *b), std::max(*a, *b)};
+  const double a = opening_within(linkage, near), b = opening_within(linkage, far);
+  return {std::min(a, b), std::max(a, b)};
 }
 
 std::optional<OpeningInterval> openings_over(const CopyingLinkage& linkage, const Region& region) {

@@ -42,8 +42,8 @@ ArcRegion difference(const Annulus& whole, const Annulus& part);
 /// region, so a hole of the region around the annulus's inner circle is no obstacle. Exact up to rounding.
 bool covers(const Annulus& annulus, const Region& region);
 
-/// The openings of the assembly mode at which the tracer is as far from the pole as some place of the region; empty if at none,
-/// and the whole mode where rounding hides its ends. The region must not be empty.
+/// The openings of the assembly mode at which the tracer is as far from the pole as some place of the region; empty if at
+/// none. The region must not be empty.
 OpeningInterval openings_met(const CopyingLinkage& linkage, const Region& region);
 
 /// The openings that the linkage passes while its tracer covers the region; nothing if the region is empty or

@@ -63,6 +63,39 @@ TEST(Reach, EveryPoseOfAnIntervalStandsInItsAnnulus) {
 Ring square(double half) { return {{-half, -half}, {half, -half}, {half, half}, {-half, half}}; }
 Ring turned_over(Ring ring) { return {ring.rbegin(), ring.rend()}; }
 
+TEST(Reach, OpeningsMetAreThoseOfTheRegionsPlacesAndNoOthers) {
+  Dice dice(24);
+  int met = 0, missed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const Annulus reach = reachable_annulus(linkage);
+    const double half = dice.between(0.05, 0.5) * reach.outer, away = dice.between(0, 1.6) * reach.outer;
+    const Point middle = linkage.pole() + Point(away, 0);
+    Ring ring = square(half);
+    for (Point& corner : ring) corner += middle;
+    const OpeningInterval openings = openings_met(linkage, {{{ring, {}}}});
+    (openings.empty() ? missed : met) += 1;
+    for (int j = 0; j < 40; ++j) {
+      const double x = dice.between(-half, half), y = dice.between(-half, half);
+      const double distance = (middle + Point(x, y) - linkage.pole()).norm();
+      if (distance < reach.inner || distance > reach.outer) continue;
+      const auto opening = linkage.opening_at(distance);
+      ASSERT_TRUE(opening);
+      EXPECT_GE(*opening, openings.lower - 1e-9);
+      EXPECT_LE(*opening, openings.upper + 1e-9);
+    }
+    if (openings.empty()) continue;
+    // Beside the pole's axis the square is nearest at its left side and farthest at its right corners.
+    const double nearest = std::max(0.0, away - half), farthest = std::hypot(away + half, half);
+    for (const double end : {openings.lower, openings.upper}) {
+      EXPECT_GE(linkage.radius_at(end), nearest - 1e-9 * reach.outer);
+      EXPECT_LE(linkage.radius_at(end), farthest + 1e-9 * reach.outer);
+    }
+  }
+  EXPECT_GT(met, 50);
+  EXPECT_GT(missed, 10);
+}
+
 TEST(Reach, CoversIsDecidedByTheNearestAndFarthestPoint) {
   const Annulus annulus{{0, 0}, 10, 50};
   EXPECT_TRUE(covers(annulus, {{{{{11, -5}, {20, -5}, {20, 5}, {11, 5}}, {}}}}));
