@@ -6,17 +6,17 @@ namespace kempe::app {
 namespace {
 
 // A signal handler can reach nothing but a variable of the program.
-std::atomic<bool> interrupted{false};
+std::atomic<bool> was_signalled{false};
 
 extern "C" void note_interrupt(int signal) {
-  interrupted.store(true);
+  was_signalled.store(true);
   std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 Interrupt::Interrupt() {
-  interrupted.store(false);
+  was_signalled.store(false);
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
 }
@@ -26,6 +26,6 @@ Interrupt::~Interrupt() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-const std::atomic<bool>& Interrupt::requested() const { return interrupted; }
+const std::atomic<bool>& Interrupt::requested() const { return was_signalled; }
 
 }  // namespace kempe::app

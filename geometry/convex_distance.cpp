@@ -1,12 +1,9 @@
 #include "geometry/convex_distance.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace kempe {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t edge_count(ConvexCorners set) { return set.size() > 2 ? set.size() : set.size() - 1; }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Points and similarities of the plane, and the passage between the two ways of writing them.
 
+#include <limits>
+
 #include "kempe/point.hpp"
 
 namespace kempe {
@@ -10,6 +12,11 @@ inline Point as_point(Complex z) { return {z.real(), z.imag()}; }
 
 /// z component of the cross product a x b.
 inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The vector turned left by a right angle.
+inline Point left_of(const Point& v) { return {-v.y(), v.x()}; }
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// scale * exp(i rotation); exact at whole quarter turns, where sin and cos round.
 Complex copy_ratio(double scale, double rotation);

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/segment_distance.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Calls `visit` with the two ends of each edge.
 template <typename Visit>

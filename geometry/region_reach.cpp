@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "geometry/convex_hull.hpp"
@@ -12,8 +11,6 @@ namespace kempe {
 namespace {
 
 constexpr std::size_t edges_per_leaf = 8;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 void append_edges(const Ring& ring, std::vector<BoundaryEdge>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
 }

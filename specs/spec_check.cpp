@@ -32,7 +32,7 @@ toml::array list_of(const Ring& ring) {
 }
 
 template <typename Numbers>
-toml::array numbers(const Numbers& values) {
+toml::array toml_array(const Numbers& values) {
   toml::array list;
   for (const auto& value : values) list.push_back(value);
   return list;
@@ -90,7 +90,7 @@ toml::table links_table(const LinkSpec& links) {
   put(table, "longest_mm", links.longest, usual.longest);
   put(table, "wall_mm", links.wall);
   put(table, "grid_mm", links.workshop.grid);
-  if (!links.workshop.stock.empty()) table.insert("stock_mm", numbers(links.workshop.stock));
+  if (!links.workshop.stock.empty()) table.insert("stock_mm", toml_array(links.workshop.stock));
   for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
     put(table, std::string(LinkLengths::names[i]) + "_mm", links.workshop.locked[i]);
   return table;
@@ -143,7 +143,7 @@ toml::table mechanism_table(const MechanismSpec& mechanism) {
   toml::table table{
       {"vertex", std::string(name(mechanism.grounding))}, {"VA_mm", mechanism.VA}, {"VB_mm", mechanism.VB}};
   put(table, "assembly", mechanism.assembly_mode, 0);
-  if (mechanism.layers) table.insert("layers", numbers(*mechanism.layers));
+  if (mechanism.layers) table.insert("layers", toml_array(*mechanism.layers));
   return table;
 }
 

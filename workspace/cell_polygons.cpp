@@ -7,11 +7,11 @@
 namespace kempe {
 namespace {
 
-std::int64_t wrapped(std::int64_t x) { return x & (static_cast<std::int64_t>(AngleGrid::turn) - 1); }
+std::int64_t within_turn(std::int64_t x) { return x & (static_cast<std::int64_t>(AngleGrid::turn) - 1); }
 
 Point place(const AngleGrid& grid, double radius, std::int64_t x) {
   return grid.linkage().pole() +
-         as_point(std::polar(radius, AngleGrid::bearing(static_cast<double>(wrapped(x)))));
+         as_point(std::polar(radius, AngleGrid::bearing(static_cast<double>(within_turn(x)))));
 }
 
 /// Appends the side from `from` to `to`, its start included: an arc in parts of half a turn at most, or a

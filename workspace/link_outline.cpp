@@ -13,8 +13,6 @@ namespace {
 /// Joints whose triangle is flatter than this share of its longest side squared lie on one line.
 constexpr double flat = 1e-12;
 
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
-
 /// bulge of the arc of a circle from one point to another, counter-clockwise, less than a full turn.
 double bulge_between(const Point& centre, const Point& from, const Point& to) {
   const Point a = from - centre, b = to - centre;

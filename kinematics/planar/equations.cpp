@@ -8,8 +8,6 @@
 namespace kempe {
 namespace {
 
-Point left_of(const Point& v) { return {-v.y(), v.x()}; }
-
 /// Where a constraint keeps its value; nothing for a revolute joint.
 double* value_in(Constraint& constraint) {
   return std::visit(

@@ -17,8 +17,6 @@ constexpr double standing = 1e-12;  ///< share of the fastest motion below which
 /// middle.
 using Projective = Eigen::Vector3d;
 
-Point left_of(const Point& v) { return {-v.y(), v.x()}; }
-
 struct Frame {
   Point middle;
   double size;

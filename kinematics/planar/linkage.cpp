@@ -8,7 +8,7 @@
 namespace kempe {
 namespace {
 
-double value_of(const Constraint& constraint) {
+double stated_value(const Constraint& constraint) {
   return std::visit(
       [](const auto& c) {
         if constexpr (requires { c.value; })
@@ -22,7 +22,7 @@ double value_of(const Constraint& constraint) {
 bool is_unit(const Point& direction) { return std::abs(direction.norm() - 1) < 1e-12; }
 
 std::string fault_of(const Constraint& constraint) {
-  if (!std::isfinite(value_of(constraint))) return "a value that is not finite";
+  if (!std::isfinite(stated_value(constraint))) return "a value that is not finite";
   for (const BodyPoint& point : points_of(constraint))
     if (!point.local.allFinite()) return "a point that is not finite";
   std::vector<int> bodies = bodies_of(constraint);
@@ -148,7 +148,7 @@ bool PlanarLinkage::is_driver(int constraint) const {
 std::vector<double> PlanarLinkage::driver_values() const {
   std::vector<double> values;
   for (const int driver : drivers_)
-    values.push_back(value_of(constraints_[static_cast<std::size_t>(driver)].constraint));
+    values.push_back(stated_value(constraints_[static_cast<std::size_t>(driver)].constraint));
   return values;
 }
 

@@ -8,8 +8,6 @@ Point arm_of(const PlanarPosition& position, const BodyPoint& point) {
   return place(position, point) - position[static_cast<std::size_t>(point.body)].at;
 }
 
-Point left_of(const Point& v) { return {-v.y(), v.x()}; }
-
 }  // namespace
 
 double spin_of(const Eigen::VectorXd& rates, int body) {

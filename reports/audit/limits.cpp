@@ -97,7 +97,7 @@ std::optional<ClearanceFigure> clearance_of(const AuditTask& task, bool with_obs
   return figure;
 }
 
-void check_clearance(const AuditTask& task, AuditRecord& record) {
+void check_clearance_limit(const AuditTask& task, AuditRecord& record) {
   const double clearance = task.map_task.clearance;
   const double least = clearance - touching * reachable_annulus(task.linkage).outer - task.slack;
   const auto own = clearance_of(task, false);
@@ -156,7 +156,7 @@ void check_opening(const AuditTask& task, AuditRecord& record) {
                                      degrees(stated.upper))});
 }
 
-void check_sheets(const AuditTask& task, double gap, AuditRecord& record) {
+void check_sheets_limit(const AuditTask& task, double gap, AuditRecord& record) {
   const Region& region = task.design.region;
   const auto nearest = nearest_places(region, similar_image(region, task.linkage.k(), task.linkage.pole()));
   if (!nearest) return record.not_checked("limits.sheets_gap_mm", "the file has no region");
@@ -200,7 +200,7 @@ void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) 
 
 void audit_limits(const AuditTask& task, AuditRecord& record) {
   check_coverage(task, record);
-  check_clearance(task, record);
+  check_clearance_limit(task, record);
   if (std::find(task.design.tables.begin(), task.design.tables.end(), "obstacles") ==
       task.design.tables.end())
     record.not_checked("obstacles", "the file does not say whether there are any");
@@ -208,7 +208,7 @@ void audit_limits(const AuditTask& task, AuditRecord& record) {
     return record.not_checked("limits", "the file states none: transmission and clearance are taken as 0");
   check_opening(task, record);
   check_transmission(task, task.design.limits->transmission, record);
-  if (task.design.limits->sheets_gap) check_sheets(task, *task.design.limits->sheets_gap, record);
+  if (task.design.limits->sheets_gap) check_sheets_limit(task, *task.design.limits->sheets_gap, record);
   if (task.design.limits->copy_error) check_copy_error(task, *task.design.limits->copy_error, record);
 }
 

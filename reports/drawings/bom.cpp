@@ -102,7 +102,7 @@ class Bill {
   int pins_ = 0;
 };
 
-std::string figure(double value) { return value == 0 ? "" : fmt::format("{}", value); }
+std::string cell(double value) { return value == 0 ? "" : fmt::format("{}", value); }
 
 }  // namespace
 
@@ -111,9 +111,9 @@ std::vector<BomItem> bill_of_materials(const Design& design) { return Bill(desig
 std::string bom_csv(const Design& design) {
   std::string text = "item,name,quantity,diameter_mm,length_mm,width_mm,thickness_mm,remark\n";
   for (const BomItem& item : bill_of_materials(design))
-    text += fmt::format("{},{},{},{},{},{},{},\"{}\"\n", item.item, item.name, item.quantity,
-                        figure(item.diameter), figure(item.length), figure(item.width),
-                        figure(item.thickness), item.remark);
+    text +=
+        fmt::format("{},{},{},{},{},{},{},\"{}\"\n", item.item, item.name, item.quantity, cell(item.diameter),
+                    cell(item.length), cell(item.width), cell(item.thickness), item.remark);
   return text;
 }
 

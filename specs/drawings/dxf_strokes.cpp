@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Affine2d;
 
-constexpr int deepest = 32;
+constexpr int deepest_block = 32;
 constexpr int most_copies = 100'000;
 
 /// The polar form of a B-spline: its value for `degree` parameters, in homogeneous coordinates. With knots u
@@ -76,7 +76,7 @@ class DxfStrokes {
 
  private:
   void draw_all(const std::vector<DxfEntity>& entities, const Affine2d& map, int depth) {
-    if (depth > deepest) fault_ = "blocks nested deeper than 32, or in a circle";
+    if (depth > deepest_block) fault_ = "blocks nested deeper than 32, or in a circle";
     for (const DxfEntity& entity : entities) {
       if (!fault_.empty()) return;
       CurveFlattener curves(map, tolerance_, CurveFlattener::most_points - points_);

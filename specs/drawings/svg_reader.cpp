@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Affine2d;
 
-constexpr int deepest = 256;
+constexpr int deepest_element = 256;
 constexpr std::size_t most_elements = 2'000'000;  ///< drawn, those of `use` counted each time
 
 /// "svg:path" and "path" are the same here: files with prefixes for SVG's own namespace are met.
@@ -80,7 +80,8 @@ class SvgWalk {
       if (const auto id = node.attribute("id")) by_id_.emplace(id.value(), node);
       if (node.first_child()) {
         node = node.first_child();
-        if (++depth > deepest) return refuse(node, "", "elements nested deeper than 256", "a drawing");
+        if (++depth > deepest_element)
+          return refuse(node, "", "elements nested deeper than 256", "a drawing");
         continue;
       }
       while (node && node != root && !node.next_sibling()) {
@@ -139,7 +140,7 @@ class SvgWalk {
   }
 
   void draw(const pugi::xml_node& node, const Affine2d& outer, int depth) {
-    if (depth > deepest)
+    if (depth > deepest_element)
       return refuse(node, "", "elements or uses nested deeper than 256", "a drawing without circles of use");
     if (++elements_ > most_elements) return refuse(node, "", "more than 2 million elements to draw", "fewer");
     if (property(node, "display") == "none") return;

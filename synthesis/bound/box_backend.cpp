@@ -17,7 +17,6 @@ using Interval = CGAL::Interval_nt<false>;
 /// Switches the processor to upward rounding as long as it lives.
 using Rounding = Interval::Protector;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double four_ulp = 4 * std::numeric_limits<double>::epsilon();
 
 Interval widened(double value) {

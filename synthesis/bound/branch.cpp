@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "synthesis/tolerance/copy_error.hpp"
@@ -10,7 +9,6 @@
 namespace kempe::bounding {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double lock_slack = 1e-9;  // relative
 
 double wrapped(double angle) { return std::remainder(angle, 2 * pi); }

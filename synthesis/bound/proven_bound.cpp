@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <queue>
 #include <set>
@@ -29,8 +28,6 @@ using bounding::LengthBox;
 using bounding::PoleDistances;
 using bounding::Range;
 using bounding::SheetsGap;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two points of a linkage that came too near at an opening in some box: a cheap first test for the boxes
 /// within it.

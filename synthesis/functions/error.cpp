@@ -6,7 +6,9 @@
 namespace kempe {
 namespace {
 
-double wrapped(double angle) { return std::abs(angle) <= pi ? angle : std::remainder(angle, 2 * pi); }
+double within_half_turn(double angle) {
+  return std::abs(angle) <= pi ? angle : std::remainder(angle, 2 * pi);
+}
 
 /// The closed loop, its input crank's start turned by every place's own turn.
 class Values {
@@ -21,7 +23,7 @@ class Values {
     const double py = a_ * (sine_ * place.cosine + cosine_ * place.sine), e_squared = px * px + py * py;
     const double beside =
         std::acos(std::clamp((e_squared + squares_) / (2 * c_ * std::sqrt(e_squared)), -1.0, 1.0));
-    return wrapped(std::atan2(py, px) + side_ * beside - output_ - place.output_turn);
+    return within_half_turn(std::atan2(py, px) + side_ * beside - output_ - place.output_turn);
   }
 
  private:
@@ -74,7 +76,7 @@ Sloped GeneratorError::at(const GeneratorVector& u, const WantedPlace& place) co
   const double px = a * std::cos(phi) - 1, py = a * std::sin(phi), e = std::hypot(px, py);
   const double beside = std::acos(std::clamp((e * e + c * c - b * b) / (2 * e * c), -1.0, 1.0));
   const double psi = std::atan2(py, px) + (branch_ == FourBarBranch::first ? -beside : beside);
-  Sloped error{wrapped(psi - start.output - place.output_turn), GeneratorVector::Zero(size())};
+  Sloped error{within_half_turn(psi - start.output - place.output_turn), GeneratorVector::Zero(size())};
   const double cos_both = std::cos(phi - psi), sin_both = std::sin(phi - psi);
   const double slope_psi = -c * std::sin(psi) - a * c * sin_both;
   if (!(beside > 0 && beside < pi) || slope_psi == 0) return error;

@@ -28,7 +28,7 @@ constexpr int curve_grid = 1440;       ///< places on half a turn of a family wi
 constexpr int surface_grid = 120;      ///< on each axis of one with two
 constexpr std::size_t most_dips = 60;  ///< of a surface that are run down
 
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+double least_turn(double angle) { return std::remainder(angle, 2 * pi); }
 
 /// Freudenstein's rows for all precision points; the last column is the right-hand side with its sign
 /// changed.
@@ -100,7 +100,7 @@ std::optional<FourBarBranch> branch_through_points(const WantedAngles& wanted, c
     for (const FourBarBranch one : {FourBarBranch::first, FourBarBranch::second}) {
       bar.branch = one;
       const auto angle = bar.output_angle(design.input_start + wanted.input_turn(x));
-      miss[static_cast<std::size_t>(one)] = angle ? std::abs(wrapped(*angle - psi)) : pi;
+      miss[static_cast<std::size_t>(one)] = angle ? std::abs(least_turn(*angle - psi)) : pi;
     }
     const FourBarBranch nearer = miss[0] <= miss[1] ? FourBarBranch::first : FourBarBranch::second;
     if (branch && *branch != nearer) return std::nullopt;
@@ -118,8 +118,8 @@ std::optional<FunctionDesign> design_from(const FunctionTask& task, const Wanted
   if (!bars) return std::nullopt;
   FunctionDesign design;
   design.linkage = bars->linkage;
-  design.input_start = wrapped(starts.input + (bars->input_turned ? pi : 0));
-  design.output_start = wrapped(starts.output + (bars->output_turned ? pi : 0));
+  design.input_start = least_turn(starts.input + (bars->input_turned ? pi : 0));
+  design.output_start = least_turn(starts.output + (bars->output_turned ? pi : 0));
   design.y_lower = wanted.y_lower();
   design.y_upper = wanted.y_upper();
   design.precision_points = wanted.precision_points();
@@ -134,7 +134,7 @@ FunctionCandidate judged(const FunctionTask& task, const WantedAngles& wanted, c
   if (!design) return candidate;
   candidate.design = *design;
   const auto moved = [](const std::optional<double>& given, double start) {
-    return given && std::abs(wrapped(start - *given)) > 1e-9;
+    return given && std::abs(least_turn(start - *given)) > 1e-9;
   };
   if (moved(task.input_start, design->input_start) || moved(task.output_start, design->output_start)) {
     candidate.defect = FunctionDefect::start;

@@ -3,23 +3,18 @@
 #include <cmath>
 
 #include "geometry/segment_distance.hpp"
-#include "synthesis/problem/design_problem.hpp"
+#include "synthesis/problem/row_parts.hpp"
 #include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr int log_VA = DesignLayout::log_VA, log_VB = DesignLayout::log_VB;
-constexpr int pole_x = DesignLayout::pole_x;
-
-LogLengths lengths_of(const DesignVector& x) { return {x[log_VA], x[log_VB]}; }
+using namespace row_parts;
 
 /// Openings at which contacts are looked for between the region's two openings, before each is refined.
 constexpr int openings_looked_at = 33;
 /// Contacts nearer than this become rows from the start, in shares of the task's size.
 constexpr double contact_band = 0.05;
-
-RowJet zero_jet(int n) { return {0, DesignVector::Zero(n), DesignMatrix::Zero(n, n)}; }
 
 /// Adds factor * jet(u, v, d) where d = sum weight * x[opening].
 void add_linkage(RowJet& row, double factor, const LinkageJet& jet, double near_weight, double far_weight) {

@@ -3,18 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/problem/design_problem.hpp"
+#include "synthesis/problem/row_parts.hpp"
 #include "synthesis/problem/tolerances.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr int log_VA = DesignLayout::log_VA, log_VB = DesignLayout::log_VB;
-constexpr int pole_x = DesignLayout::pole_x;
-
-LogLengths lengths_of(const DesignVector& x) { return {x[log_VA], x[log_VB]}; }
-
-RowJet zero_jet(int n) { return {0, DesignVector::Zero(n), DesignMatrix::Zero(n, n)}; }
+using namespace row_parts;
 
 /// Openings at which the copy error is looked at between the region's two.
 constexpr int error_openings = 17;

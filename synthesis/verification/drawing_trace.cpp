@@ -23,7 +23,7 @@ std::string_view name(NotReached why) {
 
 namespace {
 
-constexpr double opening_slack = 1e-9;  ///< rad
+constexpr double traced_slack = 1e-9;   ///< rad
 constexpr double cut_precision = 1e-9;  ///< mm, or for linkages of few millimetres this share of their size
 
 /// The measures with which an instrument is closed at each pose: as drawn, or as one made within tolerances
@@ -113,7 +113,7 @@ class Tracing {
     const CopyingLinkage& linkage = task_.mechanism.linkage;
     const auto opening = linkage.opening_at((tracer - linkage.pole()).norm());
     if (!opening) return tl::unexpected(cause_of(opening.error()));
-    if (*opening < task_.opening.lower - opening_slack || *opening > task_.opening.upper + opening_slack)
+    if (*opening < task_.opening.lower - traced_slack || *opening > task_.opening.upper + traced_slack)
       return tl::unexpected(NotReached::outside_the_opening);
     if (!task_.mechanism.obstacles.empty()) {
       const Verdict verdict = verdict_at(task_.mechanism, tracer);

@@ -137,7 +137,6 @@ GapBounds first_order_bounds(const MovingHull& hull, const EdgeTree::Edge& edge,
 
 GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge) {
   const Nearest nearest = nearest_points(hull, edge);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   return first_order_bounds(hull, edge, nearest, std::sqrt(nearest.squared), infinity);
 }
 

@@ -253,7 +253,7 @@ std::vector<FreeOpenings> between(const std::vector<ContactOpenings>& contacts, 
 }
 
 /// Distances are computed to this share of the sizes involved; twice as much more is kept than asked.
-constexpr double rounding = 1e-14;
+constexpr double pose_rounding = 1e-14;
 
 }  // namespace
 
@@ -311,7 +311,7 @@ std::vector<ContactOpenings> contact_openings(const CopyingLinkage& linkage, con
   const std::vector<ContactPair> pairs = contact_pairs(linkage, layers);
   std::vector<ContactOpenings> contacts;
   for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
-    const double reach = motion.kept + clearance + 2 * rounding * (motion.scale() + clearance);
+    const double reach = motion.kept + clearance + 2 * pose_rounding * (motion.scale() + clearance);
     for_each_contact(motion, reach, within, [&](double lower, double upper) {
       contacts.push_back({{lower, upper}, pairs[pair]});
     });

@@ -16,7 +16,7 @@ namespace {
 /// Limits missed by less than this share of the outer reach count as kept.
 constexpr double touching = 1e-8;
 /// Cells that meet the region are cut until there would be more of them than this.
-constexpr std::size_t most_cells = 200'000;
+constexpr std::size_t most_open_cells = 200'000;
 /// How often all open cells are cut again to find a way between two parts of the region.
 constexpr int connecting_cuts = 6;
 
@@ -106,7 +106,8 @@ Decided decide_region(const MapTask& task, const Subdivision& chart, const StopF
   Subdivision cells = chart;
   cells.look_at_region_only();
   cells.lower_clearance(task.clearance - touching * reachable_annulus(task.linkage).outer);
-  while (!cells.open().empty() && !cells.region_in_contact() && cells.open().size() < most_cells && !stop())
+  while (!cells.open().empty() && !cells.region_in_contact() && cells.open().size() < most_open_cells &&
+         !stop())
     if (!cells.split(unless(stop))) break;
   Decided decided;
   if (cells.region_in_contact()) decided.in_contact = cells.region_in_contact()->second;
@@ -182,7 +183,7 @@ Coverage connected(const MapTask& task, const Subdivision& chart, Decided decide
     const auto points =
         component_points(chart.grid(), free, outline_of(cells_of(free), Corners::part).component_of);
     if (points.size() < 2) return covered();
-    if (cut == connecting_cuts || refined.open().size() > most_cells || stop())
+    if (cut == connecting_cuts || refined.open().size() > most_open_cells || stop())
       return cut_off(task, points[0], points[1], !connected_with_open(refined, free));
     refined.split(unless(stop));
     decided = decide_region(task, refined, stop);

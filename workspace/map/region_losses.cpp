@@ -10,9 +10,9 @@ namespace kempe {
 namespace {
 
 /// Exact intersections take about 30 us a corner.
-constexpr std::size_t most_corners = 30'000;
+constexpr std::size_t most_lost_corners = 30'000;
 /// Smaller shares are slivers.
-constexpr double least_share = 1e-6;
+constexpr double least_lost_share = 1e-6;
 
 std::size_t corners_of(const ArcRegion& region) {
   std::size_t count = 0;
@@ -30,11 +30,11 @@ std::vector<RegionLoss> region_losses(const std::vector<LostArea>& lost, const R
   const ArcRegion arcs = as_arcs(region);
   std::size_t corners = corners_of(arcs) * lost.size();
   for (const LostArea& one : lost) corners += corners_of(one.area);
-  if (!(whole > 0) || corners > most_corners) return {};
+  if (!(whole > 0) || corners > most_lost_corners) return {};
   std::vector<RegionLoss> losses;
   for (const LostArea& one : lost) {
     const double share = area(intersection(one.area, arcs)) / whole;
-    if (share > least_share) losses.push_back({one.cause, one.parts, share});
+    if (share > least_lost_share) losses.push_back({one.cause, one.parts, share});
   }
   std::stable_sort(losses.begin(), losses.end(),
                    [](const RegionLoss& a, const RegionLoss& b) { return a.share > b.share; });

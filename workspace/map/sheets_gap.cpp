@@ -9,7 +9,7 @@ namespace kempe {
 namespace {
 
 /// Exact Boolean operations on more corners than this would take seconds.
-constexpr std::size_t most_corners = 4000;
+constexpr std::size_t most_region_corners = 4000;
 
 std::size_t corners_of(const Region& region) {
   std::size_t count = 0;
@@ -33,7 +33,7 @@ std::optional<SheetOverlap> sheet_overlap(const MapTask& task) {
                                    found, *task.sheets_gap),
                        nearest.on_one,
                        {}};
-  if (corners_of(task.region) > most_corners) return overlap;
+  if (corners_of(task.region) > most_region_corners) return overlap;
   if (const auto around = grown(copy, *task.sheets_gap))
     overlap.area = intersection(as_arcs(task.region), as_arcs(*around));
   return overlap;
