@@ -222,7 +222,7 @@ void tell_passed_over(const BatchJournal& journal) {
   const auto& lines = journal.passed_over();
   if (lines.empty()) return;
   say(fmt::format(
-      "note: {} is no record of a finished spec{}; what it stood for is done again", lines.front(),
+      "note: {} is no record of a finished spec{}; its spec is done again", lines.front(),
       lines.size() > 1 ? fmt::format(", nor are {} other lines of the journals", lines.size() - 1) : ""));
 }
 
@@ -293,11 +293,11 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
   const bool someone_failed = ranks->anyone(failure.has_value());
   if (failure) return fail(cannot_write, *failure);
   if (someone_failed) return cannot_write;
-  if (run.interrupted()) return fail(interrupted, "stopped; the same command goes on from here");
+  if (run.interrupted()) return fail(interrupted, "stopped; the same command continues");
   if (ranks->rank() != 0) return done;
   journal->read_all();
   const auto lines = run.lines();
-  if (!lines) return fail(failed, "another process stopped early; the same command goes on from here");
+  if (!lines) return fail(failed, "another process stopped early; the same command continues");
   std::string text;
   for (const std::string& line : *lines) text += line + "\n";
   const auto written = write_whole(fs::path(arguments.folder), {OutputFile{"results.jsonl", text},

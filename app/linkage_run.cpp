@@ -38,13 +38,13 @@ std::string opening_text(const LoadedLinkage& loaded, const Missing& missing) {
   const std::string label = constraint_label(loaded.model, missing.constraint);
   if (missing.gap.is_angle)
     return fmt::format("{}: off by {:.6g} degrees", label, degrees(missing.gap.amount));
-  return fmt::format("{} stays open by {}", label, length_text(loaded, missing.gap.amount));
+  return fmt::format("{} has a gap of {}", label, length_text(loaded, missing.gap.amount));
 }
 
 int tell_wrong_drivers(const LoadedLinkage& loaded, const Mobility& mobility) {
   const std::size_t driven = loaded.model.linkage.drivers().size();
   return fail({loaded.file.file, loaded.file.drivers.empty() ? 0 : loaded.file.drivers.back().line, "drivers",
-               fmt::format("{} driven {} on a mobility of {} ({})", driven, driven == 1 ? "value" : "values",
+               fmt::format("{} driven {} for a mobility of {} ({})", driven, driven == 1 ? "value" : "values",
                            mobility.mobility, fmt::join(mobility_sentences(loaded.model, mobility), "; ")),
                "as many driven values as the mobility"});
 }
@@ -69,11 +69,9 @@ int tell_not_assembled(const LoadedLinkage& loaded, const Missing& missing, std:
   const Mobility mobility = mobility_of(free.model.linkage, found->front());
   if (mobility.mobility < static_cast<int>(loaded.model.linkage.drivers().size()))
     return tell_wrong_drivers(loaded, mobility);
-  return fail(
-      no_design,
-      fmt::format(
-          "{}: does not assemble at the start of the motion, where the drivers begin out of reach: {}",
-          loaded.file.file, opening_text(loaded, missing)));
+  return fail(no_design, fmt::format("{}: does not assemble at the start of the motion, where the drivers' "
+                                     "first values are out of reach: {}",
+                                     loaded.file.file, opening_text(loaded, missing)));
 }
 
 int tell_no_path(const LoadedLinkage& loaded, const NoPathHere& none) {

@@ -40,7 +40,7 @@ std::string_view name(LinkageFault fault) {
     case LinkageFault::ratio_zero: return "a copy ratio of 0 copies everything onto one point";
     case LinkageFault::ratio_one: return "scale 1 without rotation is a translation, which has no pole";
     case LinkageFault::length_not_positive: return "a link length is not a positive finite number";
-    case LinkageFault::no_such_assembly_mode: return "the linkage has no assembly of this number";
+    case LinkageFault::no_such_assembly_mode: return "the linkage has no assembly mode of this number";
   }
   return "";
 }

@@ -213,8 +213,8 @@ std::optional<MechanismSpec> read_mechanism(const TableView& table, const Copy& 
   if (mechanism.assembly_mode >= count) {
     complaints.add(table.line_of_key("assembly"), "mechanism.assembly",
                    fmt::format("{}", mechanism.assembly_mode),
-                   fmt::format("0 to {}: this ratio has {} assemblies with the {} at the vertex", count - 1,
-                               count, grounding));
+                   fmt::format("0 to {}: this ratio has {} assembly modes with the {} at the vertex",
+                               count - 1, count, grounding));
   }
   return mechanism;
 }

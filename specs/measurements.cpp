@@ -57,9 +57,9 @@ void check_what_was_measured(const toml::table& file, const Measurements& measur
 
 void read_arm_angle(const MeasurementTable& table, const Measurements& measurements, ReadingSpec& reading) {
   const auto angle =
-      table.number("arm_angle_deg", 0, 90, " degrees, the angle of arm AC to the line from pole to stylus");
+      table.number("arm_angle_deg", 0, 90, " degrees, the angle of arm AC to the line from pole to tracer");
   const auto error = table.point("error_mm", farthest);
-  if (!table.has("error_mm")) table.missing("error_mm", "[x, y] in mm: x toward the stylus, y toward C");
+  if (!table.has("error_mm")) table.missing("error_mm", "[x, y] in mm: x toward the tracer, y toward C");
   if (!angle || !error) return;
   constexpr double nearest_end = 5;
   if (*angle < nearest_end || *angle > 90 - nearest_end) {

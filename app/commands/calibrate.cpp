@@ -116,7 +116,7 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->required();
   command->add_option("-o,--output", arguments->folder,
                       "Write calibration.json and report.html into this folder");
-  command->add_option("--target-mm", arguments->target, "Departure that is good enough")
+  command->add_option("--target-mm", arguments->target, "Copy error that is good enough, mm")
       ->check(number_between(1e-6, 1000));
   command
       ->add_option("--method", arguments->method,
@@ -124,10 +124,11 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->check(CLI::IsMember({"knight", "least_squares"}));
   command->add_option("--ratios", arguments->ratios, "Setting table for these ratios, such as 1:2,1:3,0.4")
       ->delimiter(',');
-  command->add_flag("--plan", arguments->plan, "Propose the readings that tell most");
+  command->add_flag("--plan", arguments->plan, "Propose the readings that determine most (D-optimal)");
   command->add_option("--plan-readings", arguments->plan_readings, "How many readings --plan proposes")
       ->check(CLI::Range(1, 100));
-  command->add_flag("--simulate", arguments->simulate, "Play [simulate]: instruments with hidden errors");
+  command->add_flag("--simulate", arguments->simulate,
+                    "Simulate instruments with hidden errors ([simulate])");
   command->add_option("--seed", arguments->seed, "Seed of the simulation");
   command->callback([&session, arguments] {
     session.chosen = [&session, arguments] { return run(*arguments, session.quiet); };

@@ -92,9 +92,8 @@ nlohmann::ordered_json json_of(const FunctionTask& task, const FunctionDesign& d
 /// Nothing where the answer says all that is to be said.
 std::string reservation(const FunctionDesign& design) {
   if (!design.optimum || design.optimum->proven) return "";
-  return "the best that was found, but its conditions do not prove it a local minimum: a linkage near it may "
-         "have a "
-         "smaller largest error";
+  return "the best found, but not proven to be a local minimum: a linkage near it may have a smaller largest "
+         "error";
 }
 
 std::string plot_of(const FunctionDesign& design, const std::string& title) {

@@ -48,7 +48,7 @@ int run(const Session& session, const MobilityArguments& arguments) {
 
 void add_mobility_command(CLI::App& program, Session& session) {
   CLI::App* command =
-      add_command(program, session, "mobility", "Gruebler's count beside the true mobility; number synthesis",
+      add_command(program, session, "mobility", "Gruebler's count and the true mobility; number synthesis",
                   "kempe mobility specs/examples/linkages/plagiograph.toml\n"
                   "  kempe mobility --links 6 --dof 1");
   auto arguments = std::make_shared<MobilityArguments>();

@@ -169,16 +169,18 @@ void add_solve_command(CLI::App& program, Session& session) {
   command->add_option("--animate", arguments->animations,
                       "The linkage moving: FILE.html or FILE.svg; may be given twice");
   command->add_flag("--assemblies", arguments->list_assembly_modes,
-                    "List the ways to put it together at the start, and end");
-  command->add_option("--assembly", arguments->assembly_mode, "Start in this one of them")
+                    "List the ways to assemble the linkage at the start of the motion, then stop");
+  command->add_option("--assembly", arguments->assembly_mode, "Start in this one of them (see --assemblies)")
       ->check(CLI::Range(0, 1000));
   command->add_flag("--velocities", arguments->velocities, "Velocities of points and links");
   command->add_flag("--accelerations", arguments->accelerations, "Accelerations of points and links");
-  command->add_option("--angles", arguments->angles, "Links whose angles are wanted, besides the file's")
+  command
+      ->add_option("--angles", arguments->angles,
+                   "Links whose angles are added to the table, besides the file's")
       ->delimiter(',');
   command->add_option("--steps", arguments->steps, "Equal parts of the motion, instead of the file's")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", arguments->seed, "Of the search for assemblies")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Of the search for assembly modes")->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -44,7 +44,7 @@ void add_verify_command(CLI::App& program, Session& session) {
                                   "kempe verify out/plagiograph/design.json --text");
   auto arguments = std::make_shared<VerifyArguments>();
   command->add_option("DESIGN", arguments->file, "A design.json")->required();
-  command->add_flag("--text", arguments->in_words, "Say it in words instead of JSON");
+  command->add_flag("--text", arguments->in_words, "Print text instead of JSON");
   command->callback([&session, arguments] {
     session.chosen = [&session, arguments] { return run(*arguments, session.json); };
   });

@@ -15,7 +15,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
-/// Doubles are believed beyond this share of the coordinates.
+/// Distances in doubles are accepted above this share of the coordinates; below it exact arithmetic decides.
 constexpr double rounding = 1e-12;
 
 template <class Visit>

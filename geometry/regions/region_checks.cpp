@@ -64,7 +64,7 @@ RingFault contact_fault(const RingList& list, const RingContact& contact) {
   return list.fault(RingFault::Kind::contact, second.ring,
                     fmt::format("{} and {} cross or touch: {} meets {}", list.label(first.ring),
                                 list.label(second.ring), first_edge, second_edge),
-                    "rings that keep apart");
+                    "rings that do not touch");
 }
 
 /// Outer rings lie free or in a hole, holes in an outer ring.
@@ -79,7 +79,7 @@ std::optional<RingFault> nesting_fault(const RingList& list, const RingNesting& 
       return list.fault(RingFault::Kind::nesting, ring,
                         fmt::format("{} lies inside {}", list.label(ring), list.label(*parent)),
                         list.is_hole(ring)
-                            ? "holes that keep apart"
+                            ? "holes that do not touch"
                             : "polygons beside each other; what is left out belongs among the holes");
     }
   }

@@ -108,7 +108,7 @@ tl::expected<Region, std::string> rounded(const ExactRegion& exact_region) {
 }
 
 std::string too_many(std::string_view what, std::size_t count, std::size_t most) {
-  return fmt::format("{} {}, of at most {} that can be worked on", count, what, most);
+  return fmt::format("{} {}; at most {} are allowed", count, what, most);
 }
 
 }  // namespace

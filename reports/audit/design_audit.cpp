@@ -36,7 +36,7 @@ void AuditRecord::figure(const std::string& key, std::optional<double> stated, d
   broken({.limit = key,
           .attained = stated,
           .allowed = found,
-          .sentence = fmt::format("the file states {:.9g}; computed anew it is {:.9g}", *stated, found)});
+          .sentence = fmt::format("the file states {:.9g}; recomputed it is {:.9g}", *stated, found)});
 }
 
 namespace {
@@ -150,13 +150,13 @@ std::string place(const BrokenLimit& breach) {
 }  // namespace
 
 std::string audit_text(const DesignAudit& audit) {
-  std::string text = audit.certified() ? "certified    everything that was looked at holds\n"
+  std::string text = audit.certified() ? "certified    everything checked holds\n"
                                        : fmt::format("NOT CERTIFIED: {} broken\n", audit.broken.size());
   for (const BrokenLimit& breach : audit.broken)
     text += fmt::format("broken       {}: {}{}\n", breach.limit, breach.sentence, place(breach));
   text += fmt::format(
-      "driven       {} positions{} by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, {} "
-      "changes of assembly\n",
+      "driven       {} positions{} by the general solver: copy error {:.2g} mm, loop residual {:.2g} mm, {} "
+      "changes of assembly mode\n",
       audit.drive.samples, audit.drive.over_workspace ? " of the free workspace" : "",
       audit.drive.copy_error_max, audit.drive.loop_residual_max, audit.drive.flips);
   text += fmt::format("checked      {}\n", fmt::join(audit.checked, ", "));

@@ -49,7 +49,7 @@ void check_clearance(const AuditTask& task, AuditRecord& record) {
       record.broken({.limit = "quality.clearance_min_mm",
                      .attained = std::isinf(stated) ? std::nullopt : std::optional(stated),
                      .allowed = std::isinf(found) ? std::nullopt : std::optional(found),
-                     .sentence = "parts that can come near each other, or cannot, are stated otherwise"});
+                     .sentence = "the stated parts are not those that come nearest to each other"});
     return;
   }
   const double outer = reachable_annulus(task.linkage).outer;
@@ -66,7 +66,7 @@ void check_copy_errors(const AuditTask& task, AuditRecord& record) {
           ? copy_error_over(task.linkage, CopyTolerance::uniform(*task.design.tolerance), task.design.region)
           : tl::unexpected(Unreachable::too_far);
   if (!error) {
-    const char* why = task.design.tolerance ? "the assembly does not reach all of the region"
+    const char* why = task.design.tolerance ? "this assembly mode does not reach all of the region"
                                             : "the file states no tolerance";
     for (const char* key :
          {"quality.copy_error_worst_mm", "quality.copy_error_rss_mm", "quality.distortion_worst_mm"})
@@ -249,7 +249,7 @@ void check_bound(const StoredDesign& design, AuditRecord& record) {
   const auto& bound = design.quality.proven_bound;
   if (!bound) return;
   record.not_checked("quality.lower_bound",
-                     "it is not proven anew, only held against the value: the proof is a search of its own");
+                     "it is compared with the value but not proven again: the proof is a search of its own");
   if (!design.objective || !design.value) return;
   record.checked("quality.lower_bound");
   const double slack = share_of_copy_error * std::abs(*design.value);
@@ -259,7 +259,7 @@ void check_bound(const StoredDesign& design, AuditRecord& record) {
                    .attained = design.value,
                    .allowed = bound,
                    .sentence = fmt::format(
-                       "no design can be {} {:.9g}, says the file, and this one has {:.9g}",
+                       "the file says that no design can be {} {:.9g}; this one has {:.9g}",
                        is_maximized(*design.objective) ? "above" : "below", *bound, *design.value)});
 }
 
@@ -289,8 +289,8 @@ void audit_claims(const StoredDesign& design, const Verification& drive, AuditRe
   record.figure("verification.copy_error_max_mm", stated.copy_error_max, drive.copy_error_max, 1e-9 * size);
   record.figure("verification.loop_residual_max_mm", stated.loop_residual_max, drive.loop_residual_max,
                 1e-9 * size);
-  record.not_checked("verification.samples", "how many positions were driven to does not say how well");
-  record.not_checked("search", "how the design was found cannot be seen from it; its value is checked");
+  record.not_checked("verification.samples", "the number of positions does not affect the result");
+  record.not_checked("search", "how the design was found cannot be checked; its value is");
 }
 
 }  // namespace kempe

@@ -57,7 +57,8 @@ void check_transmission(const AuditTask& task, double limit, AuditRecord& record
   const bool reached =
       task.design.region.empty() ? !task.design.mechanism.opening.empty() : task.needed.has_value();
   if (!reached)
-    return record.not_checked("limits.transmission_deg", "the assembly does not reach all of the region");
+    return record.not_checked("limits.transmission_deg",
+                              "this assembly mode does not reach all of the region");
   const Weakest found = weakest(task);
   record.checked("limits.transmission_deg");
   if (found.angle < limit - angle_slack)
@@ -184,7 +185,7 @@ void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) 
   const auto error =
       copy_error_over(task.linkage, CopyTolerance::uniform(*task.design.tolerance), task.design.region);
   if (!error)
-    return record.not_checked("limits.copy_error_mm", "the assembly does not reach all of the region");
+    return record.not_checked("limits.copy_error_mm", "this assembly mode does not reach all of the region");
   record.checked("limits.copy_error_mm");
   if (error->worst <= limit * (1 + 1e-9)) return;
   record.broken(

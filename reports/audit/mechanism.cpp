@@ -72,7 +72,7 @@ std::optional<int> assembly_mode_of(const StoredDesign& design, AuditRecord& rec
       record.broken({.limit = "mechanism.assembly",
                      .attained = stated,
                      .allowed = other,
-                     .sentence = fmt::format("opening and orientation are those of assembly {}, not of {}",
+                     .sentence = fmt::format("opening and orientation belong to assembly mode {}, not {}",
                                              other, stated)});
     return other;
   }
@@ -80,15 +80,15 @@ std::optional<int> assembly_mode_of(const StoredDesign& design, AuditRecord& rec
   if (!known || turns(stated) != drawn.orientation)
     record.broken(
         {.limit = "mechanism.orientation",
-         .sentence = "the plates and the parallelogram are turned as in no assembly with this opening"});
+         .sentence = "no assembly mode has this orientation of plates and parallelogram at this opening"});
   if (!known || !opening_fits(intervals[static_cast<std::size_t>(stated)], drawn.opening))
-    record.broken({.limit = "mechanism.opening_deg",
-                   .attained = degrees(drawn.opening.lower),
-                   .allowed = known
-                                  ? std::optional(degrees(intervals[static_cast<std::size_t>(stated)].lower))
-                                  : std::nullopt,
-                   .sentence = fmt::format("the opening {:.6f} .. {:.6f} degrees leaves the assembly",
-                                           degrees(drawn.opening.lower), degrees(drawn.opening.upper))});
+    record.broken(
+        {.limit = "mechanism.opening_deg",
+         .attained = degrees(drawn.opening.lower),
+         .allowed =
+             known ? std::optional(degrees(intervals[static_cast<std::size_t>(stated)].lower)) : std::nullopt,
+         .sentence = fmt::format("the opening {:.6f} .. {:.6f} degrees goes beyond the assembly mode",
+                                 degrees(drawn.opening.lower), degrees(drawn.opening.upper))});
   return std::nullopt;
 }
 

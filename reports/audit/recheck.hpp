@@ -10,7 +10,7 @@
 
 namespace kempe {
 
-/// Reads the files of a design's folder back, each by a reader that shares nothing with its writer, and says
+/// Reads the files of a design's folder back, each by a reader independent of its writer (no function in common), and says
 /// what is wrong, a sentence each; empty if all is well.
 ///  - design.json: its lengths are the design's and close;
 ///  - drawing.dxf, nested.dxf and parts/*.dxf: each link one closed outline of its area (to 1e-9 of it),

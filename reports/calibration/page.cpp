@@ -25,16 +25,15 @@ std::string title(const CalibrationRecord& record) {
 
 std::string what_was_done(const CalibrationRecord& record, bool is_simulated) {
   if (record.rounds.empty())
-    return is_simulated  ? "What the procedure is worth, played with instruments whose errors are known."
+    return is_simulated  ? "How accurate the procedure is, simulated with instruments whose errors are known."
            : record.plan ? "No readings yet: a plan of where to measure."
-                         : "No readings yet: --plan says where to measure, --simulate plays the procedure.";
+                         : "No readings yet: --plan says where to measure, --simulate tests the procedure.";
   const std::size_t count = record.readings.size();
   const std::string how =
       record.method == CalibrationMethod::knight ? "Knight’s equations" : "least squares on its measures";
   return fmt::format(
-      "{} readings in round {}, explained by {}. Errors are what was made less what was drawn; corrections "
-      "are what to set.",
-      count, record.rounds.size(), how);
+      "{} readings in round {}, fitted by {}. Error = actual - nominal; a correction is what to set.", count,
+      record.rounds.size(), how);
 }
 
 std::string header(const CalibrationRecord& record, bool is_simulated) {
@@ -45,8 +44,8 @@ std::string header(const CalibrationRecord& record, bool is_simulated) {
         record.reached, record.reached ? "Within the target of " + target
                                        : "Not yet within " + target + ": set the corrections and read again");
     badges += html_badge(record.indistinct.empty(), record.indistinct.empty()
-                                                        ? "Every measure told by the readings"
-                                                        : "Some measures cannot be told apart");
+                                                        ? "The readings determine every measure"
+                                                        : "Some measures are not determined");
     const auto outliers = std::count_if(record.readings.begin(), record.readings.end(),
                                         [](const auto& one) { return one.fit.outlier; });
     if (outliers > 0)
@@ -54,7 +53,7 @@ std::string header(const CalibrationRecord& record, bool is_simulated) {
           html_badge(false, fmt::format("{} reading{} out", outliers, outliers == 1 ? " stands" : "s stand"));
     const auto& check = record.calibration.check;
     if (check && check->contradicts())
-      badges += html_badge(false, "What is left is more than the stated uncertainty explains");
+      badges += html_badge(false, "Residuals larger than the stated uncertainty");
   }
   return fmt::format(
       "<header>\n<p class=\"brand\">Kempe · calibration</p>\n<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<ul "
@@ -78,7 +77,7 @@ std::string key_figures(const CalibrationRecord& record) {
 std::string figure(const VectorPicture& picture, std::string_view heading, std::string_view words) {
   return fmt::format(
       "<div><h3>{}</h3>\n<figure class=\"chart-figure\"><div class=\"board\">{}</div>\n<figcaption>{} Arrows "
-      "{} times too long.</figcaption></figure></div>\n",
+      "enlarged {} times.</figcaption></figure></div>\n",
       heading, picture.svg, words, number_text(picture.magnification, 0));
 }
 
@@ -89,11 +88,11 @@ std::string vectors(const CalibrationRecord& record) {
   return html_section("vectors", "Error vectors",
                       "<div class=\"columns\">\n" +
                           figure(before, "Before",
-                                 "From where the point should be to where it was read; pale, what the fitted "
-                                 "instrument does all over its reach.") +
+                                 "From where the point should be to where it was read; pale: the fitted "
+                                 "instrument over its whole reach.") +
                           figure(after, "After",
-                                 "What no correction takes away: reading noise, and what the model does not "
-                                 "know. Circles have the target’s radius.") +
+                                 "What remains after the corrections: reading noise and what the model "
+                                 "leaves out. Circles have the target’s radius.") +
                           "</div>\n");
 }
 
@@ -134,7 +133,7 @@ std::string file_section(const CalibrationPage& page) {
 std::string footer(const CalibrationPage& page) {
   return fmt::format(
       "<footer>\n<p>Made by Kempe {}. Lengths in millimetres, angles counter-clockwise, seen from above. "
-      "Full precision stands in <code>calibration.json</code>.</p>\n</footer>\n",
+      "Full precision: <code>calibration.json</code>.</p>\n</footer>\n",
       html_escaped(page.program_version));
 }
 

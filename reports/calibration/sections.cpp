@@ -128,7 +128,7 @@ std::string unidentifiable(const CalibrationRecord& record) {
                               plus_minus(remedy.uncertainty));
     html += fmt::format(
         "<div><p><b>{}</b> changes nothing that was read{}. It was held as drawn.</p><p class=\"note\">Any "
-        "of these would tell:</p><ul class=\"note\">\n{}</ul></div>\n",
+        "of these would determine it:</p><ul class=\"note\">\n{}</ul></div>\n",
         html_escaped(told.words),
         told.combination.uncertainty
             ? " beyond its uncertainty: it is known to " + plus_minus(*told.combination.uncertainty) + " only"
@@ -136,9 +136,9 @@ std::string unidentifiable(const CalibrationRecord& record) {
         remedies);
   }
   if (html.empty()) return {};
-  return html_section("unidentifiable", "What the readings cannot tell",
-                      "<p class=\"lead\">The corrections bring the copy right all the same; only these "
-                      "measures themselves stay unknown.</p>\n<div class=\"columns\">" +
+  return html_section("unidentifiable", "What the readings do not determine",
+                      "<p class=\"lead\">The corrections still make the copy right; only these measures stay "
+                      "unknown.</p>\n<div class=\"columns\">" +
                           html + "</div>\n");
 }
 
@@ -154,7 +154,7 @@ std::string readings(const CalibrationRecord& record) {
     std::string label = html_escaped(spec.name) + fmt::format(" <small>line {}</small>", spec.line);
     if (one.fit.outlier)
       label += record.measurements.fit.keep_outliers ? " <b class=\"bad\">stands out</b>"
-                                                     : " <b class=\"bad\">stands out, left out</b>";
+                                                     : " <b class=\"bad\">outlier, left out</b>";
     rows.push_back({label, place, point_text(one.fit.departure), point_text(one.fit.left),
                     fixed_mm(one.fit.left.norm()),
                     one.fit.studentised > 0 ? number_text(one.fit.studentised, 1) : "–",
@@ -173,9 +173,8 @@ std::string readings(const CalibrationRecord& record) {
     for (const Quantity& one : record.otherwise)
       if (one.kind != Quantity::Kind::placement)
         errors += fmt::format("{}{} {}", errors.empty() ? "" : ", ", spoken(one.name), signed_mm(one.error));
-    words +=
-        fmt::format("<p class=\"note\">With the readings that stand out {} the errors would be: {}.</p>\n",
-                    record.measurements.fit.keep_outliers ? "left out" : "kept", errors);
+    words += fmt::format("<p class=\"note\">With the outliers {} the errors would be: {}.</p>\n",
+                         record.measurements.fit.keep_outliers ? "left out" : "kept", errors);
   }
   return html_section("readings", "Readings",
                       words + html_table("budget",
@@ -184,7 +183,7 @@ std::string readings(const CalibrationRecord& record) {
                                           {"Departure x, y, mm", true},
                                           {"Left x, y, mm", true},
                                           {"Left", true},
-                                          {"In its own uncertainty", true},
+                                          {"In units of its uncertainty", true},
                                           {"", false}},
                                          rows));
 }
@@ -225,12 +224,12 @@ std::string settings(const CalibrationRecord& record) {
   const std::string words = fmt::format(
       "<p class=\"lead\">What to set on each scale, in mm, for the ratios wanted; largest departure over arm "
       "angles from {} to {}. "
-      "A scale’s error is taken as the same along the whole scale, as Knight takes it.</p>\n",
+      "A scale’s error is assumed to be the same along the whole scale (Knight).</p>\n",
       degrees_text(record.measurements.arm_angles.lower), degrees_text(record.measurements.arm_angles.upper));
   return html_section("settings", "Setting table",
                       words + html_table("pareto",
                                          {{"Ratio", false},
-                                          {"Pole, stylus, pencil at", false},
+                                          {"Pole, tracer, pen at", false},
                                           {"Setting", true},
                                           {"AC", true},
                                           {"CF", true},
@@ -252,12 +251,12 @@ std::string plan(const CalibrationRecord& record) {
     uncertainties.push_back({spoken(one.name), one.name == "turn" ? "±\u202f" + angle_text(one.uncertainty, 4)
                                                                   : plus_minus(one.uncertainty)});
   const std::string words = fmt::format(
-      "<p class=\"lead\">These places tell the measures best (D-optimal): {} times as sharply, on the "
-      "average, as the same number spread evenly.{}</p>\n",
+      "<p class=\"lead\">These places determine the measures best (D-optimal): on average {} times as "
+      "precisely as the same number spread evenly.{}</p>\n",
       number_text(record.plan->gain, 2),
       std::any_of(record.plan->readings.begin(), record.plan->readings.end(),
                   [](const PlannedReading& one) { return one.exchanged; })
-          ? " Exchanged: stylus and pencil change places, so that errors appear enlarged."
+          ? " Exchanged: tracer and pen change places, so that errors appear enlarged."
           : "");
   return html_section("plan", "Where to measure",
                       words + "<div class=\"columns\"><div>" +

@@ -107,7 +107,7 @@ tl::expected<void, std::string> write_through(const fs::path& path, const Target
   const int number = target.open_file ? ::fcntl(*target.open_file, F_DUPFD_CLOEXEC, 0)
                                       : open_to_write_through(target.place, is_pipe);
   if (number == -ENXIO)
-    return tl::unexpected("cannot write " + printable(path.string()) + ": a pipe that nobody reads");
+    return tl::unexpected("cannot write " + printable(path.string()) + ": a pipe without a reader");
   OpenFile file(number);
   if (!file.is_open()) return tl::unexpected(cannot(path, target.open_file ? errno : -number));
   if (is_pipe && !target.open_file) ::fcntl(number, F_SETFL, O_WRONLY);
@@ -166,8 +166,7 @@ class Draft {
  private:
   std::string cannot_replace(const struct stat& status) const {
     if (S_ISDIR(status.st_mode)) return cannot(asked_, EISDIR);
-    return "cannot write " + printable(asked_.string()) +
-           ": no regular file stands there, and none is put in its place";
+    return "cannot write " + printable(asked_.string()) + ": it is no regular file and is not replaced";
   }
 
   /// Mode and owner of the file that is replaced, or those of any new file; then synchronised to disk, for a rename may

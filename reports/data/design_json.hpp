@@ -73,7 +73,7 @@ MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage);
 VerificationTask verification_task(const StoredDesign& design);
 
 /// The linkage in closed form that the file describes, or why its figures contradict each other: lengths that
-/// are not those of this shape, an opening or an orientation of no assembly mode (all to 1e-9 of the mechanism's
+/// are not those of this shape, an opening or an orientation of no assembly mode mode (all to 1e-9 of the mechanism's
 /// size).
 tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, const std::string& file);
 

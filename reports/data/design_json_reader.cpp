@@ -393,8 +393,8 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, 
                    fmt::format("[{}, {}] for this copy ratio and vertex", shape.real(), shape.imag()));
   const auto linkage = fitting_assembly_mode(design);
   if (!linkage)
-    return refused("opening_deg", "an opening or an orientation of no assembly",
-                   "those of one assembly of this shape");
+    return refused("opening_deg", "an opening or an orientation of no assembly mode",
+                   "those of one assembly mode of this shape");
   const auto stored = design.mechanism.lengths.values(), exact = linkage->lengths().values();
   for (std::size_t i = 0; i < stored.size(); ++i)
     if (std::abs(stored[i] - exact[i]) > 1e-9 * linkage->size())

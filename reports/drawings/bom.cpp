@@ -66,7 +66,7 @@ class Bill {
 
   void add_pin(Joint joint) {
     const Span span = span_at(joint, design_.layers);
-    const std::string head = span.lowest == 1 ? "; head sunk, layer 1 slides on the table" : "";
+    const std::string head = span.lowest == 1 ? "; countersunk head, as layer 1 slides on the table" : "";
     items_.push_back({"pin", fmt::format("pin {}", letter(joint)), 1, style_.pin_diameter,
                       style_.thickness * (span.highest - span.lowest + 1), 0, 0,
                       "joins " + links_at(joint) + head});
@@ -92,8 +92,9 @@ class Bill {
   /// What a spacer as wide as a link must heed: contact is certified for pins and posts alone.
   std::string narrower() const {
     if (style_.width <= style_.pin_diameter + 2 * design_.quality.clearance_min) return "";
-    return fmt::format("; clearance is certified for {} mm across, turn it down where something passes",
-                       style_.pin_diameter);
+    return fmt::format(
+        "; clearance is certified for {} mm diameter: turn the spacer down where something passes",
+        style_.pin_diameter);
   }
 
   const Design& design_;

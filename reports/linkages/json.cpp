@@ -22,7 +22,7 @@ std::string counted(int count, std::string_view one, std::string_view many) {
 }
 
 std::string describe_redundancy(const LinkageModel& model, const std::vector<int>& set) {
-  return fmt::format("one equation of these says nothing new: {}", fmt::join(names_of(model, set), "; "));
+  return fmt::format("one of these equations is redundant: {}", fmt::join(names_of(model, set), "; "));
 }
 
 std::string compared_with_count(const Mobility& m) {
@@ -35,9 +35,10 @@ std::string compared_with_count(const Mobility& m) {
 std::string driver_sentence(const LinkageModel& model, const Mobility& m) {
   const int drivers = static_cast<int>(model.linkage.drivers().size());
   if (drivers == m.mobility || drivers == 0) return {};
-  return fmt::format("{} for {}: {}", counted(drivers, "driven value", "driven values"),
-                     counted(m.mobility, "freedom", "freedoms"),
-                     drivers < m.mobility ? "the motion is not determined" : "too many to be chosen freely");
+  return fmt::format(
+      "{} for {}: {}", counted(drivers, "driven value", "driven values"),
+      counted(m.mobility, "freedom", "freedoms"),
+      drivers < m.mobility ? "the motion is not determined" : "more than can be chosen independently");
 }
 
 /// Without what is rounding only, against a size: 1e-16 becomes 0.
@@ -110,8 +111,8 @@ std::vector<std::string> mobility_sentences(const LinkageModel& model, const Mob
   for (const auto& set : m.redundant) sentences.push_back(describe_redundancy(model, set));
   if (m.shaky_freedoms() > 0)
     sentences.push_back(
-        fmt::format("{} at first order that no motion follows: the linkage is shaky in every position; "
-                    "say straight rows of points as links, not as bars",
+        fmt::format("{} at first order that no motion follows: the linkage is shaky in every position; write "
+                    "straight rows of points as links, not as bars",
                     counted(m.shaky_freedoms(), "freedom", "freedoms")));
   if (m.singular_here()) {
     std::string sentence =

@@ -8,7 +8,7 @@
 
 namespace kempe::report_sections {
 
-/// Title, one sentence about what the linkage does, and whether it may be believed.
+/// Title, one sentence about what the linkage does, and whether it is verified.
 std::string header(const Design& design, const ReportExtras& extras);
 /// The few figures a reader looks for first.
 std::string key_figures(const Design& design);

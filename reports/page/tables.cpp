@@ -75,7 +75,7 @@ std::string quality(const Design& design) {
   };
   add("Size", length_text(q.size, 3), {},
       "Sum over the four moving links of half the perimeter round their joints; a bar counts its length. "
-      "Small means stiff, cheap and light.");
+      "Small is stiff, cheap and light.");
   add("Smallest transmission angle", angle_text(q.transmission_min, 3),
       at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
       std::string("How far the linkage stays from the positions where it jams or folds over, at the worst "
@@ -89,10 +89,10 @@ std::string quality(const Design& design) {
   if (q.copy_error_worst)
     add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
         at_most(*q.copy_error_worst, design.limits.copy_error),
-        "How far the pen can be off if every length and every pin play errs in the worst direction at once.");
+        "How far the pen can be off if all lengths and pins err in the worst direction together.");
   if (q.copy_error_rss)
     add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
-        "The same with errors that do not conspire: root of the sum of squares.");
+        "The same with independent errors: root of the sum of squares.");
   if (q.distortion_worst)
     add("Distortion, worst case", length_text(*q.distortion_worst, 4), {},
         "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
@@ -113,7 +113,7 @@ std::string quality(const Design& design) {
 std::string workspace(const Design& design) {
   const WorkspaceMap& map = design.map;
   Rows rows;
-  rows.push_back({"Reachable", area_text(area(map.reachable)), "The chosen assembly reaches it."});
+  rows.push_back({"Reachable", area_text(area(map.reachable)), "Within reach in the chosen assembly mode."});
   rows.push_back({"Usable", area_text(area(map.usable)),
                   fmt::format("Reachable with a transmission angle of {} or more.",
                               angle_text(design.limits.transmission))});
@@ -159,14 +159,14 @@ std::string verification(const Design& design) {
   rows.push_back({"Greatest copy error", residual_text(v.copy_error_max),
                   "Distance between the pen and the exact image of the tracer, with exact lengths."});
   rows.push_back({"Greatest loop residual", residual_text(v.loop_residual_max),
-                  "How far the closed chain of links is from closing: rounding only, if all is well."});
+                  "Largest gap of the closed loops; should be rounding only."});
   rows.push_back({"Scale found", number_text(v.scale, 9),
                   fmt::format("Of the similarity fitted to the driven pairs; wanted {}.",
                               number_text(design.scale, 9))});
   rows.push_back({"Rotation found", angle_text(v.rotation, 9),
                   fmt::format("Wanted {}.", angle_text(design.rotation, 9))});
-  rows.push_back({"Changes of assembly", std::to_string(v.flips),
-                  "How often the linkage folded over to another assembly; must be 0."});
+  rows.push_back({"Changes of assembly mode", std::to_string(v.flips),
+                  "How often the linkage changed to another assembly mode; must be 0."});
   return html_section("verification", "Verification",
                       html_table("explained", {{"Check"}, {"Found", true}, {"What it says"}}, rows));
 }
@@ -195,7 +195,7 @@ std::string search(const Design& design) {
                   s.complete ? "The search ran to its end."
                              : "The search was stopped early: a better design may exist."});
   rows.push_back({"Value reached", objective_value(s.objective, s.value),
-                  "Computed anew at the design, not taken from a solver."});
+                  "Computed again at the design, not taken from a solver."});
   if (!s.obstacles_out_of_reach.empty())
     rows.push_back({"Obstacles out of reach", count_text(s.obstacles_out_of_reach.size()),
                     "No permitted instrument can touch them, so the search left them out: " +

@@ -66,8 +66,8 @@ std::string tolerance(const Design& design) {
   if (!design.tolerance) return {};
   const CopyTolerance tolerance = CopyTolerance::uniform(*design.tolerance);
   std::string html = fmt::format(
-      "<p class=\"note\">Lengths to ±{}, pins with {} of play (half of it to each side). Every source alone, "
-      "at the place of the region where it does most.</p>\n",
+      "<p class=\"note\">Lengths to ±{}, pins with {} of play (half of it to each side). Each source alone, "
+      "at the place of the region where its effect is largest.</p>\n",
       length_text(design.tolerance->length), length_text(design.tolerance->play));
   std::string table, absorbed;
   if (const auto over = copy_error_over(design.linkage, tolerance, design.region)) {

@@ -101,7 +101,7 @@ struct CauseWords {
 };
 constexpr std::array<CauseWords, 6> cause_words{{
     {Cause::out_of_reach, "outside", "Out of reach"},
-    {Cause::beyond_change_point, "change", "Past the change point"},
+    {Cause::beyond_change_point, "change", "Beyond the change point"},
     {Cause::transmission_below_limit, "transmission", "Transmission too low"},
     {Cause::self_contact, "contact", "Links touch"},
     {Cause::obstacle_contact, "obstructed", "Obstacle in the way"},
@@ -115,7 +115,7 @@ std::string why_lost(const LostArea& lost) {
   switch (lost.cause) {
     case Cause::out_of_reach: return "Out of reach.";
     case Cause::beyond_change_point:
-      return "Past the change point: the parallelogram would have to fold over.";
+      return "Beyond the change point: the parallelogram would have to fold over.";
     case Cause::transmission_below_limit: return "The transmission angle is below the limit.";
     case Cause::sheet_overlap: return "Original and copy would overlap.";
     case Cause::self_contact:
@@ -281,7 +281,7 @@ std::string Picture::areas() {
   if (!map.collision_free.empty()) {
     const ArcRegion image = similar_image(map.collision_free, design_.linkage.k(), design_.linkage.pole());
     svg += group("image", path_element("area", svg_path(image, detail())));
-    layer("image", "Where the pen gets", area_text(area(image)), "map", false);
+    layer("image", "Places of the pen", area_text(area(image)), "map", false);
   }
   std::stable_sort(layers_.begin(), layers_.end(),
                    [](const MapLayer& a, const MapLayer& b) { return a.group == "map" && b.group != "map"; });

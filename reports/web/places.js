@@ -4,7 +4,7 @@
   const unreachable = {
     [kempe.why.tooFar]: "Out of reach: farther than the linkage stretched straight.",
     [kempe.why.tooNear]: "Out of reach: nearer to the pole than the linkage folded.",
-    [kempe.why.beyondChangePoint]: "Past the change point: the parallelogram would have to fold over.",
+    [kempe.why.beyondChangePoint]: "Beyond the change point: the parallelogram would have to fold over.",
   };
   const degrees = (angle) => (angle * 180) / Math.PI;
   const minus = (text) => text.replace("-", "\u2212");

@@ -183,7 +183,7 @@ class LinkageReader {
     }
     if (link.joints.empty()) table.refuse("at", "no points");
     for (const NameAt& key : table.keys())
-      if (key.name != "at") table.refuse(key.name, "a key beside `at`", "`at` alone: it says everything");
+      if (key.name != "at") table.refuse(key.name, "a key beside `at`", "`at` alone: it gives all places");
   }
 
   void read_straight(const LinkageTable& table, const std::vector<NameAt>& joints, FileLink& link) {

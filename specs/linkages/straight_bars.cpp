@@ -100,9 +100,8 @@ std::string note_about(const FileLink& link, const LengthUnit& unit) {
     along += (along.empty() ? "" : ", ") + fmt::format("{:.10g}", place.x() / unit.in_mm);
   }
   return fmt::format(
-      "the bars between {} hold points in a line: by distances alone that is shaky, so they are taken as one "
-      "straight "
-      "link. Better say it so: [links] {} = {{joints = [{}], along = [{}]}}",
+      "the bars between {} hold points in a line, which distances alone do not determine to first order; "
+      "they are read as one straight link. Write: [links] {} = {{joints = [{}], along = [{}]}}",
       link.name, link.joints.front().first + link.joints.back().first, joints, along);
 }
 

@@ -73,8 +73,9 @@ tl::expected<std::string, InputError> read_text_file(const std::filesystem::path
     if (contents.size() > largest_input_file)
       return refuse("a larger file", std::to_string(largest_input_file >> 20) + " megabytes at most");
   }
-  if (end == End::silent) return refuse("a pipe that brings nothing", "a file, or a pipe somebody writes to");
-  if (end == End::broken) return refuse("a file that breaks off while it is read", "a file that can be read");
+  if (end == End::silent) return refuse("a pipe without data", "a file, or a pipe somebody writes to");
+  if (end == End::broken)
+    return refuse("a file that could not be read to its end", "a file that can be read");
   return contents;
 }
 

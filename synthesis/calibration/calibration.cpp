@@ -406,9 +406,10 @@ tl::expected<Calibration, CalibrationFault> calibrate(const CalibrationTask& tas
   const bool kept = task.keep_outliers && of_all.has_value();
   const std::optional<Fitted>& fitted = kept ? of_all : clean.fitted;
   if (!fitted) {
-    return tl::unexpected(CalibrationFault{{},
-                                           "readings that no instrument near the drawn one explains",
-                                           "readings within a few hundredths of the drawn instrument's"});
+    return tl::unexpected(
+        CalibrationFault{{},
+                         "readings that no instrument near the nominal one gives",
+                         "readings within a few per cent of those of the nominal instrument"});
   }
   Calibration result = result_of(task, *fitted, kept ? all : rest_of(task, clean.outliers), clean.outliers);
   if (!clean.outliers.empty() && of_all)

@@ -173,16 +173,15 @@ std::string words_of(const FitCheck& check, bool outliers_named) {
   constexpr double rare = 1e-3;
   if (check.contradicts())
     return fmt::format(
-        "what is left is larger than the stated uncertainty explains: chance leaves as much in {:.2g} of all "
-        "fits. {}",
+        "the residuals are larger than the stated uncertainty explains: chance gives as much in {:.2g} of "
+        "all fits. {}",
         check.probability,
-        outliers_named
-            ? "The readings that stand out are part of it if they are kept"
-            : "No single reading can be blamed for it: all are worse than stated, a wrong one cannot be told "
-              "from so few, or the instrument errs in a measure that is not free");
+        outliers_named ? "The outliers contribute if they are kept"
+                       : "No single reading explains it: all are less accurate than stated, or there are too "
+                         "few to find the wrong one, or a measure that is not free is wrong");
   if (check.probability > 1 - rare)
-    return "what is left is smaller than the stated uncertainty lets expect: it is stated too large";
-  return "what is left is as large as the stated uncertainty lets expect";
+    return "the residuals are smaller than the stated uncertainty explains: it is stated too large";
+  return "the residuals agree with the stated uncertainty";
 }
 
 double correction_of(const CalibrationRecord& record, const RoundRecord& round, const Quantity& quantity) {
@@ -197,8 +196,7 @@ tl::expected<CalibrationRecord, InputError> run_calibration(const Measurements& 
   if (measurements.readings.empty() && !measurements.plan && !measurements.simulation)
     return tl::unexpected(
         InputError{file, 0, "reading", "no readings",
-                   "at least two [[reading]] tables, or --plan to be told where to measure, or "
-                   "--simulate"});
+                   "at least two [[reading]] tables, or --plan (where to measure), or --simulate"});
   return Job(measurements, design, file).run();
 }
 

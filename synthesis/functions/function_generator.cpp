@@ -25,7 +25,7 @@ std::string_view name(FunctionMethod method) {
 std::string_view name(FunctionDefect defect) {
   switch (defect) {
     case FunctionDefect::none: return "none";
-    case FunctionDefect::does_not_assemble: return "the loop comes apart within the range";
+    case FunctionDefect::does_not_assemble: return "the loop does not close over the whole range";
     case FunctionDefect::branch: return "the precision points lie on both branches";
     case FunctionDefect::order: return "the output crank turns back within the range";
     case FunctionDefect::transmission: return "the transmission angle falls below the limit";
@@ -70,8 +70,8 @@ tl::expected<FunctionDesign, NoFunctionDesign> verdict(const std::optional<Funct
     const FunctionDefect most = commonest(seen);
     const std::string found =
         most == FunctionDefect::none
-            ? "no four-bar came near enough to be judged"
-            : "every four-bar judged has a defect; the commonest: " + std::string(name(most));
+            ? "no four-bar came near enough to be measured"
+            : "every four-bar measured has a defect; the most frequent: " + std::string(name(most));
     return tl::unexpected(NoFunctionDesign{most, found + ". Searched: " + extent});
   }
   FunctionDesign design = *chosen;

@@ -40,7 +40,7 @@ struct FunctionTask {
 /// What stands against a candidate.
 enum class FunctionDefect {
   none,
-  does_not_assemble,  ///< the loop comes apart within the range
+  does_not_assemble,  ///< the loop does not close over the whole range
   branch,             ///< the precision points lie on both branches
   order,         ///< the output crank passes the points in another order (it turns back within the range)
   transmission,  ///< the transmission angle falls below the limit

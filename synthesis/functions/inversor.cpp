@@ -195,12 +195,10 @@ InversorAnswer right_angle(const InversorTask& task) {
   InversorDesign design = started(InversorKind::right_angle, task);
   design.transmission_min = smallest_over_range(task, right_angle_transmission);
   if (design.transmission_min < task.transmission)
-    return {
-        InversorKind::right_angle, std::nullopt,
-        fmt::format(
-            "its arms meet the scale line at {:.4g} degrees at the end of the range; nothing but the range "
-            "changes that",
-            degrees(design.transmission_min))};
+    return {InversorKind::right_angle, std::nullopt,
+            fmt::format("its arms meet the scale line at {:.4g} degrees at the end of the range; only "
+                        "another range changes that",
+                        degrees(design.transmission_min))};
   const double shortest_x = f / task.magnification_upper;
   design.lengths = {{"distance of the pivot f", 1, f, 2 * f / shortest_x},
                     {"object arm", 1, std::hypot(f, f / task.magnification_lower), 0},

@@ -217,8 +217,7 @@ class Search {
       over_both_starts();
       search_.extent = fmt::format(
           "the four-bars through the three points, both starts on a grid of {0} by {0} places over half a "
-          "turn, run down "
-          "from the {1} best places; not a proof that none exists",
+          "turn, refined from the {1} best places; not a proof that none exists",
           surface_grid, most_dips);
     }
   }
@@ -240,9 +239,8 @@ class Search {
       along([&](double t) { return input_for(t, side); });
     }
     search_.extent = fmt::format(
-        "the curve of all four-bars through the four points at {} places along each start, and every dip of "
-        "the "
-        "limits and of the error between them; not a proof that none exists",
+        "the curve of all four-bars through the four points at {} places along each start, and every local "
+        "minimum of the error and of the excess over the limits; not a proof that none exists",
         curve_grid);
   }
 

@@ -239,8 +239,7 @@ FunctionSearch search_function(const FunctionTask& task, const WantedAngles& wan
     for (int i = 0; i < leaps_each; ++i) found.fit_from(leap(task, design, ++number));
   search.extent = fmt::format(
       "{} four-bars scattered over all lengths and starts and those through three points; fits from the {} "
-      "best that "
-      "stand apart; not a proof that none exists",
+      "best that differ; not a proof that none exists",
       2 * scattered_starts, tried.size());
   for (const FunctionDesign& design : found.best(5)) {
     auto last = task.method == FunctionMethod::minimax

@@ -165,7 +165,7 @@ std::string_view name(FitVerdict verdict) {
     case FitVerdict::equal_ripples: return "equal ripples";
     case FitVerdict::fewer_ripples: break;
   }
-  return "fewer ripples than the theorem asks for";
+  return "fewer ripples than Chebyshev's theorem requires";
 }
 
 std::string_view name(NoFit why) {
@@ -174,7 +174,7 @@ std::string_view name(NoFit why) {
     case NoFit::dependent: return "the parameters depend on each other";
     case NoFit::not_converged: break;
   }
-  return "the iteration does not come to rest";
+  return "the iteration does not converge";
 }
 
 double StructuralFit::evenness() const { return ripples.empty() || largest == 0 ? 0 : 1 - spread(ripples); }

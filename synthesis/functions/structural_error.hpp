@@ -59,7 +59,7 @@ struct StructuralFit {
 enum class NoFit {
   not_defined,   ///< the family is not defined over the range for the start or on the way
   dependent,     ///< the parameters depend on each other: the equations are singular
-  not_converged  ///< the iteration does not come to rest
+  not_converged  ///< the iteration does not converge
 };
 std::string_view name(NoFit why);
 

@@ -230,7 +230,7 @@ std::optional<Relaxation> without_obstacles(const SearchTask& task, const Requir
       "obstacles",
       0,
       0,
-      fmt::format("{} in the way; without {} there is a design",
+      fmt::format("{} in the way; without {} a design exists",
                   gone + (gone == "the obstacles" ? " are" : " is"), gone == "the obstacles" ? "them" : "it"),
       *found.design};
 }
@@ -343,8 +343,8 @@ NoDesign diagnose(const SearchTask& task, const SearchResult& nothing) {
   std::stable_sort(none.relaxations.begin(), none.relaxations.end(),
                    [](const Relaxation& a, const Relaxation& b) { return give(a) < give(b); });
   if (none.relaxations.empty()) {
-    none.sentence += none.diagnosed ? ", and no limit moved alone makes one possible"
-                                    : "; stopped before it was known which limit would have to give";
+    none.sentence += none.diagnosed ? ", and relaxing a single limit is not enough"
+                                    : "; stopped before it was known which limit to relax";
   } else {
     none.sentence = none.relaxations.front().sentence;
     none.requirement = none.relaxations.front().key;

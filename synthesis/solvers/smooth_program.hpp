@@ -31,7 +31,7 @@ struct SmoothProgram {
   int size() const { return static_cast<int>(lower.size()); }
 };
 
-/// Where a solver stopped. Nothing in it is to be believed before it is evaluated again.
+/// Where a solver stopped. Cost and constraints must be evaluated again before use.
 struct LocalResult {
   bool usable = false;  ///< the solver says that x is a solution or a point close to one
   DesignVector x{};

@@ -77,7 +77,7 @@ class Checks {
     fit_.add(reach, as_complex(pen));
     if (!(residual <= loop_residual_share * size_))
       fail({"mechanism.lengths_mm", residual, loop_residual_share * size_, tracer,
-            fmt::format("the loops stay open by {:.3g} mm", residual)});
+            fmt::format("the loop residual is {:.3g} mm", residual)});
     if (!(copy_error <= copy_error_allowed_))
       fail({"copy", copy_error, copy_error_allowed_, tracer,
             fmt::format("the pen is {:.3g} mm from where the ratio puts it", copy_error)});
@@ -114,7 +114,7 @@ class Checks {
       fail({.limit = "copy",
             .attained = std::abs(ratio - task_.k),
             .allowed = ratio_allowed,
-            .sentence = fmt::format("the driven pairs fit scale {:.9g} and rotation {:.9g} degrees",
+            .sentence = fmt::format("the driven pairs give scale {:.9g} and rotation {:.9g} degrees",
                                     result_.scale, degrees(result_.rotation))});
     result_.certified = result_.failure.empty();
     return result_;
@@ -139,7 +139,8 @@ class Checks {
                                    side(pose.A - pose.V, pose.X - pose.A)};
     if (result_.samples > 1 && sides != sides_) {
       ++result_.flips;
-      fail({"mechanism.assembly", std::nullopt, std::nullopt, tracer, "the linkage changed its assembly"});
+      fail({"mechanism.assembly", std::nullopt, std::nullopt, tracer,
+            "the linkage changed its assembly mode"});
     }
     sides_ = sides;
     const OpeningInterval& allowed = task_.mechanism.opening;

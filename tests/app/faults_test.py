@@ -634,7 +634,7 @@ class NotOurs(Case):
         pipe = self.scratch / "pipe"
         os.mkfifo(pipe)
         self.assertTold(kempe("solve", self.LINKAGE, "-o", pipe, timeout=60), 5, "nobody reads")
-        self.assertTold(kempe("synthesize", pipe, "-o", self.out, timeout=60), 2, "a pipe that brings nothing")
+        self.assertTold(kempe("synthesize", pipe, "-o", self.out, timeout=60), 2, "a pipe without data")
         self.out.mkdir()
         holder = os.open(self.out, os.O_RDONLY)
         fcntl.flock(holder, fcntl.LOCK_EX)

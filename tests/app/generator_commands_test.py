@@ -203,7 +203,7 @@ class Calibrate(Case):
             self.assertLess(abs(answer["errors_mm"][name] - error), 0.3)
         self.assertGreater(max(abs(answer["errors_with_outliers_mm"][name] - error)
                                for name, error in right["errors_mm"].items()), 1)
-        self.assertIn("stands out, left out", (self.scratch / "out" / "report.html").read_text())
+        self.assertIn("outlier, left out", (self.scratch / "out" / "report.html").read_text())
         path.write_text(path.read_text().replace("[fit]", "[fit]\nkeep_outliers = true"))
         kept = self.answer("calibrate", path)
         self.assertTrue(kept["residuals_against_stated"]["contradicts_stated_uncertainty"])

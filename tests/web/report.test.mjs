@@ -179,7 +179,7 @@ live("Pointing at a place says whether the tracer can go there, and why not", as
     assert.match(await said([-68, 3]), /Copy error\s+\d.*worst/);
     assert.match(await said([-68, 3]), /Smallest gap/);
     assert.match(await said([-58, 3]), /transmission angle is below the limit/);
-    assert.match(await said([-20, -20]), /Past the change point/);
+    assert.match(await said([-20, -20]), /Beyond the change point/);
     assert.match(await said([-86, -60]), /Out of reach/);
     const bay = await page.evaluate(() => { const { opening, ...r } = window.kempe.report.linkage; const radius = 67; return [radius * Math.cos(1.2), radius * Math.sin(1.2)]; });
     assert.match(await said(bay), /Too close: link ACX and side clamp/);

@@ -127,7 +127,7 @@ class Subdivision {
   std::vector<ContactCell> contact_;
   Lists lists_, spare_;  // spare_: the last cut's, for its memory
   double free_area_ = 0, open_area_ = 0;
-  // Those used last, each at its own place: most cells find theirs.
+  // Direct-mapped caches of rows and columns.
   std::vector<Row> rows_;
   std::vector<Column> columns_;
   std::optional<std::pair<ContactCell, Point>> region_in_contact_;

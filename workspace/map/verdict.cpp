@@ -38,12 +38,10 @@ Verdict lost(Cause cause, std::string sentence, std::vector<std::string> parts =
 Verdict unreachable(const CopyingLinkage& linkage, Unreachable why, double distance) {
   if (why == Unreachable::beyond_change_point) {
     const Annulus reach = reachable_annulus(linkage);
-    return lost(
-        Cause::beyond_change_point,
-        fmt::format(
-            "beyond the change point: {:.2f} mm from the pole, where the parallelogram would have to pass "
-            "its flat position; this assembly reaches {:.2f} to {:.2f} mm",
-            distance, reach.inner, reach.outer));
+    return lost(Cause::beyond_change_point,
+                fmt::format("beyond the change point: {:.2f} mm from the pole, where the parallelogram would "
+                            "have to pass its flat position; this assembly mode reaches {:.2f} to {:.2f} mm",
+                            distance, reach.inner, reach.outer));
   }
   const Annulus chain = chain_annulus(linkage);
   return lost(Cause::out_of_reach,

@@ -205,7 +205,7 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
   Design design = plagiograph();
   design.layers.of = {1, 4, 2, 3};
   const std::string csv = bom_csv(design);
-  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX; head sunk"));
+  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX; countersunk head"));
   EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,\"joins VB and BCY\""));
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
   EXPECT_THAT(
@@ -231,7 +231,7 @@ TEST(Bom, LiftsALinkageOnSpacers) {
   EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,4,12,,\"under the lowest link\""));
   EXPECT_THAT(csv, HasSubstr("spacer,spacer X,1,6,8,12,,\"under the lowest link\""));
   EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,4,12,,\"under the lowest link\""));
-  EXPECT_THAT(csv, Not(HasSubstr("head sunk")));
+  EXPECT_THAT(csv, Not(HasSubstr("countersunk head")));
 }
 
 class WrittenFolder {
