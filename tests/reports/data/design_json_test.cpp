@@ -28,11 +28,11 @@ std::string refusal(const Json& json) {
 TEST(DesignJson, HasEveryKeyOfTheContract) {
   const Json json = written();
   const Json contract = Json::parse(R"({"format":0,"copy":{"scale":0,"rotation_deg":0},
-    "region":{"type":0,"coordinates":0},"mechanism":{"grounding":0,"pole":0,"tracer":0,"pen":0,"pole_position_mm":0,
+    "region":{"type":0,"coordinates":0},"mechanism":{"vertex":0,"pole":0,"tracer":0,"pen":0,"pole_position_mm":0,
     "shape":0,"opening_deg":0,"lengths_mm":{"VA":0,"VB":0,"AC":0,"BC":0,"AX":0,"CX":0,"BY":0,"CY":0},
     "orientation":{"parallelogram":0,"plate_ACX":0,"plate_BCY":0},"links":0,"link_width_mm":0,"pin_diameter_mm":0,
     "thickness_mm":0},"quality":{"size_mm":0,"transmission_min_deg":0,"clearance_min_mm":0,"copy_error_worst_mm":0,
-    "copy_error_rss_mm":0,"distortion_worst_mm":0,"footprint_mm2":0,"proven_bound":0},"workspace":{"reachable_mm2":0,
+    "copy_error_rss_mm":0,"distortion_worst_mm":0,"footprint_mm2":0,"lower_bound":0},"workspace":{"reachable_mm2":0,
     "usable_mm2":0,"collision_free_mm2":0,"uncertain_mm2":0,"region_covered":0,"largest_sheet":0},"verification":{
     "samples":0,"copy_error_max_mm":0,"loop_residual_max_mm":0,"scale":0,"rotation_deg":0,"flips":0,"certified":0},
     "search":{"objective":0,"value":0,"solvers":0,"evaluations":0,"seed":0}})");
