@@ -210,10 +210,10 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
   EXPECT_THAT(
       csv,
-      HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links; clearance is certified for 6 mm across"));
+      HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links; clearance is certified for 6 mm diameter"));
   EXPECT_THAT(
       csv,
-      HasSubstr("spacer,spacer Y,1,6,8,12,,\"under the lowest link; clearance is certified for 6 mm across"));
+      HasSubstr("spacer,spacer Y,1,6,8,12,,\"under the lowest link; clearance is certified for 6 mm diameter"));
   EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
 }
 
