@@ -108,9 +108,8 @@ std::string ratio_line(const Design& design) {
                                  degrees(design.rotation));
   if (design.wanted)
     text += fmt::format(
-        "             wanted: scale {:.6g}, rotation {:.6g} degrees; the workshop's lengths are off by "
-        "{:.2g} mm per "
-        "100 mm from the pole\n",
+        "             wanted: scale {:.6g}, rotation {:.6g} degrees; with stock lengths the copy is off by "
+        "{:.2g} mm per 100 mm from the pole\n",
         design.wanted->scale, degrees(design.wanted->rotation), 100 * design.wanted->error);
   return text;
 }
@@ -174,8 +173,8 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   text += region_line(design);
   text += tool_line(design.tool);
   text += fmt::format(
-      "verified     {} positions{} by the general solver: copy error {:.2g} mm, open loops {:.2g} mm, "
-      "{} changes of assembly\n",
+      "verified     {} positions{} by the general solver: copy error {:.2g} mm, loop residual {:.2g} mm, {} "
+      "changes of assembly mode\n",
       design.verification.samples, design.verification.over_workspace ? " of the free workspace" : "",
       design.verification.copy_error_max, design.verification.loop_residual_max, design.verification.flips);
   text += fmt::format("written      {}:", printable(folder.string()));
@@ -214,8 +213,8 @@ std::string limit_word(const Relaxation& relaxation) {
 
 int tell_no_design(const Session& session, const NoDesign& none) {
   std::string message = "no design exists: " + none.sentence + "\n";
-  if (none.proven) message += "  proven, not only searched\n";
-  if (!none.diagnosed) message += "  stopped before every limit had been moved\n";
+  if (none.proven) message += "  proven\n";
+  if (!none.diagnosed) message += "  stopped before every limit was relaxed\n";
   if (!none.obstacles_out_of_reach.empty()) message += "  " + reach_line(none.obstacles_out_of_reach.size());
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
   message.pop_back();

@@ -40,7 +40,7 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
   give_memory_back();
   if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
     return refused(rereading,
-                   "the drawings, read again, are not the design; nothing is written: " + faults.front());
+                   "the drawings, read back, differ from the design; nothing is written: " + faults.front());
   return Drafted{std::move(*left_out), extras.why_no_parts.empty()};
 }
 

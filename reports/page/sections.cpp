@@ -91,7 +91,7 @@ std::string header(const Design& design, const ReportExtras& extras) {
                                                           design.map.coverage.covered ? "Region covered"
                                                                                       : "Region not covered");
   badges += html_badge(design.verification.certified,
-                       design.verification.certified ? "Verified by driving it" : "Not verified");
+                       design.verification.certified ? "Verified by a general solver" : "Not verified");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
   return fmt::format(
       "<header>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
@@ -155,7 +155,7 @@ std::string map(const MapPicture& picture, bool live) {
 std::string footer(const ReportExtras& extras, bool live) {
   std::string html = fmt::format(
       "<footer>\n<p>Made by Kempe {}. Lengths in millimetres, angles counter-clockwise, seen from "
-      "above. Full precision stands in <code>design.json</code>.</p>\n",
+      "above. Full precision: <code>design.json</code>.</p>\n",
       html_escaped(extras.program_version));
   html += live ? "<p>The moving picture uses JSXGraph 1.13, copyright its authors (University of Bayreuth), "
                  "under the MIT licence "

@@ -85,7 +85,7 @@ LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int mo
 
 InputError no_mechanism(const std::string& file) {
   return {file, 0, "mechanism", "no such table",
-          "[mechanism] with vertex, VA_mm, VB_mm and assembly (kempe synthesize finds them)"};
+          "[mechanism] with vertex, VA_mm, VB_mm and assembly; kempe synthesize finds one"};
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const s
   if (linkage) return *linkage;
   const std::size_t count = assembly_modes(shape_of(spec.copy.k(), given.grounding)).size();
   return tl::unexpected(InputError{file, 0, "mechanism", std::string(name(linkage.error())),
-                                   fmt::format("positive lengths and an assembly below {}", count)});
+                                   fmt::format("positive lengths and an assembly mode below {}", count)});
 }
 
 Allowed allowed_by(const Spec& spec) {

@@ -371,9 +371,8 @@ class Search {
   static std::size_t at(int i) { return static_cast<std::size_t>((i + curve_grid) % curve_grid); }
   static std::string along_words(std::string_view points, std::string_view start) {
     return fmt::format(
-        "the four-bars through the {} points at {} {} starts over half a turn, and every dip of the limits "
-        "and of the "
-        "error between them; not a proof that none exists",
+        "the four-bars through the {} points at {} {} starts over half a turn, and every local minimum of "
+        "the error and of the excess over the limits; not a proof that none exists",
         points, curve_grid, start);
   }
 

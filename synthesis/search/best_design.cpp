@@ -33,9 +33,10 @@ std::vector<ChoiceResult> search_group(const Strategy& strategy, const SearchTas
 
 void report(const SearchTask& task, std::size_t searched, std::size_t all) {
   const std::size_t left_out = task.problem->obstacles_out_of_reach();
-  task.control.report(
-      static_cast<double>(searched) / static_cast<double>(all),
-      left_out == 0 ? "searching" : fmt::format("searching; {} obstacles out of reach left out", left_out));
+  task.control.report(static_cast<double>(searched) / static_cast<double>(all),
+                      left_out == 0
+                          ? "searching"
+                          : fmt::format("searching; {} obstacles out of reach are left out", left_out));
 }
 
 SearchResult best_by(const Strategy& strategy, const SearchTask& task,

@@ -29,10 +29,11 @@ std::optional<SheetOverlap> sheet_overlap(const MapTask& task) {
   const NearestPlaces nearest = *nearest_places(task.region, copy);
   const std::string found =
       nearest.distance > 0 ? fmt::format("are {:.2f} mm apart", nearest.distance) : "overlap";
-  SheetOverlap overlap{fmt::format("sheet overlap: the original and its copy {}; {:.2f} mm are required",
-                                   found, *task.sheets_gap),
-                       nearest.on_one,
-                       {}};
+  SheetOverlap overlap{
+      fmt::format("overlap: the original and its copy {}; {:.2f} mm are required (sheets_gap_mm)", found,
+                  *task.sheets_gap),
+      nearest.on_one,
+      {}};
   if (corners_of(task.region) > most_region_corners) return overlap;
   if (const auto around = grown(copy, *task.sheets_gap))
     overlap.area = intersection(as_arcs(task.region), as_arcs(*around));
