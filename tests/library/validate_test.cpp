@@ -15,7 +15,7 @@
 namespace kempe {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double without_end = std::numeric_limits<double>::infinity();
 const std::string copy_table = "[copy]\nscale = 1.4\nrotation_deg = 90\n";
 const std::string region_table = "[region]\npolygon_mm = [[62, -5], [70, -5], [70, 5], [62, 5]]\n";
 
@@ -52,7 +52,7 @@ const std::vector<Fault> faults{
     {"CopyTranslation", "[copy]\nscale = 1\n", [](Spec& s) { s.copy = Copy(); }},
     {"CopyNegative", "[copy]\nscale = -2\n", [](Spec& s) { s.copy = Copy::of(-2, 0); }},
     {"CopyNan", "[copy]\nscale = nan\n", [](Spec& s) { s.copy = Copy::of(std::nan(""), 0); }},
-    {"CopyInfinite", "[copy]\nscale = inf\n", [](Spec& s) { s.copy = Copy::of(infinity, 0); }},
+    {"CopyInfinite", "[copy]\nscale = inf\n", [](Spec& s) { s.copy = Copy::of(without_end, 0); }},
     {"CopyZero", "[copy]\nscale = 0\n", [](Spec& s) { s.copy = Copy::of(0, 0); }},
     {"CopyHuge", "[copy]\nscale = 1e12\n", [](Spec& s) { s.copy = Copy::of(1e12, 0); }},
     {"RotationHuge", "[copy]\nscale = 2\nrotation_deg = 7200\n",
@@ -72,7 +72,7 @@ const std::vector<Fault> faults{
      }},
     {"RegionInfinite", "[region]\npolygon_mm = [[0, 0], [1, 0], [inf, 1]]\n",
      [](Spec& s) {
-       s.region = Region::polygon({{0, 0}, {1, 0}, {infinity, 1}});
+       s.region = Region::polygon({{0, 0}, {1, 0}, {without_end, 1}});
      }},
     {"RegionTooLarge", "[region]\npolygon_mm = [[0, 0], [1e12, 0], [0, 1e12]]\n",
      [](Spec& s) {
@@ -89,7 +89,7 @@ const std::vector<Fault> faults{
        s.region = rings({{{0, 0}, {9, 0}, {9, 9}, {0, 9}}}, {{{11, 1}, {12, 1}, {12, 2}}});
      }},
     {"PoleFarAway", "[pole]\nat_mm = [1e8, 0]\n", [](Spec& s) { s.pole.place = Point(1e8, 0); }},
-    {"PoleNotFinite", "[pole]\nat_mm = [0, inf]\n", [](Spec& s) { s.pole.place = Point(0, infinity); }},
+    {"PoleNotFinite", "[pole]\nat_mm = [0, inf]\n", [](Spec& s) { s.pole.place = Point(0, without_end); }},
     {"PoleAreaCrossing", "[pole]\nwithin_mm = [[0, 0], [2, 2], [2, 0], [0, 2]]\n",
      [](Spec& s) {
        s.pole.place = Region::polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
