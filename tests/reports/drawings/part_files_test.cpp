@@ -213,7 +213,8 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
       HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links; clearance is certified for 6 mm diameter"));
   EXPECT_THAT(
       csv,
-      HasSubstr("spacer,spacer Y,1,6,8,12,,\"under the lowest link; clearance is certified for 6 mm diameter"));
+      HasSubstr(
+          "spacer,spacer Y,1,6,8,12,,\"under the lowest link; clearance is certified for 6 mm diameter"));
   EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
 }
 
