@@ -633,7 +633,7 @@ class NotOurs(Case):
     def test_pipes_and_locks_are_not_waited_for_without_a_word(self):
         pipe = self.scratch / "pipe"
         os.mkfifo(pipe)
-        self.assertTold(kempe("solve", self.LINKAGE, "-o", pipe, timeout=60), 5, "nobody reads")
+        self.assertTold(kempe("solve", self.LINKAGE, "-o", pipe, timeout=60), 5, "a pipe without a reader")
         self.assertTold(kempe("synthesize", pipe, "-o", self.out, timeout=60), 2, "a pipe without data")
         self.out.mkdir()
         holder = os.open(self.out, os.O_RDONLY)
