@@ -349,8 +349,8 @@ class Search {
         costs.push_back(found.cost());
       }
     const auto cost_at = [&](int i, int j) {
-      const int row = (i + surface_grid) % surface_grid, column = (j + surface_grid) % surface_grid;
-      return costs[static_cast<std::size_t>(row * surface_grid + column)];
+      const auto place = [](int k) { return static_cast<std::size_t>((k + surface_grid) % surface_grid); };
+      return costs[place(i) * surface_grid + place(j)];
     };
     std::vector<Dip> dips;
     for (int i = 0; i < surface_grid; ++i)
