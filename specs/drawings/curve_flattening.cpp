@@ -14,7 +14,9 @@ void CurveFlattener::add(const Point& mapped) {
 int CurveFlattener::steps_for(double bend) const {
   // A chord over a step h of the parameter departs from the curve by at most bend h^2 / 8.
   constexpr double most = 100'000;
-  return static_cast<int>(std::clamp(std::ceil(std::sqrt(bend / (8 * tolerance_))), 1.0, most));
+  const double steps = std::ceil(std::sqrt(bend / (8 * tolerance_)));
+  if (std::isnan(steps)) return static_cast<int>(most);  // the points show that the curve is not finite
+  return static_cast<int>(std::clamp(steps, 1.0, most));
 }
 
 void CurveFlattener::finish_stroke(bool closed) {
@@ -64,8 +66,12 @@ namespace {
 
 /// How far u cos t + v sin t is from 0 at most: the larger singular value of (u v).
 double farthest(const Point& u, const Point& v) {
-  const double sum = u.squaredNorm() + v.squaredNorm(), area = cross(u, v);
-  return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))));
+  const double unit =
+      std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());  // squares of large radii overflow
+  if (!(unit > 0) || std::isinf(unit)) return unit;
+  const Point a = u / unit, b = v / unit;
+  const double sum = a.squaredNorm() + b.squaredNorm(), area = cross(a, b);
+  return unit * std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))));
 }
 
 }  // namespace

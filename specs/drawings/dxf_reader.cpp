@@ -196,6 +196,21 @@ std::optional<long> announced_count(std::string_view entity, std::string_view co
   return counts_here ? number(value) : std::nullopt;
 }
 
+/// Whether a group's value is a real number that the library reads: coordinates, lengths, angles, bulges, weights.
+bool holds_real(std::string_view code) {
+  int number = 0;
+  std::from_chars(code.data(), code.data() + code.size(), number);
+  return (number >= 10 && number < 60) || (number >= 110 && number < 150) || (number >= 210 && number < 240);
+}
+
+/// The library leaves a number without digits as it finds it in memory.
+bool begins_with_real(std::string_view value) {
+  if (value.starts_with('+')) value.remove_prefix(1);
+  double result = 0;
+  const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), result);
+  return fault == std::errc() && std::isfinite(result);
+}
+
 /// What is wrong with the text as groups of code and value: the library itself passes over everything in
 /// silence.
 std::optional<InputError> group_fault(std::string_view text, const std::string& file) {
@@ -221,6 +236,9 @@ std::optional<InputError> group_fault(std::string_view text, const std::string& 
     if (const auto count = announced_count(entity, code, value); count && *count > groups)
       return fault(line, fmt::format("{} of {} parts", entity, value),
                    fmt::format("at most as many as the file holds ({} groups)", groups));
+    if (holds_real(code) && !begins_with_real(value))
+      return fault(line, value.empty() ? "an empty line" : "no number",
+                   fmt::format("a number, as group code {} asks for", code));
     any = true;
   }
   return fault(0, any ? "the end of the text without EOF" : "an empty file",

@@ -120,8 +120,7 @@ class DxfStrokes {
   static void draw_edge(CurveFlattener& curves, const DxfVertex& from, const Point& to) {
     if (from.bulge == 0 || from.at == to) return curves.line_to(to);
     const Complex a = as_complex(from.at), b = as_complex(to);
-    const Complex centre =
-        0.5 * (a + b) + Complex(0, 1) * (b - a) * (1 - from.bulge * from.bulge) / (4 * from.bulge);
+    const Complex centre = 0.5 * (a + b) + Complex(0, 0.25 * (1 / from.bulge - from.bulge)) * (b - a);
     const double radius = std::abs(a - centre);
     curves.elliptic_to(as_point(centre), {radius, 0}, {0, radius}, std::arg(a - centre),
                        4 * std::atan(from.bulge), to);

@@ -119,6 +119,27 @@ TEST(DxfReader, RefusesWhatIsNoDxf) {
   const std::string whole = contents(oracle_folder() / "r2000.dxf");
   EXPECT_THAT(message(whole.substr(0, whole.size() / 2)), HasSubstr("d.dxf"));
   EXPECT_THAT(message("0\nSECTION\n2\nENTITIES\nx\ny\n0\nEOF\n"), HasSubstr("d.dxf:5"));
+  const std::string polyline = "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n90\n2\n10\n0\n20\n0\n0042\n";
+  EXPECT_THAT(message(polyline + "\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n"), HasSubstr("d.dxf:14"));
+  EXPECT_THAT(message(polyline + "nan\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n"), HasSubstr("no number"));
+}
+
+TEST(DxfReader, DrawsBulgesOfEverySize) {
+  // The farthest place of the arc from its chord is half the chord times the bulge.
+  for (const double bulge : {1e-300, 1e-160, 1e-12, 1e-3, 0.5, 1.0, 20.0}) {
+    DxfDrawing drawing;
+    drawing.entities.emplace_back(DxfPolyline{"", {{{0, 0}, bulge}, {{10, 0}, 0}}, false});
+    const auto strokes = dxf_strokes(drawing, "d", 1, 1e-6);
+    ASSERT_TRUE(strokes) << bulge;
+    double depth = 0;
+    for (const Point& point : strokes->front().points) depth = std::max(depth, std::abs(point.y()));
+    EXPECT_NEAR(depth, 5 * bulge, 1e-5 * std::max(1.0, bulge)) << bulge;
+  }
+  for (const double bulge : {1e9, 1e160, 1e300}) {
+    DxfDrawing drawing;
+    drawing.entities.emplace_back(DxfPolyline{"", {{{0, 0}, bulge}, {{10, 0}, 0}}, false});
+    EXPECT_FALSE(dxf_strokes(drawing, "d", 1, 0.1)) << bulge;
+  }
 }
 
 TEST(DxfReader, SurvivesFilesCutAndDamagedAnywhere) {
