@@ -1,11 +1,10 @@
 #include "specs/spec_check.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <locale>
 #include <sstream>
 
-#include "geometry/point.hpp"
+#include "geometry/stated_angle.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "kinematics/grounding.hpp"
 #include "specs/spec_table.hpp"
@@ -13,15 +12,6 @@
 
 namespace kempe {
 namespace {
-
-/// The angle in degrees, with the fewest digits that give the radians back.
-double written_degrees(double angle) {
-  for (const int digits : {15, 16, 17}) {
-    const double shown = std::stod(fmt::format("{:.{}g}", degrees(angle), digits));
-    if (radians(shown) == angle) return shown;
-  }
-  return std::stod(fmt::format("{:.15g}", degrees(angle)));
-}
 
 toml::array list_of(const Point& point) { return toml::array{point.x(), point.y()}; }
 
@@ -63,7 +53,7 @@ void put(toml::table& table, std::string_view key, const Value& value, const Val
 
 toml::table copy_table(const Copy& copy) {
   toml::table table{{"scale", copy.scale()}};
-  put(table, "rotation_deg", written_degrees(copy.rotation()), 0.0);
+  put(table, "rotation_deg", stated_degrees(copy.rotation()), 0.0);
   return table;
 }
 
@@ -100,7 +90,7 @@ toml::table limits_table(const Limits& limits) {
   const Limits usual;
   toml::table table;
   put(table, "clearance_mm", limits.clearance, usual.clearance);
-  put(table, "transmission_deg", written_degrees(limits.transmission), written_degrees(usual.transmission));
+  put(table, "transmission_deg", stated_degrees(limits.transmission), stated_degrees(usual.transmission));
   put(table, "sheets_gap_mm", limits.sheets_gap);
   put(table, "copy_error_mm", limits.copy_error);
   return table;
@@ -211,6 +201,7 @@ tl::expected<Spec, InputError> check_spec(const Spec& spec) {
 
 std::string toml_text(const Spec& spec) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << toml::toml_formatter(table_of(spec)) << "\n";
   return text.str();
 }

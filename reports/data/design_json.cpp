@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/stated_angle.hpp"
 #include "reports/data/geojson_geometry.hpp"
 #include "reports/data/link_shape.hpp"
-#include "reports/data/stated_angle.hpp"
 #include "specs/objective_unit.hpp"
 
 namespace kempe {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "reports/data/stated_angle.hpp"
+#include "geometry/stated_angle.hpp"
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "reports/pictures/map_picture.hpp"

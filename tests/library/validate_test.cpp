@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <locale>
 #include <string>
 #include <vector>
 
@@ -254,6 +255,28 @@ TEST(TomlText, ReadBackIsTheSameSpec) {
     ++specs;
   }
   EXPECT_GE(specs, 9);
+}
+
+/// Numbers with a decimal comma and a point between thousands, as a host program may have asked for.
+struct Commas : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(TomlText, IsTheSameInEveryLocale) {
+  Spec spec = sound();
+  spec.copy = Copy::of(1.25, 0.3);
+  spec.limits.transmission = 0.35;
+  spec.links.longest = 12345.5;
+  spec.links.layers = 4;
+  const std::string text = toml_text(spec);
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Commas));
+  const std::string with_commas = toml_text(spec);
+  const auto fault = validate(spec);
+  std::locale::global(before);
+  EXPECT_EQ(with_commas, text);
+  EXPECT_FALSE(fault);
 }
 
 TEST(Load, SaysWhatIsWrongAndWhere) {

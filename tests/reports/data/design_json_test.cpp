@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "geometry/stated_angle.hpp"
 #include "reports/audit/design_audit.hpp"
-#include "reports/data/stated_angle.hpp"
 #include "tests/reports/sample_designs.hpp"
 
 namespace kempe {

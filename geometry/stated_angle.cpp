@@ -1,4 +1,4 @@
-#include "reports/data/stated_angle.hpp"
+#include "geometry/stated_angle.hpp"
 
 #include <cmath>
 #include <limits>
