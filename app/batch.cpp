@@ -260,14 +260,15 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   MapOptions map;
   map.largest_sheets = false;  // not among the figures of a batch
   map.stop = given.stop;
-  Design design = assemble_design(*spec, *found, map);
-  design.verification = verify(verification_task(design));
-  if (!design.map.coverage.covered) {
+  auto certified = certified_design(*spec, *found, map);
+  if (!certified) {
     line["status"] = "no design";
     line["proven"] = false;
-    line["message"] = design.map.coverage.why_not;
+    line["message"] = certified.error();
     return line_of(line);
   }
+  Design& design = *certified;
+  design.verification = verify(verification_task(design));
   line["status"] = design.verification.certified ? "design" : "verification failed";
   line.update(figures(design));
   if (!design.verification.certified) line["message"] = design.verification.failure;

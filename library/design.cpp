@@ -14,9 +14,6 @@
 namespace kempe {
 namespace {
 
-/// A design found when the time was over is mapped for so much longer, s; then the map stays as coarse as it is.
-constexpr double time_to_map = 0.4;
-
 /// The caller's wish to stop and the time limit, counted from when this is made. Flags must not outlive it.
 class Patience {
  public:
@@ -66,10 +63,10 @@ Outcome design_checked(const Spec& spec, const Options& options) {
   const SearchOutcome found = synthesize(spec, search_options(options, patience));
   if (const auto* stopped = std::get_if<Stopped>(&found)) return Workings::outcome(*stopped);
   if (const auto* none = std::get_if<NoDesign>(&found)) return Workings::outcome(*none);
-  Design design =
-      assemble_design(spec, std::get<FoundDesign>(found), map_options(options, patience.flag(time_to_map)));
-  if (!design.map.coverage.covered) return Workings::uncertified(design);
-  return Workings::outcome(Workings::finished(std::move(design), toml_text(spec)));
+  auto design =
+      certified_design(spec, std::get<FoundDesign>(found), map_options(options, patience.flag(time_to_map)));
+  if (!design) return Workings::uncertified(std::move(design.error()));
+  return Workings::outcome(Workings::finished(std::move(*design), toml_text(spec)));
 }
 
 Outcome map_checked(const Spec& spec, const Options& options) {

@@ -41,10 +41,10 @@ Outcome Workings::outcome(InputError fault) {
   return outcome;
 }
 
-Outcome Workings::uncertified(const Design& design) {
+Outcome Workings::uncertified(std::string reason) {
   Outcome outcome;
   outcome.kind_ = Outcome::Kind::no_design;
-  outcome.reason_ = "no design exists that the map can certify: " + design.map.coverage.why_not;
+  outcome.reason_ = std::move(reason);
   return outcome;
 }
 

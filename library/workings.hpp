@@ -24,7 +24,7 @@ struct Workings {
   static Outcome outcome(const Stopped& stopped);
   static Outcome outcome(InputError fault);
   /// A design that the map does not certify is none.
-  static Outcome uncertified(const Design& design);
+  static Outcome uncertified(std::string reason);
 };
 
 }  // namespace kempe

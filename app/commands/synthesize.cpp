@@ -26,9 +26,6 @@ struct SynthesizeArguments {
   double map_tolerance = MapOptions{}.map_tolerance;
 };
 
-/// A design found when the time was over is mapped for so much longer, s; then the map stays as coarse as it is.
-constexpr double time_to_map = 0.4;
-
 /// In the objective's unit.
 std::string known_bound(Objective objective, const std::optional<double>& bound) {
   if (!bound || !std::isfinite(*bound)) return "";
@@ -63,11 +60,10 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
                         early->proven_bound);
   if (const auto* none = std::get_if<NoDesign>(&outcome)) return tell_no_design(session, *none);
   const auto& found = std::get<FoundDesign>(outcome);
-  Design design = assemble_design(
+  auto design = certified_design(
       loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag(time_to_map)});
-  if (!design.map.coverage.covered)
-    return fail(no_design, "no design exists that the map can certify: " + design.map.coverage.why_not);
-  const int code = publish_design(session, design, *loaded, arguments.folder);
+  if (!design) return fail(no_design, design.error());
+  const int code = publish_design(session, *design, *loaded, arguments.folder);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

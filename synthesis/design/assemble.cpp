@@ -132,6 +132,13 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
   return design;
 }
 
+tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
+                                                   const MapOptions& options) {
+  Design design = assemble_design(spec, found, options);
+  if (design.map.coverage.covered) return design;
+  return tl::unexpected("the map does not certify the design found: " + design.map.coverage.why_not);
+}
+
 Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
   if (spec.mechanism && spec.mechanism->layers)
     return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options);

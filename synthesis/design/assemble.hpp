@@ -2,6 +2,7 @@
 // From a linkage to a finished design: opening certified, workspace mapped, quality measured. Verification is
 // not part of it (verification.hpp).
 
+#include <string>
 #include <tl/expected.hpp>
 
 #include "kempe/input_error.hpp"
@@ -12,6 +13,13 @@ namespace kempe {
 
 /// The design that a search found, with the record of the search.
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options);
+
+/// The same, if its map shows that it covers the region; else a sentence that says why it is no design.
+tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
+                                                   const MapOptions& options);
+
+/// A design found when a time limit was over is mapped for so much longer, s; then the map stays as coarse as it is.
+inline constexpr double time_to_map = 0.4;
 
 /// The linkage that the spec's mechanism gives; `file` is for the error.
 tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const std::string& file);
