@@ -36,8 +36,8 @@ struct LinkSpec {
   int layers = 2;        ///< at most, >= 2
   double shortest = 15;  ///< mm, between joints of one link
   double longest = 400;  ///< mm
-  std::optional<double>
-      wall{};             ///< mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
+  /// mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
+  std::optional<double> wall{};
   WorkshopSpec workshop;  ///< any lengths unless given
 };
 

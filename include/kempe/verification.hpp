@@ -29,9 +29,9 @@ struct Verification {
   double rotation = 0;           ///< of the same, rad
   int flips = 0;                 ///< changes of assembly mode seen
   bool certified = false;        ///< everything holds
-  bool over_workspace =
-      false;              ///< driven over the free workspace: there is no region, or none of it within reach
-  std::string failure{};  ///< a sentence; empty if certified
+  /// Driven over the free workspace: there is no region, or none of it within reach
+  bool over_workspace = false;
+  std::string failure{};              ///< a sentence; empty if certified
   std::vector<BrokenLimit> broken{};  ///< the first breach of each limit
 };
 

@@ -39,13 +39,13 @@ struct InstantCentre {
   int first = 0, second = 1;  ///< links (bodies), first < second
   Kind kind = Kind::undetermined;
   Point at = Point::Zero();  ///< mm; finite only
-  Point direction =
-      Point(1, 0);  ///< unit vector towards it; at_infinity only. The links translate square to it
+  /// Unit vector towards it; at_infinity only. The links translate square to it
+  Point direction = Point(1, 0);
   Source source = Source::none;
   int constraint = -1;  ///< the primary's joint
   std::optional<std::array<CentreLine, 2>> lines;
-  double velocity_error =
-      0;  ///< how unlike the two links move at it, relative: |v_i - v_j| / (speed of the pair)
+  /// How unlike the two links move at it, relative: |v_i - v_j| / (speed of the pair)
+  double velocity_error = 0;
 };
 
 /// All n (n - 1) / 2 centres at a closed position, `rate` being the rates of all unknowns there

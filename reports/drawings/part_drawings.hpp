@@ -20,11 +20,11 @@ struct CutPart {
   std::string name;      ///< "ACX"
   int layer = 1;         ///< of the mechanism, 1 is next to the table
   double thickness = 4;  ///< mm
-  double hole_diameter =
-      6;            ///< mm, as drawn: of the pin, plus the fit, less the kerf; 0 if that leaves nothing
-  double wall = 3;  ///< mm, as drawn: the least beside a hole and between two; none if not above 0
-  ArcRing outline;  ///< counter-clockwise, grown by half the kerf
-  std::vector<Hole> holes;        ///< at every joint, as far apart as the link's lengths say
+  /// mm, as drawn: of the pin, plus the fit, less the kerf; 0 if that leaves nothing
+  double hole_diameter = 6;
+  double wall = 3;          ///< mm, as drawn: the least beside a hole and between two; none if not above 0
+  ArcRing outline;          ///< counter-clockwise, grown by half the kerf
+  std::vector<Hole> holes;  ///< at every joint, as far apart as the link's lengths say
   std::vector<TextShape> labels;  ///< engraved: the name and the joints' letters
 };
 

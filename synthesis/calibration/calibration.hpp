@@ -70,8 +70,8 @@ struct Indistinct {
 struct ReadingFit {
   Point departure = Point::Zero();  ///< read less wanted: what the instrument did wrong, mm
   Point left = Point::Zero();  ///< read less fitted: what no correction of the free measures takes away, mm
-  double studentised =
-      0;  ///< length of `left` in units of its own uncertainty, without this reading's own influence
+  /// Length of `left` in units of its own uncertainty, without this reading's own influence
+  double studentised = 0;
   double leverage = 0;   ///< 0..1: how much this reading decides its own fit
   bool outlier = false;  ///< named: chance would name any reading in at most one of a thousand fits
 };

@@ -14,10 +14,10 @@ namespace kempe {
 
 /// How the instruments stand after a round of corrections.
 struct SimulatedRound {
-  double residual_mean = 0,
-         residual_largest = 0;  ///< over instruments: largest true departure over the reach, mm
-  double reached = 0;           ///< share of instruments within the target
-  double coverage = 0;          ///< share of true errors inside this round's 95 % intervals
+  /// Over instruments: largest true departure over the reach, mm
+  double residual_mean = 0, residual_largest = 0;
+  double reached = 0;   ///< share of instruments within the target
+  double coverage = 0;  ///< share of true errors inside this round's 95 % intervals
   std::size_t intervals = 0;
 };
 

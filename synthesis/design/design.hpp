@@ -48,8 +48,8 @@ struct Allowed {
   double shortest = 0, longest = 0;  ///< mm, of every length
   WorkshopSpec workshop{};
   std::vector<Grounding> groundings{};
-  std::optional<double>
-      wall{};  ///< mm, least between two holes of a link; absent: an older file does not say it
+  /// mm, least between two holes of a link; absent: an older file does not say it
+  std::optional<double> wall{};
 };
 Allowed allowed_by(const Spec& spec);
 

@@ -67,9 +67,9 @@ struct Sensitivities {
 struct CopyErrorAt {
   double worst = 0;  ///< mm: the longest deviation that any combination of sources reaches (sum of absolute
                      ///< terms in the direction where it is largest), found to 1e-9 of itself
-  double rss =
-      0;  ///< mm: square root of the sum of squares, every source at its limit, pins against the hole's
-          ///< wall in a random direction. Lengths spread evenly over +-t give rms = rss of t / sqrt(3)
+  /// mm: square root of the sum of squares, every source at its limit, pins against the hole's
+  double rss = 0;
+  ///< wall in a random direction. Lengths spread evenly over +-t give rms = rss of t / sqrt(3)
   double worst_slope = 0;   ///< d worst / d opening, mm/rad: exact where a single direction is worst
   double rss_slope = 0;     ///< mm/rad, exact
   Complex direction{1, 0};  ///< unit vector of the longest deviation, in the frame of the sensitivities

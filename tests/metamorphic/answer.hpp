@@ -15,8 +15,8 @@ struct Answer {
   std::optional<FoundDesign> design{};
   bool proven_none = false;  ///< by the search or by one of the bounds below
   bool complete = true;      ///< not stopped
-  std::optional<double>
-      least_size{};  ///< mm, no design is smaller; of all bounds that were proven the sharpest
+  /// mm, no design is smaller; of all bounds that were proven the sharpest
+  std::optional<double> least_size{};
   std::optional<double> most_transmission{};  ///< rad, no design has more
 };
 

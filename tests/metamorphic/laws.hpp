@@ -11,8 +11,8 @@
 namespace kempe::metamorphic {
 
 struct Finding {
-  bool is_false_proof =
-      false;  ///< or a design that does not hold; else a design that is not as good as it could be
+  /// Or a design that does not hold; else a design that is not as good as it could be
+  bool is_false_proof = false;
   std::string law, sentence;
   std::vector<Task> tasks{};
   std::optional<MechanismSpec> mechanism{};  ///< of the first task, with its pole there

@@ -16,10 +16,10 @@ struct LayerFinding {
   std::string parts;         ///< the two that come so near
   Point at = Point::Zero();  ///< the tracer's place there
   bool keeps_clearance = false;
-  double free_opening =
-      0;  ///< rad, widest interval of usable openings without contact of the links themselves
-  bool compared =
-      true;  ///< false: links alone already come nearer than in a better assignment, obstacles were not tried
+  /// rad, widest interval of usable openings without contact of the links themselves
+  double free_opening = 0;
+  /// False: links alone already come nearer than in a better assignment, obstacles were not tried
+  bool compared = true;
 };
 
 struct LayerChoice {

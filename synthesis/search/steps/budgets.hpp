@@ -92,10 +92,10 @@ struct ImproveBudget {
   double near = 0.004;   ///< share of the bound; the bound's own tolerance is a quarter of it
   int hops = 24;         ///< random places around the design (basin hopping)
   int hops_at_once = 8;  ///< solved in parallel from one centre; fixed, so that threads change nothing
-  double first_reach =
-      0.6;  ///< how far the first hops go: share of the lengths, and half that of the task's size
-  double nearer =
-      0.6;  ///< factor of the reach from one pair of hops to the next, and from one round to the next
+  /// How far the first hops go: share of the lengths, and half that of the task's size
+  double first_reach = 0.6;
+  /// Factor of the reach from one pair of hops to the next, and from one round to the next
+  double nearer = 0.6;
   int searches = 3;  ///< whole searches from other random numbers, there and where nothing was found
 };
 
@@ -105,14 +105,14 @@ struct StockBudget {
   std::size_t near_one_shape = 400, near_all_shapes = 1000;  ///< pairs next to the best of any lengths
   /// Pairs that work, after which the best of them is taken: where small ones are good ones, and elsewhere.
   std::size_t enough_by_size = 4, enough = 8;
-  std::size_t least_group = 4,
-              largest_group = 16;  ///< pairs searched in parallel: as many as are enough, within these
+  /// Pairs searched in parallel: as many as are enough, within these
+  std::size_t least_group = 4, largest_group = 16;
   int more_layers = 4;             ///< choices of layers tried after one that works
   int ratios = 48;                 ///< inexact ratios of each grounding
   int found_ratios = 24;           ///< designs with an inexact ratio before the best of them is taken
   int found_ratios_obstacles = 4;  ///< the same where obstacles make each of them slow
-  double worse_for_ratio =
-      1.25;  ///< factor: an inexact ratio will do if its goal is no more worse than with any lengths
+  /// Factor: an inexact ratio will do if its goal is no more worse than with any lengths
+  double worse_for_ratio = 1.25;
   /// Factor of the size without contact where it was found for a ratio next to the one meant: it is no bound there.
   double neighbouring_size = 0.98;
 };
@@ -130,8 +130,8 @@ struct DiagnosisBudget {
 struct TimeShares {
   double proof = 0.2;         ///< when the first proof must end: then the search goes on without it
   double first_design = 0.6;  ///< when the search for a first design must
-  double any_lengths =
-      0.4;  ///< of what is left: the search with any lengths, where the workshop dictates them
+  /// Of what is left: the search with any lengths, where the workshop dictates them
+  double any_lengths = 0.4;
 };
 
 struct SearchBudgets {
