@@ -11,7 +11,7 @@
 namespace kempe::metamorphic {
 
 struct Finding {
-  /// Or a design that does not hold; else a design that is not as good as it could be
+  /// A false proof, or a design that does not hold; else a design that is not as good as it could be.
   bool is_false_proof = false;
   std::string law, sentence;
   std::vector<Task> tasks{};
