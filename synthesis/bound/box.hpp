@@ -6,7 +6,8 @@
 //   coordinates of a box: t = b/a, w = 2 a b, and the pole's place. With H(t) = (t + 1/t)/2:
 //   (c r)^2 = w (H + cos psi),  a = sqrt(w / 2t),  b = sqrt(w t / 2)
 //
-// Nothing here is transcendental, so that +, -, *, / and sqrt rounded outwards are enough.
+// Nothing but the few angles is transcendental: +, -, *, / and sqrt rounded outwards and enclosures of sines, cosines and arcs
+// (geometry/interval.hpp) are enough.
 
 #include <array>
 
@@ -24,14 +25,16 @@ struct AssemblyMode {
   Grounding grounding = Grounding::pole;
   int number = 0;
   Complex s;
-  double chain = 1;                  ///< c: distance V-X per distance pole-tracer
-  double bend = 1;                   ///< sign of psi
-  double far_end = 0, near_end = 0;  ///< |psi| at the dead or change points, 0 <= far_end < near_end <= pi
-  Range allowed{0, 0};               ///< |psi| that the copy error's limit leaves (all: [0, pi])
+  double chain = 1;  ///< c: distance V-X per distance pole-tracer
+  double bend = 1;   ///< sign of psi
+  double far_end = 0,
+         near_end =
+             0;  ///< |psi| at the dead or change points, rounded outwards: 0 <= far_end < near_end <= pi
+  Range allowed{0, 0};  ///< |psi| that the copy error's limit leaves (all: [0, pi])
   double size_per_a = 0, size_per_b = 0;
   Range a, b;  ///< mm, from the limits of the eight lengths
 
-  /// |psi| within which every opening lies at a transmission angle of at least `transmission`.
+  /// Every opening with a transmission angle of at least `transmission` lies within these |psi|; empty if there is none.
   Range usable(double transmission) const;
 };
 
@@ -78,15 +81,22 @@ struct MaterialPoint {
 bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, double psi,
                    const MaterialPoint& first, const MaterialPoint& second, double needed);
 
+/// A circle about the middle of a box of poles that holds the box, mm.
+struct PoleDisc {
+  Point centre;
+  double radius;
+};
+PoleDisc disc_around(const Range& x, const Range& y);
+
 /// Lower bounds over the poles of a box of |pole - far| / |pole - near| (1 if it may be less) and of |pole -
-/// far|^2 - |pole - near|^2, `near` known to within `rounding` (mm). Taken at the corners of the box: |pole -
+/// far|^2 - |pole - near|^2, both places known to within `rounding` (mm). Taken at the corners of the box: |pole -
 /// far|^2 - q^2 |pole - near|^2 is concave in the pole for q >= 1.
 struct Spread {
   double ratio, squares;
 };
 Spread spread_over(const Point& far, const Point& near, double rounding, const Range& x, const Range& y);
 
-/// Lower bound of the distance of `corner` from every place of a box, and upper bound; mm.
-Range distance_from_box(const Point& corner, const Range& x, const Range& y);
+/// Lower bound of the distance of `corner`, known to within `rounding`, from every place of a box, and upper bound; mm.
+Range distance_from_box(const Point& corner, double rounding, const Range& x, const Range& y);
 
 }  // namespace kempe::bounding

@@ -1,29 +1,13 @@
-// Interval arithmetic for the proven bound. Every double that leaves is rounded to the safe side; sines,
-// cosines and arcs of the few angles that occur are taken from the C library and widened by four units in the
-// last place.
-
-#include <CGAL/Interval_nt.h>
+// Interval arithmetic for the proven bound. Every double that leaves is rounded to the safe side.
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "synthesis/bound/box.hpp"
+#include "synthesis/bound/reach_intervals.hpp"
 
 namespace kempe::bounding {
 namespace {
-
-using Interval = CGAL::Interval_nt<false>;
-/// Switches the processor to upward rounding as long as it lives.
-using Rounding = Interval::Protector;
-
-constexpr double four_ulp = 4 * std::numeric_limits<double>::epsilon();
-
-Interval widened(double value) {
-  const double slack = four_ulp * std::max(1.0, std::abs(value));
-  return Interval(value - slack, value + slack);
-}
-Interval cosine(double angle) { return widened(std::cos(angle)); }
 
 Interval whole(const Range& range) { return Interval(range.lower, range.upper); }
 
@@ -34,27 +18,13 @@ void keep(Range& range, const Interval& values) {
 void keep_at_least(Range& range, double lower) { range.lower = std::max(range.lower, lower); }
 void keep_at_most(Range& range, double upper) { range.upper = std::min(range.upper, upper); }
 
-Interval H_at(double t) { return (Interval(t) + 1.0 / Interval(t)) / 2.0; }
-
-/// H over a range of t: convex, least at 1.
-Interval H_over(const Range& t) {
-  const Interval at_lower = H_at(t.lower), at_upper = H_at(t.upper);
-  const bool has_one = t.lower <= 1 && 1 <= t.upper;
-  const double least = has_one ? 1 : std::max(1.0, std::min(at_lower.inf(), at_upper.inf()));
-  return Interval(least, std::max(at_lower.sup(), at_upper.sup()));
-}
-
-Interval chain_squared(const AssemblyMode& assembly_mode, double distance) {
-  return CGAL::square(widened(assembly_mode.chain) * Interval(distance));
-}
-
 struct Cosines {
   double far_at_most, near_at_least;
 };
 /// Largest cosine that the far end may have and smallest of the near end.
 Cosines cosines(const AssemblyMode& assembly_mode, double transmission) {
   const Range psi = assembly_mode.usable(transmission);
-  return {cosine(psi.lower).sup(), cosine(psi.upper).inf()};
+  return {cosine(Interval(psi.lower)).sup(), cosine(Interval(psi.upper)).inf()};
 }
 
 Interval ratio_squared(const PoleDistances& distances) {
@@ -98,8 +68,9 @@ void keep_reach(const AssemblyMode& assembly_mode, const PoleDistances& distance
   const Interval H = H_over(lengths.t);
   const Interval far = Interval(H.sup()) + Interval(limit.far_at_most);
   if (far.sup() > 0)
-    keep_at_least(lengths.w,
-                  (chain_squared(assembly_mode, distances.farthest_at_least) / Interval(far.sup())).inf());
+    keep_at_least(
+        lengths.w,
+        (chain_squared(assembly_mode, Interval(distances.farthest_at_least)) / Interval(far.sup())).inf());
   const Interval between = Interval(limit.far_at_most) - Interval(limit.near_at_least);
   if (between.sup() > 0 && distances.squares_at_least > 0)
     keep_at_least(lengths.w, (CGAL::square(widened(assembly_mode.chain)) *
@@ -107,8 +78,9 @@ void keep_reach(const AssemblyMode& assembly_mode, const PoleDistances& distance
                                  .inf());
   const Interval near = Interval(H.inf()) + Interval(limit.near_at_least);
   if (near.inf() > 0)
-    keep_at_most(lengths.w,
-                 (chain_squared(assembly_mode, distances.nearest_at_most) / Interval(near.inf())).sup());
+    keep_at_most(
+        lengths.w,
+        (chain_squared(assembly_mode, Interval(distances.nearest_at_most)) / Interval(near.inf())).sup());
 }
 
 /// Size of the smallest linkage with this t that reaches the farthest place:
@@ -132,48 +104,41 @@ double size_per_root_w(const AssemblyMode& assembly_mode, const Range& t) {
   return std::min(at(Interval(t.lower)), at(Interval(t.upper)));
 }
 
-/// Largest transmission angle at which cos(far_end + mu) - weight cos(near_end - mu) >= needed: the left side
-/// falls.
-double transmission_with(const AssemblyMode& assembly_mode, double weight, double needed) {
-  const double widest = (assembly_mode.near_end - assembly_mode.far_end) / 2 + 1e-14;
+/// No opening of the assembly mode has a larger transmission angle, rad.
+double widest_transmission(const AssemblyMode& assembly_mode) {
+  return ((Interval(assembly_mode.near_end) - assembly_mode.far_end) / 2.0).sup();
+}
+
+/// About the angle mu at which cos(far_end + mu) - weight cos(near_end - mu) falls to `needed`, rad; nothing proven.
+double transmission_near(const AssemblyMode& assembly_mode, double weight, double needed) {
+  const NearestRounding nearest;
   const double along = std::cos(assembly_mode.far_end) - weight * std::cos(assembly_mode.near_end);
   const double across = std::sin(assembly_mode.far_end) + weight * std::sin(assembly_mode.near_end);
   const double size = std::hypot(along, across);
-  if (!(size > 0)) return widest;
-  const double guess = std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
+  if (!(size > 0)) return infinity;
+  return std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
+}
+
+/// Largest transmission angle at which cos(far_end + mu) - weight cos(near_end - mu) >= needed: the left side
+/// falls.
+double transmission_with(const AssemblyMode& assembly_mode, double weight, double needed) {
+  const double widest = widest_transmission(assembly_mode);
+  const double guess = transmission_near(assembly_mode, weight, needed);
   const auto impossible = [&](double mu) {
-    const Interval left =
-        cosine(assembly_mode.far_end + mu) - Interval(weight) * cosine(assembly_mode.near_end - mu);
-    return left.sup() < needed;
+    const Interval far = Interval(assembly_mode.far_end) + mu, near = Interval(assembly_mode.near_end) - mu;
+    return (cosine(far) - Interval(weight) * cosine(near)).sup() < needed;
   };
   if (impossible(0)) return -1;
   for (double slack = 1e-14; slack < 1; slack *= 10) {
     const double mu = std::max(0.0, guess) + slack;
-    if (mu >= widest) break;
+    if (!(mu < widest)) break;
     if (impossible(mu)) return mu;
   }
   return widest;
 }
 
-double arc_at_most(double cosine_at_least) {
-  return std::min(pi, std::acos(std::clamp(cosine_at_least, -1.0, 1.0)) + 1e-14);
-}
-double arc_at_least(double cosine_at_most) {
-  return std::max(0.0, std::acos(std::clamp(cosine_at_most, -1.0, 1.0)) - 1e-14);
-}
-
-struct IntervalComplex {
-  Interval re, im;
-};
-IntervalComplex exact(Complex z) { return {Interval(z.real()), Interval(z.imag())}; }
-IntervalComplex widened_complex(Complex z) { return {widened(z.real()), widened(z.imag())}; }
-IntervalComplex operator*(const IntervalComplex& u, const IntervalComplex& v) {
-  return {u.re * v.re - u.im * v.im, u.re * v.im + u.im * v.re};
-}
-IntervalComplex difference(Complex u, Complex v) {
-  const IntervalComplex a = exact(u), b = exact(v);
-  return {a.re - b.re, a.im - b.im};
-}
+double arc_at_most(double cosine_at_least) { return arc_cosine(Interval(cosine_at_least)).sup(); }
+double arc_at_least(double cosine_at_most) { return arc_cosine(Interval(cosine_at_most)).inf(); }
 
 struct Lengths {
   Interval a, b;
@@ -195,15 +160,23 @@ std::array<Lengths, 5> hull_of(const LengthBox& lengths) {
 
 }  // namespace
 
+Interval H_over(const Range& t) {
+  const Interval at_lower = H_at(t.lower), at_upper = H_at(t.upper);
+  const bool has_one = t.lower <= 1 && 1 <= t.upper;
+  const double least = has_one ? 1 : std::max(1.0, std::min(at_lower.inf(), at_upper.inf()));
+  return Interval(least, std::max(at_lower.sup(), at_upper.sup()));
+}
+
 Range AssemblyMode::usable(double transmission) const {
-  return {std::max(far_end + transmission, allowed.lower), std::min(near_end - transmission, allowed.upper)};
+  const OutwardRounding rounding;
+  return {std::max((Interval(far_end) + transmission).inf(), allowed.lower),
+          std::min((Interval(near_end) - transmission).sup(), allowed.upper)};
 }
 
 bool contract(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
               LengthBox& lengths) {
-  const Rounding rounding;
-  if (assembly_mode.usable(transmission).lower > assembly_mode.usable(transmission).upper + 1e-12)
-    return false;
+  const OutwardRounding rounding;
+  if (assembly_mode.usable(transmission).empty()) return false;
   const Cosines limit = cosines(assembly_mode, transmission);
   const double H_most = H_limit(distances, limit);
   if (H_most < 1) return false;
@@ -219,7 +192,7 @@ bool contract(const AssemblyMode& assembly_mode, const PoleDistances& distances,
 
 double size_at_least(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
                      const LengthBox& lengths) {
-  const Rounding rounding;
+  const OutwardRounding rounding;
   const Cosines limit = cosines(assembly_mode, transmission);
   const double by_reach = std::min(size_on_far_limit(assembly_mode, distances, limit, lengths.t.lower),
                                    size_on_far_limit(assembly_mode, distances, limit, lengths.t.upper));
@@ -229,7 +202,7 @@ double size_at_least(const AssemblyMode& assembly_mode, const PoleDistances& dis
 }
 
 bool contract_by_size(const AssemblyMode& assembly_mode, double size, LengthBox& lengths) {
-  const Rounding rounding;
+  const OutwardRounding rounding;
   if (size < infinity)
     keep_at_most(lengths.w,
                  CGAL::square(Interval(size) / Interval(size_per_root_w(assembly_mode, lengths.t))).sup());
@@ -238,9 +211,9 @@ bool contract_by_size(const AssemblyMode& assembly_mode, double size, LengthBox&
 
 double transmission_at_most(const AssemblyMode& assembly_mode, const PoleDistances& distances,
                             const LengthBox& lengths) {
-  const Rounding rounding;
+  const OutwardRounding rounding;
   const Interval H = H_over(lengths.t);
-  double most = (assembly_mode.near_end - assembly_mode.far_end) / 2 + 1e-14;
+  double most = widest_transmission(assembly_mode);
   if (distances.nearest_at_most > 0) {  // w eliminated
     const double q2 = ratio_squared(distances).inf();
     if (q2 > 1)
@@ -252,33 +225,37 @@ double transmission_at_most(const AssemblyMode& assembly_mode, const PoleDistanc
                                             (CGAL::square(widened(assembly_mode.chain)) *
                                              Interval(distances.squares_at_least) / Interval(lengths.w.upper))
                                                 .inf()));
-  const Interval far = chain_squared(assembly_mode, distances.farthest_at_least) / Interval(lengths.w.upper) -
-                       Interval(H.sup());
+  const Interval far =
+      chain_squared(assembly_mode, Interval(distances.farthest_at_least)) / Interval(lengths.w.upper) -
+      Interval(H.sup());
   const Interval near =
-      chain_squared(assembly_mode, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
-  most = std::min(most, arc_at_most(far.inf()) - assembly_mode.far_end);
-  most = std::min(most, assembly_mode.near_end - arc_at_least(near.sup()));
+      chain_squared(assembly_mode, Interval(distances.nearest_at_most)) / Interval(lengths.w.lower) -
+      Interval(H.inf());
+  most = std::min(most, (Interval(arc_at_most(far.inf())) - assembly_mode.far_end).sup());
+  most = std::min(most, (Interval(assembly_mode.near_end) - arc_at_least(near.sup())).sup());
   return most;
 }
 
 Range passed_by_all(const AssemblyMode& assembly_mode, const PoleDistances& distances,
                     const LengthBox& lengths) {
-  const Rounding rounding;
+  const OutwardRounding rounding;
   const Interval H = H_over(lengths.t);
   const Interval near =
-      chain_squared(assembly_mode, distances.nearest_at_most) / Interval(lengths.w.lower) - Interval(H.inf());
-  const Interval far = chain_squared(assembly_mode, distances.farthest_at_least) / Interval(lengths.w.upper) -
-                       Interval(H.sup());
+      chain_squared(assembly_mode, Interval(distances.nearest_at_most)) / Interval(lengths.w.lower) -
+      Interval(H.inf());
+  const Interval far =
+      chain_squared(assembly_mode, Interval(distances.farthest_at_least)) / Interval(lengths.w.upper) -
+      Interval(H.sup());
   if (!(near.sup() < far.inf()) || far.inf() < -1 || near.sup() > 1) return {};
   return {arc_at_most(far.inf()), arc_at_least(near.sup())};
 }
 
 bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, double psi,
                    const MaterialPoint& first, const MaterialPoint& second, double needed) {
-  const Rounding rounding;
-  const IntervalComplex direction = widened_complex(std::polar(1.0, assembly_mode.bend * psi));
-  const IntervalComplex by_a = difference(first.of_a, second.of_a);
-  const IntervalComplex by_b = difference(first.of_b, second.of_b) * direction;
+  const OutwardRounding rounding;
+  const IntervalComplex by_a = widened(first.of_a) - widened(second.of_a);
+  const IntervalComplex by_b =
+      (widened(first.of_b) - widened(second.of_b)) * direction_at(Interval(assembly_mode.bend * psi));
   const Interval limit = CGAL::square(Interval(needed));
   // The distance is a convex function of (a, b): its largest value over a hull is at a corner.
   for (const Lengths& corner : hull_of(lengths)) {
@@ -288,23 +265,32 @@ bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, 
   return true;
 }
 
+PoleDisc disc_around(const Range& x, const Range& y) {
+  const Point centre(0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper));
+  const OutwardRounding rounding;
+  const auto half = [](const Range& range, double middle) {
+    return Interval(std::max((Interval(range.upper) - middle).sup(), (Interval(middle) - range.lower).sup()));
+  };
+  return {centre, CGAL::sqrt(CGAL::square(half(x, centre.x())) + CGAL::square(half(y, centre.y()))).sup()};
+}
+
 Spread spread_over(const Point& far, const Point& near, double rounding, const Range& x, const Range& y) {
-  const Rounding guard;
+  const OutwardRounding guard;
   Spread least{infinity, infinity};
   for (const double px : {x.lower, x.upper})
     for (const double py : {y.lower, y.upper}) {
       const auto from = [&](const Point& place) {
         return CGAL::sqrt(CGAL::square(Interval(px) - place.x()) + CGAL::square(Interval(py) - place.y()));
       };
-      const Interval nearest = from(near) + rounding, farthest = from(far);
+      const Interval nearest = from(near) + rounding, farthest = from(far) - rounding;
       least.ratio = std::min(least.ratio, nearest.inf() > 0 ? (farthest / nearest).inf() : 0.0);
       least.squares = std::min(least.squares, (CGAL::square(farthest) - CGAL::square(nearest)).inf());
     }
   return {std::max(1.0, least.ratio), least.squares};
 }
 
-Range distance_from_box(const Point& corner, const Range& x, const Range& y) {
-  const Rounding rounding;
+Range distance_from_box(const Point& corner, double rounding, const Range& x, const Range& y) {
+  const OutwardRounding guard;
   const auto apart = [](const Range& range, double at) {
     return std::max({0.0, (Interval(range.lower) - at).inf(), (Interval(at) - range.upper).inf()});
   };
@@ -315,7 +301,7 @@ Range distance_from_box(const Point& corner, const Range& x, const Range& y) {
       CGAL::sqrt(CGAL::square(Interval(apart(x, corner.x()))) + CGAL::square(Interval(apart(y, corner.y()))));
   const Interval farthest = CGAL::sqrt(CGAL::square(Interval(across(x, corner.x()))) +
                                        CGAL::square(Interval(across(y, corner.y()))));
-  return {nearest.inf(), farthest.sup()};
+  return {std::max(0.0, (nearest - rounding).inf()), (farthest + rounding).sup()};
 }
 
 }  // namespace kempe::bounding

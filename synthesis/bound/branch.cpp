@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "synthesis/tolerance/copy_error.hpp"
@@ -10,6 +11,9 @@ namespace kempe::bounding {
 namespace {
 
 constexpr double lock_slack = 1e-9;  // relative
+/// An end of an opening in |psi| is a sum of at most six doubles below 7, each off by two units in its last place, and the
+/// argument of s by as much again: 7e-15 rad is more than all of these.
+constexpr double opening_slack = 32 * std::numeric_limits<double>::epsilon();
 
 double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
@@ -50,8 +54,8 @@ Branch make_branch(const Spec& spec, Grounding grounding, int number, std::vecto
   assembly_mode.bend = psi < 0 ? -1 : 1;
   branch.middle = interval.middle();
   branch.middle_psi = std::abs(psi);
-  assembly_mode.far_end = std::max(0.0, branch.middle_psi - interval.width() / 2);
-  assembly_mode.near_end = std::min(pi, branch.middle_psi + interval.width() / 2);
+  assembly_mode.far_end = std::max(0.0, branch.middle_psi - interval.width() / 2 - opening_slack);
+  assembly_mode.near_end = std::min(pi, branch.middle_psi + interval.width() / 2 + opening_slack);
   assembly_mode.allowed = {0, pi};
   const double plate = std::abs(assembly_mode.s), side = std::abs(1.0 - assembly_mode.s);
   assembly_mode.size_per_a = 1 + (1 + plate + side) / 2;
@@ -62,7 +66,10 @@ Branch make_branch(const Spec& spec, Grounding grounding, int number, std::vecto
     const CopyErrorProfile profile(spec.copy.k(), grounding, CopyTolerance::uniform(*spec.tolerance));
     const OpeningInterval kept = profile.openings_not_ruled_out(*spec.limits.copy_error, interval);
     const double one = branch.psi_of(kept.lower), other = branch.psi_of(kept.upper);
-    assembly_mode.allowed = kept.empty() ? Range{} : Range{std::min(one, other), std::max(one, other)};
+    if (kept.empty())
+      assembly_mode.allowed = {};
+    else
+      assembly_mode.allowed = {std::min(one, other) - opening_slack, std::max(one, other) + opening_slack};
   }
   return branch;
 }

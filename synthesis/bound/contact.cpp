@@ -23,18 +23,6 @@ std::vector<PairKey> keys_of(const std::vector<ContactPair>& pairs) {
   return keys;
 }
 
-MaterialPoint material(Joint joint, Complex s) {
-  switch (joint) {
-    case Joint::V: return {0, 0};
-    case Joint::A: return {1, 0};
-    case Joint::B: return {0, s};
-    case Joint::C: return {1, s};
-    case Joint::X: return {1, 1};
-    case Joint::Y: break;
-  }
-  return {s, s};
-}
-
 /// A convex piece of a part: its corners as material points and where they are in the pose.
 struct Piece {
   std::array<MaterialPoint, 3> corner;
@@ -106,7 +94,7 @@ std::vector<Piece> pieces_of(const Part& part, Complex s, const LinkStyle& style
   for (const JointHull& hull : axis_of(part, s, style.plate)) {
     Piece piece{{}, {}, static_cast<std::size_t>(hull.count)};
     for (std::size_t i = 0; i < piece.count; ++i) {
-      piece.corner[i] = material(hull.joints[i], s);
+      piece.corner[i] = material_point(hull.joints[i], s);
       piece.at[i] = piece.corner[i].of_a * a + piece.corner[i].of_b * b;
     }
     pieces.push_back(piece);
@@ -115,6 +103,18 @@ std::vector<Piece> pieces_of(const Part& part, Complex s, const LinkStyle& style
 }
 
 }  // namespace
+
+MaterialPoint material_point(Joint joint, Complex s) {
+  switch (joint) {
+    case Joint::V: return {0, 0};
+    case Joint::A: return {1, 0};
+    case Joint::B: return {0, s};
+    case Joint::C: return {1, s};
+    case Joint::X: return {1, 1};
+    case Joint::Y: break;
+  }
+  return {s, s};
+}
 
 PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first), part_key(pair.second)); }
 

@@ -30,6 +30,9 @@ struct LayerChoice {
 std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
                                        const std::vector<Obstacle>& obstacles);
 
+/// A joint as a material point, for plates of shape s.
+MaterialPoint material_point(Joint joint, Complex s);
+
 /// Two points, one of each part of a pair, that are nearest (or coincide) in a pose with these lengths and
 /// opening, and how far apart they must stay, mm.
 struct NearestPoints {

@@ -1,28 +1,18 @@
 #pragma once
 // Obstacles for the proven bound: is a part in an obstacle in every design of a box, with the tracer at some place?
 //
-// Every joint stands at Z = P + (T - P) M(rho) with rho = t e^{i psi} and a Moebius map M that grounding and shape fix
-// (obstacle_gap.hpp). At one place T of the tracer a box of designs knows |T - P| and so psi, by
-// cos psi = (c |T - P|)^2 / w - H(t). For rho within delta of the middle's rho_0 and P within R of the middle's P_0
-//     |M - M_0| <= |det| delta / (|D_0| (|D_0| - |D'| delta)),     |Z - Z_0| <= R |1 - M| + |T - P_0| |M - M_0|,
-// where D is the map's denominator. Signed distances of convex sets change by no more than their corners move, so an overlap
-// in the middle that is deeper than the largest of these is an overlap in every design.
+// Around the middle design of the box no joint moves farther than joint_moves.hpp says. Signed distances of convex sets change
+// by no more than their corners move, so an overlap in the middle that is deeper than the largest of these is an overlap in
+// every design.
 
 #include <memory>
 
 #include "kinematics/stop_flag.hpp"
-#include "synthesis/bound/box.hpp"
+#include "synthesis/bound/joint_moves.hpp"
 #include "synthesis/bound/layer_set.hpp"
 #include "synthesis/problem/obstacle_gap.hpp"
 
 namespace kempe::bounding {
-
-/// A box of designs with the pole within `radius` (mm) of `pole`.
-struct DesignBox {
-  LengthBox lengths;
-  Point pole = Point::Zero();
-  double radius = 0;
-};
 
 /// A part in an obstacle, with the tracer at a place: where to look first.
 struct Hit {
@@ -51,8 +41,7 @@ class ObstacleTest {
     ObstacleTerm what;
     LayerSet layers{};  ///< in which it counts
   };
-  struct Middle;
-  std::optional<double> joints_move(const DesignBox& box, const Point& place, const Middle& middle) const;
+  double gap_rounding(const Term& term, const PlacedJoints& joints) const;
 
   AssemblyMode assembly_mode_;
   Reach reach_;

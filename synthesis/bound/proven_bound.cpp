@@ -53,7 +53,7 @@ struct Node {
       cut{};  // of the first layer assignments: number in Tree::cuts_, 0 for none
 
   Point pole() const { return {0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper)}; }
-  double radius() const { return 0.5 * std::hypot(x.upper - x.lower, y.upper - y.lower); }
+  bool pole_is_known() const { return x.lower == x.upper && y.lower == y.upper; }
 };
 
 struct LessPromising {
@@ -62,12 +62,20 @@ struct LessPromising {
   }
 };
 
+/// Places are computed from coordinates to within this share of the largest: some 4500 units in the last place, for
+/// formulas of a few dozen operations.
+constexpr double rounding_share = 1e-12;
+
+/// The largest distance of a corner from the frame's origin, mm.
+double extent(const RegionReach& region) { return region.farthest(Point::Zero()).distance; }
+
 class Tree {
  public:
   Tree(const Spec& spec, Objective objective, const BoundOptions& options)
       : spec_(spec), options_(options), by_size_(objective == Objective::size), region_(spec.region),
         sheets_(spec, region_) {
     if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
+    place_rounding_ = rounding_share * std::max(extent(region_), area_ ? extent(*area_) : 0);
     constexpr std::size_t most_corners = 256;
     const std::size_t stride = 1 + (region_.hull().size() - 1) / most_corners;
     for (std::size_t i = 0; i < region_.hull().size(); i += stride) corners_.push_back(region_.hull()[i]);
@@ -146,7 +154,8 @@ class Tree {
   bool measure_pole(Node& node) const {
     if (!measure_distances(node)) return false;
     if (node.sheets_apart) return true;
-    const SheetsGap::Verdict sheets = sheets_.verdict(node.pole(), node.radius() * (1 + 1e-12));
+    const bounding::PoleDisc poles = bounding::disc_around(node.x, node.y);
+    const SheetsGap::Verdict sheets = sheets_.verdict(poles.centre, poles.radius);
     node.sheets_apart = sheets == SheetsGap::Verdict::far_enough;
     return sheets != SheetsGap::Verdict::too_near;
   }
@@ -162,20 +171,19 @@ class Tree {
   }
 
   bool measure_distances(Node& node) const {
-    const Point centre = node.pole();
-    const double radius = node.radius() * (1 + 1e-12);
-    if (area_ && area_->nearest(centre).distance > radius + 1e-12 * area_->diagonal()) return false;
+    const auto [centre, radius] = bounding::disc_around(node.x, node.y);
+    if (area_ && area_->nearest(centre).distance > radius + place_rounding_) return false;
     const RegionReach::Nearest nearest = region_.nearest(centre);
-    if (-nearest.distance > radius)
+    if (-nearest.distance > radius + place_rounding_)
       return false;  // inside the region wherever it stands: it would touch the tracer
-    const double rounding = 1e-12 * (region_.diagonal() + centre.norm());
     node.distances.nearest_at_most =
-        bounding::distance_from_box(nearest.place, node.x, node.y).upper + rounding;
+        bounding::distance_from_box(nearest.place, place_rounding_, node.x, node.y).upper;
     node.distances.farthest_at_least =
-        bounding::distance_from_box(farthest_corner(node.x, node.y), node.x, node.y).lower;
+        bounding::distance_from_box(farthest_corner(node.x, node.y), place_rounding_, node.x, node.y).lower;
     if (node.distances.nearest_at_most < least_radius_) return false;
     const Point& farthest = farthest_corner({centre.x(), centre.x()}, {centre.y(), centre.y()});
-    const bounding::Spread spread = bounding::spread_over(farthest, nearest.place, rounding, node.x, node.y);
+    const bounding::Spread spread =
+        bounding::spread_over(farthest, nearest.place, place_rounding_, node.x, node.y);
     node.distances.ratio_at_least = spread.ratio;
     node.distances.squares_at_least = spread.squares;
     return true;
@@ -208,8 +216,9 @@ class Tree {
   bool rule_out_by_obstacles(Node& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
     if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost();
-    node.alive = obstacle_tests_[node.branch]->not_hit(
-        {node.lengths, node.pole(), node.radius() * (1 + 1e-12)}, node.alive, node.hit, only_where_last);
+    const bounding::PoleDisc poles = bounding::disc_around(node.x, node.y);
+    node.alive = obstacle_tests_[node.branch]->not_hit({node.lengths, poles.centre, poles.radius}, node.alive,
+                                                       node.hit, only_where_last);
     return !node.alive.empty();
   }
 
@@ -360,7 +369,7 @@ class Tree {
     Node fixed = node;
     fixed.x.lower = fixed.x.upper = node.pole().x();
     fixed.y.lower = fixed.y.upper = node.pole().y();
-    if (node.radius() == 0 || !measure_distances(fixed)) return 1;
+    if (node.pole_is_known() || !measure_distances(fixed)) return 1;
     if (!bounding::contract(assembly_mode(node), fixed.distances, transmission(), fixed.lengths)) return 1;
     return bound_of(fixed) > node.bound ? 1 : idle;
   }
@@ -439,6 +448,7 @@ class Tree {
   double best_ = infinity;  // of the relaxation's designs met, or the incumbent; as in Node::bound
   std::optional<RelaxedDesign> design_;
   double least_radius_ = 0;
+  double place_rounding_ = 0;  // mm: how far places of region and pole may be off
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
 };

@@ -4,9 +4,16 @@
 #include <cmath>
 
 namespace kempe::bounding {
+namespace {
+
+/// A gap is a difference of coordinates, off by less than this share of the largest of them.
+constexpr double rounding_share = 1e-12;
+
+}  // namespace
 
 SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
-    : region_(region), k_(spec.copy.k()), gap_(spec.limits.sheets_gap) {
+    : region_(region), k_(spec.copy.k()), gap_(spec.limits.sheets_gap),
+      extent_(region.farthest(Point::Zero()).distance) {
   if (!gap_) return;
   constexpr std::size_t most = 24;
   const auto& edges = region.edges();
@@ -17,16 +24,15 @@ SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
 
 SheetsGap::Verdict SheetsGap::verdict(const Point& pole, double radius) const {
   if (!gap_) return Verdict::far_enough;
-  const double moved = std::abs(1.0 - k_) * radius;
+  const double coordinates = extent_ + pole.norm() + radius;
+  const double rounding = rounding_share * (*gap_ + (1 + std::abs(k_)) * coordinates);
+  const double slack = std::abs(1.0 - k_) * radius + rounding;
   bool far_enough = true;
   for (const Point& place : places_) {
     const Complex from_pole = as_complex(place - pole);
     const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
     const double distance =
         std::min(region_.nearest(image).distance, std::abs(k_) * region_.nearest(source).distance);
-    const double rounding =
-        1e-12 * (region_.diagonal() + *gap_ + (1 + std::abs(k_)) * (place.norm() + pole.norm()));
-    const double slack = moved + rounding;
     if (distance + slack < *gap_) return Verdict::too_near;
     far_enough = far_enough && distance - slack >= *gap_;
   }

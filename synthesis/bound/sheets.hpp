@@ -26,6 +26,7 @@ class SheetsGap {
   const RegionReach& region_;
   Complex k_;
   std::optional<double> gap_;
+  double extent_;  ///< mm: the region's farthest corner from the frame's origin
   std::vector<Point> places_;
 };
 

@@ -52,6 +52,7 @@ class PlacedJoints {
   PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths, const Point& pole,
                const Point& tracer);
   Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }
+  const std::array<Complex, 6>& all() const { return at_; }  ///< in the order of Joint
 
   struct Motion {
     Complex by_u, by_v, by_pole_x, by_pole_y;

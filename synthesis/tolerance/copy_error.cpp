@@ -346,6 +346,9 @@ double CopyErrorProfile::slope_at_most(double sine) const {
 OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const OpeningInterval& within) const {
   constexpr double finest = 1e-6;  // of the sine
   constexpr int most_steps = 4000;
+  // Errors, slopes and steps are doubles, off by some dozen units in the last place; all of them are taken this much to the
+  // safe side.
+  constexpr double surely = 1 - 1e-9;
   if (within.empty()) return {};
   // From an end inwards: an error above the limit cannot fall to it sooner than its largest slope allows.
   // Steps halve the allowance, so that the sine at the step's far side may be half of that at its near side
@@ -356,14 +359,14 @@ OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const Ope
       const double sine = std::abs(std::sin(here));
       if (sine < 1e-4) {  // at a change point: the error is beyond any limit worth its name, or there is no
                           // tolerance
-        const double least = std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] / 2e-4;
+        const double least = surely * std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] / 2e-4;
         if (!(least > limit)) return here;
         here += direction * 1e-4;
         continue;
       }
-      const double excess = longest_deviation(sensitivities(here), tolerance_).length - limit;
+      const double excess = surely * longest_deviation(sensitivities(here), tolerance_).length - limit;
       if (!(excess > 0)) return here;
-      const double step = std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
+      const double step = surely * std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
       if (step < finest * sine || steps > most_steps) return here;
       here += direction * step;
     }

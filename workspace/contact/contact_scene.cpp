@@ -7,7 +7,7 @@
 namespace kempe {
 namespace {
 
-/// Distances are rounded by less than this share of the coordinates they come from.
+/// Distances are rounded by less than this share of the coordinates they come from, but for the linkage's direction.
 constexpr double rounding = 1e-14;
 
 double farthest_of(const LinkageMotion& motion, const JointHull& hull) {
@@ -15,6 +15,18 @@ double farthest_of(const LinkageMotion& motion, const JointHull& hull) {
   for (int corner = 0; corner < hull.count; ++corner)
     farthest = std::max(farthest, motion.farthest(hull.joints[static_cast<std::size_t>(corner)]));
   return farthest;
+}
+
+/// What rounding may turn the whole linkage by, rad: its direction is that of the chain p + q/s, whose two terms nearly cancel
+/// where the tracer comes near the pole.
+double direction_rounding(const MapTask& task) {
+  constexpr double few_ulp = 8 * std::numeric_limits<double>::epsilon();
+  const CopyingLinkage& linkage = task.linkage;
+  const OpeningInterval openings = linkage.openings_with_transmission(task.transmission);
+  if (openings.empty()) return 0;
+  const double chain =
+      chain_length_per_tracer(linkage.k(), linkage.grounding()) * linkage.radii_over(openings).lower;
+  return few_ulp * (linkage.VA() + linkage.VB() / std::abs(linkage.shape())) / chain;
 }
 
 /// Distance from the origin to a box: nothing inside can be nearer.
@@ -30,12 +42,13 @@ ContactScene::ContactScene(const MapTask& task, double within) : motion(task.lin
   }
   double size = 0;
   for (const ScenePiece& piece : pieces) size = std::max(size, piece.farthest + piece.half_width);
+  const double turned = direction_rounding(task) * size;
   for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
     const Obstacle& given = task.obstacles[number];
     SceneObstacle obstacle{EdgeTree(given.shape, task.linkage.pole()), number, 0};
     if (obstacle.edges.empty()) continue;
     obstacle.slack =
-        rounding * (size + task.clearance + obstacle.edges.magnitude() + task.linkage.pole().norm());
+        turned + rounding * (size + task.clearance + obstacle.edges.magnitude() + task.linkage.pole().norm());
     const std::size_t before = encounters.size();
     const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -1,0 +1,37 @@
+#pragma once
+// How far the joints of a box of designs may stand from given places, with the tracer at one place.
+//
+// With p along the x axis and rho = t e^{i psi} every joint is p (P + Q rho) for fixed complex P, Q (MaterialPoint), so in the
+// table's frame it stands at Z = O + (T - O) M(rho), O the pole, T the tracer's place, with the Moebius map
+//     M = ((P - P_pole) + (Q - Q_pole) rho) / D,   D = (P_tracer - P_pole) + (Q_tracer - Q_pole) rho.
+// At one place T a box of designs knows |T - O| and so psi, by cos psi = (c |T - O|)^2 / w - H(t). For rho within delta of
+// rho_0 and O within R of O_0
+//     |M - M_0| <= |det M| delta / (|D_0| (|D_0| - |Q_tracer - Q_pole| delta)),
+//     |Z - Z_0| <= R |1 - M| + |T - O_0| |M - M_0|.
+// All of it in intervals.
+
+#include <array>
+#include <optional>
+
+#include "synthesis/bound/box.hpp"
+
+namespace kempe::bounding {
+
+/// A box of designs with the pole within `radius` (mm) of `pole`.
+struct DesignBox {
+  LengthBox lengths;
+  Point pole = Point::Zero();
+  double radius = 0;
+
+  /// The middle of the lengths.
+  double t() const;
+  double w() const;
+};
+
+/// No joint of any design of the box that has its tracer at `place` is farther than this from its place in `joints`, mm;
+/// nothing if the middle design does not reach the place, or the box is too large for a statement. `joints`: about where
+/// the middle design's are, in the order of Joint, table's frame, mm; an error there only makes the figure larger.
+std::optional<double> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
+                                          const Point& place, const std::array<Complex, 6>& joints);
+
+}  // namespace kempe::bounding

@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/grounding.hpp"
+#include "synthesis/bound/contact.hpp"
+#include "synthesis/bound/joint_moves.hpp"
+#include "synthesis/bound/reach_intervals.hpp"
+
+namespace kempe::bounding {
+namespace {
+
+/// Where a design of the box may have |psi|, from the tracer's distance.
+struct Turn {
+  double middle;  ///< of the middle design, about
+  double away;    ///< no other is farther from it
+};
+
+std::optional<Turn> turn_at(const AssemblyMode& assembly_mode, const DesignBox& box,
+                            const Interval& distance) {
+  const Interval at_middle = chain_squared(assembly_mode, distance) / Interval(box.w()) - H_at(box.t());
+  if (!(at_middle.inf() > -1 && at_middle.sup() < 1)) return std::nullopt;
+  const double middle = arc_cosine(at_middle).inf();
+  const Interval over_poles(std::max(0.0, (Interval(distance.inf()) - box.radius).inf()),
+                            (Interval(distance.sup()) + box.radius).sup());
+  const Interval w(box.lengths.w.lower, box.lengths.w.upper);
+  const Interval all = arc_cosine(chain_squared(assembly_mode, over_poles) / w - H_over(box.lengths.t));
+  return Turn{middle, std::max((Interval(all.sup()) - middle).sup(), (Interval(middle) - all.inf()).sup())};
+}
+
+/// No rho of the box is farther than this from the middle one.
+double rho_away(const DesignBox& box, const Turn& turn) {
+  const Range& t = box.lengths.t;
+  const double longer = (Interval(t.upper) - box.t()).sup(), shorter = (Interval(box.t()) - t.lower).sup();
+  return (Interval(std::max(longer, shorter)) + Interval(t.upper) * Interval(turn.away)).sup();
+}
+
+/// A joint as (P - P_pole) + (Q - Q_pole) rho.
+struct FromPole {
+  IntervalComplex P, Q;
+};
+
+}  // namespace
+
+double DesignBox::t() const { return std::sqrt(lengths.t.lower * lengths.t.upper); }
+double DesignBox::w() const { return std::sqrt(lengths.w.lower * lengths.w.upper); }
+
+std::optional<double> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
+                                          const Point& place, const std::array<Complex, 6>& joints) {
+  const OutwardRounding rounding;
+  const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
+  const Interval distance = length(arm);
+  const auto turn = turn_at(assembly_mode, box, distance);
+  if (!turn) return std::nullopt;
+  const Interval delta(rho_away(box, *turn));
+  const IntervalComplex rho = Interval(box.t()) * direction_at(Interval(assembly_mode.bend * turn->middle));
+
+  const JointRoles roles = roles_of(assembly_mode.grounding);
+  const MaterialPoint ground = material_point(roles.pole, assembly_mode.s);
+  const auto from_pole = [&](Joint joint) {
+    const MaterialPoint at = material_point(joint, assembly_mode.s);
+    return FromPole{widened(at.of_a) - widened(ground.of_a), widened(at.of_b) - widened(ground.of_b)};
+  };
+  const FromPole tracer = from_pole(roles.tracer);
+  const IntervalComplex D = tracer.P + tracer.Q * rho;
+  const Interval D_length = length(D), least = D_length - length(tracer.Q) * delta;
+  if (!(least.inf() > 0.05 * D_length.sup())) return std::nullopt;
+  double most = 0;
+  for (const Joint joint : all_joints) {
+    const FromPole at = from_pole(joint);
+    const IntervalComplex M = (at.P + at.Q * rho) / D;
+    const Interval map_moves = length(at.Q * tracer.P - at.P * tracer.Q) * delta / (D_length * least);
+    const Interval beside = length(exactly(1.0) - M) + map_moves;
+    const Interval off = length(pole + arm * M - exactly(joints[static_cast<std::size_t>(joint)]));
+    most = std::max(most, (Interval(box.radius) * beside + distance * map_moves + off).sup());
+  }
+  return most;
+}
+
+}  // namespace kempe::bounding

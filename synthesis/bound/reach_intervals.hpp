@@ -1,0 +1,20 @@
+#pragma once
+// The reach equation (c r)^2 = w (H(t) + cos psi) in intervals, for the proven bound's backends.
+
+#include "geometry/interval.hpp"
+#include "synthesis/bound/box.hpp"
+
+namespace kempe::bounding {
+
+/// H(t) = (t + 1/t)/2.
+inline Interval H_at(double t) { return (Interval(t) + 1.0 / Interval(t)) / 2.0; }
+
+/// H over a range of t: convex, least at 1.
+Interval H_over(const Range& t);
+
+/// (c r)^2 for a range of distances r, mm^2.
+inline Interval chain_squared(const AssemblyMode& assembly_mode, const Interval& distance) {
+  return CGAL::square(widened(assembly_mode.chain) * distance);
+}
+
+}  // namespace kempe::bounding
