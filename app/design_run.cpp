@@ -202,9 +202,9 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
 
 namespace {
 
-/// Joints are kept apart by shortest_mm, or by their holes.
+/// A limit by its name, anything else by its key; joints are kept apart by shortest_mm, or by their holes.
 std::string limit_word(const Relaxation& relaxation) {
-  if (!relaxation.limit) return "obstacles";
+  if (!relaxation.limit) return relaxation.key.substr(relaxation.key.find('.') + 1);
   const bool by_holes = *relaxation.limit == Goal::shortest && relaxation.key != "links.shortest_mm";
   return by_holes ? "holes" : std::string(name(*relaxation.limit));
 }
@@ -212,17 +212,19 @@ std::string limit_word(const Relaxation& relaxation) {
 }  // namespace
 
 int tell_no_design(const Session& session, const NoDesign& none) {
-  std::string message = "no design exists: " + none.sentence + "\n";
-  if (none.proven) message += "  proven\n";
+  const std::string verdict = none.proven ? "no design exists" : "no design was found";
+  std::string message = verdict + (none.proven ? " (proven: no linkage can): " : ": ") + none.sentence + "\n";
   if (!none.diagnosed) message += "  stopped before every limit was relaxed\n";
   if (!none.obstacles_out_of_reach.empty()) message += "  " + reach_line(none.obstacles_out_of_reach.size());
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
   message.pop_back();
   if (session.json) {
-    nlohmann::ordered_json object{
-        {"error", "no design exists"}, {"requirement", none.requirement},
-        {"sentence", none.sentence},   {"proven", none.proven},
-        {"diagnosed", none.diagnosed}, {"obstacles_out_of_reach", none.obstacles_out_of_reach}};
+    nlohmann::ordered_json object{{"error", verdict},
+                                  {"requirement", none.requirement},
+                                  {"sentence", none.sentence},
+                                  {"proven", none.proven},
+                                  {"diagnosed", none.diagnosed},
+                                  {"obstacles_out_of_reach", none.obstacles_out_of_reach}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
       object["relaxations"].push_back({{"limit", limit_word(relaxation)},

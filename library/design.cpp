@@ -8,7 +8,7 @@
 #include "library/workings.hpp"
 #include "specs/spec_check.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/diagnosis.hpp"
+#include "synthesis/search/plain_reasons.hpp"
 #include "synthesis/search/search.hpp"
 
 namespace kempe {

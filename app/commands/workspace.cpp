@@ -10,7 +10,7 @@
 #include "app/stopping.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/diagnosis.hpp"
+#include "synthesis/search/plain_reasons.hpp"
 
 namespace kempe::app {
 namespace {

@@ -6,13 +6,16 @@
 
 namespace kempe {
 
-/// Each limit made a goal of its own while all others hold; then the spec is searched again with that limit
-/// moved to a round value, so that every relaxation comes with a design.
-/// `task`: the spec's own limits and objective; `nothing`: what its search came back with.
-/// Obstacles are taken away one by one.
-NoDesign diagnose(const SearchTask& task, const SearchResult& nothing);
+/// `task`: the spec's own limits and objective; `nothing`: what its search came back with; `origin`: where the task's
+/// coordinates have their zero on the table, mm. Guarantees:
+///  1. every relaxation comes with a design that keeps the spec with that change alone;
+///  2. where there is none, every single change that `sentence` lists has been searched in vain, from several random numbers.
+///     That is a search's word: `proven` speaks of the spec as it is alone.
+/// Limits, holes and obstacles are looked at always; the pole's place and what else restricts designs where those are of no
+/// avail.
+NoDesign diagnose(const SearchTask& task, const SearchResult& nothing, const Point& origin);
 
-/// What no search is needed for: a fixed pole inside the region, or an obstacle over it.
-std::optional<NoDesign> plainly_impossible(const Spec& spec);
+/// The same for a spec that is plainly_impossible() for `reason`: what can help against it alone.
+NoDesign diagnose_plain(const SearchTask& task, NoDesign reason, const Point& origin);
 
 }  // namespace kempe

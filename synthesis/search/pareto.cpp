@@ -6,6 +6,7 @@
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/best_design.hpp"
 #include "synthesis/search/diagnosis.hpp"
+#include "synthesis/search/plain_reasons.hpp"
 #include "synthesis/search/steps/tolerances.hpp"
 #include "workspace/footprint.hpp"
 
@@ -59,8 +60,9 @@ std::vector<ParetoPoint> undominated(std::vector<ParetoPoint> points, Objective 
 
 using Front = tl::expected<std::vector<ParetoPoint>, NoDesign>;
 
-Front front_here(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
-  if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
+/// `origin`: of the spec's coordinates, on the table.
+Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b, int points,
+                 const SearchOptions& options) {
   const SearchTask task = pose(spec, SearchControl(options));
   const Requirements& limits = task.limits;
   // The footprint is the one that is hard to limit: then the other is limited.
@@ -74,7 +76,7 @@ Front front_here(const Spec& spec, Objective a, Objective b, int points, const S
   const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };
   const SearchResult first = best_design(task.with(goal_of(limited_one)));
   if (!first.design && first.stopped && !first.proven_none) return found;
-  if (!first.design) return tl::unexpected(diagnose(task, first));
+  if (!first.design) return tl::unexpected(diagnose(task, first, origin));
   const double from = value_of(spec, *first.design, limited_one);
   add(best_design(task.with(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other))));
   if (found.empty()) add(first);
@@ -93,9 +95,10 @@ Front front_here(const Spec& spec, Objective a, Objective b, int points, const S
 }  // namespace
 
 Front pareto_front(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+  if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
   const Point origin = local_origin(spec);
-  if (origin.isZero(0)) return front_here(spec, a, b, points, options);
-  Front front = front_here(shifted(spec, -origin), a, b, points, options);
+  if (origin.isZero(0)) return front_here(spec, origin, a, b, points, options);
+  Front front = front_here(shifted(spec, -origin), origin, a, b, points, options);
   if (!front) return tl::unexpected(shifted(std::move(front.error()), origin));
   for (ParetoPoint& point : *front) point.design = shifted(point.design, origin);
   return front;

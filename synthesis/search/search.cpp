@@ -10,6 +10,7 @@
 #include "synthesis/search/best_design.hpp"
 #include "synthesis/search/diagnosis.hpp"
 #include "synthesis/search/improve.hpp"
+#include "synthesis/search/plain_reasons.hpp"
 
 namespace kempe {
 namespace {
@@ -25,14 +26,15 @@ FoundDesign finished(const SearchTask& task, SearchResult found) {
   return *std::move(found.design);
 }
 
-SearchOutcome synthesize_here(const Spec& spec, const SearchOptions& options) {
+/// `origin`: of the spec's coordinates, on the table.
+SearchOutcome synthesize_here(const Spec& spec, const Point& origin, const SearchOptions& options) {
   const SearchTask task = pose(spec, SearchControl(options));
   SearchResult found = best_design(task);
   const std::optional<double> bound = has_stock_lengths(spec) ? std::nullopt : found.bound;
   if (!found.design && !found.proven_none) found = searched_again(task, std::move(found), has_design);
   if (found.design) return finished(task, std::move(found));
   if (found.stopped && !found.proven_none) return Stopped{found.evaluations, bound};
-  return diagnose(task, found);
+  return diagnose(task, found, origin);
 }
 
 SearchOutcome back_to_the_table(SearchOutcome outcome, const Point& origin) {
@@ -41,13 +43,20 @@ SearchOutcome back_to_the_table(SearchOutcome outcome, const Point& origin) {
   return outcome;
 }
 
+/// A plain reason with what helps against it.
+NoDesign diagnosed(const Spec& spec, NoDesign reason, const SearchOptions& options) {
+  const Point origin = local_origin(spec);
+  const Spec here = shifted(spec, -origin);
+  return shifted(diagnose_plain(pose(here, SearchControl(options)), std::move(reason), origin), origin);
+}
+
 }  // namespace
 
 SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
-  if (auto none = plainly_impossible(spec)) return *std::move(none);
+  if (auto none = plainly_impossible(spec)) return diagnosed(spec, *std::move(none), options);
   const Point origin = local_origin(spec);
-  if (origin.isZero(0)) return synthesize_here(spec, options);
-  return back_to_the_table(synthesize_here(shifted(spec, -origin), options), origin);
+  if (origin.isZero(0)) return synthesize_here(spec, origin, options);
+  return back_to_the_table(synthesize_here(shifted(spec, -origin), origin, options), origin);
 }
 
 }  // namespace kempe

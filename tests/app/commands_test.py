@@ -268,7 +268,27 @@ class BadInput(Case):
 
     def test_a_locked_length_nearer_than_holes_can_be(self):
         text = TEN_LINES.replace("[links]", "[links]\nVA_mm = 16\nwall_mm = 13.5")
-        self.assertRefused(self.synthesize(text), 3, "links.wall_mm = 13.5", "links.VA_mm", "13 would do", "proven")
+        self.assertRefused(self.synthesize(text), 3, "links.wall_mm = 13.5", "links.VA_mm", "13 would fit", "proven")
+
+    def test_a_copy_on_its_original_is_told_with_what_helps(self):
+        def spec(gap, pole="[0, 0]"):
+            return ("[copy]\nscale = 0.5\n[region]\nrectangle_mm = {at = [100, -60], size = [200, 120]}\n"
+                    f"[pole]\nat_mm = {pole}\n[limits]\n{gap}\n")
+
+        elsewhere = []
+        for value in (5, 0.001, 0):
+            run = self.synthesize(spec(f"sheets_gap_mm = {value}"))
+            self.assertRefused(run, 3, "proven: no linkage can", "overlaps the original, whatever the links are", "(0, 0)")
+            self.assertNotIn("one of these alone", run.stderr)
+            place = re.search(r"the pole at \((.*)\) mm would do", run.stderr)
+            elsewhere.append(spec(f"sheets_gap_mm = {value}", f"[{place[1]}]"))
+        for text in elsewhere:
+            self.assertEqual(self.synthesize(text).returncode, 0)
+        self.assertEqual(self.synthesize(spec("")).returncode, 0)
+
+    def test_a_pole_in_the_region_is_told_with_its_place_and_another(self):
+        run = self.synthesize(TEN_LINES + "[pole]\nat_mm = [65, 1]\n")
+        self.assertRefused(run, 3, "proven: no linkage can", "(65, 1) mm stands inside the region", "would do")
 
     def test_plate_longer_than_allowed(self):
         text = TEN_LINES.replace("scale = 1.4", "scale = 90")

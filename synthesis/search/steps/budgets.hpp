@@ -122,7 +122,8 @@ struct DiagnosisBudget {
   int rounds = 8;  ///< of looking for a design nearer to what is demanded
   /// Of the way from what is demanded to what is attained: where such a design is looked for, the nearest first.
   std::array<double, 3> nearer{0.5, 0.9, 0.98};
-  int pin_halvings = 10;              ///< of what the pins may have to give: to a thousandth
+  int halvings = 10;                  ///< of what pins or links may have to give: to a thousandth
+  int pole_digits = 4;                ///< grids that a pole's place is rounded to, each ten times finer
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };
 

@@ -26,13 +26,14 @@ struct FoundDesign {
   std::optional<double> proven_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
 };
 
-/// One limit that, moved so far and alone, makes a design possible; or one obstacle that, taken away alone, does.
+/// One change that, alone, makes a design possible: of a limit's value, of another key, or an obstacle taken away.
 struct Relaxation {
-  std::optional<Goal> limit{};        ///< absent: an obstacle
-  std::string key{};                  ///< what a person would change: "links.longest_mm"; "obstacles"
-  double demanded = 0, possible = 0;  ///< of the limit, mm or rad; 0 for an obstacle
-  std::string sentence;               ///< "transmission_deg = 30 is in the way; 27.4 would do"
-  FoundDesign design;                 ///< that keeps all other limits
+  std::optional<Goal> limit{};       ///< whose value is changed; absent: something else is
+  std::string key{};                 ///< what a person would change: "links.longest_mm"; "obstacles"
+  double demanded = 0;               ///< of the limit, mm or rad
+  std::optional<double> possible{};  ///< the same; absent: left out, taken away, or no limit
+  std::string sentence;              ///< "transmission_deg = 30 is in the way; 27.4 would do"
+  FoundDesign design;                ///< of the spec with this change alone
 };
 
 /// Why there is no design.

@@ -22,6 +22,9 @@ inline constexpr double same_value = 1e-7;
 inline constexpr double bound_rounding = 1e-9;
 /// Share of a length: holes that fit but for rounding fit.
 inline constexpr double hole_rounding = 1e-9;
+/// Share of a distance and of the coordinates that it comes from: two places nearer than they must be, by more than this, are
+/// so for certain. Thousands of times what the few operations can be off by.
+inline constexpr double place_rounding = 1e-9;
 /// Unit (DesignLayout::unit): a row of the exchange method missed by no more is not violated; the local solvers leave so much.
 inline constexpr double violated_row = 1e-11;
 

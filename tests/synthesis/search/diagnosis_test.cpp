@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <tuple>
 
 #include "specs/spec_reader.hpp"
 #include "synthesis/search/best_design.hpp"
 #include "synthesis/search/pareto.hpp"
+#include "synthesis/search/plain_reasons.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
@@ -42,17 +45,87 @@ NoDesign nothing_for(const Spec& spec) {
   return none ? *none : NoDesign{};
 }
 
-/// Each relaxation's design keeps all other limits, and a hundredth less of it leaves nothing.
+/// The value that stands before "would do".
+double enough(const std::string& sentence) {
+  const std::string words = " would do";
+  const std::size_t end = sentence.find(words), start = sentence.rfind(' ', end - 1);
+  EXPECT_NE(end, std::string::npos) << sentence;
+  return std::stod(sentence.substr(start));
+}
+
+/// The place in "the pole at (12.5, -3) mm would do".
+Point place_in(const std::string& sentence) {
+  Point place;
+  const std::size_t at = sentence.find("the pole at (");
+  EXPECT_NE(at, std::string::npos) << sentence;
+  EXPECT_EQ(std::sscanf(sentence.c_str() + at, "the pole at (%lf, %lf)", &place.x(), &place.y()), 2);
+  return place;
+}
+
+/// The area in which the pole may stand, grown by a square of twice the margin: it holds all that is so far outside.
+Region grown_box(const Region& area, double margin) {
+  const Box box = bounding_box(area);
+  const Point more(margin, margin);
+  return Region::rectangle(box.lower - more, box.upper - box.lower + 2 * more);
+}
+
+void leave_out_lock(Spec& spec, const std::string& key) {
+  for (std::size_t i = 0; i < 8; ++i)
+    if (key == "links." + std::string(LinkLengths::names[i]) + "_mm")
+      spec.links.workshop.locked[i] = std::nullopt;
+}
+
+/// What a person makes of a relaxation who reads nothing but its key and its sentence.
+Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
+  const bool left_out = sentence.find("left out") != std::string::npos;
+  const auto value = [&] { return enough(sentence); };
+  if (key == "limits.transmission_deg") spec.limits.transmission = radians(value());
+  if (key == "limits.clearance_mm") spec.limits.clearance = value();
+  if (key == "limits.sheets_gap_mm")
+    spec.limits.sheets_gap = left_out ? std::nullopt : std::optional<double>(value());
+  if (key == "limits.copy_error_mm")
+    spec.limits.copy_error = left_out ? std::nullopt : std::optional<double>(value());
+  if (key == "links.longest_mm") spec.links.longest = value();
+  if (key == "links.shortest_mm") spec.links.shortest = value();
+  if (key == "links.wall_mm") spec.links.wall = value();
+  if (key == "links.pin_diameter_mm") spec.links.style.pin_diameter = value();
+  if (key == "links.width_mm") spec.links.style.width = value();
+  if (key == "links.layers") spec.links.layers = static_cast<int>(value());
+  if (key == "links.grid_mm") spec.links.workshop.grid = std::nullopt;
+  if (key == "links.stock_mm") spec.links.workshop.stock.clear();
+  if (key == "objective.groundings")
+    spec.objective.groundings = {all_groundings.begin(), all_groundings.end()};
+  leave_out_lock(spec, key);
+  if (key == "pole.at_mm") spec.pole.place = place_in(sentence);
+  if (key == "pole.within_mm" && sentence.find("the pole at") != std::string::npos)
+    spec.pole.place = place_in(sentence);
+  else if (key == "pole.within_mm")
+    spec.pole.place = grown_box(std::get<Region>(spec.pole.place),
+                                std::stod(sentence.substr(sentence.find("pole ", 8) + 5)));
+  if (key == "obstacles" && sentence.starts_with("the obstacles"))
+    spec.obstacles.clear();
+  else if (key == "obstacles")
+    std::erase_if(spec.obstacles,
+                  [&](const Obstacle& one) { return sentence.starts_with(one.name + " is"); });
+  return spec;
+}
+
+bool has_design(const Spec& spec) {
+  return std::holds_alternative<FoundDesign>(synthesize(spec, {.diagnose = false}));
+}
+
+/// Each relaxation as told gives a design, its own design keeps all other limits, and a hundredth less of it leaves nothing.
 void check(const Spec& spec, const NoDesign& none) {
   const SearchTask task = pose(spec, SearchControl({.diagnose = false}));
   for (const Relaxation& relaxation : none.relaxations) {
     SCOPED_TRACE(relaxation.sentence);
-    ASSERT_TRUE(relaxation.limit);
+    EXPECT_TRUE(has_design(as_told(spec, relaxation.key, relaxation.sentence)));
+    if (!relaxation.limit || !relaxation.possible) continue;
     if (relaxation.key == "links.pin_diameter_mm") continue;  // thinner pins move more than one limit
-    const Requirements moved = with(requirements_of(spec), *relaxation.limit, relaxation.possible);
+    const Requirements moved = with(requirements_of(spec), *relaxation.limit, *relaxation.possible);
     const DesignCheck design = check_design(spec, moved, relaxation.design.linkage, relaxation.design.layers);
     EXPECT_TRUE(design.feasible) << (design.broken ? name(*design.broken) : "");
-    const double less = relaxation.demanded + 0.98 * (relaxation.possible - relaxation.demanded);
+    const double less = relaxation.demanded + 0.98 * (*relaxation.possible - relaxation.demanded);
     EXPECT_FALSE(
         best_design(task.with(with(requirements_of(spec), *relaxation.limit, less), Goal::size)).design)
         << "less would do: " << less;
@@ -76,14 +149,6 @@ TEST(Diagnosis, OfLinksTooShortForTheRegion) {
   ASSERT_FALSE(none.relaxations.empty());
   EXPECT_EQ(none.requirement, "links.longest_mm");
   check(spec, none);
-}
-
-/// The value that stands before "would do".
-double enough(const std::string& sentence) {
-  const std::string words = " would do";
-  const std::size_t end = sentence.find(words), start = sentence.rfind(' ', end - 1);
-  EXPECT_NE(end, std::string::npos) << sentence;
-  return std::stod(sentence.substr(start));
 }
 
 /// A plagiograph with lengths up to 72 mm, which leave joints 41.8 mm apart at most.
@@ -145,12 +210,13 @@ TEST(Diagnosis, ALengthOfTheWorkshopNearerThanItsHolesIsNamedWithoutASearch) {
     EXPECT_EQ(none.requirement, "links.pin_diameter_mm");
     EXPECT_TRUE(none.proven);
     EXPECT_EQ(none.evaluations, 0U);
-    EXPECT_LT(enough(none.sentence), pin);
-    EXPECT_GT(enough(none.sentence), 0.9 * pin);
+    const double fits = std::stod(none.sentence.substr(none.sentence.rfind("; ") + 2));
+    EXPECT_LT(fits, pin);
+    EXPECT_GT(fits, 0.9 * pin);
     const auto front = pareto_front(spec, Objective::size, Objective::transmission, 3, {});
     ASSERT_FALSE(front);
     EXPECT_EQ(front.error().requirement, none.requirement);
-    spec.links.style.pin_diameter = enough(none.sentence);
+    spec.links.style.pin_diameter = fits;
     EXPECT_FALSE(plainly_impossible(spec));
   }
 }
@@ -197,19 +263,154 @@ TEST(Diagnosis, AnObstacleInTheWayIsNamed) {
 TEST(Diagnosis, AnObstacleOverThePoleIsNamedWithoutASearch) {
   Spec spec = example("plagiograph");
   spec.obstacles.push_back({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, {}}, 1, 1, "vice"});
+  const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+  ASSERT_TRUE(std::holds_alternative<NoDesign>(outcome));
+  EXPECT_EQ(std::get<NoDesign>(outcome).requirement, "obstacles");
+  EXPECT_EQ(std::get<NoDesign>(outcome).evaluations, 0U);
   const NoDesign none = nothing_for(spec);
-  EXPECT_EQ(none.requirement, "obstacles");
   EXPECT_TRUE(none.proven);
-  EXPECT_EQ(none.evaluations, 0U);
+  EXPECT_EQ(none.relaxations.size(), 2U);  // the obstacle away, or the pole elsewhere
+  check(spec, none);
 }
 
-TEST(Diagnosis, APoleInTheRegionIsNamed) {
+TEST(Diagnosis, APoleInTheRegionIsToldWithItsPlaceAndWhereItCouldStand) {
+  for (const Point& off : {Point(0, 0), Point(7000, -3000)}) {
+    Spec spec = example("plagiograph");
+    spec.region = Region::rectangle(off - Point(10, 10), {20, 20});
+    spec.pole.place = Point(off + Point(2, 3));
+    const NoDesign none = nothing_for(spec);
+    EXPECT_EQ(none.requirement, "pole.at_mm");
+    EXPECT_TRUE(none.proven);
+    EXPECT_NE(none.sentence.find(off.x() == 0 ? "(2, 3) mm" : "(7002, -2997) mm"), std::string::npos)
+        << none.sentence;
+    ASSERT_EQ(none.relaxations.size(), 1U);
+    EXPECT_FALSE(contains(spec.region, place_in(none.relaxations[0].sentence)));
+    check(spec, none);
+  }
+}
+
+/// The copy of x 100..300 at scale 1/2 lies at 50..150: half of it on the original, wherever links can stand.
+Spec copy_on_its_original(double gap) {
   Spec spec = example("plagiograph");
-  spec.region = Region{{{{{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}, {}}}};
-  spec.pole.place = Point(Point::Zero());
+  spec.copy = Copy::of(0.5, 0);
+  spec.region = Region::rectangle({100, -60}, {200, 120});
+  spec.pole.place = Point(0, 0);
+  spec.links = LinkSpec{};
+  spec.limits = Limits{};
+  spec.limits.sheets_gap = gap;
+  return spec;
+}
+
+TEST(Diagnosis, ACopyOnItsOriginalNeedsAnotherPoleOrNoGap) {
+  for (const double gap : {5.0, 0.001, 0.0}) {
+    const Spec spec = copy_on_its_original(gap);
+    const NoDesign none = nothing_for(spec);
+    EXPECT_TRUE(none.proven);
+    EXPECT_EQ(none.requirement, "limits.sheets_gap_mm");
+    EXPECT_NE(none.sentence.find("overlaps the original, whatever the links are"), std::string::npos);
+    ASSERT_EQ(none.relaxations.size(), 2U);
+    EXPECT_EQ(none.relaxations[0].key, "limits.sheets_gap_mm");
+    EXPECT_EQ(none.relaxations[1].key, "pole.at_mm");
+    check(spec, none);
+  }
+}
+
+TEST(Diagnosis, ACopyTooNearItsOriginalIsToldHowNearItLies) {
+  Spec spec = copy_on_its_original(40);
+  spec.region = Region::rectangle({100, -10}, {60, 20});  // its copy ends at 80
   const NoDesign none = nothing_for(spec);
-  EXPECT_EQ(none.requirement, "pole.at_mm");
-  EXPECT_TRUE(none.proven);
+  EXPECT_NE(none.sentence.find("lies 20 mm from the original"), std::string::npos) << none.sentence;
+  ASSERT_EQ(none.relaxations.size(), 2U);
+  EXPECT_NEAR(*none.relaxations[0].possible, 20, 0.1);
+  check(spec, none);
+}
+
+TEST(Diagnosis, APoleThatMayStandNowhereWithoutOverlapLosesTheGap) {
+  Spec spec = copy_on_its_original(5);
+  spec.pole.place = Region::rectangle({-5, -5}, {10, 10});
+  const NoDesign none = nothing_for(spec);
+  ASSERT_FALSE(none.relaxations.empty());
+  EXPECT_EQ(none.relaxations.front().key, "limits.sheets_gap_mm");
+  EXPECT_FALSE(none.relaxations.front().possible);
+  check(spec, none);
+}
+
+/// Every single key that restricts designs, left out or at the loosest value that a spec may state.
+std::vector<std::pair<std::string, Spec>> each_left_out(const Spec& spec) {
+  std::vector<std::pair<std::string, Spec>> specs;
+  const auto add = [&](const char* key) -> Spec& { return specs.emplace_back(key, spec).second; };
+  add("transmission").limits.transmission = 0;
+  add("clearance").limits.clearance = 0;
+  add("sheets gap").limits.sheets_gap = std::nullopt;
+  add("copy error").limits.copy_error = std::nullopt;
+  add("longest").links.longest = 1e6;
+  add("shortest").links.shortest = 1e-3;
+  add("wall").links.wall = 1e-6;
+  add("pin").links.style.pin_diameter *= 1e-3;
+  add("width").links.style.width = spec.links.style.pin_diameter;
+  add("layers").links.layers = 4;
+  add("groundings").objective.groundings = {all_groundings.begin(), all_groundings.end()};
+  add("obstacles").obstacles.clear();
+  add("grid").links.workshop.grid = std::nullopt;
+  add("locks").links.workshop.locked[0] = std::nullopt;
+  const Box box = bounding_box(spec.region);
+  const Point far(600, 600);
+  add("pole").pole.place = Region::rectangle(box.lower - far, box.upper - box.lower + 2 * far);
+  return specs;
+}
+
+/// Specs that ask for too much of one or of two things.
+Spec greedy_spec(test::SpecDice& dice) {
+  Spec spec = dice.spec();
+  for (int n = 0; n < 2; ++n) {
+    const double kind = dice.uniform(0, 9);
+    if (kind < 1)
+      spec.limits.sheets_gap = dice.uniform(0, 150);
+    else if (kind < 2)
+      spec.limits.sheets_gap = 0;
+    else if (kind < 3)
+      spec.limits.transmission = radians(dice.uniform(40, 85));
+    else if (kind < 4)
+      spec.links.longest = dice.uniform(30, 200);
+    else if (kind < 5)
+      spec.links.shortest = dice.uniform(0.5, 1) * spec.links.longest;
+    else if (kind < 6)
+      spec.links.style.width = 2 * (spec.links.style.pin_diameter = dice.uniform(15, 80));
+    else if (kind < 7)
+      spec.links.workshop.locked[0] = dice.uniform(20, 600);
+    else if (kind < 8)
+      spec.limits.clearance = dice.uniform(5, 80);
+    else
+      spec.objective.groundings = {all_groundings[static_cast<std::size_t>(dice.uniform(0, 3))]};
+  }
+  if (spec.links.workshop.locked[0])
+    spec.links.workshop.locked[0] =
+        std::clamp(*spec.links.workshop.locked[0], spec.links.shortest, spec.links.longest);
+  return spec;
+}
+
+/// KEMPE_GREEDY_SPECS: so many others instead, and how many of them had no relaxation.
+TEST(Diagnosis, EveryRelaxationIsTrueAndSoIsTheirAbsence) {
+  const char* count = std::getenv("KEMPE_GREEDY_SPECS");
+  const int enough_seen = count ? std::atoi(count) : test::samples(12);
+  test::SpecDice dice(count ? 1907 : 71);
+  int seen = 0, without_any = 0;
+  for (int i = 0; i < 40 * enough_seen && seen < enough_seen; ++i) {
+    const Spec spec = greedy_spec(dice);
+    const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+    if (!std::holds_alternative<NoDesign>(outcome)) continue;
+    SCOPED_TRACE(i);
+    ++seen;
+    const NoDesign none = nothing_for(spec);
+    SCOPED_TRACE(none.sentence);
+    for (const Relaxation& one : none.relaxations)
+      EXPECT_TRUE(has_design(as_told(spec, one.key, one.sentence))) << one.sentence;
+    if (!none.relaxations.empty() || none.sentence.find("would fit") != std::string::npos) continue;
+    ++without_any;
+    for (const auto& [key, other] : each_left_out(spec)) EXPECT_FALSE(has_design(other)) << key;
+  }
+  EXPECT_GE(seen, test::samples(10));
+  if (count) std::printf("%d specs without a design, %d without a relaxation\n", seen, without_any);
 }
 
 }  // namespace

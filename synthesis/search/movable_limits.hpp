@@ -1,0 +1,39 @@
+#pragma once
+// The limits that have a value: how a person knows each, how far it may be moved, and the value that would do.
+
+#include <array>
+#include <optional>
+
+#include "synthesis/problem/requirements.hpp"
+
+namespace kempe {
+
+/// A limit that can be moved.
+struct MovableLimit {
+  Goal goal;
+  const char* key;
+  double unit;     ///< the key's unit in mm or rad
+  double loosest;  ///< that a spec can state, in mm or rad; what can be left out is looser still
+};
+
+inline constexpr std::array movable_limits{
+    MovableLimit{Goal::transmission, "limits.transmission_deg", pi / 180, 0},
+    MovableLimit{Goal::clearance, "limits.clearance_mm", 1, 0},
+    MovableLimit{Goal::longest, "links.longest_mm", 1, 1e6},
+    MovableLimit{Goal::sheets_gap, "limits.sheets_gap_mm", 1, 0},
+    MovableLimit{Goal::copy_error, "limits.copy_error_mm", 1, 1e3},
+    MovableLimit{Goal::pole_margin, "pole.within_mm", 1, 1e4},
+};
+
+/// The limit's value in force; nothing if the spec does not have it.
+std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goal goal);
+Requirements moved(Requirements limits, Goal goal, double value);
+
+/// The limit moved past the value attained (tolerance::give_of_value), rounded outwards to at most six digits in its own
+/// unit; never past the loosest.
+double possible_value(const MovableLimit& limit, double demanded, double attained);
+
+/// "limits.transmission_deg = 30 is in the way; 27.4 would do"
+std::string sentence_of(const MovableLimit& limit, double demanded, double possible);
+
+}  // namespace kempe

@@ -1,0 +1,110 @@
+#include "synthesis/search/plain_reasons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/regions/region_algebra.hpp"
+#include "synthesis/bound/sheets.hpp"
+#include "synthesis/search/relaxation_words.hpp"
+#include "synthesis/search/steps/tolerances.hpp"
+
+namespace kempe {
+namespace {
+
+NoDesign impossible(std::string requirement, std::string sentence) {
+  return {.requirement = std::move(requirement), .sentence = std::move(sentence), .proven = true};
+}
+
+/// A length that some links must not exceed, and where the spec says so.
+struct MostLength {
+  std::string key;
+  double length;  ///< mm
+};
+
+/// The least of the largest lengths that the spec leaves to some two joints of a link.
+MostLength least_most_length(const LinkSpec& links) {
+  MostLength most{"links.longest_mm", links.longest};
+  const auto take = [&](std::string key, double length) {
+    if (length < most.length) most = {std::move(key), length};
+  };
+  const WorkshopSpec& workshop = links.workshop;
+  if (workshop.grid) take("links.grid_mm", std::floor(links.longest / *workshop.grid) * *workshop.grid);
+  double stock = 0;
+  for (const double length : workshop.stock)
+    if (length <= links.longest) stock = std::max(stock, length);
+  if (!workshop.stock.empty()) take("links.stock_mm", stock);
+  for (std::size_t i = 0; i < workshop.locked.size(); ++i)
+    if (workshop.locked[i]) take(fmt::format("links.{}_mm", LinkLengths::names[i]), *workshop.locked[i]);
+  return most;
+}
+
+/// Holes that need more than the lengths that the workshop dictates.
+std::optional<NoDesign> holes_too_near(const Spec& spec) {
+  const MostLength most = least_most_length(spec.links);
+  if (hole_distance(spec) <= most.length * (1 + tolerance::hole_rounding)) return std::nullopt;
+  const double room = most.length - joint_width(spec), pin = pin_for_hole_distance(spec, most.length);
+  const bool by_wall = spec.links.wall && room > tolerance::least_wall_share * joint_width(spec);
+  const std::string key = by_wall ? "links.wall_mm" : "links.pin_diameter_mm";
+  std::string sentence = fmt::format("{} = {:.6g} is in the way: {}, and {} leaves them {:.6g} mm", key,
+                                     by_wall ? *spec.links.wall : spec.links.style.pin_diameter,
+                                     holes_sentence(spec), most.key, most.length);
+  if (const double enough = by_wall ? room : pin; enough > 0)
+    sentence += fmt::format("; {:.6g} would fit", rounded_down(enough));
+  return impossible(key, std::move(sentence));
+}
+
+/// An obstacle whose distance from the pole is less than its post and clearance need, by more than rounding.
+std::optional<NoDesign> pole_under_obstacle(const Spec& spec, const Point& pole) {
+  const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
+  const double rounding = tolerance::place_rounding * (needed + pole.norm());
+  for (const Obstacle& obstacle : spec.obstacles)
+    if (obstacle.lowest_layer == 1 && distance(Region{{obstacle.shape}}, pole) < needed - rounding)
+      return impossible(
+          "obstacles",
+          fmt::format("{} stands over the pole at {} mm, or within its clearance; the pole or the "
+                      "obstacle must move",
+                      obstacle.name, place_text(pole)));
+  return std::nullopt;
+}
+
+/// Original and copy as the pole alone places them: by places of the region that come too near (bound/sheets.hpp).
+std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole) {
+  if (!spec.limits.sheets_gap || spec.region.empty()) return std::nullopt;
+  const RegionReach region(spec.region);
+  if (bounding::SheetsGap(spec, region).verdict(pole, 0) != bounding::SheetsGap::Verdict::too_near)
+    return std::nullopt;
+  const auto nearest = nearest_places(spec.region, similar_image(spec.region, spec.copy.k(), pole));
+  const double apart = nearest ? nearest->distance : 0;
+  return impossible(
+      "limits.sheets_gap_mm",
+      fmt::format(
+          "limits.sheets_gap_mm = {:.6g} is in the way: with the pole at {} mm the copy {}, whatever the "
+          "links are; the pole must move (or be free), or limits.sheets_gap_mm must be {}",
+          *spec.limits.sheets_gap, place_text(pole),
+          apart > 0 ? fmt::format("lies {:.6g} mm from the original", apart) : "overlaps the original",
+          apart > 0 ? "less or left out" : "left out"));
+}
+
+std::optional<NoDesign> pole_impossible(const Spec& spec) {
+  if (!spec.pole.is_fixed()) return std::nullopt;
+  const Point& pole = std::get<Point>(spec.pole.place);
+  if (contains(spec.region, pole))
+    return impossible(
+        "pole.at_mm",
+        fmt::format("the pole at {} mm stands inside the region, where no linkage brings its tracer "
+                    "to the pole; it must move out of the region (or be free)",
+                    place_text(pole)));
+  if (auto none = pole_under_obstacle(spec, pole)) return none;
+  return copy_too_near(spec, pole);
+}
+
+}  // namespace
+
+std::optional<NoDesign> plainly_impossible(const Spec& spec) {
+  if (auto none = pole_impossible(spec)) return none;
+  return holes_too_near(spec);
+}
+
+}  // namespace kempe

@@ -1,0 +1,15 @@
+#pragma once
+// What no search is needed for: the pole in the region or under an obstacle, a copy on its original, holes too near.
+
+#include <optional>
+
+#include "specs/spec.hpp"
+#include "synthesis/search/steps/outcome.hpp"
+
+namespace kempe {
+
+/// The reason why no linkage whatsoever is a design for the spec, with its place and what must change; nothing where none of
+/// these is in the way. What must change need not be enough: diagnose_plain() says whether it is.
+std::optional<NoDesign> plainly_impossible(const Spec& spec);
+
+}  // namespace kempe

@@ -1,0 +1,74 @@
+#pragma once
+// The questions of a diagnosis: what of a spec, changed alone, makes a design possible. Each kind has a file of its own.
+
+#include <string>
+#include <vector>
+
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
+
+namespace kempe {
+
+/// What the questions share, and what they have come to.
+class Questions {
+ public:
+  /// `thorough`: searches that find nothing are repeated from other random numbers. The task must outlive the questions.
+  Questions(const SearchTask& task, const Point& origin, bool thorough);
+
+  const SearchTask& task() const { return task_; }
+  const Spec& spec() const { return task_.spec(); }
+  const Requirements& limits() const { return task_.limits; }
+  const DiagnosisBudget& budget() const { return task_.budgets().diagnosis; }
+  /// Of the task's coordinates on the table, mm.
+  const Point& origin() const { return origin_; }
+  bool stopped() const { return task_.stopped(); }
+
+  /// The best design for other limits or another goal.
+  SearchResult best(const SearchTask& asked);
+  /// The best design for another spec.
+  std::optional<FoundDesign> best_of(const Spec& other);
+  /// Counts the work of a search made elsewhere.
+  void count(std::uint64_t evaluations) { evaluations_ += evaluations; }
+
+  /// A key that is about to be changed alone.
+  void note(const std::string& key);
+  void keep(std::optional<Relaxation> found);
+  /// What was changed by that key already, with a design.
+  bool has(const std::string& key) const;
+
+  const std::vector<std::string>& noted() const { return noted_; }
+  const std::vector<Relaxation>& found() const { return found_; }
+  std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  const SearchTask& task_;
+  Point origin_;
+  bool thorough_;
+  std::vector<std::string> noted_;
+  std::vector<Relaxation> found_;
+  std::uint64_t evaluations_ = 0;
+};
+
+/// Limits with a value: the least change of it; those that can be left out: without it, where no value does.
+void relax_limits(Questions& questions);
+void relax_sheets_gap(Questions& questions);
+/// The joints of a link nearer to each other: by shortest_mm, or by wall or pin.
+void relax_joints(Questions& questions);
+/// Obstacles away, one by one or all.
+void relax_obstacles(Questions& questions);
+/// The pole wherever a link can reach the region from.
+void relax_pole(Questions& questions);
+/// What the workshop and the objective dictate left out: grid, stock, locked lengths, groundings; more layers.
+void relax_workshop(Questions& questions);
+/// Thinner pins, narrower links.
+void relax_parts(Questions& questions);
+
+/// The thickest pin (or width) with which there is a design, and that design; nothing if none has one. By halving: thinner
+/// parts never forbid what thicker ones allow.
+struct Thinned {
+  double value;  ///< mm
+  FoundDesign design;
+};
+std::optional<Thinned> thinned(Questions& questions, double LinkStyle::*part, double least);
+
+}  // namespace kempe
