@@ -7,11 +7,6 @@
 #include "synthesis/search/relaxation_words.hpp"
 
 namespace kempe {
-namespace {
-
-bool has_design(const SearchResult& found) { return found.design.has_value(); }
-
-}  // namespace
 
 Questions::Questions(const SearchTask& task, const Point& origin, bool thorough)
     : task_(task), origin_(origin), thorough_(thorough) {}

@@ -14,8 +14,9 @@ struct OptionalKey {
 
 std::vector<OptionalKey> optional_keys(const Spec& spec) {
   std::vector<OptionalKey> keys;
-  const auto without = [&](std::string key) -> Spec& {
-    return keys.emplace_back(std::move(key), spec).without;
+  const auto without = [&](const std::string& key) -> Spec& {
+    keys.push_back({key, spec});
+    return keys.back().without;
   };
   const WorkshopSpec& workshop = spec.links.workshop;
   if (workshop.grid) without("links.grid_mm").links.workshop.grid = std::nullopt;

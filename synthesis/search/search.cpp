@@ -15,8 +15,6 @@
 namespace kempe {
 namespace {
 
-bool has_design(const SearchResult& found) { return found.design.has_value(); }
-
 /// The search's design as the outcome tells it.
 FoundDesign finished(const SearchTask& task, SearchResult found) {
   const bool complete = found.design->complete;

@@ -16,6 +16,8 @@ struct SearchResult {
   std::uint64_t evaluations = 0;
 };
 
+inline bool has_design(const SearchResult& found) { return found.design.has_value(); }
+
 /// True if a has the better value of the goal; both have been found for it.
 inline bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
   return is_maximized(goal) ? a.value > b.value : a.value < b.value;
