@@ -236,13 +236,24 @@ tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& 
                                    "a folder of *.toml, or a .jsonl file"});
 }
 
+namespace {
+
+/// The topmost fault, and how many more there are.
+std::string in_one_line(const InputError& error) {
+  const std::size_t more = error.others.size();
+  if (more == 0) return error.message();
+  return fmt::format("{} (and {} more {})", error.message(), more, more == 1 ? "fault" : "faults");
+}
+
+}  // namespace
+
 std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   Json line{{"name", task.name}};
   const auto spec =
       task.text.and_then([&](const std::string& text) { return read_spec(text, task.name, task.folder); });
   if (!spec) {
     line["status"] = "bad input";
-    line["message"] = spec.error().message();
+    line["message"] = in_one_line(spec.error());
     return line_of(line);
   }
   SearchOptions options = given;
@@ -278,32 +289,32 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
 
 int run_batch(const Session& session, const BatchArguments& arguments) {
   const auto tasks = batch_tasks(arguments.source);
-  if (!tasks) return fail(tasks.error());
+  if (!tasks) return fail(session, tasks.error());
   if (const auto clash = output_clash(inputs_of(arguments.source, *tasks), arguments.folder,
                                       {"results.jsonl", "results.csv"}))
-    return fail(*clash);
+    return fail(session, *clash);
   auto ranks = Ranks::join();
-  if (!ranks) return fail(failed, ranks.error());
+  if (!ranks) return fail(session, failed, ranks.error());
   auto journal = BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()), is_batch_result);
   // Either all processes go on or none: one that left alone would keep the others waiting.
-  if (ranks->anyone(!journal)) return journal ? cannot_write : fail(cannot_write, journal.error());
+  if (ranks->anyone(!journal)) return journal ? cannot_write : fail(session, cannot_write, journal.error());
   if (ranks->rank() == 0) tell_passed_over(*journal);
   BatchRun run(session, arguments, *tasks, *ranks, *journal);
   ranks->wait_for_all();  // nobody writes before everybody has read what earlier runs finished
   const auto failure = run.work();
   const bool someone_failed = ranks->anyone(failure.has_value());
-  if (failure) return fail(cannot_write, *failure);
+  if (failure) return fail(session, cannot_write, *failure);
   if (someone_failed) return cannot_write;
-  if (run.interrupted()) return fail(interrupted, "stopped; the same command continues");
+  if (run.interrupted()) return fail(session, interrupted, "stopped; the same command continues");
   if (ranks->rank() != 0) return done;
   journal->read_all();
   const auto lines = run.lines();
-  if (!lines) return fail(failed, "another process stopped early; the same command continues");
+  if (!lines) return fail(session, failed, "another process stopped early; the same command continues");
   std::string text;
   for (const std::string& line : *lines) text += line + "\n";
   const auto written = write_whole(fs::path(arguments.folder), {OutputFile{"results.jsonl", text},
                                                                 OutputFile{"results.csv", csv_of(*lines)}});
-  if (!written) return fail(cannot_write, written.error());
+  if (!written) return fail(session, cannot_write, written.error());
   const auto designs = std::count_if(lines->begin(), lines->end(), [](const std::string& line) {
     return Json::parse(line)["status"] == "design";
   });

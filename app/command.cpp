@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "specs/text/printable.hpp"
 
@@ -17,7 +18,52 @@ CLI::App* add_command(CLI::App& program, Session& session, const std::string& na
   return command;
 }
 
-int fail(ExitCode code, const std::string& message) {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view name(ExitCode code) {
+  switch (code) {
+    case no_design: return "no design exists";
+    case verification_failed: return "verification failed";
+    case cannot_write: return "cannot write";
+    case stopped:
+    case interrupted: return "stopped";
+    default: return "failed";
+  }
+}
+
+/// What is not known is null.
+Json json_of(const InputError& fault) {
+  const auto known = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  return {{"file", known(fault.file)},
+          {"line", fault.line > 0 ? Json(fault.line) : Json(nullptr)},
+          {"key", known(fault.key)},
+          {"found", fault.found},
+          {"allowed", fault.allowed}};
+}
+
+}  // namespace
+
+int fail(const Session& session, ExitCode code, const std::string& message) {
+  if (session.json) print(json_text(Json{{"error", std::string(name(code))}, {"sentence", message}}));
+  return fail_told(code, message);
+}
+
+int fail(const Session& session, const InputError& error) {
+  say(error.message());
+  for (const InputError& other : error.others) say(other.message());
+  if (session.json) print(faults_json(error));
+  return bad_input;
+}
+
+std::string faults_json(const InputError& error) {
+  Json faults = Json::array({json_of(error)});
+  for (const InputError& other : error.others) faults.push_back(json_of(other));
+  return json_text(Json{{"error", {{"faults", faults}}}});
+}
+
+int fail_told(ExitCode code, const std::string& message) {
   say(message);
   return code;
 }
@@ -26,7 +72,9 @@ void say(const std::string& message) {
   std::fprintf(stderr, "kempe: %s\n", printable_lines(message).c_str());
 }
 
-int fail(const InputError& error) { return fail(bad_input, error.message()); }
+std::string json_text(const Json& object) {
+  return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 CLI::Validator number_between(double lowest, double highest) {
   const auto check = [lowest, highest](std::string& text) -> std::string {

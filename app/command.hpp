@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "kempe/input_error.hpp"
@@ -32,12 +33,23 @@ struct Session {
 CLI::App* add_command(CLI::App& program, Session& session, const std::string& name,
                       const std::string& description, const std::string& example);
 
-/// Prints "kempe: MESSAGE" to stderr and returns the code.
-int fail(ExitCode code, const std::string& message);
-int fail(const InputError& error);
+/// Prints "kempe: MESSAGE" to stderr and, with --json, one object to stdout; returns the code. For a command that has
+/// printed nothing yet.
+int fail(const Session& session, ExitCode code, const std::string& message);
+/// Bad input, every fault of it: {"error": {"faults": [{"file", "line", "key", "found", "allowed"}, ...]}}.
+int fail(const Session& session, const InputError& error);
+
+/// The object that the latter prints.
+std::string faults_json(const InputError& error);
+
+/// Prints "kempe: MESSAGE" to stderr and returns the code: for a command that has printed its answer.
+int fail_told(ExitCode code, const std::string& message);
 
 /// The same as a note, which changes nothing of the outcome.
 void say(const std::string& message);
+
+/// JSON as text by lines, whatever bytes its texts hold.
+std::string json_text(const nlohmann::ordered_json& object);
 
 /// A number of an option: finite and from `lowest` to `highest`.
 CLI::Validator number_between(double lowest, double highest);

@@ -119,7 +119,7 @@ std::string region_line(const Design& design) {
     return fmt::format("region       none given; the collision-free workspace has {:.6g} mm2\n",
                        area(design.map.collision_free));
   return design.map.coverage.covered
-             ? "region       covered by one component of the collision-free workspace\n"
+             ? "region       covered: the tracer gets everywhere in it without contact\n"
              : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
 }
 
@@ -159,10 +159,11 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
     text +=
         reach_line(design.search->obstacles_out_of_reach.size()) + objective_line(*design.search, decimals);
   text += bound_line(design);
-  text += fmt::format("size         {:.{}f} mm\n", q.size, decimals);
-  text +=
-      fmt::format("transmission {:.3f} degrees at least; opening {:.3f} .. {:.3f} degrees certified\n",
-                  degrees(q.transmission_min), degrees(design.opening.lower), degrees(design.opening.upper));
+  text += fmt::format("size         {:.{}f} mm: all bars, and half the outline of each plate\n", q.size,
+                      decimals);
+  text += fmt::format("transmission {:.3f} degrees at least\n", degrees(q.transmission_min));
+  text += fmt::format("opening      {:.3f} .. {:.3f} degrees from VA to VB, all proven usable\n",
+                      degrees(design.opening.lower), degrees(design.opening.upper));
   if (std::isfinite(q.clearance_min))
     text += fmt::format("clearance    {:.{}f} mm at least, {}\n", q.clearance_min, decimals,
                         design.map.clearance_min_parts);
@@ -197,7 +198,7 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   object["folder"] = folder.string();
   object["files"] = files;
   object["left_out"] = left_out;
-  return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 namespace {
@@ -233,9 +234,9 @@ int tell_no_design(const Session& session, const NoDesign& none) {
                                        {"vertex", std::string(name(relaxation.design.linkage.grounding()))},
                                        {"VA_mm", relaxation.design.linkage.VA()},
                                        {"VB_mm", relaxation.design.linkage.VB()}});
-    print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    print(json_text(object));
   }
-  return fail(no_design, message);
+  return fail_told(no_design, message);
 }
 
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
@@ -247,11 +248,12 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   FolderDraft draft(folder);
   const auto drafted = draft_design(design, extras, draft);
   if (!drafted)
-    return fail(drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
+    return fail(session, drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
                 drafted.error().sentence);
   const std::vector<std::string> files = draft.names();
-  if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(*clash);
-  if (const auto written = draft.put_in_place(); !written) return fail(cannot_write, written.error());
+  if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(session, *clash);
+  if (const auto written = draft.put_in_place(); !written)
+    return fail(session, cannot_write, written.error());
   const std::vector<std::string>& left_out = drafted->left_out;
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
   if (const auto lack = why_no_step(); lack && drafted->has_parts) told.push_back(*lack);

@@ -19,8 +19,8 @@ std::string length_text(const LoadedLinkage& loaded, double mm) {
   return fmt::format("{:.6g} {}", mm / loaded.file.unit.in_mm, loaded.file.unit.name);
 }
 
-tl::unexpected<int> refuse(const LoadedLinkage& loaded, ExitCode code, const std::string& what) {
-  return tl::unexpected(fail(code, loaded.file.file + ": " + what));
+tl::unexpected<int> no_answer(const Session& session, const LoadedLinkage& loaded, const std::string& what) {
+  return tl::unexpected(fail(session, no_design, loaded.file.file + ": " + what));
 }
 
 std::string driver_text(const LoadedLinkage& loaded, std::size_t driver, double value) {
@@ -41,19 +41,21 @@ std::string opening_text(const LoadedLinkage& loaded, const Missing& missing) {
   return fmt::format("{} has a gap of {}", label, length_text(loaded, missing.gap.amount));
 }
 
-int tell_wrong_drivers(const LoadedLinkage& loaded, const Mobility& mobility) {
+int tell_wrong_drivers(const Session& session, const LoadedLinkage& loaded, const Mobility& mobility) {
   const std::size_t driven = loaded.model.linkage.drivers().size();
-  return fail({loaded.file.file, loaded.file.drivers.empty() ? 0 : loaded.file.drivers.back().line, "drivers",
+  return fail(session,
+              {loaded.file.file, loaded.file.drivers.empty() ? 0 : loaded.file.drivers.back().line, "drivers",
                fmt::format("{} driven {} for a mobility of {} ({})", driven, driven == 1 ? "value" : "values",
                            mobility.mobility, fmt::join(mobility_sentences(loaded.model, mobility), "; ")),
                "as many driven values as the mobility"});
 }
 
-int tell_stopped() { return fail(interrupted, "stopped; nothing is written"); }
+int tell_stopped(const Session& session) { return fail(session, interrupted, "stopped; nothing is written"); }
 
 /// Nothing closes with the drivers at their start: too many drivers, values out of reach, or no linkage at
 /// all.
-int tell_not_assembled(const LoadedLinkage& loaded, const Missing& missing, std::uint64_t seed) {
+int tell_not_assembled(const Session& session, const LoadedLinkage& loaded, const Missing& missing,
+                       std::uint64_t seed) {
   LoadedLinkage free = loaded;
   free.model.linkage = loaded.model.linkage.undriven();
   free.model.schedule = {};
@@ -62,43 +64,45 @@ int tell_not_assembled(const LoadedLinkage& loaded, const Missing& missing, std:
   search.seed = seed;
   search.stop = wish_to_stop();
   const auto found = start_assembly_modes(free.file, free.model, search);
-  if (!found && search.stop()) return tell_stopped();
+  if (!found && search.stop()) return tell_stopped(session);
   if (!found)
-    return fail(no_design,
+    return fail(session, no_design,
                 fmt::format("{}: does not assemble: {}", loaded.file.file, opening_text(loaded, missing)));
   const Mobility mobility = mobility_of(free.model.linkage, found->front());
   if (mobility.mobility < static_cast<int>(loaded.model.linkage.drivers().size()))
-    return tell_wrong_drivers(loaded, mobility);
-  return fail(no_design, fmt::format("{}: does not assemble at the start of the motion, where the drivers' "
-                                     "first values are out of reach: {}",
-                                     loaded.file.file, opening_text(loaded, missing)));
+    return tell_wrong_drivers(session, loaded, mobility);
+  return fail(session, no_design,
+              fmt::format("{}: does not assemble at the start of the motion, where the drivers' "
+                          "first values are out of reach: {}",
+                          loaded.file.file, opening_text(loaded, missing)));
 }
 
-int tell_no_path(const LoadedLinkage& loaded, const NoPathHere& none) {
+int tell_no_path(const Session& session, const LoadedLinkage& loaded, const NoPathHere& none) {
   if (none.why == NoPath::does_not_assemble)
     return tell_not_assembled(
-        loaded, missing_at(loaded.model.linkage, none.assembly_mode, loaded.model.schedule.values_at(0)), 1);
+        session, loaded,
+        missing_at(loaded.model.linkage, none.assembly_mode, loaded.model.schedule.values_at(0)), 1);
   const Mobility mobility = mobility_of(loaded.model.linkage, none.position);
   if (mobility.mobility != static_cast<int>(loaded.model.linkage.drivers().size()))
-    return tell_wrong_drivers(loaded, mobility);
+    return tell_wrong_drivers(session, loaded, mobility);
   const std::string why =
       mobility.singular_here()
           ? fmt::format("a singular position: {}",
                         fmt::join(mobility_sentences(loaded.model, mobility), "; "))
           : fmt::format("a dead point, where the drivers cannot move the linkage: {}",
                         fmt::join(describe_singularity(loaded.model.linkage, none.position), "; "));
-  return fail(no_design, fmt::format("{}: the motion starts at {}", loaded.file.file, why));
+  return fail(session, no_design, fmt::format("{}: the motion starts at {}", loaded.file.file, why));
 }
 
 /// A run, if the linkage has drivers and a path from the start, and nobody stops it.
 template <class Run>
-tl::expected<PlanarRun, int> driven(const LoadedLinkage& loaded, const Run& run_it) {
+tl::expected<PlanarRun, int> driven(const Session& session, const LoadedLinkage& loaded, const Run& run_it) {
   if (loaded.model.linkage.drivers().empty())
-    return refuse(loaded, bad_input,
-                  "drivers: found nothing; allowed: [[drivers]], as many as the linkage has freedoms");
+    return tl::unexpected(fail(session, {loaded.file.file, 0, "drivers", "nothing",
+                                         "[[drivers]], as many as the linkage has freedoms"}));
   tl::expected<PlanarRun, NoPathHere> run = run_it();
-  if (!run) return tl::unexpected(tell_no_path(loaded, run.error()));
-  if (run->stop && run->stop->end == PathEnd::interrupted) return tl::unexpected(tell_stopped());
+  if (!run) return tl::unexpected(tell_no_path(session, loaded, run.error()));
+  if (run->stop && run->stop->end == PathEnd::interrupted) return tl::unexpected(tell_stopped(session));
   return std::move(*run);
 }
 
@@ -111,16 +115,17 @@ std::function<bool()> wish_to_stop() {
 
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& path) {
   auto file = read_linkage_file(path);
-  if (!file) return tl::unexpected(fail(file.error()));
+  if (!file) return tl::unexpected(fail(session, file.error()));
   if (!session.quiet)
     for (const std::string& note : file->notes) std::fprintf(stderr, "kempe: note: %s\n", note.c_str());
   LinkageModel model = linkage_model(*file);
   if (const std::string fault = model.linkage.fault(); !fault.empty())
-    return tl::unexpected(fail(bad_input, printable(path) + ": " + fault));
+    return tl::unexpected(fail(session, {path, 0, "links", fault, "a linkage that can be solved"}));
   return LoadedLinkage{std::move(*file), std::move(model)};
 }
 
-tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLinkage& loaded,
+tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const Session& session,
+                                                                const LoadedLinkage& loaded,
                                                                 std::uint64_t seed) {
   AssemblySearch search;
   search.seed = seed;
@@ -129,22 +134,23 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLink
   if (found) return std::move(*found);
   const NoAssembly& none = found.error();
   if (!none.unmet.empty())
-    return refuse(
-        loaded, no_design,
+    return no_answer(
+        session, loaded,
         fmt::format("no closing of the linkage lies within the bounds of {}", fmt::join(none.unmet, ", ")));
-  if (search.stop()) return tl::unexpected(tell_stopped());
-  return tl::unexpected(tell_not_assembled(loaded, none.missing.value(), seed));
+  if (search.stop()) return tl::unexpected(tell_stopped(session));
+  return tl::unexpected(tell_not_assembled(session, loaded, none.missing.value(), seed));
 }
 
-tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const PlanarPosition& start,
-                                           int steps) {
-  return driven(loaded, [&] {
+tl::expected<PlanarRun, int> drive_linkage(const Session& session, const LoadedLinkage& loaded,
+                                           const PlanarPosition& start, int steps) {
+  return driven(session, loaded, [&] {
     return run_motion(loaded.model.linkage, start, loaded.model.schedule, steps, {wish_to_stop()});
   });
 }
 
-tl::expected<PlanarRun, int> drive_to(const LoadedLinkage& loaded, const PlanarPosition& start, double step) {
-  return driven(loaded, [&] {
+tl::expected<PlanarRun, int> drive_to(const Session& session, const LoadedLinkage& loaded,
+                                      const PlanarPosition& start, double step) {
+  return driven(session, loaded, [&] {
     return run_to(loaded.model.linkage, start, loaded.model.schedule, step / loaded.file.steps,
                   {wish_to_stop()});
   });
@@ -162,9 +168,9 @@ std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int
   return text;
 }
 
-int write_output(const std::string& path, const std::string& contents) {
+int write_output(const Session& session, const std::string& path, const std::string& contents) {
   const auto written = write_whole(path, contents);
-  return written ? static_cast<int>(done) : fail(cannot_write, written.error());
+  return written ? static_cast<int>(done) : fail(session, cannot_write, written.error());
 }
 
 }  // namespace kempe::app

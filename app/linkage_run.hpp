@@ -25,21 +25,23 @@ std::function<bool()> wish_to_stop();
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& file);
 
 /// The closed positions at the start, the chosen one first.
-tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const LoadedLinkage& loaded,
+tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const Session& session,
+                                                                const LoadedLinkage& loaded,
                                                                 std::uint64_t seed);
 
 /// Drives the linkage from a closed position over `steps` parts. A motion that stops early is a run, not a
 /// failure; one that the user stops is.
-tl::expected<PlanarRun, int> drive_linkage(const LoadedLinkage& loaded, const PlanarPosition& start,
-                                           int steps);
+tl::expected<PlanarRun, int> drive_linkage(const Session& session, const LoadedLinkage& loaded,
+                                           const PlanarPosition& start, int steps);
 
 /// The same to one step of the motion, whole or not, which alone is shown.
-tl::expected<PlanarRun, int> drive_to(const LoadedLinkage& loaded, const PlanarPosition& start, double step);
+tl::expected<PlanarRun, int> drive_to(const Session& session, const LoadedLinkage& loaded,
+                                      const PlanarPosition& start, double step);
 
 /// "dead point at step 17.33 of 36 (...): A, B and C in line (crank, rod)"
 std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps);
 
 /// Writes an output file; on failure tells why and returns cannot_write.
-int write_output(const std::string& path, const std::string& contents);
+int write_output(const Session& session, const std::string& path, const std::string& contents);
 
 }  // namespace kempe::app

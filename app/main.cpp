@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "app/all_commands.hpp"
+#include "app/arguments.hpp"
 #include "app/command.hpp"
-#include "specs/text/printable.hpp"
 
 namespace {
 
@@ -28,7 +28,7 @@ void keep_standard_streams() {
 int told(int code) {
   using namespace kempe::app;
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    return fail(cannot_write, "stdout cannot be written");
+    return fail_told(cannot_write, "stdout cannot be written");
   return code;
 }
 
@@ -47,17 +47,17 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream help, complaint;
-    const int code = program.exit(error, help, complaint);
+    if (error.get_exit_code() != 0) return told(tell_bad_arguments(program, {argv, argv + argc}, error));
+    std::ostringstream help;
+    program.exit(error, help, help);
     print(help.str());
-    std::fputs(kempe::printable_lines(complaint.str()).c_str(), stderr);
-    return told(code == 0 ? done : bad_input);
+    return told(done);
   }
   int code = failed;
   try {
     code = session.chosen();
   } catch (const std::exception& error) {
-    return fail(failed, std::string("internal error: ") + error.what());
+    return fail(session, failed, std::string("internal error: ") + error.what());
   }
   return told(code);
 }

@@ -42,9 +42,9 @@ int tell_stopped(const Session& session, const Stopping& stopping, const std::st
     nlohmann::ordered_json object{
         {"error", "stopped"}, {"reason", stopping.reason()}, {"sentence", sentence}};
     object["lower_bound"] = proven_bound ? nlohmann::ordered_json(*proven_bound) : nlohmann::ordered_json();
-    print(object.dump(1) + "\n");
+    print(json_text(object));
   }
-  return fail(stopping.code(), sentence);
+  return fail_told(stopping.code(), sentence);
 }
 
 }  // namespace kempe::app

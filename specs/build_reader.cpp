@@ -208,7 +208,7 @@ std::optional<MechanismSpec> read_mechanism(const TableView& table, const Copy& 
   table.set("assembly", mechanism.assembly_mode);
   mechanism.grounding = grounding_or_last(grounding);
   mechanism.layers = read_link_layers(table, layers, complaints);
-  if (!complaints.none()) return mechanism;
+  if (!complaints.none_about("mechanism")) return mechanism;
   const auto count = static_cast<int>(assembly_modes(shape_of(copy.k(), mechanism.grounding)).size());
   if (mechanism.assembly_mode >= count) {
     complaints.add(table.line_of_key("assembly"), "mechanism.assembly",

@@ -69,7 +69,7 @@ FaultText text_of(PairFault fault) {
 CopyReading read_copy_from_pairs(const TableView& table, Complaints& complaints) {
   const toml::node& node = *table.find("pairs_mm");
   const std::vector<PointPair> pairs = read_pairs(*node.as_array(), complaints);
-  if (!complaints.none()) return {};
+  if (!complaints.none_about("copy")) return {};
   const auto fit = fit_similarity(pairs);
   if (!fit) {
     const FaultText text = text_of(fit.error());
@@ -111,7 +111,7 @@ CopyReading read_copy(const TableView& table, Complaints& complaints) {
   }
   CopyReading reading = has_pairs ? read_copy_from_pairs(table, complaints) : read_copy_given(table);
   const char* key = has_pairs ? "pairs_mm" : table.has("scale") ? "scale" : "rotation_deg";
-  if (complaints.none()) check_ratio(table, reading.copy, key, complaints);
+  if (complaints.none_about("copy")) check_ratio(table, reading.copy, key, complaints);
   return reading;
 }
 

@@ -29,8 +29,7 @@ class Reader {
       for (const auto& [key, value] : *table) {
         const std::string dotted = fmt::format("{}.{}", table_name.str(), key.str());
         if (std::find(known.begin(), known.end(), dotted) == known.end())
-          complaints_.add(line_of(value), dotted, "an unknown key",
-                          fmt::format("the nearest known key is {}", nearest(dotted, known)));
+          refuse_unknown(line_of(value), dotted, nearest(dotted, known));
       }
     }
   }
@@ -40,6 +39,14 @@ class Reader {
     return inside != nullptr ? inside->get(key) : nullptr;
   }
 
+  bool has(std::string_view dotted) const { return find(dotted) != nullptr; }
+  /// Where a key stands; it must be there.
+  int line(std::string_view dotted) const { return line_of(*find(dotted)); }
+  const toml::node* find(std::string_view dotted) const {
+    const std::size_t dot = dotted.find('.');
+    return find(dotted.substr(0, dot), dotted.substr(dot + 1));
+  }
+
   /// A number within [lower, upper]; `value` keeps its own if the key is absent and not required.
   void number(std::string_view table, std::string_view key, double& value, double lower, double upper,
               bool required, const char* unit) {
@@ -47,7 +54,7 @@ class Reader {
     const std::string allowed = fmt::format("a number from {} to {}{}", lower, upper, unit);
     const toml::node* node = find(table, key);
     if (node == nullptr) {
-      if (required) complaints_.add(0, dotted, "no such key", allowed);
+      if (required) missing(dotted, allowed);
       return;
     }
     const auto found = finite_number(*node);
@@ -78,7 +85,7 @@ class Reader {
     const std::string allowed =
         fmt::format("[lower, upper], numbers from {} to {}, lower below upper", lower, upper);
     const toml::node* node = find(table, key);
-    if (node == nullptr) return complaints_.add(0, dotted, "no such key", allowed);
+    if (node == nullptr) return missing(dotted, allowed);
     const auto both = finite_point(*node);
     if (!both || both->x() < lower || both->y() > upper || both->x() >= both->y())
       return complaints_.add(line_of(*node), dotted, describe(*node), allowed);
@@ -109,8 +116,20 @@ class Reader {
     return tables;
   }
 
+  void refuse_unknown(int line, const std::string& dotted, std::string_view meant) {
+    meant_.emplace_back(meant);
+    complaints_.add(line, dotted, "an unknown key", fmt::format("the nearest known key is {}", meant));
+  }
+
+  /// One mistake is told once: not what an unknown key means.
+  void missing(const std::string& dotted, const std::string& allowed) {
+    if (std::find(meant_.begin(), meant_.end(), dotted) == meant_.end())
+      complaints_.add(0, dotted, "no such key", allowed);
+  }
+
   const toml::table& file_;
   Complaints& complaints_;
+  std::vector<std::string> meant_;  ///< by keys that are unknown
 };
 
 void read_table(const Reader& reader, FunctionSpec& spec, Complaints& complaints) {
@@ -161,7 +180,8 @@ tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text,
   double points = 3;
   reader.number("function", "points", points, 3, 5, false, "");
   spec.points = static_cast<int>(points);
-  if (points != spec.points) complaints.add(0, "function.points", fmt::format("{}", points), "3, 4 or 5");
+  if (points != spec.points)
+    complaints.add(reader.line("function.points"), "function.points", fmt::format("{}", points), "3, 4 or 5");
   reader.angle("input", "range_deg", spec.input_range, -360, 360, true);
   reader.angle("output", "range_deg", spec.output_range, -360, 360, true);
   reader.angle("input", "start_deg", spec.input_start);
@@ -169,16 +189,18 @@ tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text,
   reader.number("links", "ground_mm", spec.ground, 1e-3, 1e6, false, " mm");
   reader.number("links", "longest_ratio", spec.longest_ratio, 1, 1e4, false, "");
   reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
-  if (complaints.none() && (spec.input_range == 0 || spec.output_range == 0))
-    complaints.add(0, spec.input_range == 0 ? "input.range_deg" : "output.range_deg", "0",
-                   "a range other than 0");
+  for (const auto& [key, range] :
+       {std::pair("input.range_deg", spec.input_range), std::pair("output.range_deg", spec.output_range)})
+    if (complaints.none_about(key) && range == 0 && reader.has(key))
+      complaints.add(reader.line(key), key, "0", "a range other than 0");
   const int given = (spec.input_start ? 1 : 0) + (spec.output_start ? 1 : 0);
-  if (complaints.none() && spec.method == "precision_points" && spec.points == 5 && given > 0)
+  if (complaints.none_about("function") && spec.method == "precision_points" && spec.points == 5 && given > 0)
     complaints.add(0, "function.points", "5 with a start given", "no start_deg: five points decide both");
-  if (complaints.none() && spec.method == "precision_points" && spec.points == 4 && given == 2)
+  if (complaints.none_about("function") && spec.method == "precision_points" && spec.points == 4 &&
+      given == 2)
     complaints.add(0, "function.points", "4 with both starts given",
                    "at most one start_deg: four points decide the other");
-  if (!complaints.none()) return tl::unexpected(complaints.first());
+  if (!complaints.none()) return tl::unexpected(complaints.all());
   return spec;
 }
 
@@ -198,7 +220,7 @@ tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text,
   double longest = 1e6;
   reader.number("links", "longest_mm", longest, 0, 1e6, false, " mm");
   spec.longest = longest;
-  if (!complaints.none()) return tl::unexpected(complaints.first());
+  if (!complaints.none()) return tl::unexpected(complaints.all());
   return spec;
 }
 

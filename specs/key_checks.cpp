@@ -58,15 +58,42 @@ std::vector<std::string_view> names_in(std::string_view table) {
 /// Names longer than any of ours are compared and shown by their beginning.
 constexpr std::size_t longest_name = 60;
 
+/// The known key of a table with the same name in another unit; empty if there is none.
+std::string_view in_another_unit(std::string_view table, std::string_view name) {
+  for (const std::string_view known : names_in(table)) {
+    if (stem_of(known) == stem_of(name)) return known;
+  }
+  return {};
+}
+
+/// The key of a table that somebody may have meant by an unknown one.
+std::string_view key_meant(std::string_view table, std::string_view name) {
+  const std::string_view same = in_another_unit(table, name);
+  return same.empty() ? nearest(name.substr(0, longest_name), names_in(table)) : same;
+}
+
+/// "VA_mm", "AC_mm", ...: the keys that lock a length.
+bool locks_a_length(std::string_view key) { return key.ends_with("_mm") && key.size() == 5; }
+
+/// True of "length_mm", "AB_mm" or "VA" in [links].
+bool seems_to_lock_a_length(std::string_view table, std::string_view name) {
+  return table == "links" && (stem_of(name).size() <= 2 || name.find("length") != std::string_view::npos);
+}
+
+std::string lockable_lengths() {
+  std::vector<std::string_view> names = names_in("links");
+  std::erase_if(names, [](std::string_view name) { return !locks_a_length(name); });
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// What somebody who wrote an unknown key may have meant.
 std::string hint_for(std::string_view table, std::string_view name) {
-  for (const std::string_view known : names_in(table)) {
-    if (stem_of(known) == stem_of(name)) return unit_sentence(known);
-  }
+  if (const auto same = in_another_unit(table, name); !same.empty()) return unit_sentence(same);
+  if (seems_to_lock_a_length(table, name)) return "a length that can be locked: " + lockable_lengths();
   for (const SpecKey& key : spec_keys()) {
     if (key.name == name) return fmt::format("{} in [{}]", name, key.table);
   }
-  return fmt::format("{} (the nearest known key)", nearest(name.substr(0, longest_name), names_in(table)));
+  return fmt::format("{} (the nearest known key)", key_meant(table, name));
 }
 
 /// One value against its rule. Every check adds its complaint and the rule's sentence of what is allowed.
@@ -177,20 +204,35 @@ void check_top_level(const toml::node& value, std::string_view name, Complaints&
   }
 }
 
+/// The table that has a key of this name; empty if none has.
+std::string_view table_with(std::string_view key_name) {
+  for (const SpecKey& key : spec_keys()) {
+    if (key.name == key_name) return key.table;
+  }
+  return {};
+}
+
+std::string_view nearest_table(std::string_view name) {
+  const auto tables = spec_tables();
+  return nearest(name.substr(0, longest_name), {tables.begin(), tables.end()});
+}
+
 /// A key without a table, or a table that is not known.
 std::string hint_for_top_level(std::string_view name) {
+  if (const auto table = table_with(name); !table.empty()) return fmt::format("{} in [{}]", name, table);
+  return fmt::format("[{}] (the nearest known table)", nearest_table(name));
+}
+
+bool is_known_table(std::string_view name) {
   const auto tables = spec_tables();
-  for (const SpecKey& key : spec_keys()) {
-    if (key.name == name) return fmt::format("{} in [{}]", name, key.table);
-  }
-  return fmt::format("[{}] (the nearest known table)",
-                     nearest(name.substr(0, longest_name), {tables.begin(), tables.end()}));
+  return std::find(tables.begin(), tables.end(), name) != tables.end();
 }
 
 }  // namespace
 
 void check_table(const toml::table& table, std::string_view rules, const std::string& path,
                  Complaints& complaints) {
+  std::set<std::string_view> meant;  // by keys that are unknown: one mistake is told once
   for (const auto& [key, value] : table) {
     const std::string dotted = path + "." + printable(key.str(), longest_name);
     if (const SpecKey* rule = find_spec_key(rules, key.str())) {
@@ -198,24 +240,33 @@ void check_table(const toml::table& table, std::string_view rules, const std::st
     } else {
       complaints.add(static_cast<int>(key.source().begin.line), dotted, "an unknown key",
                      hint_for(rules, key.str()));
+      meant.insert(key_meant(rules, key.str()));
     }
   }
   for (const SpecKey& key : spec_keys()) {
-    if (key.table != rules || !key.required || table.contains(key.name)) continue;
+    if (key.table != rules || !key.required || table.contains(key.name) || meant.contains(key.name)) continue;
     complaints.add(line_of(table), path + "." + std::string(key.name), "nothing", describe_allowed(key));
   }
 }
 
 void check_keys(const toml::table& spec, Complaints& complaints) {
-  const auto tables = spec_tables();
   for (const auto& [key, value] : spec) {
-    if (std::find(tables.begin(), tables.end(), key.str()) != tables.end()) {
+    if (is_known_table(key.str())) {
       check_top_level(value, key.str(), complaints);
     } else {
       complaints.add(static_cast<int>(key.source().begin.line), printable(key.str(), longest_name),
                      value.is_table() ? "an unknown table" : "an unknown key", hint_for_top_level(key.str()));
     }
   }
+}
+
+bool is_meant(const toml::table& spec, std::string_view table) {
+  for (const auto& [key, value] : spec) {
+    if (is_known_table(key.str())) continue;
+    const std::string_view holder = table_with(key.str());
+    if ((holder.empty() ? nearest_table(key.str()) : holder) == table) return true;
+  }
+  return false;
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {

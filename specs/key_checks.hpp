@@ -18,6 +18,9 @@ void check_keys(const toml::table& spec, Complaints& complaints);
 void check_table(const toml::table& table, std::string_view rules, const std::string& path,
                  Complaints& complaints);
 
+/// True if an unknown key or table at the top level of a spec seems to mean this table.
+bool is_meant(const toml::table& spec, std::string_view table);
+
 /// The candidate with the fewest insertions, deletions, replacements and swaps of neighbours away from
 /// `word`; of equals the first. `candidates` must not be empty.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);

@@ -316,7 +316,8 @@ tl::expected<Measurements, InputError> read_measurements(std::string_view text, 
                    complaints);
   read_design_name(*parsed, measurements, complaints);
   read_instrument(*parsed, measurements, complaints);
-  if (complaints.none()) check_what_was_measured(*parsed, measurements, complaints);
+  if (complaints.none_about("instrument") && complaints.none_about("design"))
+    check_what_was_measured(*parsed, measurements, complaints);
   read_readings(*parsed, measurements, complaints);
   check_rounds(measurements, complaints);
   read_lengths(*parsed, measurements, complaints);
@@ -324,7 +325,7 @@ tl::expected<Measurements, InputError> read_measurements(std::string_view text, 
   read_use(*parsed, measurements, complaints);
   read_plan(*parsed, measurements, complaints);
   read_simulation(*parsed, measurements, complaints);
-  if (!complaints.none()) return tl::unexpected(complaints.first());
+  if (!complaints.none()) return tl::unexpected(complaints.all());
   return measurements;
 }
 

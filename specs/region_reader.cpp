@@ -89,7 +89,7 @@ std::optional<Region> read_region(const TableView& table, const std::filesystem:
     complaints.add(table.line_of_key("cover"), "region.cover", "it without a file",
                    "it with a .svg or .dxf file");
   }
-  if (!complaints.none()) return std::nullopt;
+  if (!complaints.none_about("region")) return std::nullopt;
   if (*key == "file") return read_file_region(table, folder, complaints);
   auto region = read_shape(table, *key, complaints);
   return region ? grow_as_asked(table, *region, complaints) : std::nullopt;

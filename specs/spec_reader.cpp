@@ -24,7 +24,7 @@ bool needs_tolerance(const Spec& spec) {
 }
 
 void check_tolerance(const Spec& spec, const toml::table& root, Complaints& complaints) {
-  if (!needs_tolerance(spec)) return;
+  if (!needs_tolerance(spec) || !complaints.none_about("tolerance")) return;
   const bool by_limit = spec.limits.copy_error.has_value();
   const TableView asking = table_in(root, by_limit ? "limits" : "objective");
   const std::string_view key = by_limit ? "copy_error_mm" : "minimize";
@@ -40,37 +40,38 @@ void check_tolerance(const Spec& spec, const toml::table& root, Complaints& comp
 }
 
 void require_tables(const toml::table& root, Complaints& complaints) {
-  if (!root.contains("copy")) {
+  if (!root.contains("copy") && !is_meant(root, "copy")) {
     complaints.add(0, "copy", "nothing", "a table [copy] with scale and rotation_deg, or pairs_mm");
   }
-  if (!root.contains("region") && !root.contains("mechanism")) {
+  if (!root.contains("region") && !root.contains("mechanism") && !is_meant(root, "region")) {
     complaints.add(0, "region", "nothing",
                    "a table [region] with exactly one of polygon_mm, rectangle_mm, circle_mm, file");
   }
 }
 
-/// Reads all tables; whatever is wrong is in `complaints`. The tables' keys must be without complaint.
+/// Reads every table whose keys are without complaint; whatever is wrong is in `complaints`.
 Spec read_tables(const toml::table& root, const std::filesystem::path& folder, Complaints& complaints) {
   Spec spec;
   const auto table = [&root](std::string_view name) { return table_in(root, name); };
-  const CopyReading copy = read_copy(table("copy"), complaints);
+  const auto sound = [&](std::string_view name) {
+    return root.contains(name) && complaints.none_about(name);
+  };
+  CopyReading copy;
+  if (sound("copy")) copy = read_copy(table("copy"), complaints);
   spec.copy = copy.copy;
-  spec.links = read_links(table("links"), complaints);
+  if (sound("links")) spec.links = read_links(table("links"), complaints);
   spec.limits = read_limits(table("limits"));
   spec.tolerance = read_tolerance(table("tolerance"));
   spec.tool = read_tool(table("tool"));
-  spec.objective = read_objective(table("objective"), complaints);
-  spec.mechanism = read_mechanism(table("mechanism"), spec.copy, spec.links.layers, complaints);
+  if (sound("objective")) spec.objective = read_objective(table("objective"), complaints);
+  if (sound("mechanism") && sound("copy") && complaints.none_about("links"))
+    spec.mechanism = read_mechanism(table("mechanism"), spec.copy, spec.links.layers, complaints);
   spec.cutting = read_cutting(table("cutting"));
   check_tolerance(spec, root, complaints);
-  // The costly ones last, and only if all the rest is well.
-  if (complaints.none()) spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
-  if (const auto* obstacles = root.get_as<toml::array>("obstacles"); obstacles && complaints.none()) {
-    spec.obstacles = read_obstacles(*obstacles, complaints);
-  }
-  if (root.contains("region") && complaints.none()) {
-    spec.region = read_region(table("region"), folder, complaints).value_or(Region{});
-  }
+  if (complaints.none_about("pole"))
+    spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
+  if (sound("obstacles")) spec.obstacles = read_obstacles(*root.get_as<toml::array>("obstacles"), complaints);
+  if (sound("region")) spec.region = read_region(table("region"), folder, complaints).value_or(Region{});
   return spec;
 }
 
@@ -78,10 +79,9 @@ tl::expected<Spec, InputError> read_root(const toml::table& root, const std::str
                                          const std::filesystem::path& folder) {
   Complaints complaints(file_name);
   check_keys(root, complaints);
-  if (complaints.none()) require_tables(root, complaints);
-  if (!complaints.none()) return tl::unexpected(complaints.first());
+  require_tables(root, complaints);
   Spec spec = read_tables(root, folder, complaints);
-  if (!complaints.none()) return tl::unexpected(complaints.first());
+  if (!complaints.none()) return tl::unexpected(complaints.all());
   return spec;
 }
 

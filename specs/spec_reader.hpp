@@ -16,8 +16,8 @@ namespace kempe {
 ///  1. all numbers are finite, within the ranges of spec_keys.hpp, in mm and rad;
 ///  2. regions keep the invariant of Polygon; the copy ratio is neither 0 nor 1;
 ///  3. what is left out has the defaults of spec.hpp; the region may be empty only beside a [mechanism].
-/// The error is the topmost in the file: line, key, what was found, what is allowed; `file` is the path as
-/// given.
+/// The error names every fault of the file, the topmost first: line, key, what was found, what is allowed; `file` is the
+/// path as given.
 tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path);
 
 /// The same from text. `file_name` is for error messages, region.file is looked for in `folder`.

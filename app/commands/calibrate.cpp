@@ -59,7 +59,7 @@ tl::expected<std::optional<DrawnDesign>, InputError> design_for(const Measuremen
   return drawn_design(*linkage, design->mechanism.opening, design->region);
 }
 
-int write_report(const CalibrateArguments& arguments, const CalibrationRecord& record,
+int write_report(const Session& session, const CalibrateArguments& arguments, const CalibrationRecord& record,
                  const std::optional<SimulationRecord>& simulation, const std::string& json,
                  const std::string& text, const std::string& design) {
   std::vector<OutputFile> files{{"calibration.json", json}};
@@ -70,37 +70,38 @@ int write_report(const CalibrateArguments& arguments, const CalibrationRecord& r
   for (const OutputFile& file : files) names.push_back(file.name.string());
   std::vector<std::filesystem::path> inputs{arguments.file};
   if (!design.empty()) inputs.push_back(std::filesystem::path(arguments.file).parent_path() / design);
-  if (const auto clash = output_clash(inputs, arguments.folder, names)) return fail(*clash);
+  if (const auto clash = output_clash(inputs, arguments.folder, names)) return fail(session, *clash);
   const auto written = write_whole(std::filesystem::path(arguments.folder), files);
-  return written ? done : fail(cannot_write, written.error());
+  return written ? done : fail(session, cannot_write, written.error());
 }
 
-int run(const CalibrateArguments& arguments, bool quiet) {
+int run(const Session& session, const CalibrateArguments& arguments) {
   const auto text = read_text_file(arguments.file);
-  if (!text) return fail(text.error());
+  if (!text) return fail(session, text.error());
   auto read = read_measurements(*text, arguments.file);
-  if (!read) return fail(read.error());
+  if (!read) return fail(session, read.error());
   const auto measurements = with_arguments(std::move(*read), arguments);
-  if (!measurements) return fail(measurements.error());
+  if (!measurements) return fail(session, measurements.error());
   const auto design = design_for(*measurements, arguments.file);
-  if (!design) return fail(design.error());
+  if (!design) return fail(session, design.error());
   const auto record = run_calibration(*measurements, *design, arguments.file);
-  if (!record) return fail(record.error());
+  if (!record) return fail(session, record.error());
   std::optional<SimulationRecord> simulation;
   if (measurements->simulation) {
     const Interrupt interrupt;
-    Progress progress(quiet);
+    Progress progress(session.quiet);
     simulation = simulate_calibration(
         *measurements, *design, arguments.seed, [&](double share) { progress.show(share, "simulating"); },
         interrupt.requested());
-    if (!simulation) return fail(interrupted, "interrupted");
+    if (!simulation) return fail(session, interrupted, "stopped; nothing is written");
   }
   const std::string json = calibration_json(*record, simulation);
   if (!arguments.folder.empty())
-    if (const int code = write_report(arguments, *record, simulation, json, *text, measurements->design);
+    if (const int code =
+            write_report(session, arguments, *record, simulation, json, *text, measurements->design);
         code != done)
       return code;
-  print(json);
+  print(session.json ? json : calibration_text(*record, simulation));
   return done;
 }
 
@@ -130,9 +131,8 @@ void add_calibrate_command(CLI::App& program, Session& session) {
   command->add_flag("--simulate", arguments->simulate,
                     "Simulate instruments with hidden errors ([simulate])");
   command->add_option("--seed", arguments->seed, "Seed of the simulation");
-  command->callback([&session, arguments] {
-    session.chosen = [&session, arguments] { return run(*arguments, session.quiet); };
-  });
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }
 
 }  // namespace kempe::app

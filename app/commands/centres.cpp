@@ -9,6 +9,7 @@
 #include "app/output_check.hpp"
 #include "reports/linkages/centres_picture.hpp"
 #include "reports/linkages/json.hpp"
+#include "reports/linkages/text.hpp"
 
 namespace kempe::app {
 namespace {
@@ -20,35 +21,38 @@ struct CentresArguments {
 };
 
 /// The moment at a step, whole or not, reached along the motion.
-tl::expected<RunFrame, int> frame_at(const LoadedLinkage& loaded, const PlanarPosition& start, double step) {
-  auto run = drive_to(loaded, start, step);
+tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage& loaded,
+                                     const PlanarPosition& start, double step) {
+  auto run = drive_to(session, loaded, start, step);
   if (!run) return tl::unexpected(run.error());
   if (!run->stop) return run->frames.back();
-  return tl::unexpected(
-      fail(no_design, fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
-                                  stop_sentence(loaded, *run, loaded.file.steps))));
+  return tl::unexpected(fail(session, no_design,
+                             fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
+                                         stop_sentence(loaded, *run, loaded.file.steps))));
 }
 
 int run(const Session& session, const CentresArguments& arguments) {
-  if (const auto clash = output_clash({arguments.linkage}, {arguments.picture})) return fail(*clash);
+  if (const auto clash = output_clash({arguments.linkage}, {arguments.picture})) return fail(session, *clash);
   const auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
   if (!(arguments.step >= 0 && arguments.step <= loaded->file.steps))
-    return fail({arguments.linkage, 0, "--at", fmt::format("{:g}", arguments.step),
-                 fmt::format("a step from 0 to {}", loaded->file.steps)});
-  const auto assembly_modes = assemble_linkage(*loaded, arguments.seed);
+    return fail(session, {arguments.linkage, 0, "--at", fmt::format("{:g}", arguments.step),
+                          fmt::format("a step from 0 to {}", loaded->file.steps)});
+  const auto assembly_modes = assemble_linkage(session, *loaded, arguments.seed);
   if (!assembly_modes) return assembly_modes.error();
-  const auto frame = frame_at(*loaded, assembly_modes->front(), arguments.step);
+  const auto frame = frame_at(session, *loaded, assembly_modes->front(), arguments.step);
   if (!frame) return frame.error();
   const auto centres = instant_centres(loaded->model.linkage, frame->position, frame->rate);
   const std::vector<double> speeds = loaded->model.schedule.speeds_at(frame->share);
   if (!arguments.picture.empty()) {
     const PlanarRun moment{{*frame}, std::nullopt};
     const LinkageScene scene = linkage_scene(loaded->file, loaded->model, moment, loaded->file.steps);
-    const int code = write_output(arguments.picture, centres_svg(scene, centres, loaded->file.unit.in_mm));
+    const int code =
+        write_output(session, arguments.picture, centres_svg(scene, centres, loaded->file.unit.in_mm));
     if (code != done) return code;
   }
-  print(centres_json(loaded->file, loaded->model, arguments.step, *frame, speeds, centres));
+  const auto answer = session.json ? centres_json : centres_text;
+  print(answer(loaded->file, loaded->model, arguments.step, *frame, speeds, centres));
   return done;
 }
 

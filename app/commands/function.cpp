@@ -1,4 +1,4 @@
-// kempe function: a function-generating four-bar, as JSON and on request with its error plotted.
+// kempe function: a function-generating four-bar, on request with its error plotted.
 
 #include <fmt/format.h>
 
@@ -20,6 +20,15 @@ namespace {
 struct FunctionArguments {
   std::string spec_file, plot_file;
 };
+
+std::string_view in_words(FunctionMethod method) {
+  switch (method) {
+    case FunctionMethod::precision_points: return "precision points";
+    case FunctionMethod::least_squares: return "least squares";
+    case FunctionMethod::minimax: return "minimax: the smallest largest error";
+  }
+  return {};
+}
 
 FunctionMethod method_named(const std::string& method) {
   for (const FunctionMethod one : {FunctionMethod::least_squares, FunctionMethod::minimax})
@@ -89,6 +98,49 @@ nlohmann::ordered_json json_of(const FunctionTask& task, const FunctionDesign& d
   return object;
 }
 
+std::string wanted_text(const FunctionSpec& spec) {
+  return spec.expression.empty() ? "the table" : "y = " + spec.expression;
+}
+
+std::string lengths_text(const FourBar& bar) {
+  std::string text;
+  const std::pair<const char*, double> lengths[] = {
+      {"ground", bar.ground}, {"input", bar.input}, {"coupler", bar.coupler}, {"output", bar.output}};
+  for (const auto& [label, length] : lengths) text += fmt::format("  {:<8} {:10.3f} mm\n", label, length);
+  return text;
+}
+
+/// How sure it is that no linkage near it is better; empty where nothing is known.
+std::string proof_line(const FunctionDesign& design) {
+  if (!design.optimum) return "";
+  const MinimaxOptimum& optimum = *design.optimum;
+  std::string text =
+      fmt::format("proof        {}: {} equal ripples, {} unknowns",
+                  optimum.proven ? "a local minimum" : "none", optimum.ripples, optimum.unknowns);
+  if (!optimum.limits.empty()) text += fmt::format("; held by {}", fmt::join(optimum.limits, ", "));
+  return text + "\n";
+}
+
+std::string text_of(const FunctionSpec& spec, const FunctionTask& task, const FunctionDesign& design) {
+  std::string text = fmt::format("function     {}, x from {:.6g} to {:.6g}\n", wanted_text(spec),
+                                 task.x_lower, task.x_upper);
+  text += fmt::format("method       {}\n", in_words(task.method));
+  text += fmt::format("linkage      {}, branch {}\n", name(design.motion),
+                      design.linkage.branch == FourBarBranch::first ? 1 : 2);
+  text += lengths_text(design.linkage);
+  text += fmt::format("input crank  from {:.3f} degrees over {:.6g} degrees\n", degrees(design.input_start),
+                      degrees(task.input_range));
+  text +=
+      fmt::format("output crank from {:.3f} degrees over {:.6g} degrees: y from {:.6g} to {:.6g}\n",
+                  degrees(design.output_start), degrees(task.output_range), design.y_lower, design.y_upper);
+  text += fmt::format("error        {:.4g} degrees of the output crank at most, {:.4g} degrees RMS\n",
+                      degrees(design.error_largest), degrees(design.error_rms));
+  text += "exact at     x =";
+  for (const double x : design.precision_points) text += fmt::format(" {:.6g}", x);
+  text += fmt::format("\ntransmission {:.3f} degrees at least\n", degrees(design.transmission_min));
+  return text + proof_line(design);
+}
+
 /// Nothing where the answer says all that is to be said.
 std::string reservation(const FunctionDesign& design) {
   if (!design.optimum || design.optimum->proven) return "";
@@ -102,27 +154,27 @@ std::string plot_of(const FunctionDesign& design, const std::string& title) {
   return error_plot_svg(plot);
 }
 
-int run(const FunctionArguments& arguments) {
-  if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file})) return fail(*clash);
+int run(const Session& session, const FunctionArguments& arguments) {
+  if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file}))
+    return fail(session, *clash);
   const auto text = read_text_file(arguments.spec_file);
-  if (!text) return fail(text.error());
+  if (!text) return fail(session, text.error());
   const auto spec = read_function_spec(*text, arguments.spec_file);
-  if (!spec) return fail(spec.error());
+  if (!spec) return fail(session, spec.error());
   const auto task = task_of(*spec, arguments.spec_file);
-  if (!task) return fail(task.error());
+  if (!task) return fail(session, task.error());
   const auto design = generate_function(*task);
-  if (!design) return fail(no_design, "no design found: " + design.error().sentence);
+  if (!design) return fail(session, no_design, "no design found: " + design.error().sentence);
   if (!arguments.plot_file.empty()) {
-    const std::string wanted = spec->expression.empty() ? "the table" : "y = " + spec->expression;
-    const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted));
-    if (!written) return fail(cannot_write, written.error());
+    const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted_text(*spec)));
+    if (!written) return fail(session, cannot_write, written.error());
   }
   auto object = json_of(*task, *design);
   if (const std::string words = reservation(*design); !words.empty()) {
     object["reservation"] = words;
-    fmt::print(stderr, "kempe: {}\n", words);
+    say(words);
   }
-  print(object.dump(1) + "\n");
+  print(session.json ? json_text(object) : text_of(*spec, *task, *design));
   return done;
 }
 
@@ -136,7 +188,8 @@ void add_function_command(CLI::App& program, Session& session) {
   command->add_option("SPEC", arguments->spec_file, "What is wanted (TOML; see docs/function-generator.md)")
       ->required();
   command->add_option("--plot", arguments->plot_file, "Write the structural error's curve as SVG");
-  command->callback([&session, arguments] { session.chosen = [arguments] { return run(*arguments); }; });
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }
 
 }  // namespace kempe::app

@@ -2,6 +2,8 @@
 
 #include "synthesis/functions/inversor.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +13,15 @@
 
 namespace kempe::app {
 namespace {
+
+std::string_view spoken_name(InversorKind kind) {
+  switch (kind) {
+    case InversorKind::peaucellier: return "Peaucellier";
+    case InversorKind::hart: return "Hart";
+    case InversorKind::right_angle: return "right angle";
+  }
+  return {};
+}
 
 nlohmann::ordered_json json_of(const InversorAnswer& answer) {
   nlohmann::ordered_json object{{"kind", std::string(name(answer.kind))}};
@@ -32,11 +43,37 @@ nlohmann::ordered_json json_of(const InversorAnswer& answer) {
   return object;
 }
 
-int run(const std::string& file) {
+/// Three lines and more for each kind: its lengths, or why there is none.
+std::string text_of(const InversorAnswer& answer) {
+  if (!answer.design) return fmt::format("{:<12} none: {}\n", spoken_name(answer.kind), answer.why_not);
+  const InversorDesign& design = *answer.design;
+  std::string text = fmt::format("{:<12} size {:.3f} mm, transmission {:.3f} degrees at least\n",
+                                 spoken_name(answer.kind), design.size, degrees(design.transmission_min));
+  for (const InversorLength& length : design.lengths)
+    text += fmt::format("             {} x {:<23} {:10.3f} mm, wrong by 1 mm: image off by {:.3g} mm\n",
+                        length.count, length.name, length.value, length.sensitivity);
+  if (design.point_share > 0)
+    text += fmt::format("             its points at {:.6f} of each bar\n", design.point_share);
+  return text;
+}
+
+std::string text_of(const InversorTask& task, const std::vector<InversorAnswer>& answers,
+                    const InversorDesign& best) {
+  std::string text = fmt::format("lens         focal length {:.6g} mm, magnification {:.6g} to {:.6g}\n",
+                                 task.focal_length, task.magnification_lower, task.magnification_upper);
+  text += fmt::format("smallest     {}: size {:.3f} mm, the sum of all its lengths\n", spoken_name(best.kind),
+                      best.size);
+  text +=
+      fmt::format("travel       object {:.3f} mm, image {:.3f} mm\n", best.travel_object, best.travel_image);
+  for (const InversorAnswer& answer : answers) text += text_of(answer);
+  return text;
+}
+
+int run(const Session& session, const std::string& file) {
   const auto text = read_text_file(file);
-  if (!text) return fail(text.error());
+  if (!text) return fail(session, text.error());
   const auto spec = read_inversor_spec(*text, file);
-  if (!spec) return fail(spec.error());
+  if (!spec) return fail(session, spec.error());
   const InversorTask task{spec->focal_length,
                           spec->magnification_lower,
                           spec->magnification_upper,
@@ -45,19 +82,23 @@ int run(const std::string& file) {
                           spec->longest};
   const auto answers = design_inversors(task);
   const auto best = smallest(answers);
+  if (best && !session.json) {
+    print(text_of(task, answers, *best));
+    return done;
+  }
   nlohmann::ordered_json object{{"focal_length_mm", task.focal_length},
                                 {"magnification", {task.magnification_lower, task.magnification_upper}}};
   object["best"] =
       best ? nlohmann::ordered_json(std::string(name(best->kind))) : nlohmann::ordered_json(nullptr);
   for (const InversorAnswer& answer : answers) object["inversors"].push_back(json_of(answer));
   if (best) {
-    print(object.dump(1) + "\n");
+    print(json_text(object));
     return done;
   }
   std::string why = "no design found";
   for (const InversorAnswer& answer : answers)
     why += "\n  " + std::string(name(answer.kind)) + ": " + answer.why_not;
-  return fail(no_design, why);
+  return fail(session, no_design, why);
 }
 
 }  // namespace
@@ -68,7 +109,7 @@ void add_inversor_command(CLI::App& program, Session& session) {
   auto file = std::make_shared<std::string>();
   command->add_option("SPEC", *file, "Lens and range of magnification (TOML; see docs/inversor.md)")
       ->required();
-  command->callback([&session, file] { session.chosen = [file] { return run(*file); }; });
+  command->callback([&session, file] { session.chosen = [&session, file] { return run(session, *file); }; });
 }
 
 }  // namespace kempe::app

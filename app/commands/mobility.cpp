@@ -5,6 +5,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "reports/linkages/json.hpp"
+#include "reports/linkages/text.hpp"
 
 namespace kempe::app {
 namespace {
@@ -16,7 +17,8 @@ struct MobilityArguments {
 };
 
 /// A closed position with the drivers at their start, or, if they contradict each other, without them.
-tl::expected<PlanarPosition, int> closed_position(const LoadedLinkage& loaded, std::uint64_t seed) {
+tl::expected<PlanarPosition, int> closed_position(const Session& session, const LoadedLinkage& loaded,
+                                                  std::uint64_t seed) {
   AssemblySearch search;
   search.seed = seed;
   if (const auto driven = start_assembly_modes(loaded.file, loaded.model, search)) return driven->front();
@@ -24,23 +26,24 @@ tl::expected<PlanarPosition, int> closed_position(const LoadedLinkage& loaded, s
   free.model.linkage = loaded.model.linkage.undriven();
   free.model.schedule = {};
   free.file.bounds.clear();
-  auto found = assemble_linkage(free, seed);
+  auto found = assemble_linkage(session, free, seed);
   if (!found) return tl::unexpected(found.error());
   return found->front();
 }
 
 int run(const Session& session, const MobilityArguments& arguments) {
   if (arguments.links > 0) {
-    print(number_synthesis_json(arguments.links, arguments.freedoms,
-                                number_synthesis(arguments.links, arguments.freedoms)));
+    const auto answer = session.json ? number_synthesis_json : number_synthesis_text;
+    print(answer(arguments.links, arguments.freedoms, number_synthesis(arguments.links, arguments.freedoms)));
     return done;
   }
   const auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
-  const auto closed = closed_position(*loaded, arguments.seed);
+  const auto closed = closed_position(session, *loaded, arguments.seed);
   if (!closed) return closed.error();
   const Mobility mobility = mobility_of(loaded->model.linkage, *closed, arguments.seed);
-  print(mobility_json(loaded->file, loaded->model, mobility));
+  const auto answer = session.json ? mobility_json : mobility_text;
+  print(answer(loaded->file, loaded->model, mobility));
   return done;
 }
 

@@ -96,15 +96,15 @@ tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& f
 
 int run(const Session& session, const ParetoArguments& arguments) {
   const auto loaded = load_spec(arguments.spec_file);
-  if (!loaded) return fail(loaded.error());
+  if (!loaded) return fail(session, loaded.error());
   const auto first = objective_named(arguments.between.front()),
              second = objective_named(arguments.between.back());
   if (arguments.between.size() != 2 || !first || !second || *first == *second)
-    return fail({"", 0, "--between", fmt::format("{}", fmt::join(arguments.between, ",")),
-                 "two of size, transmission, copy_error, footprint, as size,copy_error"});
+    return fail(session, {"", 0, "--between", fmt::format("{}", fmt::join(arguments.between, ",")),
+                          "two of size, transmission, copy_error, footprint, as size,copy_error"});
   if ((*first == Objective::copy_error || *second == Objective::copy_error) && !loaded->spec.tolerance)
-    return fail({loaded->file, 0, "tolerance", "no such table",
-                 "[tolerance] with length_mm and play_mm, for copy_error"});
+    return fail(session, {loaded->file, 0, "tolerance", "no such table",
+                          "[tolerance] with length_mm and play_mm, for copy_error"});
   const Stopping stopping(arguments.time_limit);
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {
@@ -120,18 +120,19 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (!front) return tell_no_design(session, front.error());
   if (front->empty() && !complete)
     return tell_stopped(session, stopping, "before a point of the front was found; nothing is written");
-  if (front->empty()) return fail(no_design, "no design was found");
+  if (front->empty()) return fail(session, no_design, "no design was found");
   const auto files = files_of(*front, *loaded, *first, *second);
-  if (!files) return fail(verification_failed, files.error());
+  if (!files) return fail(session, verification_failed, files.error());
   std::vector<std::string> names;
   for (const OutputFile& file : files->files) names.push_back(file.name.string());
-  if (const auto clash = output_clash(loaded->inputs(), arguments.folder, names)) return fail(*clash);
+  if (const auto clash = output_clash(loaded->inputs(), arguments.folder, names))
+    return fail(session, *clash);
   if (const auto written = write_whole(arguments.folder, files->files); !written)
-    return fail(cannot_write, written.error());
+    return fail(session, cannot_write, written.error());
   nlohmann::ordered_json object{
       {"points", front->size()}, {"folder", arguments.folder}, {"complete", complete}};
   print(session.json
-            ? object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+            ? json_text(object)
             : files->csv + fmt::format("{}written {}\n", complete ? "" : "STOPPED EARLY: the front so far\n",
                                        printable(arguments.folder)));
   return stopping.interrupted() ? interrupted : done;

@@ -39,10 +39,10 @@ void apply(const SolveArguments& arguments, LinkageFile& file) {
 }
 
 /// Every link the arguments name must exist.
-int check_links(const LoadedLinkage& loaded, const SolveArguments& arguments) {
+int check_links(const Session& session, const LoadedLinkage& loaded, const SolveArguments& arguments) {
   for (const std::string& link : arguments.angles)
     if (!loaded.model.bodies.contains(link))
-      return fail({"", 0, "--angles", "the link " + link, "a link of " + loaded.file.file});
+      return fail(session, {"", 0, "--angles", "the link " + link, "a link of " + loaded.file.file});
   return done;
 }
 
@@ -83,16 +83,16 @@ int list_assembly_modes(const Session& session, const LoadedLinkage& loaded,
 }
 
 /// Enough moments to look smooth: the table's steps, each cut into equal parts.
-int write_animations(const LoadedLinkage& loaded, const PlanarPosition& start,
+int write_animations(const Session& session, const LoadedLinkage& loaded, const PlanarPosition& start,
                      const std::vector<std::string>& files) {
   const int parts = (least_animated_moments + loaded.file.steps - 1) / loaded.file.steps,
             steps = loaded.file.steps * parts;
-  const auto run = drive_linkage(loaded, start, steps);
+  const auto run = drive_linkage(session, loaded, start, steps);
   if (!run) return run.error();
   LinkageScene scene = linkage_scene(loaded.file, loaded.model, *run, loaded.file.steps);
   for (const std::string& file : files) {
     const bool page = std::filesystem::path(file).extension() == ".html";
-    if (const int code = write_output(file, page ? animation_html(scene) : animation_svg(scene));
+    if (const int code = write_output(session, file, page ? animation_html(scene) : animation_svg(scene));
         code != done)
       return code;
   }
@@ -110,11 +110,8 @@ Json summary_json(const LoadedLinkage& loaded, const SolveTable& table, const Pl
   return object;
 }
 
-int tell(const Session& session, const SolveArguments& arguments, const LoadedLinkage& loaded,
-         const PlanarRun& run) {
-  const SolveTable table = solve_table(loaded.file, loaded.model, run, loaded.file.steps);
-  if (!arguments.table_file.empty())
-    if (const int code = write_output(arguments.table_file, csv_text(table)); code != done) return code;
+void tell(const Session& session, const SolveArguments& arguments, const LoadedLinkage& loaded,
+          const SolveTable& table, const PlanarRun& run) {
   if (session.json)
     print(summary_json(loaded, table, run).dump() + "\n");
   else if (arguments.table_file.empty())
@@ -122,38 +119,43 @@ int tell(const Session& session, const SolveArguments& arguments, const LoadedLi
   else
     print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(),
                       printable(arguments.table_file)));
-  return done;
 }
 
 int run(const Session& session, const SolveArguments& arguments) {
   for (const std::string& file : arguments.animations)
     if (const auto kind = std::filesystem::path(file).extension(); kind != ".html" && kind != ".svg")
-      return fail({"", 0, "--animate", file, "a file that ends in .html or .svg"});
+      return fail(session, {"", 0, "--animate", file, "a file that ends in .html or .svg"});
   std::vector<std::filesystem::path> outputs{arguments.table_file};
   outputs.insert(outputs.end(), arguments.animations.begin(), arguments.animations.end());
-  if (const auto clash = output_clash({arguments.linkage}, outputs)) return fail(*clash);
+  if (const auto clash = output_clash({arguments.linkage}, outputs)) return fail(session, *clash);
   auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
-  if (const int code = check_links(*loaded, arguments); code != done) return code;
+  if (const int code = check_links(session, *loaded, arguments); code != done) return code;
   if (arguments.steps > loaded->file.most_steps())
-    return fail({"", 0, "--steps", fmt::format("{}", arguments.steps),
-                 fmt::format("at most {} with so many links", loaded->file.most_steps())});
+    return fail(session, {"", 0, "--steps", fmt::format("{}", arguments.steps),
+                          fmt::format("at most {} with so many links", loaded->file.most_steps())});
   apply(arguments, loaded->file);
-  const auto assembly_modes = assemble_linkage(*loaded, arguments.seed);
+  const auto assembly_modes = assemble_linkage(session, *loaded, arguments.seed);
   if (!assembly_modes) return assembly_modes.error();
   if (arguments.list_assembly_modes) return list_assembly_modes(session, *loaded, *assembly_modes);
   if (arguments.assembly_mode >= static_cast<int>(assembly_modes->size()))
-    return fail({"", 0, "--assembly", fmt::format("{}", arguments.assembly_mode),
+    return fail(session,
+                {"", 0, "--assembly", fmt::format("{}", arguments.assembly_mode),
                  fmt::format("0 to {}: so many are known (see --assemblies)", assembly_modes->size() - 1)});
   const PlanarPosition& start = (*assembly_modes)[static_cast<std::size_t>(arguments.assembly_mode)];
-  const auto motion = drive_linkage(*loaded, start, loaded->file.steps);
+  const auto motion = drive_linkage(session, *loaded, start, loaded->file.steps);
   if (!motion) return motion.error();
-  if (const int code = tell(session, arguments, *loaded, *motion); code != done) return code;
+  const SolveTable table = solve_table(loaded->file, loaded->model, *motion, loaded->file.steps);
+  if (!arguments.table_file.empty())
+    if (const int code = write_output(session, arguments.table_file, csv_text(table)); code != done)
+      return code;
   if (!arguments.animations.empty())
-    if (const int code = write_animations(*loaded, start, arguments.animations); code != done) return code;
+    if (const int code = write_animations(session, *loaded, start, arguments.animations); code != done)
+      return code;
+  tell(session, arguments, *loaded, table, *motion);
   if (!motion->stop) return done;
-  return fail(no_design,
-              printable(arguments.linkage) + ": " + stop_sentence(*loaded, *motion, loaded->file.steps));
+  return fail_told(no_design,
+                   printable(arguments.linkage) + ": " + stop_sentence(*loaded, *motion, loaded->file.steps));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
                                arguments.time_limit});
   const Stopping stopping(arguments.time_limit);
   const auto loaded = load_spec(arguments.spec_file);
-  if (!loaded) return fail(loaded.error());
+  if (!loaded) return fail(session, loaded.error());
   SearchOutcome outcome = NoDesign{};
   {
     Progress progress(session.quiet);
@@ -62,7 +62,7 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   const auto& found = std::get<FoundDesign>(outcome);
   auto design = certified_design(
       loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag(time_to_map)});
-  if (!design) return fail(no_design, design.error());
+  if (!design) return fail(session, no_design, design.error());
   const int code = publish_design(session, *design, *loaded, arguments.folder);
   return code == done && stopping.interrupted() ? interrupted : code;
 }

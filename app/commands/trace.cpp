@@ -138,7 +138,7 @@ std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const
                                       {"texts", drawing.texts},
                                       {"images", drawing.images},
                                       {"references", drawing.references}};
-  return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& arguments) {
@@ -152,16 +152,17 @@ tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& 
 
 int run(const Session& session, TraceArguments arguments) {
   if (const auto clash = output_clash({arguments.design, arguments.drawing}, {arguments.copy, arguments.csv}))
-    return fail(*clash);
+    return fail(session, *clash);
   const auto design = load_design(arguments.design);
-  if (!design) return fail(design.error());
+  if (!design) return fail(session, design.error());
   const auto linkage = linkage_of(*design, arguments.design);
-  if (!linkage) return fail(linkage.error());
+  if (!linkage) return fail(session, linkage.error());
   fill_in(arguments, *design, *linkage);
   auto drawing = load_drawing(arguments, design->region);
-  if (!drawing) return fail(drawing.error());
+  if (!drawing) return fail(session, drawing.error());
   if (drawing->strokes.empty())
-    return fail({arguments.drawing, 0, "", "a drawing without lines",
+    return fail(session,
+                {arguments.drawing, 0, "", "a drawing without lines",
                  "paths, lines or shapes" + (drawing->remark().empty() ? "" : "; " + drawing->remark())});
   place_on_table(drawing->strokes, arguments, design->region);
   TraceOptions options;
@@ -170,13 +171,14 @@ int run(const Session& session, TraceArguments arguments) {
   if (arguments.instrument)
     options.made = TraceOptions::Made{*arguments.instrument, design->tolerance.value_or(Tolerance{})};
   const Trace trace = trace_drawing(task_of(*design, *linkage), drawing->strokes, options);
-  if (const auto written = write(trace, arguments); !written) return fail(cannot_write, written.error());
+  if (const auto written = write(trace, arguments); !written)
+    return fail(session, cannot_write, written.error());
   print(session.json ? summary_json(trace, *drawing, arguments) : summary_text(trace, *drawing, arguments));
   if (trace.poses_missed == 0) return done;
-  return fail(verification_failed,
-              fmt::format("{}: {} positions cannot be reached and are left out ({}); they are red in {}",
-                          printable(arguments.drawing), trace.poses_missed, causes(trace),
-                          printable(arguments.copy)));
+  return fail_told(verification_failed,
+                   fmt::format("{}: {} positions cannot be reached and are left out ({}); they are red in {}",
+                               printable(arguments.drawing), trace.poses_missed, causes(trace),
+                               printable(arguments.copy)));
 }
 
 }  // namespace

@@ -12,11 +12,6 @@
 namespace kempe::app {
 namespace {
 
-struct VerifyArguments {
-  std::string file;
-  bool in_words = false;
-};
-
 /// What is broken, a line each.
 std::string complaint(const DesignAudit& found, const std::string& file) {
   std::string text = printable(file) + ":";
@@ -25,15 +20,15 @@ std::string complaint(const DesignAudit& found, const std::string& file) {
   return text;
 }
 
-int run(const VerifyArguments& arguments, bool json) {
-  const auto text = read_text_file(arguments.file);
-  if (!text) return fail(text.error());
-  const auto design = read_design(*text, arguments.file);
-  if (!design) return fail(design.error());
-  const auto found = audit(*design, arguments.file);
-  if (!found) return fail(found.error());
-  print(arguments.in_words && !json ? audit_text(*found) : audit_json(*found, arguments.file));
-  return found->certified() ? done : fail(verification_failed, complaint(*found, arguments.file));
+int run(const Session& session, const std::string& file) {
+  const auto text = read_text_file(file);
+  if (!text) return fail(session, text.error());
+  const auto design = read_design(*text, file);
+  if (!design) return fail(session, design.error());
+  const auto found = audit(*design, file);
+  if (!found) return fail(session, found.error());
+  print(session.json ? audit_json(*found, file) : audit_text(*found));
+  return found->certified() ? done : fail_told(verification_failed, complaint(*found, file));
 }
 
 }  // namespace
@@ -41,13 +36,10 @@ int run(const VerifyArguments& arguments, bool json) {
 void add_verify_command(CLI::App& program, Session& session) {
   CLI::App* command = add_command(program, session, "verify",
                                   "Check everything that a design's file states, from the file alone",
-                                  "kempe verify out/plagiograph/design.json --text");
-  auto arguments = std::make_shared<VerifyArguments>();
-  command->add_option("DESIGN", arguments->file, "A design.json")->required();
-  command->add_flag("--text", arguments->in_words, "Print text instead of JSON");
-  command->callback([&session, arguments] {
-    session.chosen = [&session, arguments] { return run(*arguments, session.json); };
-  });
+                                  "kempe verify out/plagiograph/design.json");
+  auto file = std::make_shared<std::string>();
+  command->add_option("DESIGN", *file, "A design.json")->required();
+  command->callback([&session, file] { session.chosen = [&session, file] { return run(session, *file); }; });
 }
 
 }  // namespace kempe::app

@@ -33,16 +33,16 @@ int tell_why(const Session& session, const Design& design, const Point& tracer) 
   if (verdict.cause) object["cause"] = std::string(name(*verdict.cause));
   object["parts"] = verdict.parts;
   object["sentence"] = verdict.sentence;
-  print(object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  print(json_text(object));
   return done;
 }
 
 int run(const Session& session, const WorkspaceArguments& arguments) {
   const Stopping stopping(arguments.time_limit);
   const auto loaded = load_spec(arguments.spec_file);
-  if (!loaded) return fail(loaded.error());
+  if (!loaded) return fail(session, loaded.error());
   const auto linkage = given_linkage(loaded->spec, loaded->file);
-  if (!linkage) return fail(linkage.error());
+  if (!linkage) return fail(session, linkage.error());
   if (const auto none = plainly_impossible(loaded->spec); none && none->requirement == "obstacles")
     return tell_no_design(session, *none);
   Design design = assemble_given(loaded->spec, *linkage,

@@ -147,6 +147,22 @@ std::string place(const BrokenLimit& breach) {
   return fmt::format(" (at {:.3f}, {:.3f})", breach.where->x(), breach.where->y());
 }
 
+/// The words behind a label of the first column, in lines of at most 100 characters.
+std::string wrapped_words(std::string_view label, const std::vector<std::string>& words) {
+  std::string text = fmt::format("{:<13}", label);
+  std::size_t length = text.size();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string word = words[i] + (i + 1 < words.size() ? "," : "");
+    if (length > 13 && length + word.size() > 100) {
+      text += "\n" + std::string(13, ' ');
+      length = 13;
+    }
+    text += (length > 13 ? " " : "") + word;
+    length += word.size() + 1;
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string audit_text(const DesignAudit& audit) {
@@ -159,7 +175,7 @@ std::string audit_text(const DesignAudit& audit) {
       "changes of assembly mode\n",
       audit.drive.samples, audit.drive.over_workspace ? " of the free workspace" : "",
       audit.drive.copy_error_max, audit.drive.loop_residual_max, audit.drive.flips);
-  text += fmt::format("checked      {}\n", fmt::join(audit.checked, ", "));
+  text += wrapped_words("checked", audit.checked);
   for (const NotChecked& one : audit.not_checked)
     text += fmt::format("not checked  {}: {}\n", one.key, one.why);
   return text;

@@ -15,6 +15,10 @@ namespace kempe {
 std::string calibration_json(const CalibrationRecord& record,
                              const std::optional<SimulationRecord>& simulation);
 
+/// The same for people: what is wrong, what to set, what is left; short aligned lines.
+std::string calibration_text(const CalibrationRecord& record,
+                             const std::optional<SimulationRecord>& simulation);
+
 /// The page: error vectors before and after on a map, corrections, residuals, what cannot be told, settings,
 /// plan. In the style of the design's report; loads nothing. Every text of the file is escaped.
 struct CalibrationPage {

@@ -25,26 +25,6 @@ std::string plus_minus(double value) { return "±\u202f" + fixed_mm(value); }
 std::string degrees_text(double angle) { return angle_text(angle, 1); }
 std::string point_text(const Point& at) { return fixed(at.x()) + ", " + fixed(at.y()); }
 
-/// Which way a maker moves what is wrong.
-std::string move_words(const Quantity& quantity, double correction) {
-  const std::string& name = quantity.name;
-  const bool more = correction > 0;
-  if (std::abs(correction) < 5e-4) return "as drawn";
-  if (quantity.kind == Quantity::Kind::length && !name.starts_with("offset") && !name.starts_with("arm") &&
-      !name.starts_with("bearing"))
-    return more ? "make it longer" : "make it shorter";
-  if (name == "AC") return more ? "B farther from A" : "B nearer to A";
-  if (name == "CF") return more ? "D farther from C" : "D nearer to C";
-  if (name == "BE") return more ? "B farther from E" : "B nearer to E";
-  if (name == "DE")
-    return more ? "D nearer to E: its scale runs the other way"
-                : "D farther from E: its scale runs the other way";
-  if (name.starts_with("arm") || name.starts_with("bearing"))
-    return "not set by a scale: see the setting table";
-  if (name.starts_with("offset")) return fmt::format("move {} across its plate", name.back());
-  return more ? "make it longer" : "make it shorter";
-}
-
 /// "arm AC" for the file's key arm_AC.
 std::string spoken(std::string key) {
   std::replace(key.begin(), key.end(), '_', ' ');
@@ -80,6 +60,25 @@ std::vector<std::string> correction_row(const CalibrationRecord& record, const Q
 std::string knights_letter(Joint joint) { return joint == Joint::X ? "A" : joint == Joint::Y ? "F" : "E"; }
 
 }  // namespace
+
+std::string move_words(const Quantity& quantity, double correction) {
+  const std::string& name = quantity.name;
+  const bool more = correction > 0;
+  if (std::abs(correction) < 5e-4) return "as drawn";
+  if (quantity.kind == Quantity::Kind::length && !name.starts_with("offset") && !name.starts_with("arm") &&
+      !name.starts_with("bearing"))
+    return more ? "make it longer" : "make it shorter";
+  if (name == "AC") return more ? "B farther from A" : "B nearer to A";
+  if (name == "CF") return more ? "D farther from C" : "D nearer to C";
+  if (name == "BE") return more ? "B farther from E" : "B nearer to E";
+  if (name == "DE")
+    return more ? "D nearer to E: its scale runs the other way"
+                : "D farther from E: its scale runs the other way";
+  if (name.starts_with("arm") || name.starts_with("bearing"))
+    return "not set by a scale: see the setting table";
+  if (name.starts_with("offset")) return fmt::format("move {} across its plate", name.back());
+  return more ? "make it longer" : "make it shorter";
+}
 
 std::string fixed_mm(double value) { return fixed(value) + "\u00a0mm"; }
 

@@ -12,6 +12,9 @@ namespace kempe::calibration_sections {
 /// A length with three decimals throughout, so that figures stand under each other: "−0.110 mm".
 std::string fixed_mm(double value);
 
+/// Which way a maker moves what is wrong: "make it longer", "B farther from A".
+std::string move_words(const Quantity& quantity, double correction);
+
 std::string corrections(const CalibrationRecord& record);
 /// Pole and reading frame.
 std::string placement(const CalibrationRecord& record);

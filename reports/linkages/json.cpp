@@ -149,6 +149,14 @@ std::string mobility_json(const LinkageFile& file, const LinkageModel& model, co
   return object.dump(1) + "\n";
 }
 
+std::string why_no_chain(int links, int freedoms, const NumberSynthesis& synthesis) {
+  if (synthesis.joints == 0)
+    return fmt::format("3 ({} - 1) - {} is not a positive even number: no joints fit", links, freedoms);
+  if (synthesis.loops == 0)
+    return fmt::format("{} joints are fewer than {} links: no loop closes", synthesis.joints, links);
+  return {};
+}
+
 std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis& synthesis) {
   const auto list = [](const std::vector<LinkAssortment>& assortments) {
     Json array = Json::array();
@@ -168,12 +176,8 @@ std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis
               {"assortments", list(synthesis.assortments)},
               {"with_too_large_a_link", list(synthesis.too_large)},
               {"with_a_stiff_part", list(synthesis.stiff)}};
-  if (synthesis.joints == 0)
-    object["sentence"] =
-        fmt::format("3 ({} - 1) - {} is not a positive even number: no joints fit", links, freedoms);
-  else if (synthesis.loops == 0)
-    object["sentence"] =
-        fmt::format("{} joints are fewer than {} links: no loop closes", synthesis.joints, links);
+  if (const std::string why = why_no_chain(links, freedoms, synthesis); !why.empty())
+    object["sentence"] = why;
   return object.dump(1) + "\n";
 }
 

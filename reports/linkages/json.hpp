@@ -1,5 +1,6 @@
 #pragma once
-// What `kempe mobility` and `kempe centres` say, as JSON texts for programs and as lines for people.
+// What `kempe mobility` and `kempe centres` say, as JSON texts for programs; the sentences in them; text.hpp has the lines
+// for people.
 
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ std::string mobility_json(const LinkageFile& file, const LinkageModel& model, co
 
 /// The sentences alone: at least one.
 std::vector<std::string> mobility_sentences(const LinkageModel& model, const Mobility& mobility);
+
+/// Why no chain of so many links can have these freedoms; empty if one can.
+std::string why_no_chain(int links, int freedoms, const NumberSynthesis& synthesis);
 
 /// One JSON object: links, freedoms, joints, largest_link, assortments [{"n2": 4, "n3": 2, ...}].
 std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis& synthesis);

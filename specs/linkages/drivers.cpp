@@ -101,7 +101,7 @@ class DriverReader {
   bool read_distance(FileDriver& driver) {
     const std::vector<std::string> ends = names_.points(table_, "distance");
     if (ends.size() != 2 || ends[0] == ends[1] || names_.share_a_link(ends[0], ends[1])) {
-      if (table_.complaints().none())
+      if (table_.complaints().none_about(table_.dotted("distance")))
         table_.refuse("distance", fmt::format("[{}]", fmt::join(ends, ", ")),
                       "two points of different links");
       return false;

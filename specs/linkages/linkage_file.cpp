@@ -65,7 +65,7 @@ class LinkageReader {
     read_bounds();
     read_output();
     if (complaints_.none()) check_extent();
-    if (!complaints_.none()) return tl::unexpected(complaints_.first());
+    if (!complaints_.none()) return tl::unexpected(complaints_.all());
     return std::move(result_);
   }
 

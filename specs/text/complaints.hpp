@@ -1,31 +1,36 @@
 #pragma once
 // What a reader found wrong, collected while it reads on.
 
-#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "kempe/input_error.hpp"
 
 namespace kempe {
 
-/// Keeps, of all complaints about one file, the one that a person should see first: of the topmost line, and
-/// of one line the earliest made. Complaints without a line come last.
+/// All complaints about one file, at most `most` of them. Their order is the file's: of the topmost line first, of one line
+/// as they were made; complaints without a line come last, those about another file that this one names after them.
 class Complaints {
  public:
+  static constexpr std::size_t most = 100;
+
   explicit Complaints(std::string file) : file_(std::move(file)) {}
 
   void add(int line, std::string key, std::string found, std::string allowed);
   /// A complaint about another file that this one names.
   void add(InputError about_other_file);
 
-  bool none() const { return !first_; }
-  /// There must be one.
-  const InputError& first() const { return *first_; }
+  bool none() const { return made_.empty(); }
+  /// True if no complaint is about this table or one of its keys ("links", "links.width_mm").
+  bool none_about(std::string_view table) const;
+  /// The first in order, with the others. There must be one.
+  InputError all() const;
   const std::string& file() const { return file_; }
 
  private:
   std::string file_;
-  std::optional<InputError> first_;
+  std::vector<InputError> made_;
 };
 
 }  // namespace kempe

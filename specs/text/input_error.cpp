@@ -18,4 +18,10 @@ std::string InputError::message() const {
   return text;
 }
 
+std::string InputError::messages() const {
+  std::string text = message();
+  for (const InputError& other : others) text.append("\n").append(other.message());
+  return text;
+}
+
 }  // namespace kempe

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace kempe {
 namespace {
@@ -53,6 +54,19 @@ int line_at(std::string_view text, std::size_t place) {
          static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
 }
 
+/// The line of a text, from 1; empty beyond its end.
+std::string_view line_of_text(std::string_view text, int number) {
+  for (; number > 1 && !text.empty(); --number)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+/// Whether a line says "key = 0,5".
+bool has_decimal_comma(std::string_view line) {
+  static const std::regex form(R"(^[^#"'=]*=\s*[-+]?\d*,\d+\s*(#.*)?\r?$)");
+  return line.size() < 200 && std::regex_match(line.begin(), line.end(), form);
+}
+
 /// "Error while parsing value: X" in the words of our messages.
 std::string cause_of(std::string_view description) {
   constexpr std::string_view preface = "Error while parsing ";
@@ -77,7 +91,10 @@ tl::expected<toml::table, InputError> parse_toml(std::string_view text, const st
   try {
     return toml::parse(text, std::string_view(file_name));
   } catch (const toml::parse_error& error) {
-    return refuse(static_cast<int>(error.source().begin.line), cause_of(error.description()), "TOML 1.0");
+    const int line = static_cast<int>(error.source().begin.line);
+    return refuse(
+        line, cause_of(error.description()),
+        has_decimal_comma(line_of_text(text, line)) ? "TOML 1.0 (decimals take a point: 0.5)" : "TOML 1.0");
   }
 }
 

@@ -88,7 +88,7 @@ class Examples(Case):
         self.assertTrue(design["verification"]["certified"], path.name)
         self.assertEqual(design["verification"]["flips"], 0)
         self.assertLess(design["verification"]["copy_error_max_mm"], 1e-9 * size)
-        checked = kempe("verify", out / "design.json")
+        checked = kempe("verify", out / "design.json", "--json")
         self.assertEqual(checked.returncode, 0, checked.stderr)
         self.assertTrue(json.loads(checked.stdout)["certified"])
         features = json.loads((out / "workspace.geojson").read_text())["features"]
@@ -540,10 +540,106 @@ class Batch(Case):
         self.assertIn("links.pin_diameter_mm = 11", locked["message"])
 
 
+class Words(Case):
+    """People get text, programs JSON, of answers and of faults."""
+    ANSWERS = [("verify", EXAMPLES / "calibration" / "drawing-pantograph.json"),
+               ("mobility", EXAMPLES / "linkages" / "hart.toml"), ("mobility", "--links", 8, "--dof", 1),
+               ("mobility", "--links", 5, "--dof", 1), ("centres", EXAMPLES / "linkages" / "shear-press.toml", "--at", 3),
+               ("function", EXAMPLES / "generators" / "logarithm.toml"), ("function", EXAMPLES / "generators" / "table.toml"),
+               ("inversor", EXAMPLES / "generators" / "enlarger.toml"),
+               *(("calibrate", EXAMPLES / "calibration" / f"{name}.toml", *options) for name, options in
+                 [("knight", ()), ("plotter", ()), ("plotter-without-ruler", ()), ("ten-readings", ("--plan",)),
+                  ("knight-second-round", ()), ("simulate", ("--simulate",))])]
+
+    def numbers(self, value):
+        """Every number of a JSON value."""
+        if isinstance(value, dict):
+            value = list(value.values())
+        if isinstance(value, list):
+            return [number for one in value for number in self.numbers(one)]
+        return [value] if isinstance(value, (int, float)) and not isinstance(value, bool) else []
+
+    def test_answers_are_text_and_json_on_request(self):
+        for arguments in self.ANSWERS:
+            told, asked = kempe(*arguments), kempe(*arguments, "--json")
+            self.assertEqual((told.returncode, asked.returncode), (0, 0), told.stderr)
+            answer = json.loads(asked.stdout)
+            self.assertIsInstance(answer, dict)
+            with self.assertRaises(ValueError):
+                json.loads(told.stdout)
+            for line in told.stdout.splitlines():
+                self.assertRegex(line, r"^(\S[\w ]{0,11} | {2,}\S)", arguments)  # a label, or what belongs to one above
+                self.assertLess(len(line), 180)
+            self.assertNotRegex(told.stdout, r"\bnan\b|\binf\b|null|-0\.0+\b")
+            # What the text says in figures stands in the JSON, which has more of them.
+            exact = self.numbers(answer)
+            widths = [(half, answer["uncertainty_mm"][name]) for name, half in answer.get("interval_95_mm", {}).items() if half]
+            exact += [number * widths[0][0] / widths[0][1] for number in exact] if widths else []  # 95 % where the JSON has the standard
+            if "arm_mm" in answer.get("instrument", {}):  # a scale stands at arm times ratio, an arm has its error
+                arm, ratio = answer["instrument"]["arm_mm"], answer["instrument"]["ratio"]
+                exact += [arm * ratio, *(arm + error for error in answer.get("errors_mm", {}).values())]
+            figures = told.stdout.replace(str(answer.get("linkage")), "")  # a name is no figure
+            for figure in re.findall(r"(?<![\w.])[-+]?\d+\.\d{3,}(?![\w.])", figures):
+                step = 10.0 ** -len(figure.split(".")[1])
+                self.assertTrue(any(abs(abs(number) - abs(float(figure))) <= 0.51 * step for number in exact),
+                                f"{arguments}: {figure}")
+
+    SLIPS = "[copy]\nscale = 0\n[region]\npolygon_mm = [[0, 0], [1, 1]]\n[links]\nwidht_mm = 6\n[objectve]\n"
+
+    def test_every_fault_of_a_spec_is_told_in_words_and_in_json(self):
+        keys = [(2, "copy.scale"), (4, "region.polygon_mm"), (6, "links.widht_mm"), (7, "objectve")]
+        run = self.synthesize(self.SLIPS)
+        self.assertRefused(run, 2)
+        self.assertEqual(run.stdout, "")
+        spec = self.scratch / "spec.toml"
+        lines = run.stderr.splitlines()
+        self.assertEqual(len(lines), len(keys))
+        for line, (number, key) in zip(lines, keys):
+            self.assertTrue(line.startswith(f"kempe: {spec}:{number}: {key}: found "), line)
+        asked = self.synthesize(self.SLIPS, "--json")
+        self.assertRefused(asked, 2, *lines)
+        faults = json.loads(asked.stdout)["error"]["faults"]
+        self.assertEqual([(fault["file"], fault["line"], fault["key"]) for fault in faults],
+                         [(str(spec), *key) for key in keys])
+        for fault, line in zip(faults, lines):
+            self.assertEqual(list(fault), ["file", "line", "key", "found", "allowed"])
+            self.assertTrue(line.endswith(f"found {fault['found']}; allowed: {fault['allowed']}"), line)
+
+    def test_a_fault_is_json_for_every_command(self):
+        bad = self.spec("[copy\n", "bad.toml")
+        for command, *rest in (("synthesize", "-o", self.scratch / "out"), ("workspace", "-o", self.scratch / "out"), ("verify",),
+                               ("solve",), ("mobility",), ("centres",), ("calibrate",), ("function",), ("inversor",),
+                               ("pareto", "--between", "size,transmission", "-o", self.scratch / "out")):
+            run = kempe(command, bad, *rest, "--json")
+            self.assertRefused(run, 2, str(bad))
+            fault = json.loads(run.stdout)["error"]["faults"][0]
+            self.assertEqual((fault["file"], fault["line"]), (str(bad), 1), command)
+            run = kempe(command, self.scratch / "absent.toml", *rest, "--json")
+            self.assertEqual(json.loads(run.stdout)["error"]["faults"][0]["found"], "no such file", command)
+            run = kempe(command, bad, *rest, "--frobnicate", "--json")
+            self.assertRefused(run, 2, f"kempe {command}: ", f"see kempe {command} --help")
+            self.assertEqual(json.loads(run.stdout)["error"]["faults"][0]["key"], command)
+
+    def test_an_answer_that_does_not_exist_is_json_too(self):
+        lens = self.spec("[lens]\nfocal_length_mm = 100\nmagnification = [0.5, 2]\n[links]\nlongest_mm = 1\n", "lens.toml")
+        run = kempe("inversor", lens, "--json")
+        self.assertEqual(run.returncode, 3)
+        self.assertEqual(json.loads(run.stdout)["error"], "no design exists")
+
+    def test_commands_that_are_none(self):
+        for word, meant in (("synthesise", "synthesize"), ("verfy", "verify"), ("center", "centres"), ("optimise", None)):
+            run = kempe(word, "spec.toml")
+            self.assertRefused(run, 2, f"kempe {word}: no such command; did you mean {meant or ''}")
+            self.assertEqual(run.stdout, "")
+            self.assertEqual(json.loads(kempe(word, "--json").stdout)["error"]["faults"][0]["found"], "no such command")
+        self.assertRefused(kempe(), 2, "kempe --help")
+        self.assertRefused(kempe("--frobnicate"), 2, "kempe --frobnicate: no such option")
+
+
 class Generators(Case):
     def test_function_examples(self):
         for path in sorted((EXAMPLES / "generators").glob("[lt]*.toml")):
-            run = kempe("function", path, "--plot", self.scratch / "error.svg")
+            run = kempe("function", path, "--json", "--plot", self.scratch / "error.svg")
             self.assertEqual(run.returncode, 0, run.stderr)
             design = json.loads(run.stdout)
             self.assertLess(design["structural_error_max_deg"], 3)
@@ -559,7 +655,7 @@ class Generators(Case):
             self.assertIn(word, run.stderr)
 
     def test_inversor_example(self):
-        run = kempe("inversor", EXAMPLES / "generators" / "enlarger.toml")
+        run = kempe("inversor", EXAMPLES / "generators" / "enlarger.toml", "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         found = json.loads(run.stdout)
         self.assertEqual(found["best"], "right_angle")

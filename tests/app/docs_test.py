@@ -7,7 +7,7 @@ import sys
 
 NAMED_FILE = re.compile(r"(?<![\w./*-])[\w./-]*\w\.(?:hpp|cpp|py|mjs|js|cmake|toml)\b")
 LINK = re.compile(r'\]\(([^)\s#]*)(#[^)\s]*)?\)|src="([^"]+)"')
-UNITS = re.compile(r"_(?:mm|mm2|deg)$")
+UNITS = re.compile(r"_(?:mm2?|deg)$")
 # Names that a reader chooses, or that a program writes.
 INVENTED = re.compile(r"^(?:SPEC|LINKAGE|MEASUREMENTS|NAME|FILE|commands/NAME|app/commands/NAME)\.|simulated\.toml$")
 
@@ -93,23 +93,38 @@ def glossary(root):
             yield cells[1], re.findall(r"`([^`]+)`", cells[3]), cells[4].split(", ")
 
 
+def source_with_header(root, file):
+    """The text of a file and, of a header, of its source."""
+    both = {root / file, (root / file).with_suffix(".cpp")}
+    return "".join(path.read_text(encoding="utf-8") for path in sorted(both) if path.is_file())
+
+
+def mentions(name, text):
+    """The last part of a name as a whole word; of a key that ends in a unit also the field without it."""
+    word = name.split("::")[-1].strip("[]-/")
+    return any(re.search(rf"(?<!\w){re.escape(one)}(?!\w)", text) for one in (word, UNITS.sub("", word)))
+
+
+def stands_in(name, text):
+    """A type must be defined there, not only used."""
+    outer = name.split("::")[0]
+    is_defined = re.search(rf"\b(?:struct|class|using)\s+{re.escape(outer)}\b(?!;)", text)
+    return mentions(name, text) and (is_defined is not None or not re.match("[A-Z][a-z]", outer))
+
+
 def names_not_there(root):
-    """A key that ends in a unit may stand anywhere in the sources: readers and writers have files of their own."""
-    everywhere = "".join(
-        path.read_text(encoding="utf-8") for room in ("app", "reports", "specs") for path in sorted((root / room).rglob("*.?pp"))
-    )
+    """Each name of a row stands in one of the row's files, and each of the files has one of the names."""
     for term, names, files in glossary(root):
-        here = ""
-        for file in files:
-            for path in (root / file, (root / file).with_suffix(".cpp")):
-                here += path.read_text(encoding="utf-8") if path.is_file() else ""
+        texts = {file: source_with_header(root, file) for file in files}
         for name in names:
-            word = name.split("::")[-1].strip("[]-/")
-            if word not in here and not (word in everywhere and (UNITS.search(word) or word in KEYS)):
+            if name not in FILES and not any(stands_in(name, text) for text in texts.values()):
                 yield f"docs/notation.md: {term}: {name} does not stand in {', '.join(files)}"
+        for file, text in texts.items():
+            if names and not any(mentions(name, text) for name in names):
+                yield f"docs/notation.md: {term}: {file} has none of {', '.join(names)}"
 
 
-KEYS = {"lower_bound", "unidentifiable", "plan", "parts"}  # of design.json and calibration.json, an option, a folder
+FILES = {"design.json"}  # written by other files than the one that holds the type
 
 
 def main(root):

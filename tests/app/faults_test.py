@@ -401,7 +401,7 @@ class Surroundings(Case):
                 found = contents(os.fsdecode(out))
                 self.assertEqual(found["design.json"], self.whole["design.json"])
                 found["report.html"].decode()
-                run = kempe("verify", os.path.join(out, b"design.json"))
+                run = kempe("verify", os.path.join(out, b"design.json"), "--json")
                 self.assertEqual(run.returncode, 0, run.stderr)
                 self.assertTrue(json.loads(run.stdout.decode())["certified"])
                 run = kempe("verify", spec)

@@ -62,7 +62,7 @@ class Frames(unittest.TestCase):
         spec.write_text(text)
         run = self.kempe(command, spec, "-o", out, "--quiet")
         self.assertEqual(run.returncode, 0, run.stderr)
-        checked = self.kempe("verify", out / "design.json")
+        checked = self.kempe("verify", out / "design.json", "--json")
         self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
         self.assertTrue(json.loads(checked.stdout)["certified"])
         return json.loads((out / "design.json").read_text()), json.loads(checked.stdout)

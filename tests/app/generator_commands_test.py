@@ -35,7 +35,7 @@ class Case(unittest.TestCase):
         return path
 
     def answer(self, *arguments):
-        run = kempe(*arguments)
+        run = kempe(*arguments, "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         return json.loads(run.stdout)
 

@@ -234,8 +234,8 @@ class Units(Case):
         linkage = self.linkage(text)
         solved = kempe("solve", linkage, "--json", "--velocities", "--accelerations", "--quiet")
         table = json.loads(solved.stdout) if solved.stdout else None
-        mobility = json.loads(kempe("mobility", linkage, "--quiet").stdout)
-        centres = kempe("centres", linkage, "--at", 1, "--quiet")
+        mobility = json.loads(kempe("mobility", linkage, "--json", "--quiet").stdout)
+        centres = kempe("centres", linkage, "--at", 1, "--json", "--quiet")
         kinds = [(c["links"], c["kind"], c["source"]) for c in json.loads(centres.stdout)["centres"]]
         return solved.returncode, table, {key: mobility[key] for key in ("mobility", "rank", "gruebler", "redundant")}, kinds
 
@@ -375,12 +375,12 @@ class WorkIsBounded(Case):
 class Mobility(Case):
     def test_examples(self):
         for name, expected in [("plagiograph", 2), ("six-bar-plagiograph", 1), ("pantograph-by-distances", 2), ("hart", 1)]:
-            answer = json.loads(kempe("mobility", LINKAGES / f"{name}.toml").stdout)
+            answer = json.loads(kempe("mobility", LINKAGES / f"{name}.toml", "--json").stdout)
             self.assertEqual(answer["mobility"], expected, name)
             self.assertTrue(answer["sentences"])
 
     def test_number_synthesis(self):
-        answer = json.loads(kempe("mobility", "--links", 6, "--dof", 1).stdout)
+        answer = json.loads(kempe("mobility", "--links", 6, "--dof", 1, "--json").stdout)
         self.assertEqual(answer["joints"], 7)
         self.assertEqual(answer["assortments"], [{"n2": 4, "n3": 2, "n4": 0}])
         self.assertEqual(kempe("mobility").returncode, 2)
@@ -388,7 +388,7 @@ class Mobility(Case):
 
     def test_contradicting_drivers_do_not_hide_the_mobility(self):
         linkage = self.linkage(BARS + TURN + '[[drivers]]\nangle = "rocker"\nfrom_deg = 70\nto_deg = 90\n')
-        answer = json.loads(kempe("mobility", linkage).stdout)
+        answer = json.loads(kempe("mobility", linkage, "--json").stdout)
         self.assertEqual(answer["mobility"], 1)
         self.assertEqual(answer["drivers"], 2)
 
@@ -396,7 +396,7 @@ class Mobility(Case):
 class Centres(Case):
     def test_plagiograph_has_ten_of_which_two_at_infinity(self):
         picture = self.scratch / "centres.svg"
-        run = kempe("centres", LINKAGES / "plagiograph.toml", "--at", 3, "-o", picture)
+        run = kempe("centres", LINKAGES / "plagiograph.toml", "--at", 3, "--json", "-o", picture)
         answer = json.loads(run.stdout)
         self.assertEqual(answer["count"], 10)
         far = [sorted(c["links"]) for c in answer["centres"] if c["kind"] == "infinity"]

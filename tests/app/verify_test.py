@@ -303,7 +303,7 @@ class Verify(unittest.TestCase):
     def verify(self, design, *arguments):
         path = self.scratch / "stated.json"
         path.write_text(json.dumps(design))
-        return kempe("verify", path, *arguments)
+        return kempe("verify", path, *(arguments or ["--json"]))
 
     def assertCertified(self, run, message=""):
         self.assertEqual(run.returncode, 0, f"{message}: {run.stderr}")
@@ -420,16 +420,16 @@ class Verify(unittest.TestCase):
 
     def test_the_words_say_the_same(self):
         design = copy.deepcopy(self.designs["clamped-plate"])
-        run = self.verify(design, "--text")
+        run = self.verify(design, "--quiet")
         self.assertEqual(run.returncode, 0)
         self.assertTrue(run.stdout.startswith("certified"))
         design["obstacles"].append({"name": "block", "shape": square(middle(design), 30), "layers": [1, 8]})
-        run = self.verify(design, "--text")
+        run = self.verify(design, "--quiet")
         self.assertEqual(run.returncode, 4)
         self.assertTrue(run.stdout.startswith("NOT CERTIFIED"))
         for word in ("broken       obstacles: ", "block", "limits.transmission_deg", "not checked  search: "):
             self.assertIn(word, run.stdout)
-        self.assertEqual(json.loads(self.verify(design, "--text", "--json").stdout)["certified"], False)
+        self.assertEqual(json.loads(self.verify(design, "--quiet", "--json").stdout)["certified"], False)
 
 
 if __name__ == "__main__":
