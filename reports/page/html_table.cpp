@@ -14,10 +14,11 @@ std::string html_section(std::string_view id, std::string_view heading, const st
 
 namespace {
 
-std::string cell(const std::string& inside, bool is_number) {
-  const bool is_empty = inside == "–";
-  if (!is_number) return "<td>" + inside + "</td>";
-  return fmt::format("<td class=\"number{}\">{}</td>", is_empty ? " none" : "", inside);
+/// With its column's heading, which stands before it where the table has become a list (report.css).
+std::string cell(const HtmlColumn& column, const std::string& inside) {
+  const std::string label = column.heading.empty() ? "" : fmt::format(" data-label=\"{}\"", column.heading);
+  if (!column.is_number) return fmt::format("<td{}>{}</td>", label, inside);
+  return fmt::format("<td class=\"number{}\"{}>{}</td>", inside == "–" ? " none" : "", label, inside);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::string html_table(std::string_view css, const std::vector<HtmlColumn>& colu
     html += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
       html += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", row[i])
-                     : cell(row[i], i < columns.size() && columns[i].is_number);
+                     : cell(i < columns.size() ? columns[i] : HtmlColumn{}, row[i]);
     }
     html += "</tr>\n";
   }

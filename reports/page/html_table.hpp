@@ -15,7 +15,8 @@ struct HtmlColumn {
   bool is_number = false;
 };
 
-/// A table in a box that scrolls sideways where the screen is narrow; empty without rows.
+/// A table in a box that scrolls sideways where it is too wide; on a phone report.css makes a list of it, each cell behind
+/// its column's heading. Empty without rows.
 std::string html_table(std::string_view css, const std::vector<HtmlColumn>& columns,
                        const std::vector<std::vector<std::string>>& rows);
 

@@ -23,9 +23,18 @@ namespace {
 /// Nominal width of the picture on a screen, px: what text sizes and line widths are measured against.
 constexpr double nominal_width = 760;
 /// Strips for the frame's figures and the scale bar, nominal px.
-constexpr double left_strip = 40, bottom_strip = 52, margin = 24;
+constexpr double least_left_strip = 40, bottom_strip = 52, margin = 24;
+/// Widest a character of the frame's figures gets, nominal px: on a phone (report.css).
+constexpr double figure_width = 12.1;
 /// Size of a letter, nominal px, and its width over its height.
 constexpr double letter_size = 15, letter_width = 0.62;
+
+/// Of a number's text, nominal px.
+double width_of_figure(double value) {
+  const std::string text = number_text(value, 6);
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; };
+  return figure_width * static_cast<double>(std::count_if(text.begin(), text.end(), begins));
+}
 
 class Extent {
  public:
@@ -139,6 +148,10 @@ class Picture {
 
  private:
   void frame_view();
+  void fit_drawing(const PictureBox& box, double strip);
+  std::vector<double> heights() const;
+  double widest_figure_beside() const;
+  double grid_step() const { return round_step(2 * drawing_.half.x() / 9); }
   std::string defs() const;
   std::string grid() const;
   std::string scale_bar() const;
@@ -179,13 +192,36 @@ void Picture::frame_view() {
   box.half = box.half.cwiseMax(1e-3);
   box.half.x() = std::max(box.half.x(), box.half.y() / 1.02);
   box.half.y() = std::max(box.half.y(), box.half.x() / 1.7);
-  view_.unit = 2 * box.half.x() / (nominal_width - left_strip - 2 * margin);
+  // A wider strip makes the drawing a little smaller, which may change the figures.
+  double strip = least_left_strip;
+  for (int pass = 0; pass < 3; ++pass) {
+    fit_drawing(box, strip);
+    strip = std::max(strip, widest_figure_beside() + 8);
+  }
+  fit_drawing(box, strip);
   const double u = view_.unit;
-  drawing_ = {box.centre, box.half + Point::Constant(margin * u)};
-  view_.left = drawing_.lower().x() - left_strip * u;
+  view_.left = drawing_.lower().x() - strip * u;
   view_.top = -drawing_.upper().y();
-  view_.width = 2 * drawing_.half.x() + left_strip * u;
+  view_.width = 2 * drawing_.half.x() + strip * u;
   view_.height = 2 * drawing_.half.y() + bottom_strip * u;
+}
+
+/// The unit and the drawing of a box beside a strip of so many nominal px.
+void Picture::fit_drawing(const PictureBox& box, double strip) {
+  view_.unit = 2 * box.half.x() / (nominal_width - strip - 2 * margin);
+  drawing_ = {box.centre, box.half + Point::Constant(margin * view_.unit)};
+}
+
+/// Values with a line across and a figure in the strip. A line at the very top would have no room for its figure.
+std::vector<double> Picture::heights() const {
+  return multiples_within(grid_step(), drawing_.lower().y(), drawing_.upper().y() - 7 * view_.unit);
+}
+
+/// Nominal px.
+double Picture::widest_figure_beside() const {
+  double widest = 0;
+  for (const double y : heights()) widest = std::max(widest, width_of_figure(y));
+  return widest;
 }
 
 std::string Picture::defs() const {
@@ -216,15 +252,15 @@ std::string Picture::defs() const {
 }
 
 std::string Picture::grid() const {
-  const double u = view_.unit, step = round_step(2 * drawing_.half.x() / 9);
+  const double u = view_.unit;
   const Point lower = drawing_.lower(), upper = drawing_.upper();
   std::string lines, figures;
-  for (const double x : multiples_within(step, lower.x(), upper.x())) {
+  for (const double x : multiples_within(grid_step(), lower.x(), upper.x())) {
     lines += svg_line({{x, lower.y()}, {x, upper.y()}});
+    if (x + 0.5 * width_of_figure(x) * u > upper.x()) continue;  // it would be cut
     figures += text("tick", {x, lower.y() - 10 * u}, number_text(x, 6));
   }
-  // A line at the very top would have no room for its figure.
-  for (const double y : multiples_within(step, lower.y(), upper.y() - 7 * u)) {
+  for (const double y : heights()) {
     lines += svg_line({{lower.x(), y}, {upper.x(), y}});
     figures += text("tick end", {lower.x() - 6 * u, y}, number_text(y, 6));
   }

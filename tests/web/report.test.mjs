@@ -309,6 +309,43 @@ live("On a phone nothing overflows, and a tap brings the tracer", async () => {
     });
 });
 
+/** What a reader of the page would miss: boxes that hold more than they show, texts that their picture cuts. */
+const hidden = (page) => page.evaluate(() => {
+  const found = [];
+  for (const node of document.querySelectorAll("main *:not(svg, svg *)")) {
+    const hides = getComputedStyle(node).overflowX !== "visible" && !node.matches(".live-board, .live-board *");
+    if (hides && node.scrollWidth > node.clientWidth + 1) found.push(`${node.tagName}.${node.className}: ${node.scrollWidth} in ${node.clientWidth}`);
+  }
+  for (const picture of document.querySelectorAll("main svg:not(.live-board *)")) {
+    const box = picture.getBoundingClientRect();
+    for (const text of picture.querySelectorAll("text")) {
+      const at = text.getBoundingClientRect();
+      const isCut = at.left < box.left - 0.5 || at.right > box.right + 0.5 || at.top < box.top - 1 || at.bottom > box.bottom + 1;
+      if (at.width > 0 && isCut && getComputedStyle(text).visibility === "visible") found.push(`"${text.textContent}" is cut`);
+    }
+  }
+  return found;
+});
+
+test("On a phone and on a screen every column is there and no figure is cut", async () => {
+  for (const name of specimens)
+    for (const phone of [true, false])
+      await on(name, phone ? { viewport: { width: 390, height: 844 }, isMobile: true } : { viewport: { width: 1280, height: 900 } }, async (page) => {
+        const lost = (await hidden(page)).filter((line) => phone || !line.startsWith("PRE"));  // a spec's long lines may be scrolled to on a screen
+        assert.deepEqual(lost, [], `${name} at ${phone ? 390 : 1280}`);
+      });
+});
+
+test("On a phone each cell of a wide table stands behind its column's heading", async () => {
+  await on("plagiograph", { viewport: { width: 390, height: 844 }, isMobile: true }, async (page) => {
+    const rows = await page.locator(".hardware tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].slice(1).map((cell) => getComputedStyle(cell, "::before").content)));
+    assert.ok(rows.length > 3);
+    for (const row of rows) assert.deepEqual(row, ['"Number"', '"Diameter, mm"', '"Grips, mm"', '"Use"']);
+    assert.equal(await page.locator(".hardware thead").isVisible(), false);
+  });
+  await on("plagiograph", {}, async (page) => assert.equal(await page.locator(".hardware thead").isVisible(), true));
+});
+
 test("In the dark the page is dark, on paper it is light", async () => {
   await on("plagiograph", { colorScheme: "dark" }, async (page) => {
     const brightness = (selector) => page.locator(selector).evaluate((node) => getComputedStyle(node).backgroundColor.match(/\d+/g).slice(0, 3).reduce((sum, part) => sum + Number(part), 0) / 3);
