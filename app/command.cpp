@@ -13,7 +13,7 @@ CLI::App* add_command(CLI::App& program, Session& session, const std::string& na
                       const std::string& description, const std::string& example) {
   CLI::App* command = program.add_subcommand(name, description);
   command->add_flag("--json", session.json, "Print one JSON object instead of text");
-  command->add_flag("--quiet", session.quiet, "No progress on stderr");
+  command->add_flag("--quiet", session.quiet, "Show no progress");
   command->footer("Example:\n  " + example);
   return command;
 }
@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 std::string_view name(ExitCode code) {
   switch (code) {
-    case no_design: return "no design exists";
+    case no_design: return "no design was found";
     case verification_failed: return "verification failed";
     case cannot_write: return "cannot write";
     case stopped:
@@ -83,7 +83,7 @@ CLI::Validator number_between(double lowest, double highest) {
       return {};  // NaN is neither
     return fmt::format("found {}; allowed: a number from {:g} to {:g}", text, lowest, highest);
   };
-  return {check, fmt::format("FLOAT in [{:g} .. {:g}]", lowest, highest)};
+  return {check, fmt::format("{:g} to {:g}", lowest, highest)};
 }
 
 void print(const std::string& text) {

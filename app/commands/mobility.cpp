@@ -64,7 +64,8 @@ void add_mobility_command(CLI::App& program, Session& session) {
   command->add_option("--dof", arguments->freedoms, "and how many freedoms")
       ->check(CLI::Range(0, 40))
       ->needs(links);
-  command->add_option("--seed", arguments->seed, "Of the search for closed positions")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Of the random numbers in the search for closed positions")
+      ->capture_default_str();
   linkage->excludes(links);
   command->callback([&session, arguments, linkage, links] {
     if (linkage->empty() && links->empty()) throw CLI::RequiredError("LINKAGE or --links");

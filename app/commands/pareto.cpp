@@ -149,12 +149,15 @@ void add_pareto_command(CLI::App& program, Session& session) {
   command->add_option("--between", arguments->between, "Two of size, transmission, copy_error, footprint")
       ->required()
       ->delimiter(',');
-  command->add_option("--points", arguments->points, "Points asked for")
+  command->add_option("--points", arguments->points, "How many points the front shall have")
       ->check(CLI::Range(2, 200))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->folder, "Folder for the front's files")->required();
-  command->add_option("--seed", arguments->seed, "Same seed, same front")->capture_default_str();
-  command->add_option("-j,--threads", arguments->threads, "The front does not depend on it")
+  command->add_option("--seed", arguments->seed, "Of the random numbers: the same seed gives the same front")
+      ->capture_default_str();
+  command
+      ->add_option("-j,--threads", arguments->threads,
+                   "Threads to use; the front is the same with any number")
       ->check(CLI::Range(1, 256));
   add_time_limit(*command, arguments->time_limit,
                  "Seconds; then the points found so far, or exit code 6 without any");

@@ -182,7 +182,8 @@ void add_solve_command(CLI::App& program, Session& session) {
       ->delimiter(',');
   command->add_option("--steps", arguments->steps, "Equal parts of the motion, instead of the file's")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", arguments->seed, "Of the search for assembly modes")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Of the random numbers in the search for assembly modes")
+      ->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -80,13 +80,18 @@ void add_synthesize_command(CLI::App& program, Session& session) {
                           "Many specs: a folder of *.toml, or a .jsonl file; resumable (docs/batch.md)");
   spec->excludes(batch);
   command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
-  command->add_option("--seed", arguments->seed, "Same seed, same design")->capture_default_str();
-  command->add_option("-j,--threads", arguments->threads, "The design does not depend on it")
+  command->add_option("--seed", arguments->seed, "Of the random numbers: the same seed gives the same design")
+      ->capture_default_str();
+  command
+      ->add_option("-j,--threads", arguments->threads,
+                   "Threads to use; the design is the same with any number")
       ->check(CLI::Range(1, 256));
   add_time_limit(*command, arguments->time_limit,
-                 "Seconds (a spec, in a batch); then the best so far, marked as such, or exit code 6 if "
-                 "nothing is known");
-  command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
+                 "Seconds (for each spec of a batch); then the best design so far, marked as such, or exit "
+                 "code 6 if there is none");
+  command
+      ->add_option("--map-tolerance", arguments->map_tolerance,
+                   "Share of the map's area that may stay uncertain")
       ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
   command->callback([&session, arguments, spec, batch] {

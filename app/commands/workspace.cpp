@@ -66,7 +66,9 @@ void add_workspace_command(CLI::App& program, Session& session) {
           ->delimiter(',')
           ->check(number_between(-largest_coordinate, largest_coordinate))
           ->expected(2);
-  command->add_option("--map-tolerance", arguments->map_tolerance, "Share of the map that may stay uncertain")
+  command
+      ->add_option("--map-tolerance", arguments->map_tolerance,
+                   "Share of the map's area that may stay uncertain")
       ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
   add_time_limit(*command, arguments->time_limit, "Seconds; then the map as fine as it is, marked as such");

@@ -624,7 +624,7 @@ class Words(Case):
         lens = self.spec("[lens]\nfocal_length_mm = 100\nmagnification = [0.5, 2]\n[links]\nlongest_mm = 1\n", "lens.toml")
         run = kempe("inversor", lens, "--json")
         self.assertEqual(run.returncode, 3)
-        self.assertEqual(json.loads(run.stdout)["error"], "no design exists")
+        self.assertEqual(json.loads(run.stdout)["error"], "no design was found")
 
     def test_commands_that_are_none(self):
         for word, meant in (("synthesise", "synthesize"), ("verfy", "verify"), ("center", "centres"), ("optimise", None)):
