@@ -45,24 +45,16 @@ class I:
     def __init__(self, lo, hi=None, d=()):
         self.lo, self.hi, self.d = lo, lo if hi is None else hi, d
 
-    def with_slopes(self, *terms):
-        """The chain rule: terms are operands with the factors of their derivatives."""
-        terms = [(o.d, factor) for o, factor in terms if o.d]
-        if terms:
-            self.d = [sum((d[i] * factor for d, factor in terms), ZERO) for i in range(len(terms[0][0]))]
-        return self
-
     def __add__(self, o):
         o = o if o.__class__ is I else I(o)
         if not (o.lo or o.hi or o.d):
             return self
         if not (self.lo or self.hi or self.d):
             return o
-        sum_ = I(nextafter(self.lo + o.lo, -inf), nextafter(self.hi + o.hi, inf))
-        return sum_.with_slopes((self, ONE), (o, ONE)) if self.d or o.d else sum_
+        return I(nextafter(self.lo + o.lo, -inf), nextafter(self.hi + o.hi, inf), both(self.d, o.d))
 
     def __neg__(self):
-        return I(-self.hi, -self.lo, [-x for x in self.d])
+        return I(-self.hi, -self.lo, self.d and [-x for x in self.d])
 
     def __sub__(self, o):
         return self + -o
@@ -79,13 +71,16 @@ class I:
         if not (lo > -1e150 and hi < 1e150):  # so no infinity comes up, and no NaN
             raise Open
         out = I(nextafter(lo, -inf), nextafter(hi, inf)) if lo or hi else I(0.0)
-        return out.with_slopes((self, I(o.lo, o.hi)), (o, I(self.lo, self.hi))) if self.d or o.d else out
+        if self.d or o.d:
+            out.d = both(times(self.d, o), times(o.d, self))
+        return out
 
     def __truediv__(self, o):
         if not (o.lo > 1e-140 or o.hi < -1e-140):
             raise Open
         inverse = I(nextafter(1 / o.hi, -inf), nextafter(1 / o.lo, inf))
-        return self * (inverse.with_slopes((o, -(inverse * inverse))) if o.d else inverse)
+        inverse.d = times(o.d, -(inverse * inverse))
+        return self * inverse
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -93,12 +88,13 @@ class I:
         if not self.lo >= 0:
             raise Open
         root = I(max(0.0, nextafter(math.sqrt(self.lo), -inf)), nextafter(math.sqrt(self.hi), inf))
-        return root.with_slopes((self, I(0.5) / root)) if self.d else root
+        root.d = self.d and times(self.d, I(0.5) / root)
+        return root
 
     def square(self):
         low = 0.0 if self.lo <= 0 <= self.hi else min(abs(self.lo), abs(self.hi))
-        out = I(max(0.0, nextafter(low * low, -inf)), nextafter(self.size() * self.size(), inf) if self.size() else 0.0)
-        return out.with_slopes((self, I(2 * self.lo, 2 * self.hi))) if self.d else out
+        high = nextafter(self.size() * self.size(), inf) if self.size() else 0.0
+        return I(max(0.0, nextafter(low * low, -inf)), high, times(self.d, I(2 * self.lo, 2 * self.hi)))
 
     def size(self):
         return max(abs(self.lo), abs(self.hi))
@@ -108,6 +104,14 @@ class I:
 
 
 ZERO, ONE = I(0.0), I(1.0)
+
+
+def times(slopes, o):
+    return [x * I(o.lo, o.hi) for x in slopes] if slopes else ()
+
+
+def both(one, other):
+    return [x + y for x, y in zip(one, other)] if one and other else one or other
 
 
 def cmul(a, b):
@@ -555,7 +559,7 @@ class Design:
                 if node[2] and node[1] > max(clouds[j][2] for j in piece):
                     todo += [(part, piece, child, i) for child in node[2]]
                     continue
-                if not node[2]:
+                if math.hypot(*apart([clouds[j][3] for j in piece], node[0])) < distance and not node[2]:
                     self.refute(hull[0], part, piece, node[0], distance, i)
                 left.append((part, piece, node, i))
         return left
