@@ -52,11 +52,11 @@ class Builder:
 
     def build(self):
         log = self.log
-        for vertex in check.ROLES:
+        for vertex in check.VERTICES:
             if vertex in log.task.groundings:
-                log.shape = check.Shape(log.task.scale, log.task.degrees, vertex)
-                for mode in range(log.shape.modes()):
-                    log.sign = log.shape.sign_of_psi(mode)
+                log.shape = check.Shape(log.task, vertex)
+                for mode in range(log.shape.modes):
+                    log.sign = log.shape.signs(mode)[0]
                     todo = [(log.root(mode), 0)]
                     while todo:
                         node, depth = todo.pop()
@@ -69,7 +69,7 @@ class Builder:
 
     def refutes(self, node, line):
         try:
-            return getattr(self.log, "leaf_" + line["leaf"])(node, line)
+            return not self.log.step(node, line)
         except check.Open:
             return False
 
@@ -95,7 +95,7 @@ class Builder:
                 return line, []
             if "contact" in line:
                 try:
-                    children = self.log.node_contact(node, line)
+                    children = self.log.contact(node, line)
                 except check.Open:
                     continue
                 if all(self.by_sum(child) for child in children):
@@ -111,7 +111,7 @@ class Builder:
         return max((node.box[v].hi - node.box[v].lo) / max(1e-9, node.box[v].hi) for v in "ab")
 
     def nearest(self, P):
-        best = min(self.edges, key=lambda e: check.size_of(check.to_segment(P, e[1], e[2])))
+        best = min(self.edges, key=lambda e: math.hypot(*check.to_segment(P, e[1], e[2])))
         (key, p, q) = best
         v = check.to_segment(P, p, q)
         length = math.dist(p, q)
@@ -250,10 +250,10 @@ class Builder:
         for _, psi, one, other in sorted(found, key=lambda f: f[0])[:4]:
             if not all(check.share(one[0], other[0], l, ()) for l in node.assignments):
                 line = {"share": [one[0], other[0]]}
-                return line, self.log.node_share(node, line)
+                return line, self.log.share(node, line)
             line = {"contact": [one, other], "u": math.tan(psi / 2)}
             try:
-                children = self.log.node_contact(node, line)
+                children = self.log.contact(node, line)
             except check.Open:
                 continue
             if sum(1 for child in children if self.by_sum(child)) >= 1:
@@ -264,7 +264,7 @@ class Builder:
         e = complex(math.cos(psi), self.log.sign * math.sin(psi))
         out = {}
         for j in "VABCXY":
-            alpha, beta = (complex(c[0].middle(), c[1].middle()) for c in self.log.shape.seen(j))
+            alpha, beta = (complex(*check.centre(c)) for c in self.log.shape.seen[j])
             out[j] = alpha * a + beta * b * e
         return out
 
@@ -311,7 +311,7 @@ class Builder:
             if not all(check.share(part, line["obstacle"], l, task.obstacles) for l in node.assignments):
                 if self.smallness(node) < 0.02:
                     inner = {"share": [part, line["obstacle"]]}
-                    return inner, self.log.node_share(node, inner)
+                    return inner, self.log.share(node, inner)
                 continue
             if self.refutes(node, line):
                 return line, []
@@ -328,15 +328,15 @@ class Builder:
     def hits(self, part, joints, ring, i, place):
         task, out = self.log.task, []
         need = task.half(part) + task.clearance
-        convex = check.inside_convex_ring(ring)
+        convex = check.convex(ring)
         for A in self.spans(part):
             for n in range(5 if A[0] != A[1] else 1):
                 t = n / 4
                 z = joints[A[0]] + t * (joints[A[1]] - joints[A[0]])
                 point = (z.real, z.imag)
                 inside = check.where(point, [ring]) >= 0
-                edge = min(range(len(ring) - 1), key=lambda e: check.size_of(check.to_segment(point, ring[e], ring[e + 1])))
-                away = check.size_of(check.to_segment(point, ring[edge], ring[edge + 1]))
+                edge = min(range(len(ring) - 1), key=lambda e: math.hypot(*check.to_segment(point, ring[e], ring[e + 1])))
+                away = math.hypot(*check.to_segment(point, ring[edge], ring[edge + 1]))
                 depth = need + away if inside and convex else need - away
                 if depth > 0:
                     out.append((depth, {"leaf": "obstacle", "obstacle": i, "edge": None if convex else edge, "place": place,
@@ -350,7 +350,7 @@ class Builder:
         scale = {"a": 1.0, "b": 1.0, "x": self.log.shape.abs_g.middle(), "y": self.log.shape.abs_g.middle()}
         name = max(widths, key=lambda v: widths[v] * scale[v])
         line = {"split": name, "at": node.box[name].middle()}
-        return line, self.log.node_split(node, line)
+        return line, self.log.split(node, line)
 
 
 def material(part, span, t):
