@@ -297,8 +297,9 @@ class Builder:
         if not task.obstacles:
             return None
         a, b, x, y = self.middle(node)
-        places = [([*key, 0.0], c) for key, c in self.corners[:: 1 + len(self.corners) // 8]]
-        places += [([*key, 0.5], ((p[0] + q[0]) / 2, (p[1] + q[1]) / 2)) for key, p, q in self.edges[:: 1 + len(self.edges) // 8]]
+        steps = 1 if len(self.edges) > 40 else 12
+        places = [([*key, i / steps], (p[0] + (q[0] - p[0]) * i / steps, p[1] + (q[1] - p[1]) * i / steps))
+                  for key, p, q in self.edges[:: 1 + len(self.edges) // 40] for i in range(steps)]
         found = []
         for place, T in places:
             joints = self.placed(a, b, (x, y), T)
@@ -330,8 +331,10 @@ class Builder:
         need = task.half(part) + task.clearance
         convex = check.convex(ring)
         for A in self.spans(part):
-            for n in range(5 if A[0] != A[1] else 1):
-                t = n / 4
+            along = {i / 4 for i in range(5)} if A[0] != A[1] else {0.0}
+            corners = [complex(*c) for c in ring]
+            along.add(min(nearest_on_segments(joints[A[0]], joints[A[1]], u, v) for u, v in zip(corners, corners[1:]))[1])
+            for t in along:
                 z = joints[A[0]] + t * (joints[A[1]] - joints[A[0]])
                 point = (z.real, z.imag)
                 inside = check.where(point, [ring]) >= 0

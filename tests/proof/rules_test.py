@@ -1,0 +1,320 @@
+#!/usr/bin/env python3
+"""The independent checker is tested as the product: every rule has a file that only this rule refuses. Each case is a file with
+something wrong and the rule that sees it. The checker must refuse the file; with that one rule taken out of its source it must
+accept it, which shows that no other rule sees the fault and that the case tests the rule.
+
+usage: rules_test.py SOURCE_DIR [unittest arguments]
+"""
+import contextlib
+import copy
+import io
+import json
+import pathlib
+import random
+import sys
+import tempfile
+import types
+import unittest
+
+import mutations
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+TEXT = (SOURCE / "proof" / "kempe_check.py").read_text(encoding="utf-8")
+FILES = SOURCE / "tests" / "proof" / "files"
+
+
+def checker(old=None, new=None):
+    """The checker, with a piece of its source replaced."""
+    text = TEXT
+    if old is not None:
+        assert text.count(old) == 1, f"{text.count(old)} times in the checker: {old}"
+        text = text.replace(old, new)
+    module = types.ModuleType("kempe_check")
+    exec(compile(text, "kempe_check.py", "exec"), module.__dict__)
+    return module
+
+
+WHOLE = checker()
+
+
+def run(module, design, log=None):
+    """The checker's exit code and what it printed."""
+    with tempfile.TemporaryDirectory() as folder:
+        names = []
+        if design is not None:
+            names.append(str(pathlib.Path(folder) / "design.json"))
+            pathlib.Path(names[0]).write_text(json.dumps(design), encoding="utf-8")
+        if log is not None:
+            names.append(str(pathlib.Path(folder) / "certificate.jsonl"))
+            pathlib.Path(names[-1]).write_text("".join(json.dumps(line) + "\n" for line in log), encoding="utf-8")
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            try:
+                return (0 if module.main(names) else 1), out.getvalue()
+            except module.Unreadable as fault:
+                return 2, str(fault)
+
+
+def design(name):
+    return json.loads((FILES / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def log(name):
+    return [json.loads(line) for line in (FILES / f"{name}.jsonl").read_text(encoding="utf-8").splitlines()]
+
+
+def changed(name, *path_and_value):
+    """A stored design with one value replaced, or changed by a function of the old one."""
+    out = design(name)
+    *path, last, value = path_and_value
+    at = out
+    for key in path:
+        at = at[key]
+    at[last] = value(at[last]) if callable(value) else value
+    return out
+
+
+def rectangle(x0, y0, x1, y1):
+    return [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]
+
+
+def obstacle(ring, layers):
+    return {"name": "block", "shape": {"type": "MultiPolygon", "coordinates": [[ring]]}, "layers": layers}
+
+
+def with_obstacle(name, ring, layers):
+    return changed(name, "obstacles", [obstacle(ring, layers)])
+
+
+def walled_islands():
+    """Two islands that the tracer reaches, and walls that the linkage cannot pass, whichever way round it goes."""
+    out = changed("plagiograph", "region", "coordinates", [[rectangle(64, -1, 66, 1)], [rectangle(-66, -1, -64, 1)]])
+    out["obstacles"] = [obstacle(rectangle(-60, 20, -20, 60), [1, 2]), obstacle(rectangle(20, -60, 60, -20), [1, 2])]
+    return out
+
+
+# name, the rule's source, what stands there without the rule, the file that only the rule refuses
+DESIGN_RULES = [
+    ("a length by 0.1 %", "> EPS_MM:\n                raise Refuted(f\"length {name} = {self.lengths[name]} does not fit",
+     "> inf:\n                raise Refuted(f\"length {name} = {self.lengths[name]} does not fit",
+     lambda: changed("plagiograph", "mechanism", "lengths_mm", "CX", lambda v: 1.001 * v)),
+    ("transmission", "if x.hi < sine.lo or x.hi <= 0:", "sine = ZERO\n                if x.hi < sine.lo or x.hi <= 0:",
+     lambda: changed("plagiograph", "limits", "transmission_deg", lambda v: v + 0.001)),
+    ("assembly mode", "/ shape.abs_s * self.sign_d", "/ shape.abs_s * (1.0 if c.middle() * 0 + shape.s[0].lo * sin_psi.lo * self.sign +"
+     " shape.s[1].lo * c.lo > 0 else -1.0)", lambda: changed("plagiograph", "mechanism", "assembly", lambda v: {0: 3, 3: 0, 1: 2, 2: 1}[v])),
+    ("parts of the linkage", "if gap < distance - 2 * EPS_MM:\n                raise Refuted(f\"{one}",
+     "if self: return\n            if gap < distance - 2 * EPS_MM:\n                raise Refuted(f\"{one}",
+     lambda: changed("plagiograph", "limits", "clearance_mm", design("plagiograph")["quality"]["clearance_min_mm"] + 0.002)),
+    ("an obstacle moved into a link", "                left.append((part, piece, node, i))\n", "                pass\n",
+     lambda: changed("two-layer", "obstacles", 0, "shape", "coordinates", 0, 0, lambda ring: [[x + 20, y] for x, y in ring])),
+    ("an obstacle around everything", "> 0:\n                raise Refuted(f\"{part} is inside", "> 1:\n                raise Refuted(f\"{part} is inside",
+     lambda: with_obstacle("plagiograph", rectangle(-900, -900, 900, 900), [1, 1])),
+    ("islands behind a wall", "            self.way(self.region[0][0], rings[0], pairs)", "            pass", walled_islands),
+    ("original and copy too near", "if between < gap + slack:", "if between < -1:",
+     lambda: changed("free", "limits", "sheets_gap_mm", lambda v: v + 20)),
+    ("a length over the limit", "if not task.shortest - EPS_MM <= length <= task.longest + EPS_MM or", "if",
+     lambda: changed("plagiograph", "links", "longest_mm", 40)),
+    ("a locked length", "abs(length - task.locked.get(name, length)) > EPS_MM:", "False:", lambda: changed("plagiograph", "links", "VA_mm", 100)),
+    ("a grid", "task.grid and", "False and", lambda: changed("plagiograph", "links", "grid_mm", 5)),
+    ("a stock", "task.stock and", "False and", lambda: changed("plagiograph", "links", "stock_mm", [30, 60])),
+    ("a vertex not permitted", "self.shape.vertex not in task.groundings or", "", lambda: changed("plagiograph", "objective", "groundings", ["pole"])),
+    ("a layer too high", "or max(self.layers.values()) > task.layers", "", lambda: changed("plagiograph", "links", "layers", 1)),
+    ("the pole elsewhere", "if min(math.hypot(*to_segment(self.pole, *edge)) for edge in edges) > EPS_MM:", "if False:",
+     lambda: changed("plagiograph", "pole", "at_mm", [0.001, 0])),
+    ("a limit that is not checked", "if unchecked or task.copy_error is not None:", "if unchecked:",
+     lambda: changed("plagiograph", "limits", "copy_error_mm", 5)),
+    ("no table of what was permitted", "if unchecked or task", "if task", lambda: changed("plagiograph", "links", None)),
+    ("the format", 'file.get("format", ("kempe-design/1",))', 'file.get("format")', lambda: changed("plagiograph", "format", "kempe-design/2")),
+    ("a hole outside its polygon", "if any(where(c, polygon[:1]) < 0 for hole in polygon[1:] for c in hole):", "if False:",
+     lambda: changed("plagiograph", "region", "coordinates", 0, lambda p: p + [rectangle(69, 0, 70.1, 1)])),
+]
+
+
+class Designs(unittest.TestCase):
+    def test_stored_designs_are_proven(self):
+        for name in ("plagiograph", "two-layer", "free"):
+            with self.subTest(name):
+                self.assertEqual(run(WHOLE, design(name))[0], 0)
+
+    def test_every_rule_has_a_file_that_only_it_refuses(self):
+        for name, old, new, file in DESIGN_RULES:
+            with self.subTest(name):
+                code, said = run(WHOLE, file())
+                self.assertNotEqual(code, 0, said)
+                code, said = run(checker(old, new), file())
+                self.assertEqual(code, 0, said)
+
+    def test_what_cannot_be_read_is_told_with_its_key(self):
+        for key, value, allowed in (("mechanism", 3, "a value"), ("obstacles", [{"shape": 1}], "MultiPolygon"), ("limits", {}, "a value"),
+                                    ("pole", {"at_mm": [0, "x"]}, "a number"),
+                                    ("region", {"type": "MultiPolygon", "coordinates": [[[[1, 2], [3, 4], [5, 6], [7, 8]]]]}, "closed rings")):
+            with self.subTest(key):
+                code, said = run(WHOLE, changed("plagiograph", key, value))
+                self.assertEqual(code, 2, said)
+                self.assertRegex(said, r"design.json: .*found .*allowed: .*" + allowed)
+
+    def test_wrong_usage_is_told(self):
+        with self.assertRaises(WHOLE.Unreadable):
+            WHOLE.main([])
+        with self.assertRaises(WHOLE.Unreadable):
+            WHOLE.main(["/nowhere/design.json"])
+
+
+
+def first(lines, key, value=None):
+    return next(i for i, line in enumerate(lines) if key in line and (value is None or line[key] == value))
+
+
+def altered(name, key, value=None, **changes):
+    """A stored log with the first line that has a key (of that value) altered; the header's key is "format"."""
+    lines = log(name)
+    lines[first(lines, key, value)].update(changes)
+    return lines
+
+
+def with_task(name, *path_and_value):
+    """A stored log about a task with one value replaced."""
+    lines = log(name)
+    *path, last, value = path_and_value
+    at = lines[0]["task"]
+    for key in path:
+        at = at[key]
+    at[last] = value(at[last]) if callable(value) else value
+    return lines
+
+
+def summed(name, *terms):
+    return altered(name, "leaf", "sum", of=[list(term) for term in terms])
+
+
+def other_place(name, place):
+    """The first sum with one far place elsewhere, farther away."""
+    lines = log(name)
+    for line in lines:
+        for term in line.get("of", ()):
+            if term[0] == "far":
+                term[1] = place
+                return lines
+    raise AssertionError
+
+
+def instead(name, leaf, **fields):
+    """Stored logs, each with one sum replaced by another leaf: what it says is false of that box."""
+    for i, line in enumerate(log(name)):
+        if line.get("leaf") == "sum":
+            yield log(name)[:i] + [{"leaf": leaf, **fields}] + log(name)[i + 1:]
+
+
+def split_of_a_point(name):
+    """The pole stands at one place; a split there gives the same box twice."""
+    lines = log(name)
+    i = first(lines, "leaf", "sum")
+    return lines[:i] + [{"split": "x", "at": 0.0}, lines[i]] + lines[i:]
+
+
+def closed_by(line, *path_and_value, claim="none", objective="size", bound=None):
+    """A log about the plagiograph's task with one value replaced, in which one line closes every root."""
+    header = with_task("plagiograph", *path_and_value)[0]
+    header.update(claim=claim, objective=objective, bound=bound)
+    return [header] + [line] * 12
+
+
+OUT_OF_REACH = {"leaf": "sum", "of": [["far", [0, 0, 1, 0.0], 1.0]]}
+
+
+def dented(ring):
+    """A ring with a dent of a hundredth of a millimetre in its last edge."""
+    (x0, y0), (x1, y1) = ring[-2], ring[-1]
+    return ring[:-1] + [[(x0 + x1) / 2 + 0.01, (y0 + y1) / 2], ring[-1]]
+
+
+# name, the rule's source, what stands there without the rule, the log that only the rule refuses; its design, if it is needed
+LOG_RULES = [
+    ("a line too many", "if self.at != len(self.lines) - 1:", "if False:", lambda: log("plagiograph") + log("plagiograph")[-1:]),
+    ("a split beside the box", "if not old.lo < at < old.hi:", "if False:", lambda: split_of_a_point("plagiograph")),
+    ("a sum that is not negative", "return most.hi < 0", "return True", lambda: summed("plagiograph", ["bound", 0.0])),
+    ("a negative weight", "if not 0 <= weight < 1e9:", "if False:", lambda: summed("plagiograph", ["posts", [66, 0], -1.0])),
+    ("a bound for another objective", 'if self.claim != "bound" or self.objective != "size":', "if False:",
+     lambda: altered("plagiograph", "format", objective="transmission", bound=1.0)),
+    ("a place outside the region", "if not any(where(point, polygon) >= 0 for polygon in self.task.region):", "if False:",
+     lambda: other_place("plagiograph", [9e5, 0.0])),
+    ("a place beyond its edge", "and 0 <= t <= 1):", "):", lambda: other_place("plagiograph", [0, 0, 0, 1e5])),
+    ("lengths that are permitted", 'return any(node.box[v].lo > node.box[v].hi for v in "ab")', "return True",
+     lambda: next(instead("plagiograph", "lengths"))),
+    ("assignments that are left", "return not node.assignments", "return True", lambda: next(instead("plagiograph", "layers"))),
+    ("sheets that are apart", "return max(square_of(way).hi for way in ways) < I(self.task.sheets_gap).square().lo", "return True",
+     lambda: altered("free", "leaf", "sheets", places=[[-40, 0], [40, 30]])),
+    ("a contact that is none", 'raise Open("the points are not in contact all over the box")', "pass",
+     lambda: altered("two-layer", "contact", contact=[["VA", 0.0], ["BCY", 0.0, 0.0]])),
+    ("parts of different layers", 'raise Open("these parts need not keep apart")', "pass",
+     lambda: altered("two-layer", "contact", contact=[["VA", 0.0], ["VB", 0.0]])),
+    ("an obstacle in other layers", 'raise Open("the part does not meet this obstacle")', "pass",
+     lambda: with_task("block", "obstacles", 0, "layers", [7, 8])),
+    ("an obstacle out of reach", "+ 1e-14 * max(abs(c) for c in p) < allowed for p in points)", "> -1 for p in points)",
+     lambda: altered("block", "leaf", "obstacle", point=["VA", 0.0])),
+    ("an obstacle that is not convex", 'raise Open("the obstacle is not convex, or has no such edge")', "pass",
+     lambda: with_task("block", "obstacles", 0, "shape", "coordinates", 0, 0, dented)),
+    ("another task", "raise Open(f\"the log's {key} is not the design's\")", "pass",
+     lambda: with_task("plagiograph", "cutting", "gap_mm", 6), "plagiograph"),
+    ("a weaker bound than the file's", "over * stated > over * self.bound + EPS_MM", "False",
+     lambda: altered("plagiograph", "format", bound=log("plagiograph")[0]["bound"] - 1), "plagiograph"),
+    ("an objective without rules", 'if self.claim == "bound" and self.objective not in ("size", "transmission"):', "if False:",
+     lambda: closed_by(OUT_OF_REACH, "links", "longest_mm", 20, claim="bound", objective="footprint", bound=1.0)),
+]
+
+
+class Logs(unittest.TestCase):
+    def test_stored_logs_are_proven(self):
+        for name in ("plagiograph", "two-layer", "free"):
+            with self.subTest(name):
+                self.assertEqual(run(WHOLE, design(name), log(name))[0], 0)
+        self.assertIn("4 no design exists: proven", run(WHOLE, None, log("block"))[1])
+
+    def test_every_rule_has_a_log_that_only_it_refuses(self):
+        for name, old, new, file, *design_name in LOG_RULES:
+            with self.subTest(name):
+                its_design = design(design_name[0]) if design_name else None
+                code, said = run(WHOLE, its_design, file())
+                self.assertEqual(code, 1, said)
+                code, said = run(checker(old, new), its_design, file())
+                self.assertEqual(code, 0, said)
+
+    def test_no_design_is_proven_by_one_line_a_root(self):
+        for line, *change in (
+                (OUT_OF_REACH, "links", "longest_mm", 20),
+                ({"leaf": "lengths"}, "links", "shortest_mm", 399),
+                ({"leaf": "layers"}, "links", "layers", 1),
+                ({"leaf": "sum", "of": [["posts", [66, 0], 1.0]]}, "pole", {"at_mm": [66, 0]})):
+            with self.subTest(change):
+                code, said = run(WHOLE, None, closed_by(line, *change))
+                self.assertEqual(code, 0, said)
+                self.assertIn("4 no design exists: proven (12 nodes)", said)
+
+    def test_a_line_left_out_or_exchanged_is_refused(self):
+        lines = log("plagiograph")
+        for i in random.Random(1).sample(range(1, len(lines)), 12):
+            for wrong in (lines[:i] + lines[i + 1:], lines[:i] + [{"leaf": "layers"}] + lines[i + 1:]):
+                self.assertEqual(run(WHOLE, None, wrong)[0], 1)
+
+    def test_material_points_lie_on_their_parts(self):
+        certificate = WHOLE.Certificate("log", log("plagiograph"))
+        joints = {j: (WHOLE.I(float(n)), WHOLE.I(0.0)) for n, j in enumerate("VABCXY")}
+        for point in (["VA", 0.5], ["ACX", 0.0, 1.0], ["BCY", 1.0, 0.0], ["pin A"], ["post Y"]):
+            certificate.material(point, joints)
+        for point in (["VA", 1.5], ["VA", -0.1], ["VA"], ["ACX", 0.5, 0.5], ["BCY", 0.0, 1.1], ["pin A", 0.5], ["post A"], ["VX", 0.5]):
+            with self.assertRaises((WHOLE.Open, KeyError)):
+                certificate.material(point, joints)
+
+
+class Mutations(unittest.TestCase):
+    """Random single changes of designs and logs: one that is accepted must not have changed the truth."""
+
+    def test_random_mutations_of_designs(self):
+        self.assertEqual(mutations.designs(WHOLE, 200, 1)["wrong"], [])
+
+    def test_random_mutations_of_logs(self):
+        self.assertEqual(mutations.logs(WHOLE, 200, 2)["wrong"], [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
