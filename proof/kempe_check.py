@@ -23,6 +23,7 @@ PINS = {"A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY"), "V": ("VA",
 POSTS = {"V": ("VA", "VB"), "X": ("ACX",), "Y": ("BCY",)}
 PARTS = LINKS + tuple("pin " + j for j in PINS) + tuple("post " + j for j in POSTS)
 LENGTHS = ("VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY")
+LOOKED_AT = ("format", "copy", "region", "mechanism", "limits", "obstacles", "pole", "links", "objective", "cutting")
 VERTICES = ("pole", "tracer", "pen")  # who stands at the vertex V
 
 
@@ -384,7 +385,7 @@ class Task:
         if not isinstance(pole, dict) or len(pole) != 1 or not isinstance(self.groundings, list) or not set(self.groundings) <= set(VERTICES):
             file.fault("pole, objective.groundings", pole, "at_mm or within_mm, and a list of vertices")
         self.pole_at = file.point("pole.at_mm", pole["at_mm"]) if "at_mm" in pole else None
-        self.pole_within = None if self.pole_at else file.polygons("pole.within_mm")
+        self.pole_within = None if self.pole_at else file.polygons("pole.within_mm") or file.fault("pole.within_mm", [], "an area")
 
 
 class Design:
@@ -428,7 +429,9 @@ class Design:
             for p, q, pp, qq in zip(corners, corners[1:], squares, squares[1:]):
                 way, lo, hi = csub(q, p), min(pp.lo, qq.lo), min(pp.hi, qq.hi)
                 along, length = -(p[0] * way[0] + p[1] * way[1]), square_of(way)
-                if along.hi > 0 and along.lo < length.hi and length.lo > 0:  # the foot may lie on the edge
+                if length.lo <= 0:  # an edge too short for a direction
+                    lo = square_of(tuple(I(min(c.lo, d.lo), max(c.hi, d.hi)) for c, d in zip(p, q))).lo
+                elif along.hi > 0 and along.lo < length.hi:  # the foot may lie on the edge
                     lo = min(lo, ((p[0] * way[1] - p[1] * way[0]).square() / length).lo)
                     part = min(1.0, max(0.0, along.middle() / length.middle()))
                     hi = min(hi, square_of(cadd(p, tuple(c * part for c in way))).hi)
@@ -916,6 +919,7 @@ def main(names):
         good = claim("1 every point is reached on one assembly mode", checked.reached)
         for title, proof in (("2 the parts keep their clearance", checked.clear), ("limits of the file", checked.limits)):
             good = claim(title, proof if hasattr(checked, "cosines") else after_claim_1) and good
+        print("not looked at:", ", ".join(sorted(design.data.keys() - set(LOOKED_AT))))
     for log in logs:
         word = {"size": "mm is smaller", "transmission": "degrees is larger"}.get(log.objective, "is better")
         title = "4 no design exists" if log.claim == "none" else f"3 no design than {log.bound:.12g} {word}"
