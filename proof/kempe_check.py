@@ -145,7 +145,7 @@ def unit_circle(degrees):
         n += 1
         term = term * x // (n << 160)
         sums[n % 2] += term if n % 4 < 2 else -term
-    c, s = (I(nextafter(t / one, -inf), nextafter(t / one, inf)) if rest else I(float(t >> 160)) for t in sums)
+    c, s = (I(t / one) + I(-1e-40, 1e-40) if rest else I(float(t >> 160)) for t in sums)
     return [(c, s), (-s, c), (-c, -s), (s, -c)][int(quarters)]
 
 
@@ -367,7 +367,8 @@ class Task:
             rings, layers = File(f"{file.name}: obstacles[{i}]", table).polygons("shape"), table.get("layers")
             if not isinstance(layers, list) or len(layers) != 2 or len(rings) != 1:
                 file.fault(f"obstacles[{i}]", table, "a shape of one polygon and layers [lowest, highest]")
-            layers = [file.whole(f"obstacles[{i}].layers", n, 64) for n in layers]
+            low = file.whole(f"obstacles[{i}].layers", layers[0], 64)
+            layers = [low, file.whole(f"obstacles[{i}].layers", layers[1], 64, low)]
             self.obstacles.append({"rings": rings[0], "layers": layers, "name": str(table.get("name") or f"obstacle {i + 1}")})
 
     def half(self, part):
