@@ -71,7 +71,8 @@ class I:
         lo, hi = min(ends), max(ends)
         if not (lo > -1e150 and hi < 1e150):  # so no infinity comes up, and no NaN
             raise Open
-        out = I(nextafter(lo, -inf), nextafter(hi, inf)) if lo or hi else I(0.0)
+        zero = not (self.lo or self.hi) or not (o.lo or o.hi)
+        out = I(0.0) if zero else I(nextafter(lo, -inf), nextafter(hi, inf))
         if self.d or o.d:
             out.d = both(times(self.d, o), times(o.d, self))
         return out

@@ -5,16 +5,19 @@ accept it, which shows that no other rule sees the fault and that the case tests
 
 usage: rules_test.py SOURCE_DIR [unittest arguments]
 """
+import cmath
 import contextlib
 import copy
 import io
 import json
+import math
 import pathlib
 import random
 import sys
 import tempfile
 import types
 import unittest
+from fractions import Fraction
 
 import mutations
 
@@ -304,6 +307,87 @@ class Logs(unittest.TestCase):
         for point in (["VA", 1.5], ["VA", -0.1], ["VA"], ["ACX", 0.5, 0.5], ["BCY", 0.0, 1.1], ["pin A", 0.5], ["post A"], ["VX", 0.5]):
             with self.assertRaises((WHOLE.Open, KeyError)):
                 certificate.material(point, joints)
+
+
+class Intervals(unittest.TestCase):
+    """Every result of interval arithmetic holds the exact one, in fractions; every slope holds the difference quotient's limit."""
+
+    def test_operations_hold_the_exact_result(self):
+        chance, I = random.Random(3), WHOLE.I
+        numbers = [0.0, 1.0, -1.0, 5e-324, 1e-200, -1e-170, 1e60, 1 / 3] + [chance.uniform(-9, 9) * 10 ** chance.randint(-9, 9) for _ in range(60)]
+        for _ in range(4000):
+            x, y = chance.choice(numbers), chance.choice(numbers)
+            exact = {"+": Fraction(x) + Fraction(y), "-": Fraction(x) - Fraction(y), "*": Fraction(x) * Fraction(y)}
+            found = {"+": I(x) + I(y), "-": I(x) - I(y), "*": I(x) * I(y)}
+            if abs(y) > 1e-100:
+                exact["/"], found["/"] = Fraction(x) / Fraction(y), I(x) / I(y)
+            exact["square"], found["square"] = Fraction(x) ** 2, I(x).square()
+            for name, interval in found.items():
+                self.assertLessEqual(Fraction(interval.lo), exact[name], (name, x, y))
+                self.assertGreaterEqual(Fraction(interval.hi), exact[name], (name, x, y))
+            root = I(abs(x)).sqrt()
+            self.assertLessEqual(Fraction(root.lo) ** 2, Fraction(abs(x)))
+            self.assertGreaterEqual(Fraction(root.hi) ** 2, Fraction(abs(x)))
+
+    def test_circle_holds_known_angles(self):
+        for degrees, cosine_squared in ((0, 1), (30, Fraction(3, 4)), (45, Fraction(1, 2)), (60, Fraction(1, 4)), (90, 0), (240, Fraction(1, 4)),
+                                        (-330, Fraction(3, 4))):
+            c, s = WHOLE.unit_circle(float(degrees))
+            for found, exact in ((c, cosine_squared), (s, 1 - cosine_squared)):
+                low, high = sorted((abs(Fraction(found.lo)), abs(Fraction(found.hi))))
+                self.assertTrue(low ** 2 <= exact <= high ** 2, degrees)
+
+    def test_windows_are_those_of_the_modes(self):
+        """Opening less arg s, over a mode shortened at both ends, runs through the window and has the mode's sign."""
+        chance = random.Random(5)
+        for _ in range(200):
+            d = design("plagiograph")
+            d["copy"] = {"scale": chance.uniform(0.2, 3), "rotation_deg": chance.choice([0.0, 180.0, chance.uniform(-170, 170)])}
+            d["mechanism"]["vertex"] = chance.choice(["pole", "tracer", "pen"])
+            d["mechanism"]["assembly"] = mode = chance.randrange(2 if d["copy"]["rotation_deg"] % 180 == 0 else 4)
+            judge, shape = mutations.Judge(d), WHOLE.Design(WHOLE.File("d", d)).shape
+            low, high = judge.interval()
+            limit = chance.uniform(0, 0.4) * (high - low)
+            most, least = shape.window(mode, math.degrees(limit))
+            ends = sorted(math.cos(end - cmath.phase(judge.s)) for end in (low + limit, high - limit))
+            self.assertAlmostEqual(ends[0], least.middle(), 11)
+            self.assertAlmostEqual(ends[1], most.middle(), 11)
+            middle = 0.5 * (low + high)
+            signs = [math.copysign(1, math.sin(middle - cmath.phase(judge.s))), math.copysign(1, math.sin(middle))]
+            self.assertEqual(list(shape.signs(mode)), signs)
+
+    def test_joints_over_a_box_hold_the_joints_of_its_places(self):
+        """The mean value form against the judge's angles, in every mode and vertex."""
+        chance, seen = random.Random(4), 0
+        for _ in range(60):
+            d = design("plagiograph")
+            d["copy"] = {"scale": chance.uniform(0.2, 3), "rotation_deg": chance.choice([0.0, 180.0, chance.uniform(-170, 170)])}
+            d["mechanism"]["vertex"] = chance.choice(["pole", "tracer", "pen"])
+            straight = d["copy"]["rotation_deg"] % 180 == 0
+            d["mechanism"]["assembly"] = chance.randrange(2 if straight else 4)
+            judge, checked = mutations.Judge(d), WHOLE.Design(WHOLE.File("d", d))
+            low, high = judge.interval()
+            opening = chance.uniform(0.8 * low + 0.2 * high, 0.2 * low + 0.8 * high)
+            w = judge.a + judge.b * cmath.exp(1j * (opening - cmath.phase(judge.s)))
+            z = w * cmath.exp(1j * chance.uniform(0, 6)) / {"pole": 1, "tracer": -1, "pen": -judge.k}[judge.vertex]
+            r = 1e-3 * abs(z)
+            box = [z.real - r, z.real + r, z.imag - r, z.imag + r]
+            area = tuple(WHOLE.I(box[2 * i], box[2 * i + 1], [WHOLE.I(1.0 - i), WHOLE.I(float(i))]) for i in (0, 1))
+            try:
+                moving = checked.shape.joints((WHOLE.ZERO, WHOLE.ZERO), area, checked.a, checked.b, checked.sign)
+            except WHOLE.Open:  # too near to a dead point for so large a box
+                continue
+            seen += 1
+            middle = judge.pose(judge.pole + z)[0]
+            for _ in range(10):
+                step = complex(chance.uniform(-r, r), chance.uniform(-r, r))
+                joints = judge.pose(judge.pole + z + step)[0]
+                for j in joints:
+                    for c, (now, then) in enumerate(((joints[j].real, middle[j].real), (joints[j].imag, middle[j].imag))):
+                        slopes = moving[j][c].d or [WHOLE.ZERO, WHOLE.ZERO]
+                        change = slopes[0] * step.real + slopes[1] * step.imag
+                        self.assertTrue(change.lo - 1e-9 <= now - then <= change.hi + 1e-9, (d["copy"], j))
+        self.assertGreater(seen, 40)
 
 
 class Mutations(unittest.TestCase):
