@@ -13,6 +13,7 @@
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
+#include "synthesis/design/copy_overlap.hpp"
 
 namespace kempe::app {
 
@@ -111,6 +112,7 @@ std::string ratio_line(const Design& design) {
         "             wanted: scale {:.6g}, rotation {:.6g} degrees; with stock lengths the copy is off by "
         "{:.2g} mm per 100 mm from the pole\n",
         design.wanted->scale, degrees(design.wanted->rotation), 100 * design.wanted->error);
+  if (const std::string note = overlap_note(design); !note.empty()) text += "             " + note + "\n";
   return text;
 }
 
@@ -195,6 +197,7 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   nlohmann::ordered_json object = design_values(design);
   object.erase("region");
   object["coverage"] = {{"covered", design.map.coverage.covered}, {"why_not", design.map.coverage.why_not}};
+  object["copy_overlaps_original"] = copy_overlaps_original(design);
   object["folder"] = folder.string();
   object["files"] = files;
   object["left_out"] = left_out;

@@ -87,7 +87,7 @@ void check_footprint(const AuditTask& task, AuditRecord& record) {
   record.figure("quality.footprint_mm2", task.design.footprint, found, share_of_grid * found);
 }
 
-/// True if the sheets' gap is kept too, as the map counts it.
+/// True if the gap between original and copy is kept too, as the map counts it.
 bool is_covered(const AuditTask& task) {
   if (!task.map.coverage.covered) return false;
   MapTask mapped = task.map_task;

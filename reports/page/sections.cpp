@@ -9,6 +9,7 @@
 #include "reports/page/html_table.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
+#include "synthesis/design/copy_overlap.hpp"
 
 namespace kempe::report_sections {
 namespace {
@@ -42,6 +43,14 @@ std::string notice(const std::string& sentence) {
 
 std::string size_text(double scale) {
   return scale == 1 ? "at the same size" : number_text(scale, 4) + " times as large";
+}
+
+/// The note as a sentence of its own, after another; or nothing.
+std::string overlap_sentence(const Design& design) {
+  std::string note = overlap_note(design);
+  if (note.empty()) return note;
+  note.front() = 'T';
+  return " " + html_escaped(note) + ".";
 }
 
 /// What the page's scripts bring to life; hidden until they run.
@@ -97,13 +106,13 @@ std::string header(const Design& design, const ReportExtras& extras) {
       "<header>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
       "<p class=\"lead\">What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> "
       "is fixed "
-      "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.</p>\n<ul "
+      "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.{}</p>\n<ul "
       "class=\"badges\">\n{}</ul>\n{}{}"
       "</header>\n",
       design.search ? "Kempe · design" : "Kempe · workspace of a given linkage",
       html_escaped(title(design, extras)), size_text(design.scale), turn_text(design.rotation),
       joint_of(linkage, "pole"), point_text(linkage.pole()), joint_of(linkage, "tracer"),
-      joint_of(linkage, "pen"), badges, notice(design.map.coverage.why_not),
+      joint_of(linkage, "pen"), overlap_sentence(design), badges, notice(design.map.coverage.why_not),
       notice(design.verification.failure));
 }
 

@@ -16,7 +16,7 @@ constexpr int pole_lattice = 16;
 constexpr int pole_outline = 96;
 /// Places of the tracer at which obstacles are looked at first.
 constexpr int obstacle_places = 90;
-/// Regions with more corners are seen as their hull when the sheets must keep apart.
+/// Regions with more corners are seen as their hull when original and copy must keep apart.
 constexpr std::size_t most_sheet_corners = 128;
 
 Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : std::get<Region>(pole.place); }

@@ -37,7 +37,7 @@ inline constexpr double above_zero = 1e-300;
 inline constexpr double inward_opening = 1e-9;
 /// Of log VA and log VB, so a share of the length: inside the limits of lengths.
 inline constexpr double inward_log_length = 1e-11;
-/// Unit: inside a limit that is a distance in the plane (the gap of the sheets, the edges of the pole's area).
+/// Unit: inside a limit that is a distance in the plane (the gap between original and copy, the edges of the pole's area).
 inline constexpr double inward_distance = 4e-11;
 /// Unit: inside the clearance of two links. Certified openings end 1e-9 rad before a contact, and an angle counts by its lever
 /// arm.

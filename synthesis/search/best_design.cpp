@@ -58,7 +58,7 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
 /// The best with any lengths; where the workshop dictates lengths, they leave time for those.
 SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
   const bool in_part = has_stock_lengths(task.spec()) && task.control.has_time_limit();
-  return best_by(*strategy_for(task.goal),
+  return best_by(strategy_for(task.goal),
                  in_part ? task.with(task.control.part_of_time(task.budgets().time.any_lengths)) : task,
                  known);
 }

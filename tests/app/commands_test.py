@@ -284,7 +284,15 @@ class BadInput(Case):
             elsewhere.append(spec(f"sheets_gap_mm = {value}", f"[{place[1]}]"))
         for text in elsewhere:
             self.assertEqual(self.synthesize(text).returncode, 0)
-        self.assertEqual(self.synthesize(spec("")).returncode, 0)
+        note = "the copy overlaps the original; limits.sheets_gap_mm keeps them apart"
+        run = self.synthesize(spec(""))
+        self.assertEqual(run.returncode, 0)
+        self.assertIn(note, run.stdout)
+        self.assertIn(note[1:], (self.scratch / "out" / "report.html").read_text())
+        self.assertTrue(json.loads(self.synthesize(spec(""), "--json").stdout)["copy_overlaps_original"])
+        self.assertNotIn(note, self.synthesize(TEN_LINES).stdout)
+        self.assertNotIn(note[1:], (self.scratch / "out" / "report.html").read_text())
+        self.assertFalse(json.loads(self.synthesize(TEN_LINES, "--json").stdout)["copy_overlaps_original"])
 
     def test_a_pole_in_the_region_is_told_with_its_place_and_another(self):
         run = self.synthesize(TEN_LINES + "[pole]\nat_mm = [65, 1]\n")

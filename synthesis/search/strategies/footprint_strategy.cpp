@@ -1,7 +1,11 @@
-#include "synthesis/search/strategies/footprint_strategy.hpp"
+// The strategy for the least footprint, an area without a formula.
+//
+// The smallest design of every choice comes first, as it has nearly the least footprint; from the few with the least of it the
+// search is steered by an estimate, which lies 2 to 11 % below the footprint (57 random designs), on some designs more than on
+// others. So the footprint itself decides, and the small designs that the search began with are candidates too.
 
 #include "synthesis/search/steps/certify.hpp"
-#include "synthesis/search/strategies/length_strategy.hpp"
+#include "synthesis/search/strategies/strategy.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
@@ -10,9 +14,8 @@ namespace {
 /// The smallest designs of every choice, in the order of the choices; `prospects` are those of the size.
 std::vector<ChoiceResult> small_designs(const SearchTask& size, const std::vector<Prospect>& prospects) {
   std::vector<ChoiceResult> small(prospects.size(), no_result());
-  const LengthStrategy lengths;
   run_parallel(prospects.size(), size.control.options().threads, [&](std::size_t i) {
-    if (!size.stopped()) small[i] = lengths.search(size, prospects[i], no_result());
+    if (!size.stopped()) small[i] = length_strategy.search(size, prospects[i], no_result());
   });
   return small;
 }
@@ -22,11 +25,8 @@ void consider(const SearchTask& task, Subproblem& sub, const ChoiceResult& candi
   if (result.feasible) keep_better(task.goal, design_of(task, sub, result), best.design);
 }
 
-}  // namespace
-
-std::vector<Prospect> FootprintStrategy::relax(const SearchTask& task,
-                                               const std::vector<RelaxedDesign>& known,
-                                               Incumbent& best) const {
+std::vector<Prospect> relax_footprints(const SearchTask& task, const std::vector<RelaxedDesign>& known,
+                                       Incumbent& best) {
   const SearchTask size = task.with(Goal::size);
   const std::vector<Prospect> small =
       prospects_of(size, task.problem->subproblems_with_mirror_images(task.limits, Goal::size), known);
@@ -44,22 +44,27 @@ std::vector<Prospect> FootprintStrategy::relax(const SearchTask& task,
   return order;
 }
 
-ChoiceResult FootprintStrategy::search(const SearchTask& task, const Prospect& prospect,
-                                       const ChoiceResult& /*best*/) const {
+ChoiceResult search_footprints(const SearchTask& task, const Prospect& prospect,
+                               const ChoiceResult& /*best*/) {
   if (!prospect.relaxed.feasible) return no_result();
   ChoiceOptions options = choice_options(task, task.budgets().choice.footprint);
   options.hints = {prospect.relaxed.point};
   return search_choice(*prospect.subproblem.problem, options);
 }
 
-void FootprintStrategy::certify(const SearchTask& task, Prospect& prospect, const ChoiceResult& found,
-                                Incumbent& best) const {
+void certify_footprints(const SearchTask& task, Prospect& prospect, const ChoiceResult& found,
+                        Incumbent& best) {
   if (task.stopped()) return;
   best.evaluations += found.evaluations;
   consider(task, prospect.subproblem, found, best);
   consider(task, prospect.subproblem, prospect.relaxed, best);
 }
 
-void FootprintStrategy::finish(const SearchTask& /*task*/, Incumbent& /*best*/) const {}
+void finish_footprints(const SearchTask& /*task*/, Incumbent& /*best*/) {}
+
+}  // namespace
+
+constinit const Strategy footprint_strategy{relax_footprints, search_footprints, certify_footprints,
+                                            finish_footprints};
 
 }  // namespace kempe

@@ -1,18 +1,20 @@
-#include "synthesis/search/strategies/length_strategy.hpp"
+// The strategy for every goal that a formula gives: lengths and pole by each choice's own search, pruned by what the choice can
+// be at best without contact.
 
 #include "synthesis/search/steps/certify.hpp"
+#include "synthesis/search/strategies/strategy.hpp"
 
 namespace kempe {
+namespace {
 
-std::vector<Prospect> LengthStrategy::relax(const SearchTask& task, const std::vector<RelaxedDesign>& known,
-                                            Incumbent& best) const {
+std::vector<Prospect> relax_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known,
+                                    Incumbent& best) {
   std::vector<Prospect> order = kempe::relax(task, known);
   for (const Prospect& prospect : order) best.evaluations += prospect.relaxed.evaluations;
   return order;
 }
 
-ChoiceResult LengthStrategy::search(const SearchTask& task, const Prospect& prospect,
-                                    const ChoiceResult& best) const {
+ChoiceResult search_lengths(const SearchTask& task, const Prospect& prospect, const ChoiceResult& best) {
   if (best.feasible && !better(prospect.relaxed, best)) return no_result();
   const bool has_obstacles = !task.space().obstacles().empty();
   ChoiceOptions options = choice_options(
@@ -25,8 +27,7 @@ ChoiceResult LengthStrategy::search(const SearchTask& task, const Prospect& pros
   return search_choice(*prospect.subproblem.problem, options);
 }
 
-void LengthStrategy::certify(const SearchTask& task, Prospect& prospect, const ChoiceResult& found,
-                             Incumbent& best) const {
+void certify_lengths(const SearchTask& task, Prospect& prospect, const ChoiceResult& found, Incumbent& best) {
   const ChoiceResult result =
       better(found, best.result) ? certified(task, prospect.subproblem, found) : found;
   best.evaluations += result.evaluations;
@@ -34,7 +35,7 @@ void LengthStrategy::certify(const SearchTask& task, Prospect& prospect, const C
     best.result = result, best.subproblem = &prospect.subproblem;
 }
 
-void LengthStrategy::finish(const SearchTask& task, Incumbent& best) const {
+void finish_lengths(const SearchTask& task, Incumbent& best) {
   if (!best.subproblem) return;
   Subproblem& sub = *best.subproblem;
   const ChoiceResult first = best.result;
@@ -45,5 +46,9 @@ void LengthStrategy::finish(const SearchTask& task, Incumbent& best) const {
   best.evaluations += best.result.evaluations - first.evaluations;
   best.design = design_of(task, sub, best.result);
 }
+
+}  // namespace
+
+constinit const Strategy length_strategy{relax_lengths, search_lengths, certify_lengths, finish_lengths};
 
 }  // namespace kempe

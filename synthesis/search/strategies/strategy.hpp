@@ -2,8 +2,6 @@
 // One way to look for the best design over all choices. The driver (best_design.cpp) calls the steps in the order in which they
 // stand here.
 
-#include <memory>
-
 #include "synthesis/search/steps/relax.hpp"
 #include "synthesis/search/steps/search_result.hpp"
 
@@ -17,27 +15,26 @@ struct Incumbent {
   std::uint64_t evaluations = 0;
 };
 
-class Strategy {
- public:
-  Strategy() = default;
-  Strategy(const Strategy&) = delete;
-  Strategy& operator=(const Strategy&) = delete;
-  virtual ~Strategy() = default;
-
+/// The steps, none of which may be absent.
+struct Strategy {
   /// The choices worth searching, the most promising first; their evaluations are added to `best`.
-  virtual std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDesign>& known,
-                                      Incumbent& best) const = 0;
+  std::vector<Prospect> (*relax)(const SearchTask& task, const std::vector<RelaxedDesign>& known,
+                                 Incumbent& best);
   /// The best of one choice; not run where it cannot beat `best`. Called in parallel: writes nothing.
-  virtual ChoiceResult search(const SearchTask& task, const Prospect& prospect,
-                              const ChoiceResult& best) const = 0;
+  ChoiceResult (*search)(const SearchTask& task, const Prospect& prospect, const ChoiceResult& best);
   /// Certifies what was found, and keeps it if it is the best.
-  virtual void certify(const SearchTask& task, Prospect& prospect, const ChoiceResult& found,
-                       Incumbent& best) const = 0;
+  void (*certify)(const SearchTask& task, Prospect& prospect, const ChoiceResult& found, Incumbent& best);
   /// The last digits, and the finished design.
-  virtual void finish(const SearchTask& task, Incumbent& best) const = 0;
+  void (*finish)(const SearchTask& task, Incumbent& best);
 };
 
-/// The strategy for a goal: of lengths for every goal that a formula gives, of footprints for theirs.
-std::unique_ptr<Strategy> strategy_for(Goal goal);
+/// For every goal that a formula gives (length_strategy.cpp).
+extern const Strategy length_strategy;
+/// For the least footprint (footprint_strategy.cpp).
+extern const Strategy footprint_strategy;
+
+inline const Strategy& strategy_for(Goal goal) {
+  return goal == Goal::footprint ? footprint_strategy : length_strategy;
+}
 
 }  // namespace kempe
