@@ -4,24 +4,19 @@
 #include <cmath>
 
 #include "geometry/complex_vectors.hpp"
+#include "kinematics/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-/// Plates whose angle differs from a straight line by less than this are straight bars: sin(pi) in doubles is 1e-16.
-constexpr double straight_tolerance = 1e-12;
 
 /// arg s brought into [0, pi); exactly 0 for straight plates.
 double dead_point_opening(Complex shape) {
   double angle = std::arg(shape);
   if (angle < 0) angle += pi;
-  return angle < straight_tolerance || pi - angle < straight_tolerance ? 0 : angle;
+  return angle < tolerance::straight_plates || pi - angle < tolerance::straight_plates ? 0 : angle;
 }
 
 int sign(double value) { return (value > 0) - (value < 0); }
-
-/// Rounding may leave a cosine just outside [-1, 1] at a dead point.
-constexpr double cosine_slack = 1e-12;
 
 }  // namespace
 
@@ -74,7 +69,7 @@ tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Groun
     return tl::unexpected(LinkageFault::ratio_not_finite);
   if (std::abs(k) == 0) return tl::unexpected(LinkageFault::ratio_zero);
   const Complex s = shape_of(k, grounding);
-  if (std::abs(1.0 - k) < straight_tolerance || std::abs(s) == 0)
+  if (std::abs(1.0 - k) < tolerance::straight_plates || std::abs(s) == 0)
     return tl::unexpected(LinkageFault::ratio_one);
   const auto positive = [](double length) { return std::isfinite(length) && length > 0; };
   if (!positive(VA) || !positive(VB)) return tl::unexpected(LinkageFault::length_not_positive);
@@ -134,7 +129,7 @@ tl::expected<double, Unreachable> CopyingLinkage::opening_at(double radius) cons
   // tan^2(e/2) = ((a+b)^2 - w^2) / (w^2 - (a-b)^2) keeps full precision at both dead points, unlike acos.
   const double outer = (a + b - chain) * (a + b + chain);
   const double inner = (chain - std::abs(a - b)) * (chain + std::abs(a - b));
-  const double slack = cosine_slack * (a + b) * (a + b);
+  const double slack = tolerance::cosine_slack * (a + b) * (a + b);
   if (outer < -slack) return tl::unexpected(Unreachable::too_far);
   if (inner < -slack) return tl::unexpected(Unreachable::too_near);
   const double elbow = 2 * std::atan2(std::sqrt(std::max(0.0, outer)), std::sqrt(std::max(0.0, inner)));
@@ -142,8 +137,8 @@ tl::expected<double, Unreachable> CopyingLinkage::opening_at(double radius) cons
   double opening = side * elbow + std::arg(s_);
   const double middle = interval_.middle();
   opening -= 2 * pi * std::round((opening - middle) / (2 * pi));
-  constexpr double rounding = 4e-16 * 8;
-  if (opening < interval_.lower - rounding || opening > interval_.upper + rounding)
+  if (opening < interval_.lower - tolerance::opening_rounding ||
+      opening > interval_.upper + tolerance::opening_rounding)
     return tl::unexpected(Unreachable::beyond_change_point);
   return std::clamp(opening, interval_.lower, interval_.upper);
 }
@@ -183,7 +178,8 @@ namespace {
 /// Real u, v with u a + v b = c; nothing if a and b are parallel.
 tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, Complex c) {
   const double det = cross(a, b);
-  if (std::abs(det) <= 1e-14 * std::abs(a) * std::abs(b)) return tl::unexpected(Unreachable::too_far);
+  if (std::abs(det) <= tolerance::parallel * std::abs(a) * std::abs(b))
+    return tl::unexpected(Unreachable::too_far);
   return std::array{cross(c, b) / det, cross(a, c) / det};
 }
 

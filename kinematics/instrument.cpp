@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/complex_vectors.hpp"
+#include "kinematics/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -82,10 +83,6 @@ MovedLength distance(const Moved& from, const Moved& to) {
 
 using Closed = tl::expected<Moved, ClosureFault>;
 
-/// Where the triangle on the base from-to is flatter than this (height over base or sides), its slopes mean
-/// nothing.
-constexpr double flattest = 1e-9;
-
 /// The joint at distances a from `from` and b from `to`, on the given side.
 ///   |P - from| = a, |P - to| = b;   (P - from).dP = a da + (P - from).dfrom, and likewise at `to`
 Closed dyad(const Moved& from, const Moved& to, const MovedLength& a, const MovedLength& b, int side) {
@@ -96,7 +93,7 @@ Closed dyad(const Moved& from, const Moved& to, const MovedLength& a, const Move
   const double sixteen_areas_squared =
       (a.value + b.value - d) * (a.value + b.value + d) * (d - a.value + b.value) * (d + a.value - b.value);
   const double height = std::sqrt(std::max(0.0, sixteen_areas_squared)) / (2 * d);
-  if (!(height > flattest * (a.value + b.value))) return tl::unexpected(ClosureFault::flat);
+  if (!(height > tolerance::flattest * (a.value + b.value))) return tl::unexpected(ClosureFault::flat);
   const double foot = (a.value * a.value - b.value * b.value + d * d) / (2 * d);
   Moved joint;
   joint.at = from.at + base / d * Complex(foot, side * height);

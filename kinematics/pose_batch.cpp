@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
@@ -55,7 +57,7 @@ struct Block {
 
 /// The arithmetic of all rows of a block, without a branch.
 void place_rows(const Shared& l, const Block& block, std::size_t count, Margins& margins) {
-  const double square = 1 / (l.outer * l.outer), tiny = 1e-300;
+  const double square = 1 / (l.outer * l.outer), tiny = tolerance::above_zero_square;
   const double ground = l.ground_at_X ? 1 : 0;
   double *__restrict Vx = block.x[0], *__restrict Vy = block.y[0], *__restrict Ax = block.x[1],
          *__restrict Ay = block.y[1], *__restrict Bx = block.x[2], *__restrict By = block.y[2],
@@ -94,7 +96,7 @@ void place_rows(const Shared& l, const Block& block, std::size_t count, Margins&
   }
 }
 
-constexpr double slack = -1e-12;  ///< what rounding may leave past a limit
+constexpr double slack = -tolerance::batch_slack;
 
 std::uint8_t code(Unreachable why) { return static_cast<std::uint8_t>(1 + static_cast<int>(why)); }
 

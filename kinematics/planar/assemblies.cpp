@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/chance.hpp"
+#include "kinematics/planar/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -51,13 +52,13 @@ std::vector<bool> free_of_turns(const PlanarLinkage& linkage) {
 }  // namespace
 
 bool same_assembly_mode(const PlanarLinkage& linkage, const PlanarPosition& a, const PlanarPosition& b) {
-  const double near = 1e-6 * linkage.size();
+  const double near = tolerance::same_position * linkage.size();
   for (const auto& [name, constraint] : linkage.constraints()) {
     for (const BodyPoint& point : points_of(constraint))
       if ((place(a, point) - place(b, point)).norm() > near) return false;
     for (const int body : bodies_of(constraint)) {
       const double turn = a[static_cast<std::size_t>(body)].angle - b[static_cast<std::size_t>(body)].angle;
-      if (std::abs(std::remainder(turn, 2 * pi)) > 1e-6) return false;
+      if (std::abs(std::remainder(turn, 2 * pi)) > tolerance::same_position) return false;
     }
   }
   return true;

@@ -6,12 +6,10 @@
 #include <map>
 
 #include "kinematics/planar/rates.hpp"
+#include "kinematics/planar/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr double distinct = 1e-9;   ///< sine of the angle below which two points or lines count as one
-constexpr double standing = 1e-12;  ///< share of the fastest motion below which a pair counts as at rest
 
 /// A point or a line of the projective plane, of length 1: (x, y, w), lengths in sizes from the linkage's
 /// middle.
@@ -91,7 +89,7 @@ class Centres {
 
   static KnownLine known_line(const Projective& line, CentreLine::From from, int via, int number) {
     const Point along(-line.y(), line.x());
-    const bool finite = along.norm() > distinct * line.norm();
+    const bool finite = along.norm() > tolerance::distinct * line.norm();
     return {line.normalized(), {from, via, number, finite ? along.normalized() : Point::Zero().eval()}};
   }
 
@@ -122,7 +120,7 @@ class Centres {
     for (const auto& [pair, lines] : lines_) {
       if (lines.size() < 2) continue;
       const Projective at = lines[0].line.cross(lines[1].line);
-      if (at.norm() > distinct)
+      if (at.norm() > tolerance::distinct)
         set(pair, at.normalized(), InstantCentre::Source::primary, lines[0].source.constraint);
     }
   }
@@ -165,14 +163,15 @@ class Centres {
       const auto a = known_.find(pair_of(pair.first, via)), b = known_.find(pair_of(via, pair.second));
       if (a == known_.end() || b == known_.end()) continue;
       const Projective line = a->second.at.cross(b->second.at);
-      if (line.norm() > distinct) result.push_back(known_line(line, CentreLine::From::kennedy, via, -1));
+      if (line.norm() > tolerance::distinct)
+        result.push_back(known_line(line, CentreLine::From::kennedy, via, -1));
     }
     return result;
   }
 
   /// Adds the unknown centre whose two lines cross at the largest angle; false if no two lines cross.
   bool add_best_crossing() {
-    double best = 1e-7;
+    double best = tolerance::worthwhile_crossing;
     std::optional<Pair> found;
     Known centre{Projective::Zero(), InstantCentre::Source::none, -1, std::nullopt};
     for (std::size_t i = 0; i < links_.size(); ++i)
@@ -220,7 +219,7 @@ class Centres {
   /// v + w left(P - middle) = 0 gives P - middle = left(v) / w.
   std::optional<Projective> from_velocity(const Pair& pair) const {
     const Relative motion = relative(pair);
-    if (motion.speed(frame_.size) <= standing * fastest()) return std::nullopt;
+    if (motion.speed(frame_.size) <= tolerance::standing * fastest()) return std::nullopt;
     const Point over = left_of(motion.velocity) / frame_.size;
     return Projective(over.x(), over.y(), motion.spin).normalized();
   }
@@ -249,7 +248,7 @@ class Centres {
     result.constraint = centre.constraint;
     result.lines = centre.lines;
     const Point over = centre.at.head<2>();
-    if (std::abs(centre.at.z()) > 1e-9 * over.norm()) {
+    if (std::abs(centre.at.z()) > tolerance::at_infinity * over.norm()) {
       result.kind = InstantCentre::Kind::finite;
       result.at = frame_.middle + frame_.size * over / centre.at.z();
     } else {
@@ -266,7 +265,7 @@ class Centres {
   double velocity_error(const Pair& pair, const Projective& at) const {
     const Relative motion = relative(pair);
     const double speed = motion.speed(frame_.size);
-    if (speed <= standing * fastest()) return 0;
+    if (speed <= tolerance::standing * fastest()) return 0;
     const Point unlike = at.z() * motion.velocity + motion.spin * frame_.size * left_of(at.head<2>());
     return unlike.norm() / speed;
   }

@@ -9,14 +9,10 @@
 #include "geometry/chance.hpp"
 #include "kinematics/planar/equations.hpp"
 #include "kinematics/planar/solver.hpp"
+#include "kinematics/planar/tolerances.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr double rank_threshold = 1e-6;  ///< of the largest singular value
-constexpr double first_motion = 2e-2;    ///< sizes: away from singular positions
-constexpr double second_motion = 1e-4;   ///< sizes: around the general position
-constexpr double followed = 3e-2;        ///< share of the second motion that counts as finite
 
 /// The derivatives of the equations, without units.
 Eigen::MatrixXd scaled_jacobian(const PlanarLinkage& linkage, const Eigen::VectorXd& q) {
@@ -30,7 +26,7 @@ Eigen::MatrixXd scaled_jacobian(const PlanarLinkage& linkage, const Eigen::Vecto
 int rank_of(const Eigen::MatrixXd& matrix) {
   if (matrix.rows() == 0 || matrix.cols() == 0) return 0;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix);
-  svd.setThreshold(rank_threshold);
+  svd.setThreshold(tolerance::rank_threshold);
   return static_cast<int>(svd.rank());
 }
 
@@ -47,7 +43,7 @@ Eigen::VectorXd general_position(const PlanarLinkage& linkage, const Eigen::Vect
   Eigen::VectorXd best = q;
   int best_rank = rank_of(scaled_jacobian(linkage, q));
   for (int i = 0; i < 6; ++i) {
-    const Eigen::VectorXd candidate = near(linkage, q, first_motion, chance);
+    const Eigen::VectorXd candidate = near(linkage, q, tolerance::first_motion, chance);
     const int rank = rank_of(scaled_jacobian(linkage, candidate));
     if (rank > best_rank || (i == 0 && rank == best_rank)) {
       best = candidate;
@@ -63,12 +59,13 @@ int finite_freedoms(const PlanarLinkage& linkage, const Eigen::VectorXd& q, int 
   const int samples = 3 * at_most + 4;
   Eigen::MatrixXd ways(q.size(), samples);
   for (int i = 0; i < samples; ++i) {
-    ways.col(i) = near(linkage, q, second_motion, chance) - q;
+    ways.col(i) = near(linkage, q, tolerance::second_motion, chance) - q;
     for (Eigen::Index unknown = 0; unknown < q.size(); ++unknown)
       if (unknown % 3 != 2) ways(unknown, i) /= linkage.size();
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(ways);
-  const double least = followed * second_motion * std::sqrt(static_cast<double>(samples) / 3);
+  const double least =
+      tolerance::followed * tolerance::second_motion * std::sqrt(static_cast<double>(samples) / 3);
   int freedoms = 0;
   for (const double value : svd.singularValues()) freedoms += value > least ? 1 : 0;
   return std::min(freedoms, at_most);
@@ -100,7 +97,7 @@ class IndependentRows {
       rest -= basis_.leftCols(count_) * more;
       along += more;
     }
-    if (count_ == basis_.cols() || rest.norm() <= rank_threshold * row.norm())
+    if (count_ == basis_.cols() || rest.norm() <= tolerance::rank_threshold * row.norm())
       return weights_.topLeftCorner(count_, count_).triangularView<Eigen::Upper>().solve(along);
     basis_.col(count_) = rest.normalized();
     weights_.col(count_).head(count_) = along;
@@ -130,7 +127,8 @@ std::vector<std::vector<int>> dependent_sets(const Eigen::MatrixXd& jacobian,
     }
     std::set<int> constraints{constraint};
     for (Eigen::Index i = 0; i < weights->size(); ++i)
-      if (std::abs((*weights)[i]) > 1e-5) constraints.insert(taken[static_cast<std::size_t>(i)]);
+      if (std::abs((*weights)[i]) > tolerance::part_of_dependence)
+        constraints.insert(taken[static_cast<std::size_t>(i)]);
     result.emplace_back(constraints.begin(), constraints.end());
   }
   return result;

@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "kinematics/planar/equations.hpp"
+#include "kinematics/planar/tolerances.hpp"
 
 namespace kempe {
 namespace {
 
-/// Shares of the largest pivot below which a pivot counts as none, tried in this order.
-constexpr std::array<double, 4> left_out{1e-11, 1e-8, 1e-5, 1e-3};
-constexpr double square_on = 1e-7;  ///< cosine; near a dead point it is about 1e-3 where Newton takes over
-constexpr double alike = 0.999;     ///< share of the largest error at which another counts as large
+constexpr double alike = 0.999;  ///< share of the largest error at which another counts as large
 constexpr int most_damped_steps = 120, most_newton_steps = 40;
 
 /// Newton and its damped form on one linkage. Angles are scaled by the linkage's size, so that every unknown
@@ -40,22 +38,22 @@ class Closing {
 
   /// Levenberg-Marquardt with gain control, until Newton's own region (in sizes) is reached or nothing is gained: at a
   /// least error that is not zero the residual stands square to all that the unknowns can do about it.
-  void approach(Eigen::VectorXd& q, double until = 1e-7) {
-    double damping = 1e-3, previous = linearise(q);
+  void approach(Eigen::VectorXd& q, double until = tolerance::newtons_region) {
+    double damping = tolerance::damping_at_first, previous = linearise(q);
     for (int step = 0; step < most_damped_steps && previous > until * equations_.size();
          ++step, ++iterations) {
       Eigen::MatrixXd normal = jacobian_.transpose() * jacobian_;
       const Eigen::VectorXd slope = jacobian_.transpose() * f_;
-      if (slope.norm() <= square_on * previous * jacobian_.norm()) return;
+      if (slope.norm() <= tolerance::square_on * previous * jacobian_.norm()) return;
       normal.diagonal().array() += damping;
       const Eigen::VectorXd trial = q - scale_.cwiseProduct(normal.ldlt().solve(slope));
       residual(trial, f_);
       const double now = f_.norm();
       if (now < previous) {
-        const bool stuck = now > previous * (1 - 1e-9) && damping < 1e-9;
+        const bool stuck = now > previous * (1 - tolerance::no_gain) && damping < tolerance::stuck_damping;
         q = trial;
         previous = linearise(q);
-        damping = std::max(damping * 0.2, 1e-14);
+        damping = std::max(damping * 0.2, tolerance::least_damping);
         if (stuck) return;
       } else {
         damping *= 6;
@@ -72,7 +70,7 @@ class Closing {
     double best = linearise(q);
     for (int step = 0; step < most_newton_steps && best > 0; ++step, ++iterations) {
       bool gained = false;
-      for (const double share : left_out) {
+      for (const double share : tolerance::left_out) {
         const Eigen::VectorXd trial = q - scale_.cwiseProduct(least_squares_step(share));
         residual(trial, trial_f_);
         const double now = trial_f_.norm();
@@ -114,7 +112,7 @@ class Closing {
 }  // namespace
 
 double closing_tolerance(const PlanarLinkage& linkage, const PlanarPosition& position) {
-  return 1e-13 * magnitude_of(unknowns_of(position), linkage.size());
+  return tolerance::closed * magnitude_of(unknowns_of(position), linkage.size());
 }
 
 tl::expected<Assembled, NotAssembled> solve_from(const PlanarLinkage& linkage, const PlanarPosition& guess,
@@ -141,7 +139,7 @@ Missing missing_at(const PlanarLinkage& linkage, const NotAssembled& open,
   while (gap(worst, open.nearest).as_length(linkage.size()) < alike * open.closure_error) ++worst;
   Closing closing(linkage, driver_values);
   Eigen::VectorXd q = unknowns_of(open.nearest);
-  for (const double weight : {1e-1, 1e-2, 1e-3, 1e-4}) {
+  for (const double weight : tolerance::weights_of_worst) {
     closing.weigh(linkage, worst, weight);
     closing.approach(q, 0);
   }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/planar/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
 constexpr double kantorovich_limit = 0.4;  ///< omega eta; the theorem asks for 1/2
 constexpr double ball = 0.5;               ///< rad around the anchor, within which the bends hold
 constexpr double farthest_carried = 0.3;   ///< omega times the distance from the anchor
-constexpr double singular_turn = 1e-8;     ///< rad: a certified step this short means a singular position
 constexpr double least_weight = 0.02;      ///< of a body that does not turn at all
 
 }  // namespace
@@ -109,7 +110,7 @@ double StepCertificate::allowed(double wanted, double apart) const {
   if (omega < 0) return 0;
   const double by_theorem = omega * longest > kantorovich_limit ? kantorovich_limit / omega : longest;
   const double most = std::min({by_theorem / (1 + omega * apart), 0.5 * (ball - moved_), wanted});
-  return most > std::min(singular_turn, 0.5 * wanted) ? most : 0;
+  return most > std::min(tolerance::singular_turn, 0.5 * wanted) ? most : 0;
 }
 
 }  // namespace kempe

@@ -30,8 +30,8 @@ class AuditRecord {
 struct AuditTask {
   const StoredDesign& design;
   const CopyingLinkage& linkage;
-  MapTask
-      map_task;  ///< without the gap between original and copy; with clearance and transmission 0 if the file has no limits
+  /// Without the gap between original and copy; with clearance and transmission 0 if the file has no limits.
+  MapTask map_task;
   WorkspaceMap map;
   std::optional<OpeningInterval> needed;  ///< openings over the region; nothing if it is not reached
   double slack = 0;                       ///< mm: what rounding of lengths and coordinates may do

@@ -37,7 +37,7 @@ struct NotRigid {
 
 /// The joints' places: the first at the origin, the second on the positive x axis. Each further joint is
 /// placed from joints already placed, by a length and an angle or by two lengths and the side. Superfluous
-/// lengths and angles must agree within 1e-9. Nothing is guessed: what does not follow is an error.
+/// lengths and angles must agree within 1e-6. Nothing is guessed: what does not follow is an error.
 tl::expected<std::vector<Point>, NotRigid> place_joints(const RigidLinkTask& task);
 
 }  // namespace kempe

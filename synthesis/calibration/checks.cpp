@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "synthesis/calibration/fit.hpp"
+#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe::calibration_detail {
 namespace {
@@ -106,7 +107,7 @@ Fault fault_of_spread(const CalibrationTask& task) {
     lowest = std::min(lowest, (reading.input - pole).norm());
     highest = std::max(highest, (reading.input - pole).norm());
   }
-  if (highest - lowest > 1e-3 * highest) return {};
+  if (highest - lowest > tolerance::one_opening * highest) return {};
   return CalibrationFault{
       {},
       fmt::format("all readings {:.4g} mm from the pole, at one opening of the linkage", highest),

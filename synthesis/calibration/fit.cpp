@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/calibration/tolerances.hpp"
+
 namespace kempe::calibration_detail {
 
 Measures units_of(const CalibrationTask& task) {
@@ -64,9 +66,8 @@ std::optional<FitOutcome> fit(const WeightedTask& weighted, const std::vector<Me
   FitOutcome outcome;
   outcome.residuals.resize(weighted.rows());
   outcome.slopes.resize(weighted.rows(), count);
-  constexpr double settled = 1e-8;  // mm; what is badly told moves by rounding, at most so much
   const LeastSquaresSolution solution =
-      least_squares(residuals, Eigen::VectorXd::Zero(count), weighted.rows(), settled);
+      least_squares(residuals, Eigen::VectorXd::Zero(count), weighted.rows(), tolerance::settled);
   outcome.deviations = deviations(solution.x);
   outcome.converged = solution.converged;
   if (!weighted.evaluate(outcome.deviations, free, outcome.residuals, &outcome.slopes)) return std::nullopt;
@@ -78,15 +79,12 @@ Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& slopes) {
   if (slopes.cols() == 0) return {};
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV | Eigen::ComputeThinU);
   const Eigen::VectorXd& values = svd.singularValues();
-  const Eigen::VectorXd inverse =
-      values.unaryExpr([&](double value) { return value > 1e-13 * values[0] ? 1 / (value * value) : 0.0; });
+  const Eigen::VectorXd inverse = values.unaryExpr(
+      [&](double value) { return value > tolerance::no_weight * values[0] ? 1 / (value * value) : 0.0; });
   return svd.matrixV() * inverse.asDiagonal() * svd.matrixV().transpose();
 }
 
 namespace {
-
-/// Singular values below this share of the largest are rounding.
-constexpr double rounding_share = 1e-10;
 
 Indistinct combination(const Eigen::VectorXd& factors, std::size_t held, const std::vector<Measure>& free,
                        const Measures& units) {
@@ -95,9 +93,8 @@ Indistinct combination(const Eigen::VectorXd& factors, std::size_t held, const s
     return factors[static_cast<Eigen::Index>(j)] * units[index_of(free[j])] / units[index_of(free[held])];
   };
   found.parts.push_back({free[held], 1});
-  constexpr double too_small_to_name = 1e-3;
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (j != held && std::abs(factors[static_cast<Eigen::Index>(j)]) > too_small_to_name)
+    if (j != held && std::abs(factors[static_cast<Eigen::Index>(j)]) > tolerance::too_small_to_name)
       found.parts.push_back({free[j], factor(j)});
   return found;
 }
@@ -113,7 +110,8 @@ std::vector<Indistinct> indistinct_combinations(const Eigen::MatrixXd& slopes,
   Eigen::VectorXd values = Eigen::VectorXd::Zero(columns);
   values.head(svd.singularValues().size()) = svd.singularValues();
   Eigen::Index known = columns;
-  while (known > 0 && !(values[known - 1] * plausible >= 1 && values[known - 1] > rounding_share * values[0]))
+  while (known > 0 &&
+         !(values[known - 1] * plausible >= 1 && values[known - 1] > tolerance::rounding_share * values[0]))
     --known;
   const Eigen::Index unknown = columns - known;
   if (unknown == 0) return {};
@@ -132,7 +130,7 @@ std::vector<Indistinct> indistinct_combinations(const Eigen::MatrixXd& slopes,
   for (Eigen::Index i = 0; i < unknown; ++i) {
     found.push_back(combination(factors.col(i), held[static_cast<std::size_t>(i)], free, units));
     const Eigen::ArrayXd shares = at_held.row(i).transpose().array() / values.tail(unknown).array();
-    const bool tells_something = (values.tail(unknown).array() > rounding_share * values[0]).all();
+    const bool tells_something = (values.tail(unknown).array() > tolerance::rounding_share * values[0]).all();
     if (tells_something)
       found.back().uncertainty = shares.matrix().norm() * units[index_of(found.back().parts.front().measure)];
   }
@@ -156,7 +154,9 @@ NoiseEstimate estimated_noise(const WeightedTask& weighted, const FitOutcome& fi
     known_part +=
         (deviation * deviation - weighted.noise * weighted.noise) / static_cast<double>(weighted.used.size());
   }
-  return {std::sqrt(std::max(squares / freedom - known_part, 1e-4 * squares / freedom)), freedom};
+  return {
+      std::sqrt(std::max(squares / freedom - known_part, tolerance::least_unexplained * squares / freedom)),
+      freedom};
 }
 
 }  // namespace kempe::calibration_detail

@@ -49,7 +49,7 @@ std::optional<CalibrationFault> fault_of(const CalibrationTask& task);
 std::optional<FitOutcome> fit(const WeightedTask& weighted, const std::vector<Measure>& free,
                               const Measures& start);
 
-/// (J^T J)^-1 by singular values, without those below 1e-13 of the largest.
+/// (J^T J)^-1 by singular values, without those below tolerance::no_weight of the largest.
 Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& slopes);
 
 /// The combinations of `free` known worse than `plausible` (mm) by slopes J (rows in standard uncertainties,
@@ -66,9 +66,6 @@ struct NoiseEstimate {
   double freedom = 0;
 };
 NoiseEstimate estimated_noise(const WeightedTask& weighted, const FitOutcome& fit);
-
-/// A reading is named if chance would name any of the fit's readings less often than this.
-inline constexpr double named_by_chance = 1e-3;
 
 /// Residuals and slopes about some deviations, weighted: all that the search for outliers looks at.
 struct LinearFit {

@@ -18,6 +18,7 @@
 
 #include "synthesis/calibration/fit.hpp"
 #include "synthesis/calibration/statistics.hpp"
+#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe::calibration_detail {
 namespace {
@@ -68,9 +69,8 @@ class Linear {
       sum += residual(i).squaredNorm();
     }
     // A few readings alone need not tell all: a trace of the drawn instrument keeps the rest near it.
-    constexpr double trace = 1e-12;
     const double most = normal.diagonal().maxCoeff();
-    normal.diagonal().array() += trace * (most > 0 ? most : 1);
+    normal.diagonal().array() += tolerance::trace_of_drawn * (most > 0 ? most : 1);
     const Eigen::LDLT<Small> solver(normal);
     result.step = -solver.solve(right);
     result.spread = solver.solve(Small::Identity(p, p));
@@ -164,7 +164,7 @@ class Search {
 
   Rows outliers() const {
     Rows inside = core();
-    const double single = named_by_chance / static_cast<double>(count_);
+    const double single = tolerance::named_by_chance / static_cast<double>(count_);
     while (inside.size() < count_) {
       const auto fit = linear_.agreed(inside);
       Rows outside = without(all_, inside);
@@ -255,7 +255,8 @@ class Search {
     double sets = 1;
     for (std::size_t k = 0; k < outside.size(); ++k)
       sets *= static_cast<double>(count_ - k) / static_cast<double>(k + 1);
-    return judge_.chance(drop, outside.size(), rest, linear_.freedom(inside.size())) * sets < named_by_chance;
+    return judge_.chance(drop, outside.size(), rest, linear_.freedom(inside.size())) * sets <
+           tolerance::named_by_chance;
   }
 
   /// False if another reading in place of one of these would explain nearly as much: which is wrong cannot be told.
@@ -281,7 +282,7 @@ class Search {
 
 /// Rounding, and what the model itself may leave, as a weighted square: readings without noise have no outliers.
 double floor_of(const WeightedTask& weighted) {
-  const double rounding = 1e-11 / weighted.units[index_of(Measure::turn)];
+  const double rounding = tolerance::outlier_rounding / weighted.units[index_of(Measure::turn)];
   return std::pow(std::max(rounding, weighted.model_error) / weighted.noise, 2);
 }
 
@@ -314,9 +315,8 @@ std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const LinearFit
   for (const std::size_t i : inside) {
     const Eigen::Matrix2d hat = linear.own_spread(fit, i), own = Eigen::Matrix2d::Identity() - hat;
     all[i].leverage = 0.5 * hat.trace();
-    constexpr double decides_alone = 1e-6;
     const Eigen::LDLT<Eigen::Matrix2d> solver(own);
-    if (!(solver.vectorD().minCoeff() > decides_alone)) continue;
+    if (!(solver.vectorD().minCoeff() > tolerance::decides_alone)) continue;
     const Eigen::Vector2d e = linear.left(fit, i);
     const double drop = e.dot(solver.solve(e));
     const int freedom = linear.freedom(inside.size()) - 2;

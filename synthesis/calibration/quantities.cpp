@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "synthesis/calibration/job.hpp"
+#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe {
 
@@ -36,8 +37,7 @@ class QuantityMaking {
     for (const Indistinct& one : calibration_.indistinct) {
       double moves = 0;
       for (const Indistinct::Part& part : one.parts) moves += by[index_of(part.measure)] * part.factor;
-      constexpr double hardly = 2e-3;
-      if (std::abs(moves) > hardly) quantity.determined = false;
+      if (std::abs(moves) > tolerance::hardly_moves) quantity.determined = false;
     }
     table_.quantities.push_back(std::move(quantity));
     rows_.push_back(by);

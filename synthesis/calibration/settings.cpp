@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "synthesis/calibration/plan.hpp"
+#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -88,7 +89,7 @@ bool correct(const Fan& fan, Measures& corrections, Eigen::VectorXd& values) {
     const Eigen::Vector4d move = slopes.colPivHouseholderQr().solve(-values);
     for (std::size_t j = 0; j < 4; ++j)
       corrections[index_of(scales[j].measure)] += move[static_cast<Eigen::Index>(j)];
-    if (move.norm() < 1e-12) break;
+    if (move.norm() < tolerance::corrections_at_rest) break;
   }
   return fan.departures(corrections, values, slopes);
 }

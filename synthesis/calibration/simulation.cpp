@@ -5,6 +5,7 @@
 
 #include "geometry/chance.hpp"
 #include "synthesis/calibration/task.hpp"
+#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -133,8 +134,8 @@ class Simulation {
     }
     CalibrationTask task = making.task();
     if (method_ == CalibrationMethod::knight && !task.reading_uncertainty)
-      task.reading_uncertainty =
-          std::max(1e-6, std::hypot(wanted_.noise, wanted_.resolution / std::sqrt(12.0)));
+      task.reading_uncertainty = std::max(tolerance::least_simulated_noise,
+                                          std::hypot(wanted_.noise, wanted_.resolution / std::sqrt(12.0)));
     const auto found =
         method_ == CalibrationMethod::knight ? calibrate_by_knight(task, file, all) : calibrate(task);
     return found ? std::optional(*found) : std::nullopt;

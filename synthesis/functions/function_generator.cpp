@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "synthesis/functions/refinement.hpp"
+#include "synthesis/functions/tolerances.hpp"
 
 namespace kempe {
 
@@ -46,7 +47,7 @@ std::optional<FreudensteinCoefficients> freudenstein_three_points(const std::vec
     right[i] = std::cos(phi[j] - psi[j]);
   }
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(rows);
-  if (lu.rcond() < 1e-12) return std::nullopt;
+  if (lu.rcond() < tolerance::least_condition) return std::nullopt;
   const Eigen::Vector3d k = lu.solve(right);
   return FreudensteinCoefficients{k[0], k[1], k[2]};
 }

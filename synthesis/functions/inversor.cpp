@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/functions/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
@@ -134,8 +136,9 @@ InversorAnswer peaucellier(const InversorTask& task) {
   const double widest = 0.5 * f *
                         std::max(task.magnification_upper - 1 / task.magnification_upper,
                                  1 / task.magnification_lower - task.magnification_lower);
-  const auto side = smallest_where(std::max({widest, task.shortest, 1e-3 * f}), 100 * f + 10 * widest,
-                                   [&](double l) { return kept(l) >= task.transmission && kept(l) > 0; });
+  const auto side =
+      smallest_where(std::max({widest, task.shortest, tolerance::shortest_side * f}), 100 * f + 10 * widest,
+                     [&](double l) { return kept(l) >= task.transmission && kept(l) > 0; });
   if (!side) return {InversorKind::peaucellier, std::nullopt, no_transmission(task, best_seen)};
   const double arm = std::hypot(f, *side), shortest_x = f / task.magnification_upper;
   InversorDesign design = started(InversorKind::peaucellier, task);
@@ -166,14 +169,15 @@ InversorAnswer hart(const InversorTask& task) {
   };
   std::optional<std::array<double, 2>> best;  // short bar, share
   const auto look = [&](double u) {
-    const auto bar = smallest_where(std::max(task.shortest, 1e-2 * f), 100 * f, [&](double b) {
-      const double angle = kept(b, u);
-      return angle > 0 && angle >= task.transmission;
-    });
+    const auto bar =
+        smallest_where(std::max(task.shortest, tolerance::shortest_bar * f), 100 * f, [&](double b) {
+          const double angle = kept(b, u);
+          return angle > 0 && angle >= task.transmission;
+        });
     if (bar && (!best || beats(*bar, u, *best))) best = {*bar, u};
   };
   for (int i = 1; i < 40; ++i) look(i / 40.0);
-  for (double step = 1.0 / 80; best && step > 1e-6; step /= 2) {
+  for (double step = 1.0 / 80; best && step > tolerance::share_precision; step /= 2) {
     const double centre = (*best)[1];
     for (const double u : {centre - step, centre + step})
       if (u > 0.01 && u < 0.99) look(u);

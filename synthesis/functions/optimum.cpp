@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "synthesis/functions/conditions.hpp"
+#include "synthesis/functions/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -38,7 +39,7 @@ ActiveSet near_at(const GeneratorError& error, const GeneratorVector& u, double 
     if (ripple.height >= (1 - tolerance) * ripples.front().height) active.ripples.push_back(ripple);
   const auto limits = limits_of(error, u);
   for (std::size_t i = 0; i < limits.size(); ++i)
-    if (limits[i].excess.value > -1e-5) active.limits.push_back(i);
+    if (limits[i].excess.value > -tolerance::holding_limit) active.limits.push_back(i);
   return active;
 }
 
@@ -81,7 +82,7 @@ std::optional<Eigen::VectorXd> pull_at(const GeneratorError& error, const Genera
 /// Derivative of the pull: the Hessian of the Lagrangian, by central differences of exact slopes.
 std::optional<Eigen::MatrixXd> curvature_at(const GeneratorError& error, const GeneratorVector& u,
                                             const ActiveSet& active, const Eigen::VectorXd& multipliers) {
-  constexpr double h = 1e-5;
+  constexpr double h = tolerance::curvature_step;
   Eigen::MatrixXd hessian(u.size(), u.size());
   for (Eigen::Index j = 0; j < u.size(); ++j) {
     GeneratorVector up = u, down = u;
@@ -142,7 +143,8 @@ std::optional<Balanced> balanced(const GeneratorError& error, GeneratorVector u,
     if (!conditions) return std::nullopt;
     const double uneven = (conditions->values.head(k).array() - E).abs().maxCoeff();
     const double pull = (conditions->slopes.transpose() * multipliers).cwiseAbs().maxCoeff();
-    if (uneven <= 1e-9 * E && pull <= 1e-7 && step.head(n).cwiseAbs().maxCoeff() < 1e-7)
+    if (uneven <= tolerance::level * E && pull <= tolerance::no_pull &&
+        step.head(n).cwiseAbs().maxCoeff() < tolerance::no_pull)
       return Balanced{u, active, multipliers};
   }
   return std::nullopt;
@@ -161,7 +163,7 @@ bool curves_up(const GeneratorError& error, const Balanced& at) {
   rows.col(rows.cols() - 1).head(k).setConstant(-1);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
   const double largest = svd.singularValues()[0];
-  const auto rank = (svd.singularValues().array() > 1e-9 * largest).count();
+  const auto rank = (svd.singularValues().array() > tolerance::rank_of_conditions * largest).count();
   if (rank < rows.rows() - 1) return false;
   const Eigen::MatrixXd free = svd.matrixV().rightCols(rows.cols() - rank).topRows(at.u.size());
   if (free.cols() == 0) return true;
@@ -201,14 +203,14 @@ void settle_optimum(const FunctionTask& task, const WantedAngles& wanted, Functi
   const GeneratorError error(task, wanted, design.linkage.branch);
   const GeneratorVector u = error.unknowns_of(design);
   MinimaxOptimum optimum;
-  optimum.limits = names_of(error, u, near_at(error, u, 1e-6).limits);
-  for (const double tolerance : {1e-4, 1e-3, 1e-2, 0.05, 1e-6}) {
-    const auto found = held(error, u, near_at(error, u, tolerance));
+  optimum.limits = names_of(error, u, near_at(error, u, tolerance::told_ripples).limits);
+  for (const double share : tolerance::holding_ripples) {
+    const auto found = held(error, u, near_at(error, u, share));
     if (!found) continue;
     FunctionDesign level = with_unknowns(error, design, found->u);
     if (measure_design(task, wanted, level) != FunctionDefect::none) continue;
     if (level.error_largest >
-        (1 + 1e-8) * std::min(design.error_largest, ripples_of(error, u).front().height))
+        (1 + tolerance::no_worse) * std::min(design.error_largest, ripples_of(error, u).front().height))
       continue;
     design = level;
     optimum.limits = names_of(error, found->u, found->active.limits);
@@ -219,7 +221,7 @@ void settle_optimum(const FunctionTask& task, const WantedAngles& wanted, Functi
   optimum.unknowns = static_cast<int>(error.size());
   optimum.ripples =
       static_cast<int>(std::count_if(ripples.begin(), ripples.end(), [&](const ErrorRipple& ripple) {
-        return ripple.height > (1 - 1e-6) * ripples.front().height;
+        return ripple.height > (1 - tolerance::told_ripples) * ripples.front().height;
       }));
   design.optimum = optimum;
 }

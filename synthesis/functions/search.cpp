@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "synthesis/functions/error.hpp"
+#include "synthesis/functions/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -188,7 +189,9 @@ class Found {
   }
 
   /// The best that stand apart from each other.
-  std::vector<FunctionDesign> best(std::size_t count) const { return chosen(all_, count, 1e-2); }
+  std::vector<FunctionDesign> best(std::size_t count) const {
+    return chosen(all_, count, tolerance::designs_apart);
+  }
 
  private:
   void keep(const std::optional<FunctionDesign>& design, const FunctionDesign& start) {

@@ -6,6 +6,7 @@
 
 #include "synthesis/functions/precision_points.hpp"
 #include "synthesis/functions/refinement.hpp"
+#include "synthesis/functions/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr int first_cells = 64;
 constexpr std::size_t most_cells = 1500;
 constexpr int most_halvings = 26;
-/// Of the output's range: what the function may stand off the straight line in the middle of a cell.
-constexpr double nearly_straight = 2e-4;
 
 }  // namespace
 
@@ -67,7 +66,7 @@ void WantedAngles::lay_out_places() {
              place_at(i + 1 == first_cells ? task_.x_upper : task_.x_lower + width * (i + 1) / first_cells)));
   const auto bends = [&](const Cell& c) {
     const double off = c.middle.output_turn - 0.5 * (c.left.output_turn + c.right.output_turn);
-    return std::abs(off) > nearly_straight * std::abs(task_.output_range);
+    return std::abs(off) > tolerance::nearly_straight * std::abs(task_.output_range);
   };
   for (int halving = 0; halving < most_halvings; ++halving) {
     std::vector<Cell> next;
@@ -108,7 +107,8 @@ std::vector<WantedPlace> WantedAngles::some_places(int count) const {
     way += std::abs(places_[i].output_turn - places_[i - 1].output_turn);
     const double share =
         ((places_[i].x - task_.x_lower) / width + way / whole_way + towards_ends(places_[i].x)) / 3;
-    if (share * (count - 1) >= static_cast<double>(chosen.size()) - 1e-9 || i + 1 == places_.size())
+    if (share * (count - 1) >= static_cast<double>(chosen.size()) - tolerance::place_due ||
+        i + 1 == places_.size())
       chosen.push_back(places_[i]);
   }
   for (std::size_t i = 0; i < chosen.size(); ++i) {

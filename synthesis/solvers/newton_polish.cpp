@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/solvers/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
-/// A constraint or bound this close to zero counts as active; x and all constraints are of order 1.
-constexpr double active_below = 1e-6;
 constexpr int most_steps = 8;
-constexpr double converged_step = 1e-14;
-constexpr double rank_tolerance = 1e-10;
 
 /// Active constraints: the program's own by index, then bounds by variable with the side they are on.
 struct ActiveSet {
@@ -58,11 +56,11 @@ ActiveSet active_at(const SmoothProgram& program, const DesignVector& x) {
   ConstraintValues values(program.constraint_count);
   if (program.constraint_count > 0) program.constraints(x, values, nullptr);
   for (int i = 0; i < program.constraint_count; ++i)
-    if (std::abs(values[i]) < active_below) active.constraints.push_back(i);
+    if (std::abs(values[i]) < tolerance::active_below) active.constraints.push_back(i);
   for (int i = 0; i < program.size(); ++i) {
-    if (x[i] - program.lower[i] < active_below)
+    if (x[i] - program.lower[i] < tolerance::active_below)
       active.bounds.emplace_back(i, 1.0);
-    else if (program.upper[i] - x[i] < active_below)
+    else if (program.upper[i] - x[i] < tolerance::active_below)
       active.bounds.emplace_back(i, -1.0);
   }
   return active;
@@ -71,7 +69,7 @@ ActiveSet active_at(const SmoothProgram& program, const DesignVector& x) {
 Eigen::VectorXd least_norm(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   if (matrix.size() == 0) return Eigen::VectorXd::Zero(matrix.cols());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(matrix.rows(), matrix.cols());
-  decomposition.setThreshold(rank_tolerance);
+  decomposition.setThreshold(tolerance::rank_tolerance);
   decomposition.compute(matrix);
   return decomposition.solve(right);
 }
@@ -82,7 +80,7 @@ void drop_idle(const SmoothProgram& program, const DesignVector& x, ActiveSet& a
     const Linearized here = linearize(program, active, x);
     const Eigen::VectorXd multipliers = least_norm(here.gradients.transpose(), here.objective);
     Eigen::Index worst = 0;
-    if (multipliers.minCoeff(&worst) >= -1e-9) return;
+    if (multipliers.minCoeff(&worst) >= -tolerance::multiplier_rounding) return;
     active.erase(static_cast<int>(worst));
   }
 }
@@ -112,10 +110,10 @@ DesignVector newton_polish(const SmoothProgram& program, const DesignVector& sta
   DesignVector x = start;
   for (int i = 0; i < most_steps; ++i) {
     const Eigen::VectorXd step = newton_step(program, active, x);
-    if (!step.allFinite() || step.cwiseAbs().maxCoeff() > 1e-3) return start;
+    if (!step.allFinite() || step.cwiseAbs().maxCoeff() > tolerance::longest_step) return start;
     x += step;
-    if (step.cwiseAbs().maxCoeff() < converged_step) break;
-    if (i + 1 == most_steps && step.cwiseAbs().maxCoeff() > 1e-11) return start;
+    if (step.cwiseAbs().maxCoeff() < tolerance::converged_step) break;
+    if (i + 1 == most_steps && step.cwiseAbs().maxCoeff() > tolerance::last_step) return start;
   }
   return x.cwiseMax(program.lower).cwiseMin(program.upper);
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "synthesis/solvers/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
@@ -102,12 +104,13 @@ LocalResult minimize_by_sqp(const SmoothProgram& program, const DesignVector& st
   nlopt_set_lower_bounds(solver.get(), program.lower.data());
   nlopt_set_upper_bounds(solver.get(), program.upper.data());
   nlopt_set_min_objective(solver.get(), objective_callback, &run);
-  const std::vector<double> tolerance(static_cast<std::size_t>(program.constraint_count), 1e-12);
+  const std::vector<double> tolerance(static_cast<std::size_t>(program.constraint_count),
+                                      tolerance::solver_constraint);
   if (program.constraint_count > 0)
     nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(program.constraint_count),
                                      constraint_callback, &run, tolerance.data());
-  nlopt_set_xtol_rel(solver.get(), 1e-13);
-  nlopt_set_ftol_rel(solver.get(), 1e-14);
+  nlopt_set_xtol_rel(solver.get(), tolerance::solver_variables);
+  nlopt_set_ftol_rel(solver.get(), tolerance::solver_cost);
   nlopt_set_maxeval(solver.get(), most_evaluations);
   LocalResult result{.x = start.cwiseMax(program.lower).cwiseMin(program.upper)};
   double value = 0;

@@ -13,13 +13,12 @@
 
 #include "geometry/complex_vectors.hpp"
 #include "synthesis/solvers/golden_section.hpp"
+#include "synthesis/tolerance/tolerances.hpp"
 
 namespace kempe {
 namespace {
 
 constexpr Complex i_unit{0, 1};
-/// Keeps the change point a huge number instead of a division by zero.
-constexpr double smallest_sine = 1e-120;
 
 Complex unit(Complex z) { return z / std::abs(z); }
 
@@ -197,7 +196,7 @@ CopyErrorProfile::CopyErrorProfile(Complex k, Grounding grounding, const CopyTol
 
 Sensitivities CopyErrorProfile::sensitivities(double opening) const {
   const Complex e = std::polar(1.0, opening), one{1, 0};
-  const double sine = std::copysign(std::max(std::abs(e.imag()), smallest_sine), e.imag());
+  const double sine = std::copysign(std::max(std::abs(e.imag()), tolerance::smallest_sine), e.imag());
   const double cot = e.real() / sine;
   const Complex side = i_unit * (1.0 - s_);  // i(1-s)
   const std::array<Complex, 2> stretch_VA{(1.0 - s_) - side * cot, 0}, stretch_VB{side * cot, side};
@@ -221,7 +220,7 @@ Sensitivities CopyErrorProfile::sensitivities(double opening) const {
 
 Sensitivities CopyErrorProfile::sensitivity_slopes(double opening) const {
   const Complex e = std::polar(1.0, opening);
-  const double sine = std::copysign(std::max(std::abs(e.imag()), smallest_sine), e.imag());
+  const double sine = std::copysign(std::max(std::abs(e.imag()), tolerance::smallest_sine), e.imag());
   const double cosecant_slope = -e.real() / sine / sine, cot_slope = -1 / sine / sine;
   const Complex side = i_unit * (1.0 - s_), turning = i_unit * e;
   const std::array<Complex, 2> stretch_VA{-side * cot_slope, 0}, stretch_VB{side * cot_slope, 0};
@@ -244,7 +243,6 @@ Sensitivities CopyErrorProfile::sensitivity_slopes(double opening) const {
 
 LongestDeviation longest_deviation(const Sensitivities& sensitivities, const CopyTolerance& tolerance) {
   constexpr int first_sectors = 8, evaluations_allowed = 400;
-  constexpr double close_enough = 1 + 1e-9;
   LongestDeviation best;
   int evaluations = 0;
   const auto evaluate = [&](double angle) {
@@ -267,7 +265,7 @@ LongestDeviation longest_deviation(const Sensitivities& sensitivities, const Cop
   while (!open.empty() && evaluations < evaluations_allowed) {
     const Sector sector = open.back();
     open.pop_back();
-    if (sector.bound() <= close_enough * best.length) continue;
+    if (sector.bound() <= tolerance::close_enough * best.length) continue;
     const double middle = sector.corner();
     const double here = evaluate(middle);
     open.push_back({sector.lower, middle, sector.lower_value, here});
@@ -344,11 +342,7 @@ double CopyErrorProfile::slope_at_most(double sine) const {
 }
 
 OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const OpeningInterval& within) const {
-  constexpr double finest = 1e-6;  // of the sine
   constexpr int most_steps = 4000;
-  // Errors, slopes and steps are doubles, off by some dozen units in the last place; all of them are taken this much to the
-  // safe side.
-  constexpr double surely = 1 - 1e-9;
   if (within.empty()) return {};
   // From an end inwards: an error above the limit cannot fall to it sooner than its largest slope allows.
   // Steps halve the allowance, so that the sine at the step's far side may be half of that at its near side
@@ -357,17 +351,18 @@ OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const Ope
     double here = end;
     for (int steps = 0; (other - here) * direction > 0; ++steps) {
       const double sine = std::abs(std::sin(here));
-      if (sine < 1e-4) {  // at a change point: the error is beyond any limit worth its name, or there is no
-                          // tolerance
-        const double least = surely * std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] / 2e-4;
+      if (sine < tolerance::at_change_point) {
+        const double least = tolerance::surely * std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] /
+                             (2 * tolerance::at_change_point);
         if (!(least > limit)) return here;
-        here += direction * 1e-4;
+        here += direction * tolerance::at_change_point;
         continue;
       }
-      const double excess = surely * longest_deviation(sensitivities(here), tolerance_).length - limit;
+      const double excess =
+          tolerance::surely * longest_deviation(sensitivities(here), tolerance_).length - limit;
       if (!(excess > 0)) return here;
-      const double step = surely * std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
-      if (step < finest * sine || steps > most_steps) return here;
+      const double step = tolerance::surely * std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
+      if (step < tolerance::finest * sine || steps > most_steps) return here;
       here += direction * step;
     }
     return other;

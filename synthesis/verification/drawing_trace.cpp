@@ -6,6 +6,7 @@
 
 #include "geometry/chance.hpp"
 #include "kinematics/instrument.hpp"
+#include "synthesis/verification/tolerances.hpp"
 
 namespace kempe {
 
@@ -22,9 +23,6 @@ std::string_view name(NotReached why) {
 }
 
 namespace {
-
-constexpr double traced_slack = 1e-9;   ///< rad
-constexpr double cut_precision = 1e-9;  ///< mm, or for linkages of few millimetres this share of their size
 
 /// The measures with which an instrument is closed at each pose: as drawn, or as one made within tolerances
 /// with its pins against the walls of their holes.
@@ -113,7 +111,8 @@ class Tracing {
     const CopyingLinkage& linkage = task_.mechanism.linkage;
     const auto opening = linkage.opening_at((tracer - linkage.pole()).norm());
     if (!opening) return tl::unexpected(cause_of(opening.error()));
-    if (*opening < task_.opening.lower - traced_slack || *opening > task_.opening.upper + traced_slack)
+    if (*opening < task_.opening.lower - tolerance::traced_slack ||
+        *opening > task_.opening.upper + tolerance::traced_slack)
       return tl::unexpected(NotReached::outside_the_opening);
     if (!task_.mechanism.obstacles.empty()) {
       const Verdict verdict = verdict_at(task_.mechanism, tracer);
@@ -219,9 +218,9 @@ class Tracing {
     (there ? trace_.drawn_length : trace_.missing_length) += (to - edge).norm();
   }
 
-  /// The last place reached and the first one not, nearer to each other than cut_precision.
+  /// The last place reached and the first one not, nearer to each other than tolerance::cut_precision.
   std::pair<Point, Point> boundary(Point reached, Point beyond) const {
-    const double near_enough = cut_precision * std::min(1.0, task_.mechanism.linkage.size());
+    const double near_enough = tolerance::cut_precision * std::min(1.0, task_.mechanism.linkage.size());
     while ((beyond - reached).norm() > near_enough) {
       const Point middle = 0.5 * (reached + beyond);
       if (middle == reached || middle == beyond) break;

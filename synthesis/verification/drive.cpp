@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "synthesis/verification/tolerances.hpp"
+
 namespace kempe {
 namespace {
 
@@ -20,10 +22,6 @@ struct DrawnPlate {
   std::optional<double> angle;
 };
 
-constexpr double in_line = 1e-9;  ///< of a side: what rounding of the three lengths may leave
-/// Heights above this share of a side follow from the three lengths to 1e-10 of it.
-constexpr double lengths_suffice = 1e-3;
-
 Point by_angle(const DrawnPlate& plate) {
   return plate.from_first * Point(std::cos(*plate.angle), std::sin(*plate.angle));
 }
@@ -32,10 +30,10 @@ Point by_angle(const DrawnPlate& plate) {
 tl::expected<Point, std::string> corner_by_angle(const DrawnPlate& plate) {
   const Point corner = by_angle(plate);
   const double third = (corner - Point(plate.base, 0)).norm();
-  if (!(std::abs(third - plate.from_second) <= in_line * (plate.base + plate.from_first)))
+  if (!(std::abs(third - plate.from_second) <= tolerance::in_line * (plate.base + plate.from_first)))
     return tl::unexpected(
         fmt::format("the three lengths of plate {} do not close a triangle of its shape", plate.name));
-  if (plate.turn == 0 && std::abs(corner.y()) > in_line * plate.from_first)
+  if (plate.turn == 0 && std::abs(corner.y()) > tolerance::in_line * plate.from_first)
     return tl::unexpected(fmt::format("the three joints of plate {} are not in line", plate.name));
   if (plate.turn * corner.y() < 0)
     return tl::unexpected(fmt::format("plate {} is turned to the other side than its shape", plate.name));
@@ -47,14 +45,14 @@ tl::expected<Point, std::string> third_corner(const DrawnPlate& plate) {
   const double f = plate.from_first, g = plate.from_second;
   const double along = 0.5 * plate.base + (f - g) * (f + g) / (2 * plate.base);
   const double height_squared = (f - along) * (f + along);
-  if (height_squared < -in_line * f * f)
+  if (height_squared < -tolerance::in_line * f * f)
     return tl::unexpected(fmt::format("the three lengths of plate {} do not close a triangle", plate.name));
-  if (plate.angle && height_squared < lengths_suffice * lengths_suffice * f * f)
+  if (plate.angle && height_squared < tolerance::lengths_suffice * tolerance::lengths_suffice * f * f)
     return corner_by_angle(plate);
-  if (plate.turn == 0 && height_squared > in_line * f * f)
+  if (plate.turn == 0 && height_squared > tolerance::in_line * f * f)
     return tl::unexpected(fmt::format("the three joints of plate {} are not in line", plate.name));
   const Point corner(along, plate.turn * std::sqrt(std::max(0.0, height_squared)));
-  if (plate.angle && !((corner - by_angle(plate)).norm() <= in_line * (plate.base + f)))
+  if (plate.angle && !((corner - by_angle(plate)).norm() <= tolerance::in_line * (plate.base + f)))
     return tl::unexpected(
         fmt::format("the three lengths of plate {} do not close a triangle of its shape", plate.name));
   return corner;

@@ -12,6 +12,7 @@
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/verification/drive.hpp"
 #include "synthesis/verification/obstacles.hpp"
+#include "synthesis/verification/tolerances.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
@@ -43,12 +44,6 @@ class SimilarityFit {
   std::vector<std::pair<Complex, Complex>> pairs_;
 };
 
-constexpr double opening_slack = 1e-7;       // rad
-constexpr double transmission_slack = 1e-7;  // rad
-constexpr double length_slack = 1e-9;        // share of the length
-constexpr double loop_residual_share = 1e-12;
-constexpr double clearance_share = 1e-8;  // of the size: the map takes clearances as kept so far
-
 /// The checks of one task while it is driven; remembers the first failure.
 class Checks {
  public:
@@ -75,8 +70,8 @@ class Checks {
     result_.copy_error_max = std::max(result_.copy_error_max, copy_error);
     result_.loop_residual_max = std::max(result_.loop_residual_max, residual);
     fit_.add(reach, as_complex(pen));
-    if (!(residual <= loop_residual_share * size_))
-      fail({"mechanism.lengths_mm", residual, loop_residual_share * size_, tracer,
+    if (!(residual <= tolerance::loop_residual_share * size_))
+      fail({"mechanism.lengths_mm", residual, tolerance::loop_residual_share * size_, tracer,
             fmt::format("the loop residual is {:.3g} mm", residual)});
     if (!(copy_error <= copy_error_allowed_))
       fail({"copy", copy_error, copy_error_allowed_, tracer,
@@ -109,7 +104,7 @@ class Checks {
     result_.scale = std::abs(ratio);
     result_.rotation = std::arg(ratio);
     if (result_.samples < 3) fail({.limit = "region", .sentence = "the tracer could not be driven anywhere"});
-    const double ratio_allowed = 1e-8 * (1 + std::abs(task_.k));
+    const double ratio_allowed = tolerance::ratio_share * (1 + std::abs(task_.k));
     if (result_.samples >= 3 && std::abs(ratio - task_.k) > ratio_allowed)
       fail({.limit = "copy",
             .attained = std::abs(ratio - task_.k),
@@ -124,8 +119,8 @@ class Checks {
   void check_lengths() {
     const auto values = task_.mechanism.lengths.values();
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (const bool short_ = values[i] < task_.shortest * (1 - length_slack);
-          short_ || values[i] > task_.longest * (1 + length_slack))
+      if (const bool short_ = values[i] < task_.shortest * (1 - tolerance::length_slack);
+          short_ || values[i] > task_.longest * (1 + tolerance::length_slack))
         fail({.limit = short_ ? "links.shortest_mm" : "links.longest_mm",
               .attained = values[i],
               .allowed = short_ ? task_.shortest : task_.longest,
@@ -146,7 +141,8 @@ class Checks {
     const OpeningInterval& allowed = task_.mechanism.opening;
     double opening = std::arg(as_complex(pose.B - pose.V) / as_complex(pose.A - pose.V));
     opening -= 2 * pi * std::round((opening - allowed.middle()) / (2 * pi));
-    if (opening < allowed.lower - opening_slack || opening > allowed.upper + opening_slack)
+    if (opening < allowed.lower - tolerance::opening_slack ||
+        opening > allowed.upper + tolerance::opening_slack)
       fail({"mechanism.opening_deg", degrees(opening),
             degrees(opening < allowed.lower ? allowed.lower : allowed.upper), tracer,
             fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening),
@@ -159,7 +155,7 @@ class Checks {
     };
     const double seen =
         std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
-    if (seen < task_.transmission - transmission_slack)
+    if (seen < task_.transmission - tolerance::transmission_slack)
       fail({"limits.transmission_deg", degrees(seen), degrees(task_.transmission), tracer,
             fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
                         degrees(task_.transmission))});
@@ -169,7 +165,7 @@ class Checks {
     if (!task_.clearance) return;
     for (const ContactPair& pair : pairs_) {
       const double free = gap(pair, pose, shape_, task_.style);
-      if (free < *task_.clearance - clearance_share * size_)
+      if (free < *task_.clearance - tolerance::clearance_share * size_)
         fail({"limits.clearance_mm", free, *task_.clearance, tracer,
               fmt::format("{} are {:.6g} mm apart, less than {:.6g}", name(pair), free, *task_.clearance)});
     }
@@ -177,7 +173,7 @@ class Checks {
 
   void check_obstacles(const Pose& pose, const Point& tracer) {
     if (!task_.clearance || !watch_) return;
-    const auto near = watch_->nearest(pose, *task_.clearance - clearance_share * size_);
+    const auto near = watch_->nearest(pose, *task_.clearance - tolerance::clearance_share * size_);
     if (near)
       fail({"obstacles", near->gap, *task_.clearance, tracer,
             fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near->part, near->obstacle,
@@ -212,8 +208,6 @@ void drive_over(const std::vector<Point>& stations, const VerificationTask& task
   }
 }
 
-constexpr double fine_outline = 1e-4;  ///< of the reach: how closely arcs of the workspace are followed
-
 }  // namespace
 
 Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
@@ -221,7 +215,7 @@ Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
   const auto largest = std::max_element(
       parts.begin(), parts.end(), [](const ArcPolygon& a, const ArcPolygon& b) { return area(a) < area(b); });
   if (largest == parts.end()) return {};
-  const double tolerance = fine_outline * chain_annulus(task.linkage).outer;
+  const double tolerance = tolerance::fine_outline * chain_annulus(task.linkage).outer;
   return {{flattened(*largest, tolerance, Flatten::shrinks)}};
 }
 
