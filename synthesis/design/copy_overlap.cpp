@@ -3,11 +3,19 @@
 #include "geometry/regions/region_algebra.hpp"
 
 namespace kempe {
+namespace {
+
+bool are_apart(const Box& one, const Box& other) {
+  return (one.upper.array() < other.lower.array()).any() || (other.upper.array() < one.lower.array()).any();
+}
+
+}  // namespace
 
 bool copy_overlaps_original(const Design& design) {
   if (design.region.empty()) return false;
-  const CopyingLinkage& linkage = design.linkage;
-  return !are_apart(design.region, similar_image(design.region, linkage.k(), linkage.pole()), 0);
+  const Region copy = similar_image(design.region, design.linkage.k(), design.linkage.pole());
+  if (are_apart(bounding_box(design.region), bounding_box(copy))) return false;
+  return !are_apart(design.region, copy, 0);
 }
 
 std::string overlap_note(const Design& design) {
