@@ -83,7 +83,8 @@ constexpr SpecKey keys[] = {
     {"limits", "transmission_deg", number, from_to_below(0, 90), "", optional, "30", "25",
      "least transmission angle over the region"},
     {"limits", "sheets_gap_mm", number, from(0, 1e5), "", optional, "", "5",
-     "least distance of the original from its copy; 0: they may touch, not overlap; left out: they may overlap"},
+     "least distance of the original from its copy; 0: they may touch, not overlap; left out: they may "
+     "overlap"},
     {"limits", "copy_error_mm", number, above(0, 1000), "", optional, "", "0.3",
      "largest copy error under [tolerance], worst case; left out: not limited"},
 
