@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reports/pictures/html_text.hpp"
+#include "reports/pictures/mechanism_picture.hpp"
 #include "reports/pictures/picture_labels.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
@@ -42,12 +43,6 @@ class Box {
   Point upper_ = Point::Constant(-std::numeric_limits<double>::infinity());
 };
 
-Point downward(const Point& at) { return {at.x(), -at.y()}; }
-
-SvgElement disc(std::string_view css, const Point& at, double radius) {
-  return SvgElement("circle").with("class", css).at("cx", "cy", downward(at)).with("r", radius);
-}
-
 class ErrorVectorPicture {
  public:
   ErrorVectorPicture(const CalibrationRecord& record, ErrorVectors which) : record_(record), which_(which) {
@@ -63,13 +58,17 @@ class ErrorVectorPicture {
     if (vectors_.empty()) return {};
     const Point lower = box_.lower() - Point::Constant(margin_),
                 size = box_.size() + Point::Constant(2 * margin_);
-    std::string svg = fmt::format(
-        "<svg class=\"map\" viewBox=\"{} {} {} {}\" font-size=\"{}\" role=\"img\" aria-label=\"{}\">\n",
-        coordinate(lower.x()), coordinate(-lower.y() - size.y()), coordinate(size.x()),
-        coordinate(size.y() + strip()), coordinate(19 * unit_),
-        which_ == ErrorVectors::before ? "Error vectors as read" : "Error vectors that are left");
-    svg += linkage() + arrows() + key(Point(lower.x() + margin_, lower.y() - 0.55 * strip())) + "</svg>\n";
-    return {svg, magnification_};
+    const SvgElement svg =
+        SvgElement("svg")
+            .with("class", "map")
+            .with("viewBox", view_box(lower.x(), -lower.y() - size.y(), size.x(), size.y() + strip()))
+            .with("font-size", 19 * unit_)
+            .with("role", "img")
+            .with("aria-label",
+                  which_ == ErrorVectors::before ? "Error vectors as read" : "Error vectors that are left")
+            .holding("\n" + linkage() + arrows() +
+                     key(Point(lower.x() + margin_, lower.y() - 0.55 * strip())));
+    return {svg.line(), magnification_};
   }
 
  private:
@@ -127,11 +126,10 @@ class ErrorVectorPicture {
     const auto bar = [&](std::initializer_list<Joint> joints) {
       std::vector<Point> line;
       for (const Joint joint : joints) line.push_back((*pose)[joint]);
-      const std::string path = svg_line(line);
-      return fmt::format(
-          "<g class=\"link layer-2\"><path class=\"rim\" d=\"{0}\" stroke-width=\"{1}\"/><path "
-          "class=\"face\" d=\"{0}\" stroke-width=\"{2}\"/></g>\n",
-          path, coordinate(7 * unit_), coordinate(4.6 * unit_));
+      return SvgElement("g")
+          .with("class", "link layer-2")
+          .holding(rim_and_face(svg_line(line), 7 * unit_, 4.6 * unit_))
+          .line();
     };
     std::string svg = bar({Joint::V, Joint::A}) + bar({Joint::V, Joint::B}) +
                       bar({Joint::C, Joint::A, Joint::X}) + bar({Joint::C, Joint::B, Joint::Y});
@@ -171,12 +169,8 @@ class ErrorVectorPicture {
                        : joint == mounting.output ? "mark pen"
                                                   : "pin";
     const Point words = placer.place_around(at, 5 * unit_, Point(6, 8) * unit_, Point(0, 1));
-    const SvgElement letter = SvgElement("text")
-                                  .with("class", "letter")
-                                  .at("x", "y", downward(words))
-                                  .with("dy", ".35em")
-                                  .saying(letter_of(joint));
-    return disc(role, at, 5 * unit_).text() +
+    const SvgElement letter = svg_words("letter", words).saying(letter_of(joint));
+    return svg_disc(role, at, 5 * unit_).text() +
            SvgElement("g").with("class", "words").holding(letter.text()).line();
   }
 
@@ -193,31 +187,35 @@ class ErrorVectorPicture {
 
   std::string arrows() const {
     const bool before = which_ == ErrorVectors::before;
-    std::string svg = "<g>\n";
+    std::string svg = "\n";
     for (const Vector& vector : field_)
-      svg += fmt::format(
-          "<path class=\"curve worst\" opacity=\".3\" stroke-width=\"1\" d=\"{}\" "
-          "vector-effect=\"non-scaling-stroke\"/>\n",
-          arrow_path(vector));
+      svg += SvgElement("path")
+                 .with("class", "curve worst")
+                 .with("opacity", ".3")
+                 .with("stroke-width", "1")
+                 .with("d", arrow_path(vector))
+                 .with("vector-effect", "non-scaling-stroke")
+                 .line();
     const double target = record_.measurements.fit.target * magnification_;
     for (std::size_t i = 0; i < vectors_.size(); ++i) {
       const Vector& vector = vectors_[i];
       if (!before)
-        svg += disc("m-target", vector.at, target)
+        svg += svg_disc("m-target", vector.at, target)
                    .with("fill", "none")
                    .with("stroke", "currentColor")
                    .with("stroke-opacity", ".3")
                    .with("vector-effect", "non-scaling-stroke")
                    .line();
-      svg += fmt::format(
-          "<path class=\"curve {}\" d=\"{}\" vector-effect=\"non-scaling-stroke\"><title>{}: "
-          "{}</title></path>\n",
-          before || vector.outlier ? "worst" : "rss", arrow_path(vector),
-          html_escaped(record_.measurements.readings[record_.readings[i].reading].name),
-          length_text(vector.error.norm()));
-      svg += disc("core pen", vector.at, 2.4 * unit_).line();
+      const SvgElement title =
+          SvgElement("title").saying(record_.measurements.readings[record_.readings[i].reading].name + ": " +
+                                     length_text(vector.error.norm()));
+      svg += svg_shape(before || vector.outlier ? "curve worst" : "curve rss", arrow_path(vector))
+                 .with("vector-effect", "non-scaling-stroke")
+                 .holding(title.text())
+                 .line();
+      svg += svg_disc("core pen", vector.at, 2.4 * unit_).line();
     }
-    return svg + "</g>\n";
+    return SvgElement("g").holding(svg).line();
   }
 
   /// Two scales: of the table, and of the arrows.
@@ -225,14 +223,21 @@ class ErrorVectorPicture {
     const double table = round_down(140 * unit_), error = round_down(140 * unit_ / magnification_);
     const auto bar = [&](double x, double length, const std::string& words) {
       const Point from(x, at.y()), tick(0, 4 * unit_);
-      return fmt::format(
-          "<path class=\"scale-bar\" d=\"{}{}{}\"/><text class=\"tick strong\" x=\"{}\" y=\"{}\">{}</text>\n",
-          svg_line({from, from + Point(length, 0)}), svg_line({from - tick, from + tick}),
-          svg_line({from + Point(length, 0) - tick, from + Point(length, 0) + tick}),
-          coordinate(x + 0.5 * length), coordinate(-at.y() + 20 * unit_), words);
+      const std::string line = svg_line({from, from + Point(length, 0)}) +
+                               svg_line({from - tick, from + tick}) +
+                               svg_line({from + Point(length, 0) - tick, from + Point(length, 0) + tick});
+      return svg_shape("scale-bar", line).text() + SvgElement("text")
+                                                       .with("class", "tick strong")
+                                                       .with("x", x + 0.5 * length)
+                                                       .with("y", -at.y() + 20 * unit_)
+                                                       .saying(words)
+                                                       .line();
     };
-    return "<g class=\"m-scale\">\n" + bar(at.x(), table, "table " + length_text(table)) +
-           bar(at.x() + 220 * unit_, error * magnification_, "arrows " + length_text(error)) + "</g>\n";
+    return SvgElement("g")
+        .with("class", "m-scale")
+        .holding("\n" + bar(at.x(), table, "table " + length_text(table)) +
+                 bar(at.x() + 220 * unit_, error * magnification_, "arrows " + length_text(error)))
+        .line();
   }
 
   const CalibrationRecord& record_;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
 namespace {
@@ -42,25 +42,28 @@ std::string edge(const ArcVertex& from, const Point& to, const Figures& figures)
 }
 
 std::string element(const OutlineShape& outline) {
-  return fmt::format("<path d=\"{}\"/>\n", outline_path(outline.ring, outline.closed));
+  return SvgElement("path").with("d", outline_path(outline.ring, outline.closed)).line();
 }
 
 std::string element(const CircleShape& circle) {
   const Figures figures(circle.radius);
-  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", figures.of(circle.centre.x()),
-                     figures.of(-circle.centre.y()), figures.of(circle.radius));
+  return SvgElement("circle")
+      .with("cx", figures.of(circle.centre.x()))
+      .with("cy", figures.of(-circle.centre.y()))
+      .with("r", figures.of(circle.radius))
+      .line();
 }
 
 std::string element(const TextShape& text) {
   // A capital of DejaVu Sans and its like is about 0.73 of the font size high.
   const Figures figures(text.height);
   const std::string x = figures.of(text.at.x()), y = figures.of(-text.at.y());
-  const std::string turned =
-      text.turn == 0 ? ""
-                     : fmt::format(" transform=\"rotate({} {} {})\"", figures.of(-degrees(text.turn)), x, y);
-  return fmt::format(
-      "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n", x, y, figures.of(text.height / 0.73),
-      text.anchor == Anchor::middle ? " text-anchor=\"middle\"" : "", turned, html_escaped(text.text));
+  SvgElement result("text");
+  result.with("x", x).with("y", y).with("font-size", figures.of(text.height / 0.73));
+  if (text.anchor == Anchor::middle) result.with("text-anchor", "middle");
+  if (text.turn != 0)
+    result.with("transform", fmt::format("rotate({} {} {})", figures.of(-degrees(text.turn)), x, y));
+  return result.saying(text.text).line();
 }
 
 const std::string& layer_of(const Shape& shape) {
@@ -68,17 +71,22 @@ const std::string& layer_of(const Shape& shape) {
 }
 
 std::string group(const DrawingLayer& layer, const std::vector<Shape>& shapes) {
-  std::string text = fmt::format("<g id=\"{}\" stroke=\"{}\" fill=\"none\" stroke-width=\"{}\">\n",
-                                 html_escaped(layer.name), layer.svg_colour, layer.is_cut ? "0.25" : "0.18");
-  std::string texts;
+  std::string lines, texts;
   for (const Shape& shape : shapes) {
     if (layer_of(shape) != layer.name) continue;
-    (std::holds_alternative<TextShape>(shape) ? texts : text) +=
+    (std::holds_alternative<TextShape>(shape) ? texts : lines) +=
         std::visit([](const auto& one) { return element(one); }, shape);
   }
   if (!texts.empty())
-    text += fmt::format("<g stroke=\"none\" fill=\"{}\">\n{}</g>\n", layer.svg_colour, texts);
-  return text + "</g>\n";
+    lines +=
+        SvgElement("g").with("stroke", "none").with("fill", layer.svg_colour).holding("\n" + texts).line();
+  return SvgElement("g")
+      .with("id", layer.name)
+      .with("stroke", layer.svg_colour)
+      .with("fill", "none")
+      .with("stroke-width", layer.is_cut ? "0.25" : "0.18")
+      .holding("\n" + lines)
+      .line();
 }
 
 }  // namespace
@@ -96,15 +104,17 @@ std::string svg_text(const Drawing& drawing, std::string_view title, double marg
   const Box box = bounding_box(drawing);
   const Point size = box.upper - box.lower + Point(2 * margin, 2 * margin);
   const Figures figures(size.maxCoeff());
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" "
-      "viewBox=\"{2} {3} {0} {1}\" font-family=\"DejaVu Sans, Helvetica, Arial, "
-      "sans-serif\">\n<title>{4}</title>\n",
-      figures.of(size.x()), figures.of(size.y()), figures.of(box.lower.x() - margin),
-      figures.of(-box.upper.y() - margin), html_escaped(title));
-  for (const DrawingLayer& layer : drawing.layers) text += group(layer, drawing.shapes);
-  return text + "</svg>\n";
+  std::string inside = SvgElement("title").saying(title).line();
+  for (const DrawingLayer& layer : drawing.layers) inside += group(layer, drawing.shapes);
+  const std::string width = figures.of(size.x()), height = figures.of(size.y());
+  return svg_file(svg_root()
+                      .with("version", "1.1")
+                      .with("width", width + "mm")
+                      .with("height", height + "mm")
+                      .with("viewBox", fmt::format("{} {} {} {}", figures.of(box.lower.x() - margin),
+                                                   figures.of(-box.upper.y() - margin), width, height))
+                      .with("font-family", "DejaVu Sans, Helvetica, Arial, sans-serif")
+                      .holding("\n" + inside));
 }
 
 }  // namespace kempe

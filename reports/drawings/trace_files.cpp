@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "reports/drawings/svg_writer.hpp"
-#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
 namespace {
@@ -18,12 +18,16 @@ ArcRing as_ring(const Stroke& points) {
   return ring;
 }
 
-std::string group(const std::vector<TracedLine>& lines, std::string_view attributes) {
-  std::string text =
-      fmt::format("<g {} fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n", attributes);
+/// The lines in a group whose attributes so far are given.
+std::string group(SvgElement element, const std::vector<TracedLine>& lines) {
+  std::string paths;
   for (const TracedLine& line : lines)
-    text += fmt::format("<path d=\"{}\"/>\n", outline_path(as_ring(line.points), line.closed));
-  return text + "</g>\n";
+    paths += SvgElement("path").with("d", outline_path(as_ring(line.points), line.closed)).line();
+  return element.with("fill", "none")
+      .with("stroke-linejoin", "round")
+      .with("stroke-linecap", "round")
+      .holding("\n" + paths)
+      .line();
 }
 
 Box box_of(const Trace& trace) {
@@ -49,16 +53,19 @@ std::string copy_svg(const Trace& trace, std::string_view title) {
   const Box box = box_of(trace);
   const double margin = 5;
   const Point size = box.upper - box.lower + Point(2 * margin, 2 * margin);
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" "
-      "viewBox=\"{2} {3} {0} {1}\">\n<title>{4}</title>\n",
-      size.x(), size.y(), box.lower.x() - margin, -box.upper.y() - margin, html_escaped(title));
-  text += group(trace.drawn, "id=\"copy\" stroke=\"#000\" stroke-width=\"0.25\"");
+  const auto named = [](std::string_view id, std::string_view colour) {
+    return SvgElement("g").with("id", id).with("stroke", colour).with("stroke-width", "0.25");
+  };
+  std::string inside = SvgElement("title").saying(title).line() + group(named("copy", "#000"), trace.drawn);
   if (!trace.missing.empty())
-    text += group(trace.missing,
-                  "id=\"left-out\" stroke=\"#e00000\" stroke-width=\"0.25\" stroke-dasharray=\"1 0.6\"");
-  return text + "</svg>\n";
+    inside += group(named("left-out", "#e00000").with("stroke-dasharray", "1 0.6"), trace.missing);
+  return svg_file(svg_root()
+                      .with("version", "1.1")
+                      .with("width", fmt::format("{}mm", size.x()))
+                      .with("height", fmt::format("{}mm", size.y()))
+                      .with("viewBox", fmt::format("{} {} {} {}", box.lower.x() - margin,
+                                                   -box.upper.y() - margin, size.x(), size.y()))
+                      .holding("\n" + inside));
 }
 
 std::string poses_csv(const Trace& trace) {

@@ -18,18 +18,11 @@ constexpr double seconds_of_motion = 5;
 std::string static_layers(const LinkageScene& scene, const PictureScale& scale) {
   std::string text;
   for (const std::size_t traced : scene.traced) text += trace_curve(scene, traced, scale) + "\n";
-  text += fmt::format("<g color=\"{}\">{}</g>\n", link_colour(0), body_shape(scene.bodies[0], 0, scale));
+  text += ground_group(scene, scale).line();
   for (const ScenePoint& point : scene.points)
     if (point.fixed) text += ground_sign(point, scale) + "\n";
   return text;
 }
-
-std::string group_transform(const LinkageScene::Moment& moment, std::size_t body, const PictureScale& scale) {
-  return fmt::format("translate({}) rotate({:.5f})", scale.pair(moment.at[body]),
-                     degrees(moment.angle[body]));
-}
-
-std::string moving_bodies(const LinkageScene& scene, const PictureScale& scale, bool with_motion);
 
 /// Values of one attribute over all moments, and back again unless the motion runs around.
 template <class Value>
@@ -44,11 +37,15 @@ std::string over_time(const LinkageScene& scene, const Value& value) {
 }
 
 std::string smil(const LinkageScene& scene, std::string_view type, const std::string& values) {
-  return fmt::format(
-      "<animateTransform attributeName=\"transform\" type=\"{}\" additive=\"{}\" dur=\"{:g}s\" "
-      "repeatCount=\"indefinite\" values=\"{}\"/>",
-      type, type == "rotate" ? "sum" : "replace", scene.closed ? seconds_of_motion : 2 * seconds_of_motion,
-      values);
+  const double seconds = scene.closed ? seconds_of_motion : 2 * seconds_of_motion;
+  return SvgElement("animateTransform")
+      .with("attributeName", "transform")
+      .with("type", type)
+      .with("additive", type == "rotate" ? "sum" : "replace")
+      .with("dur", fmt::format("{:g}s", seconds))
+      .with("repeatCount", "indefinite")
+      .with("values", values)
+      .text();
 }
 
 std::string moving_bodies(const LinkageScene& scene, const PictureScale& scale, bool with_motion) {
@@ -62,20 +59,29 @@ std::string moving_bodies(const LinkageScene& scene, const PictureScale& scale, 
           smil(scene, "rotate", over_time(scene, [&](const auto& m) {
                  return fmt::format("{:.4f}", degrees(m.angle[body]));
                }));
-    text += fmt::format("<g id=\"body{}\" color=\"{}\" transform=\"{}\"><title>{}</title>{}{}</g>\n", number,
-                        link_colour(number), group_transform(scene.moments[0], body, scale),
-                        html_escaped(scene.bodies[body].name), body_shape(scene.bodies[body], number, scale),
-                        motion);
+    text += SvgElement("g")
+                .with("id", fmt::format("body{}", number))
+                .with("color", link_colour(number))
+                .with("transform", placement(scene.moments[0], body, scale))
+                .holding(SvgElement("title").saying(scene.bodies[body].name).text())
+                .holding(body_shape(scene.bodies[body], number, scale))
+                .holding(motion)
+                .line();
   }
   return text;
+}
+
+/// A point's name beside its place.
+SvgElement named(SvgElement text, const ScenePoint& point, const Point& place, const PictureScale& scale) {
+  const Point at = place + Point(1.6, -1.6) * scale.pin;
+  return text.with("x", scale.number(at.x())).with("y", scale.number(at.y())).saying(point.name);
 }
 
 std::string names_at_start(const LinkageScene& scene, const PictureScale& scale) {
   std::string text;
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
-    const Point at = scene.place(scene.points[i], scene.moments[0]) + Point(1.6, -1.6) * scale.pin;
-    text += fmt::format("<text {} id=\"name{}\" x=\"{}\" y=\"{}\">{}</text>", look("name", scale), i,
-                        scale.number(at.x()), scale.number(at.y()), html_escaped(scene.points[i].name));
+    const SvgElement name = drawn("text", "name", scale).with("id", fmt::format("name{}", i));
+    text += named(name, scene.points[i], scene.place(scene.points[i], scene.moments[0]), scale).text();
   }
   return text;
 }
@@ -105,8 +111,11 @@ std::string scene_json(const LinkageScene& scene, const PictureScale& scale) {
 std::string traced_dots(const LinkageScene& scene, const PictureScale& scale) {
   std::string text;
   for (const std::size_t traced : scene.traced)
-    text += fmt::format("<circle id=\"dot{}\" r=\"{}\" fill=\"{}\"/>", traced, scale.number(0.8 * scale.pin),
-                        link_colour(scene.points[traced].body));
+    text += SvgElement("circle")
+                .with("id", fmt::format("dot{}", traced))
+                .with("r", scale.number(0.8 * scale.pin))
+                .with("fill", link_colour(scene.points[traced].body))
+                .text();
   return text;
 }
 
@@ -130,12 +139,16 @@ std::string animation_html(const LinkageScene& scene) {
       page_head(scene.title, {web_assets::animation_style}, {web_assets::animation}) + "<body>\n";
   page +=
       fmt::format("<header><h1>{}</h1><p>Lengths in {}.{}</p></header>\n<main>", title, scene.unit, ending);
-  page += fmt::format("<svg id=\"picture\" viewBox=\"{}\" role=\"img\" aria-label=\"{}\">\n",
-                      scale.view_box(), title);
-  page += static_layers(scene, scale) + moving_bodies(scene, scale, false) + traced_dots(scene, scale) +
-          names_at_start(scene, scale);
+  page += SvgElement("svg")
+              .with("id", "picture")
+              .with("viewBox", scale.view_box())
+              .with("role", "img")
+              .with("aria-label", scene.title)
+              .holding("\n" + static_layers(scene, scale) + moving_bodies(scene, scale, false) +
+                       traced_dots(scene, scale) + names_at_start(scene, scale))
+              .text();
   page += fmt::format(
-      "</svg></main>\n<footer><button id=\"play\">Play</button><input type=\"range\" id=\"moment\" min=\"0\" "
+      "</main>\n<footer><button id=\"play\">Play</button><input type=\"range\" id=\"moment\" min=\"0\" "
       "max=\"{}\" "
       "value=\"0\" aria-label=\"Step of the motion\"><output id=\"step\" data-all=\"{:.6g}\"></output>"
       "<label>Speed <select id=\"speed\"><option value=\"0.25\">1/4</option><option value=\"1\" "
@@ -152,20 +165,23 @@ std::string animation_html(const LinkageScene& scene) {
 
 std::string animation_svg(const LinkageScene& scene) {
   const PictureScale scale = PictureScale::of(scene.lower, scene.upper);
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\" width=\"800\" "
-      "role=\"img\">\n<title>{}</title>\n"
-      "<rect x=\"{}\" y=\"{}\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      scale.view_box(), html_escaped(scene.title), scale.number(scale.lower.x()),
-      scale.number(scale.lower.y()));
-  text += static_layers(scene, scale) + moving_bodies(scene, scale, true);
-  for (const ScenePoint& point : scene.points) {
-    if (!point.fixed) continue;
-    const Point at = point.local + Point(1.6, -1.6) * scale.pin;
-    text += fmt::format("<text {} x=\"{}\" y=\"{}\">{}</text>\n", look("name", scale), scale.number(at.x()),
-                        scale.number(at.y()), html_escaped(point.name));
-  }
-  return text + "</svg>\n";
+  std::string inside = SvgElement("title").saying(scene.title).line();
+  inside += SvgElement("rect")
+                .with("x", scale.number(scale.lower.x()))
+                .with("y", scale.number(scale.lower.y()))
+                .with("width", "100%")
+                .with("height", "100%")
+                .with("fill", "#fff")
+                .line();
+  inside += static_layers(scene, scale) + moving_bodies(scene, scale, true);
+  for (const ScenePoint& point : scene.points)
+    if (point.fixed) inside += named(drawn("text", "name", scale), point, point.local, scale).line();
+  return svg_root()
+      .with("viewBox", scale.view_box())
+      .with("width", "800")
+      .with("role", "img")
+      .holding("\n" + inside)
+      .line();
 }
 
 }  // namespace kempe

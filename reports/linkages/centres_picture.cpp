@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "reports/linkages/picture.hpp"
-#include "reports/pictures/html_text.hpp"
 
 namespace kempe {
 namespace {
@@ -34,19 +33,27 @@ class CentresPicture {
   std::string draw() {
     const double width = scale_.upper.x() - scale_.lower.x() + legend_,
                  height = scale_.upper.y() - scale_.lower.y();
-    std::string text = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"1100\" role=\"img\">\n"
-        "<title>Instant centres of {}</title>\n<style>{}</style>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
-        "height=\"{}\" "
-        "fill=\"#fff\"/>\n",
-        scale_.number(scale_.lower.x()), scale_.number(scale_.lower.y()), scale_.number(width),
-        scale_.number(height), html_escaped(scene_.title), own_style(), scale_.number(scale_.lower.x()),
-        scale_.number(scale_.lower.y()), scale_.number(width), scale_.number(height));
+    const std::string left = scale_.number(scale_.lower.x()), top = scale_.number(scale_.lower.y());
+    std::string inside = SvgElement("title").saying("Instant centres of " + scene_.title).line() +
+                         SvgElement("style").holding(own_style()).line();
+    inside += SvgElement("rect")
+                  .with("x", left)
+                  .with("y", top)
+                  .with("width", scale_.number(width))
+                  .with("height", scale_.number(height))
+                  .with("fill", "#fff")
+                  .line();
     for (const InstantCentre& centre : centres_)
-      if (centre.lines && is_near(centre)) text += draw_lines(centre);
-    text += draw_linkage();
-    text += draw_points();
-    return text + draw_legend() + "</svg>\n";
+      if (centre.lines && is_near(centre)) inside += draw_lines(centre);
+    inside += draw_linkage();
+    inside += draw_points();
+    inside += draw_legend();
+    return svg_root()
+        .with("viewBox", fmt::format("{} {} {} {}", left, top, scale_.number(width), scale_.number(height)))
+        .with("width", "1100")
+        .with("role", "img")
+        .holding("\n" + inside)
+        .line();
   }
 
  private:
@@ -83,9 +90,10 @@ class CentresPicture {
       const Point along(line.direction.x(), -line.direction.y());
       if (along == Point::Zero()) continue;
       const double far = 3 * (scale_.upper - scale_.lower).maxCoeff();
-      text += fmt::format("<path class=\"{}\" d=\"M{} L{}\"/>\n",
-                          line.from == CentreLine::From::slider ? "line normal" : "line",
-                          scale_.pair(clipped(at, along, far)), scale_.pair(clipped(at, -along, far)));
+      text += SvgElement("path")
+                  .with("class", line.from == CentreLine::From::slider ? "line normal" : "line")
+                  .with("d", scale_.line(clipped(at, along, far), clipped(at, -along, far)))
+                  .line();
     }
     return text;
   }
@@ -102,16 +110,26 @@ class CentresPicture {
 
   std::string draw_linkage() const {
     const auto& moment = scene_.moments.front();
-    std::string text =
-        fmt::format("<g color=\"{}\">{}</g>\n", link_colour(0), body_shape(scene_.bodies[0], 0, scale_));
+    std::string text = ground_group(scene_, scale_).line();
     for (const ScenePoint& point : scene_.points)
       if (point.fixed) text += ground_sign(point, scale_);
     for (std::size_t body = 1; body < scene_.bodies.size(); ++body)
-      text += fmt::format(
-          "<g color=\"{}\" opacity=\".7\" transform=\"translate({}) rotate({:.5f})\">{}</g>\n",
-          link_colour(static_cast<int>(body)), scale_.pair(moment.at[body]), degrees(moment.angle[body]),
-          body_shape(scene_.bodies[body], static_cast<int>(body), scale_));
+      text += SvgElement("g")
+                  .with("color", link_colour(static_cast<int>(body)))
+                  .with("opacity", ".7")
+                  .with("transform", placement(moment, body, scale_))
+                  .holding(body_shape(scene_.bodies[body], static_cast<int>(body), scale_))
+                  .line();
     return text;
+  }
+
+  std::string words(const std::string& css, const Point& at, const std::string& text) const {
+    return SvgElement("text")
+        .with("class", css)
+        .with("x", scale_.number(at.x()))
+        .with("y", scale_.number(at.y()))
+        .saying(text)
+        .line();
   }
 
   static std::string style_of(InstantCentre::Source source) {
@@ -139,13 +157,14 @@ class CentresPicture {
       for (const InstantCentre* centre : here) {
         labels += (labels.empty() ? "" : ", ") + label(centre->first, centre->second);
         const Point exact = on_page(centre->at);
-        text +=
-            fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", style_of(centre->source),
-                        scale_.number(exact.x()), scale_.number(exact.y()), scale_.number(0.7 * scale_.pin));
+        text += SvgElement("circle")
+                    .with("class", style_of(centre->source))
+                    .with("cx", scale_.number(exact.x()))
+                    .with("cy", scale_.number(exact.y()))
+                    .with("r", scale_.number(0.7 * scale_.pin))
+                    .text();
       }
-      text += fmt::format("<text class=\"centre {}\" x=\"{}\" y=\"{}\">{}</text>\n",
-                          style_of(here.front()->source), scale_.number(at.x() + 1.4 * scale_.pin),
-                          scale_.number(at.y() - 1.2 * scale_.pin), labels);
+      text += words("centre " + style_of(here.front()->source), at + Point(1.4, -1.2) * scale_.pin, labels);
     }
     return text;
   }
@@ -172,9 +191,7 @@ class CentresPicture {
     const double step =
         std::min(1.15 * scale_.letter, (scale_.upper.y() - y) / static_cast<double>(lines.size()));
     for (const std::string& line : lines) {
-      text += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{}\">{}</text>\n",
-                          scale_.number(scale_.upper.x() + 0.5 * scale_.letter), scale_.number(y),
-                          html_escaped(line));
+      text += words("legend", {scale_.upper.x() + 0.5 * scale_.letter, y}, line);
       y += step;
     }
     return text;

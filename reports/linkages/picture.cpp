@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "reports/pictures/html_text.hpp"
-
 namespace kempe {
 namespace {
 
@@ -19,22 +17,42 @@ struct Look {
   std::string_view kind;
   const char *fill, *stroke;
   double width, dash;
-  const char* further;
+  std::array<std::array<const char*, 2>, 3> further;  ///< attributes; null: none
 };
 constexpr std::array<Look, 10> looks{{
-    {"link", "currentColor", "currentColor", 3.2, 0,
-     " fill-opacity=\".16\" stroke-linejoin=\"round\" stroke-linecap=\"round\""},
-    {"pin", "#fff", "currentColor", 1.4, 0, ""},
-    {"block", "#fff", "#555", 1.2, 0, " fill-opacity=\".75\""},
-    {"guide", "none", "#999", 1, 5, ""},
-    {"wheel", "currentColor", "currentColor", 1.2, 0, " fill-opacity=\".08\""},
-    {"spoke", "none", "currentColor", 1, 0, ""},
-    {"ground", "#fff", "#555", 1.2, 0, ""},
-    {"hatch", "none", "#555", 1, 0, ""},
-    {"trace", "none", nullptr, 0, 0, " stroke-opacity=\".75\" stroke-linejoin=\"round\""},
-    {"name", "#222", "#fff", 2.5, 0,
-     " font-style=\"italic\" font-family=\"Georgia, serif\" paint-order=\"stroke\""},
+    {"link",
+     "currentColor",
+     "currentColor",
+     3.2,
+     0,
+     {{{"fill-opacity", ".16"}, {"stroke-linejoin", "round"}, {"stroke-linecap", "round"}}}},
+    {"pin", "#fff", "currentColor", 1.4, 0, {}},
+    {"block", "#fff", "#555", 1.2, 0, {{{"fill-opacity", ".75"}}}},
+    {"guide", "none", "#999", 1, 5, {}},
+    {"wheel", "currentColor", "currentColor", 1.2, 0, {{{"fill-opacity", ".08"}}}},
+    {"spoke", "none", "currentColor", 1, 0, {}},
+    {"ground", "#fff", "#555", 1.2, 0, {}},
+    {"hatch", "none", "#555", 1, 0, {}},
+    {"trace", "none", nullptr, 0, 0, {{{"stroke-opacity", ".75"}, {"stroke-linejoin", "round"}}}},
+    {"name",
+     "#222",
+     "#fff",
+     2.5,
+     0,
+     {{{"font-style", "italic"}, {"font-family", "Georgia, serif"}, {"paint-order", "stroke"}}}},
 }};
+
+std::string path(std::string_view kind, const std::string& data, const PictureScale& scale) {
+  return drawn("path", kind, scale).with("d", data).text();
+}
+
+std::string circle(std::string_view kind, const Point& centre, double radius, const PictureScale& scale) {
+  return drawn("circle", kind, scale)
+      .with("cx", scale.number(centre.x()))
+      .with("cy", scale.number(centre.y()))
+      .with("r", scale.number(radius))
+      .text();
+}
 
 }  // namespace
 
@@ -53,6 +71,10 @@ std::string PictureScale::number(double value) const {
 
 std::string PictureScale::pair(const Point& p) const { return number(p.x()) + "," + number(p.y()); }
 
+std::string PictureScale::line(const Point& from, const Point& to) const {
+  return "M" + pair(from) + " L" + pair(to);
+}
+
 std::string PictureScale::view_box() const {
   return fmt::format("{} {} {} {}", number(lower.x()), number(lower.y()), number(upper.x() - lower.x()),
                      number(upper.y() - lower.y()));
@@ -64,45 +86,55 @@ std::string link_colour(int body) {
 
 std::string body_shape(const SceneBody& body, int number, const PictureScale& scale) {
   if (body.is_block)
-    return fmt::format("<rect {0} x=\"{1}\" y=\"{2}\" width=\"{3}\" height=\"{4}\"/>", look("block", scale),
-                       scale.number(-2.6 * scale.pin), scale.number(-1.7 * scale.pin),
-                       scale.number(5.2 * scale.pin), scale.number(3.4 * scale.pin));
+    return drawn("rect", "block", scale)
+        .with("x", scale.number(-2.6 * scale.pin))
+        .with("y", scale.number(-1.7 * scale.pin))
+        .with("width", scale.number(5.2 * scale.pin))
+        .with("height", scale.number(3.4 * scale.pin))
+        .text();
   std::string shape;
-  for (const auto& guide : body.guides)
-    shape += fmt::format("<path {} d=\"M{} L{}\"/>", look("guide", scale), scale.pair(guide.from),
-                         scale.pair(guide.to));
+  for (const auto& guide : body.guides) shape += path("guide", scale.line(guide.from, guide.to), scale);
   for (const auto& wheel : body.wheels)
-    shape += fmt::format("<circle {} cx=\"{}\" cy=\"{}\" r=\"{}\"/><path {} d=\"M{} L{}\"/>",
-                         look("wheel", scale), scale.number(wheel.centre.x()), scale.number(wheel.centre.y()),
-                         scale.number(wheel.radius), look("spoke", scale), scale.pair(wheel.centre),
-                         scale.pair(wheel.centre + Point(wheel.radius, 0)));
-  if (number > 0 && body.hull.size() > 1) {
-    shape += "<path " + look("link", scale) + " d=\"M";
-    for (std::size_t i = 0; i < body.hull.size(); ++i) shape += (i ? " L" : "") + scale.pair(body.hull[i]);
-    shape += body.hull.size() > 2 ? " Z\"/>" : "\"/>";
+    shape += circle("wheel", wheel.centre, wheel.radius, scale) +
+             path("spoke", scale.line(wheel.centre, wheel.centre + Point(wheel.radius, 0)), scale);
+  if (number == 0) return shape;
+  if (body.hull.size() > 1) {
+    std::string data;
+    for (const Point& corner : body.hull) data += (data.empty() ? "M" : " L") + scale.pair(corner);
+    shape += path("link", data + (body.hull.size() > 2 ? " Z" : ""), scale);
   }
-  if (number > 0)
-    for (const Point& pin : body.pins)
-      shape += fmt::format("<circle {} cx=\"{}\" cy=\"{}\" r=\"{}\"/>", look("pin", scale),
-                           scale.number(pin.x()), scale.number(pin.y()), scale.number(scale.pin));
+  for (const Point& pin : body.pins) shape += circle("pin", pin, scale.pin, scale);
   return shape;
+}
+
+SvgElement ground_group(const LinkageScene& scene, const PictureScale& scale) {
+  return SvgElement("g").with("color", link_colour(0)).holding(body_shape(scene.bodies[0], 0, scale));
+}
+
+std::string placement(const LinkageScene::Moment& moment, std::size_t body, const PictureScale& scale) {
+  return fmt::format("translate({}) rotate({:.5f})", scale.pair(moment.at[body]),
+                     degrees(moment.angle[body]));
 }
 
 std::string ground_sign(const ScenePoint& point, const PictureScale& scale) {
   const Point& at = point.local;
   const double s = 2.4 * scale.pin;
   if (!point.pivot)
-    return fmt::format("<path {} d=\"M{} l{} M{} l{}\"/>", look("hatch", scale),
-                       scale.pair(at - Point(0.4, 0.4) * s), scale.pair(Point(0.8, 0.8) * s),
-                       scale.pair(at + Point(-0.4, 0.4) * s), scale.pair(Point(0.8, -0.8) * s));
+    return path(
+        "hatch",
+        fmt::format("M{} l{} M{} l{}", scale.pair(at - Point(0.4, 0.4) * s), scale.pair(Point(0.8, 0.8) * s),
+                    scale.pair(at + Point(-0.4, 0.4) * s), scale.pair(Point(0.8, -0.8) * s)),
+        scale);
   std::string hatch;
   for (int i = -2; i <= 2; ++i)
     hatch += fmt::format("M{} l{} ", scale.pair(at + Point(i * 0.5 * s + 0.3 * s, 1.4 * s)),
                          scale.pair(Point(-0.45 * s, 0.45 * s)));
-  return fmt::format("<path {} d=\"M{} L{} L{} Z\"/><path {} d=\"M{} H{} {}\"/>", look("ground", scale),
-                     scale.pair(at), scale.pair(at + Point(-0.8 * s, 1.4 * s)),
-                     scale.pair(at + Point(0.8 * s, 1.4 * s)), look("hatch", scale),
-                     scale.pair(at + Point(-1.3 * s, 1.4 * s)), scale.number(at.x() + 1.3 * s), hatch);
+  const std::string triangle =
+      fmt::format("M{} L{} L{} Z", scale.pair(at), scale.pair(at + Point(-0.8 * s, 1.4 * s)),
+                  scale.pair(at + Point(0.8 * s, 1.4 * s)));
+  const std::string table = fmt::format("M{} H{} {}", scale.pair(at + Point(-1.3 * s, 1.4 * s)),
+                                        scale.number(at.x() + 1.3 * s), hatch);
+  return path("ground", triangle, scale) + path("hatch", table, scale);
 }
 
 std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale) {
@@ -110,23 +142,28 @@ std::string trace_curve(const LinkageScene& scene, std::size_t traced, const Pic
   std::string data;
   for (const auto& moment : scene.moments)
     data += (data.empty() ? "M" : " L") + scale.pair(scene.place(point, moment));
-  return fmt::format("<path {} stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"><title>{}</title></path>",
-                     look("trace", scale), link_colour(point.body), scale.number(1.4 * scale.stroke), data,
-                     html_escaped(point.name));
+  return drawn("path", "trace", scale)
+      .with("stroke", link_colour(point.body))
+      .with("stroke-width", scale.number(1.4 * scale.stroke))
+      .with("d", data)
+      .holding(SvgElement("title").saying(point.name).text())
+      .text();
 }
 
-std::string look(std::string_view kind, const PictureScale& scale) {
+SvgElement drawn(std::string_view element, std::string_view kind, const PictureScale& scale) {
   const auto found =
       std::find_if(looks.begin(), looks.end(), [&](const Look& one) { return one.kind == kind; });
-  std::string text = fmt::format("class=\"{}\" fill=\"{}\"", found->kind, found->fill);
+  SvgElement result(element);
+  result.with("class", found->kind).with("fill", found->fill);
   if (found->stroke != nullptr)
-    text += fmt::format(" stroke=\"{}\" stroke-width=\"{}\"", found->stroke,
-                        scale.number(found->width * scale.stroke));
+    result.with("stroke", found->stroke).with("stroke-width", scale.number(found->width * scale.stroke));
   if (found->dash > 0)
-    text += fmt::format(" stroke-dasharray=\"{} {}\"", scale.number(found->dash * scale.stroke),
-                        scale.number(0.8 * found->dash * scale.stroke));
-  if (kind == "name") text += fmt::format(" font-size=\"{}\"", scale.number(scale.letter));
-  return text + found->further;
+    result.with("stroke-dasharray", scale.number(found->dash * scale.stroke) + " " +
+                                        scale.number(0.8 * found->dash * scale.stroke));
+  if (kind == "name") result.with("font-size", scale.number(scale.letter));
+  for (const auto& [key, value] : found->further)
+    if (key != nullptr) result.with(key, value);
+  return result;
 }
 
 }  // namespace kempe

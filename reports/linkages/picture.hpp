@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "reports/linkages/scene.hpp"
+#include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
 
@@ -20,6 +21,8 @@ struct PictureScale {
   std::string view_box() const;
   std::string number(double value) const;
   std::string pair(const Point& p) const;  ///< "x,y"
+  /// A straight line as path data.
+  std::string line(const Point& from, const Point& to) const;
 };
 
 /// Colour of a link by its number, as a CSS colour; the ground is grey.
@@ -28,14 +31,20 @@ std::string link_colour(int body);
 /// A link in its own frame: hull or bar, wheels, guides, pins; for a <g>.
 std::string body_shape(const SceneBody& body, int number, const PictureScale& scale);
 
+/// The shape of the ground, which does not move.
+SvgElement ground_group(const LinkageScene& scene, const PictureScale& scale);
+
+/// An SVG transform: where a link is at a moment.
+std::string placement(const LinkageScene::Moment& moment, std::size_t body, const PictureScale& scale);
+
 /// The sign of a fixed pivot, or of a mere mark, in the table's frame.
 std::string ground_sign(const ScenePoint& point, const PictureScale& scale);
 
 /// The curve of a traced point as an SVG element.
 std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);
 
-/// How a kind of element looks (link, pin, block, guide, wheel, spoke, ground, hatch, trace, name), as its class and
-/// attributes: a page needs no style sheet for it, which its security policy would have to allow.
-std::string look(std::string_view kind, const PictureScale& scale);
+/// An element that looks like its kind (link, pin, block, guide, wheel, spoke, ground, hatch, trace, name): its class and
+/// attributes say how, so that a page needs no style sheet for it, which its security policy would have to allow.
+SvgElement drawn(std::string_view element, std::string_view kind, const PictureScale& scale);
 
 }  // namespace kempe

@@ -27,10 +27,6 @@ std::string text(double x, double y, std::string_view css, const std::string& wo
   return SvgElement("text").with("class", css).at("x", "y", {x, y}, 1).saying(words).line();
 }
 
-std::string path(std::string_view css, const std::string& data) {
-  return SvgElement("path").with("class", css).with("d", data).line();
-}
-
 std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const std::string& y_name) {
   std::string lines, figures;
   for (const double value : x.ticks()) {
@@ -42,15 +38,19 @@ std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const
     figures += text(x.from - 6, y.at(value) + 4, "tick end", number_text(value, 6));
   }
   const std::string beside = fmt::format("translate(12,{:.1f}) rotate(-90)", y.to);
-  return path("grid-line", lines) + figures + text(x.to, y.from + 36, "tick end", x_name) +
+  return svg_shape("grid-line", lines).line() + figures + text(x.to, y.from + 36, "tick end", x_name) +
          SvgElement("text").with("class", "tick end").with("transform", beside).saying(y_name).line();
 }
 
 std::string svg_chart(std::string_view title, const std::string& inside) {
-  return fmt::format(
-      "<svg class=\"chart\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\" "
-      "font-size=\"12\">\n{}</svg>\n",
-      title, chart_width, chart_height, inside);
+  return SvgElement("svg")
+      .with("class", "chart")
+      .with("role", "img")
+      .with("aria-label", title)
+      .with("viewBox", view_box(0, 0, chart_width, chart_height))
+      .with("font-size", "12")
+      .holding("\n" + inside)
+      .line();
 }
 
 template <class Value>
@@ -60,17 +60,31 @@ std::string curve(const std::vector<CopyErrorChart::Row>& rows, const Axis& x, c
   for (const CopyErrorChart::Row& row : rows)
     data += fmt::format("{}{:.1f},{:.1f}", data.empty() ? "M" : "L", x.at(degrees(row.opening)),
                         y.at(value(row)));
-  return path(fmt::format("curve {}", css), data);
+  return svg_shape(fmt::format("curve {}", css), data).line();
+}
+
+std::string used_openings(const OpeningInterval& used, const Axis& x) {
+  const double from = x.at(degrees(used.lower)), to = x.at(degrees(used.upper));
+  return SvgElement("rect")
+      .with("class", "used")
+      .with("x", fmt::format("{:.1f}", from))
+      .with("y", fmt::format("{:.1f}", top))
+      .with("width", fmt::format("{:.1f}", to - from))
+      .with("height", fmt::format("{:.1f}", chart_height - bottom - top))
+      .line();
 }
 
 }  // namespace
 
 std::string share_bar(double share) {
-  return fmt::format(
-      "<svg class=\"bar\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect "
-      "width=\"{:.1f}\" "
-      "height=\"8\"/></svg>",
-      100 * std::clamp(share, 0.0, 1.0));
+  const std::string width = fmt::format("{:.1f}", 100 * std::clamp(share, 0.0, 1.0));
+  return SvgElement("svg")
+      .with("class", "bar")
+      .with("viewBox", view_box(0, 0, 100, 8))
+      .with("preserveAspectRatio", "none")
+      .with("aria-hidden", "true")
+      .holding(SvgElement("rect").with("width", width).with("height", "8").text())
+      .text();
 }
 
 std::string copy_error_chart(const CopyErrorChart& chart) {
@@ -82,14 +96,11 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
       axis_over(degrees(rows.front().opening), degrees(rows.back().opening), 6, left, chart_width - right);
   const Axis y = whole_axis(0, most, chart_height - bottom, top);
   std::string inside;
-  if (!chart.used.empty())
-    inside += fmt::format(
-        "<rect class=\"used\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
-        x.at(degrees(chart.used.lower)), top,
-        x.at(degrees(chart.used.upper)) - x.at(degrees(chart.used.lower)), chart_height - bottom - top);
+  if (!chart.used.empty()) inside += used_openings(chart.used, x);
   inside += frame(x, y, "opening, °", "copy error, mm");
   if (chart.limit && *chart.limit <= y.upper)
-    inside += path("curve limit", fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(*chart.limit), x.to));
+    inside += svg_shape("curve limit", fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(*chart.limit), x.to))
+                  .line();
   inside += curve(rows, x, y, "worst", [](const CopyErrorChart::Row& r) { return r.worst; });
   inside += curve(rows, x, y, "rss", [](const CopyErrorChart::Row& r) { return r.rss; });
   return "<figure class=\"chart-figure\">" + svg_chart("Copy error over the opening", inside) +
@@ -120,7 +131,7 @@ std::string pareto_chart(const ParetoFront& front) {
   return svg_chart(
       "The front between the two objectives",
       frame(x, y, front.first_name + ", " + front.first_unit, front.second_name + ", " + front.second_unit) +
-          path("curve front", line) + marks);
+          svg_shape("curve front", line).line() + marks);
 }
 
 }  // namespace kempe

@@ -9,6 +9,7 @@
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/picture_labels.hpp"
+#include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 
 namespace kempe::report_sections {
@@ -56,11 +57,6 @@ LyingLink lying(Link link, const Design& design, const Pose& pose) {
   return part;
 }
 
-std::string text(std::string_view css, const Point& at, const std::string& words) {
-  return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" dy=\".35em\">{}</text>\n", css, coordinate(at.x()),
-                     coordinate(-at.y()), words);
-}
-
 /// Letters at the holes and a dimension on every distance between two of them.
 std::string words(const LyingLink& part, const Design& design, const PictureBox& frame, double unit) {
   LabelPlacer placer(frame, unit);
@@ -75,7 +71,7 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
     const Point away = part.holes[i] - centre;
     const Point at = placer.place_around(part.holes[i], design.style.width / 2, Point(6, 7) * unit,
                                          away.norm() > 0 ? away : Point(0, 1));
-    svg += text("letter", at, std::string(1, letter(part.joints[i])));
+    svg += svg_words("letter", at).saying(std::string(1, letter(part.joints[i]))).line();
   }
   for (std::size_t i = 0; i < part.holes.size(); ++i)
     for (std::size_t j = i + 1; j < part.holes.size(); ++j) {
@@ -87,8 +83,8 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
         characters += 4;
       }
       const Point half = Point(3.8 * characters, 7) * unit;
-      svg += text("size", placer.place_beside({0.5 * (part.holes[i] + part.holes[j]), clear_of_body}, half),
-                  figure);
+      const PictureBox side{0.5 * (part.holes[i] + part.holes[j]), clear_of_body};
+      svg += svg_words("size", placer.place_beside(side, half)).saying(figure).line();
     }
   return svg;
 }
@@ -96,22 +92,23 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
 std::string picture(const LyingLink& part, const Design& design, double unit) {
   const Point room = Point(0.5 * nominal_width, 0.5 * (part.upper.y() - part.lower.y()) / unit + 42) * unit;
   const PictureBox frame{0.5 * (part.lower + part.upper), room};
-  std::string inside = fmt::format("<path class=\"body\" d=\"{}\"/>\n", svg_path(part.outline, 0));
+  std::string inside = svg_shape("body", svg_path(part.outline, 0)).line();
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     for (std::size_t j = i + 1; j < part.holes.size(); ++j)
-      inside += fmt::format("<path class=\"line\" d=\"{}\"/>\n", svg_line({part.holes[i], part.holes[j]}));
-    inside +=
-        fmt::format("<circle class=\"hole\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", coordinate(part.holes[i].x()),
-                    coordinate(-part.holes[i].y()), coordinate(design.style.pin_diameter / 2));
+      inside += svg_shape("line", svg_line({part.holes[i], part.holes[j]})).line();
+    inside += svg_disc("hole", part.holes[i], design.style.pin_diameter / 2).line();
   }
+  const SvgElement svg =
+      SvgElement("svg")
+          .with("role", "img")
+          .with("aria-label", fmt::format("Link {} with its dimensions", name(part.link)))
+          .with("viewBox", view_box(frame.lower().x(), -frame.upper().y(), 2 * room.x(), 2 * room.y()))
+          .with("font-size", 13 * unit, 5)
+          .holding("\n" + inside + words(part, design, frame, unit));
   return fmt::format(
-      "<figure><svg role=\"img\" aria-label=\"Link {0} with its dimensions\" viewBox=\"{1} {2} {3} {4}\" "
-      "font-size=\"{5}\">\n{6}</svg>\n"
-      "<figcaption><b>{0}</b>, layer {7}, {8} thick, holes for pins of {9}</figcaption></figure>\n",
-      name(part.link), coordinate(frame.lower().x()), coordinate(-frame.upper().y()),
-      coordinate(2 * room.x()), coordinate(2 * room.y()), coordinate(13 * unit, 5),
-      inside + words(part, design, frame, unit), design.layers[part.link],
-      length_text(design.style.thickness), length_text(design.style.pin_diameter));
+      "<figure>{}<figcaption><b>{}</b>, layer {}, {} thick, holes for pins of {}</figcaption></figure>\n",
+      svg.line(), name(part.link), design.layers[part.link], length_text(design.style.thickness),
+      length_text(design.style.pin_diameter));
 }
 
 std::string dimensioned_links(const Design& design) {

@@ -9,6 +9,7 @@
 #include "reports/page/html_table.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
+#include "reports/pictures/svg_element.hpp"
 #include "synthesis/design/copy_overlap.hpp"
 
 namespace kempe::report_sections {
@@ -135,6 +136,26 @@ std::string key_figures(const Design& design) {
   return "<dl class=\"keys\">\n" + html + "</dl>\n";
 }
 
+namespace {
+
+/// A layer as the map draws it, for the legend.
+std::string swatch(const MapLayer& layer) {
+  const SvgElement patch = SvgElement("rect")
+                               .with("class", layer.group == "lost" ? "lost" : "area")
+                               .at("x", "y", {1, 1})
+                               .with("width", 22)
+                               .with("height", 14)
+                               .with("rx", 2);
+  return SvgElement("svg")
+      .with("class", "swatch m-" + layer.id)
+      .with("viewBox", view_box(0, 0, 24, 16))
+      .with("aria-hidden", "true")
+      .holding(patch.text())
+      .text();
+}
+
+}  // namespace
+
 std::string map(const MapPicture& picture, bool live) {
   static constexpr std::array<std::array<std::string_view, 2>, 3> groups{
       {{"things", "Shown"}, {"map", "Where the tracer can be"}, {"lost", "Lost, and why"}}};
@@ -144,13 +165,9 @@ std::string map(const MapPicture& picture, bool live) {
     for (const MapLayer& layer : picture.layers)
       if (layer.group == group)
         entries += fmt::format(
-            "<li><label><input type=\"checkbox\" id=\"layer-{0}\"{1}><svg class=\"swatch m-{0}\" viewBox=\"0 "
-            "0 24 16\" "
-            "aria-hidden=\"true\"><rect class=\"{2}\" x=\"1\" y=\"1\" width=\"22\" height=\"14\" "
-            "rx=\"2\"/></svg>"
-            "<span>{3}</span><span class=\"figure\">{4}</span></label></li>\n",
-            layer.id, layer.shown ? " checked" : "", layer.group == "lost" ? "lost" : "area",
-            html_escaped(layer.label), layer.figure);
+            "<li><label><input type=\"checkbox\" id=\"layer-{}\"{}>{}<span>{}</span><span "
+            "class=\"figure\">{}</span></label></li>\n",
+            layer.id, layer.shown ? " checked" : "", swatch(layer), html_escaped(layer.label), layer.figure);
     if (!entries.empty()) legend += fmt::format("<h3>{}</h3>\n<ul>\n{}</ul>\n", heading, entries);
   }
   const std::string board = "<div class=\"board\" id=\"board\">\n" + picture.svg +

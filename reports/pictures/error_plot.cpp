@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "reports/pictures/axis.hpp"
-#include "reports/pictures/html_text.hpp"
 #include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
@@ -53,13 +52,14 @@ std::string error_plot_svg(const ErrorPlot& plot) {
   const double reach = largest > 0 ? 1.15 * largest : 1;
   const Axis x = axis_over(plot.curve.front().first, plot.curve.back().first, 8, left, width - right);
   const Axis y = axis_over(-reach, reach, 8, height - bottom, top);
-  std::string svg = fmt::format(
-      "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}' "
-      "font-family='sans-serif' "
-      "font-size='12'>\n<style>.grid{{stroke:#ddd}}.zero{{stroke:#555}}text{{fill:#222}}</style>\n"
-      "<rect width='100%' height='100%' fill='#fff'/>\n<text x='{2}' y='26' font-size='15' "
-      "font-weight='bold'>{3}</text>\n",
-      width, height, left, html_escaped(plot.title));
+  std::string svg = SvgElement("style").holding(".grid{stroke:#ddd}.zero{stroke:#555}text{fill:#222}").line();
+  svg += SvgElement("rect").with("width", "100%").with("height", "100%").with("fill", "#fff").line();
+  svg += SvgElement("text")
+             .at("x", "y", {left, 26})
+             .with("font-size", 15)
+             .with("font-weight", "bold")
+             .saying(plot.title)
+             .line();
   svg += ticks(x, y);
   std::string points;
   for (const auto& [at, error] : plot.curve) points += fmt::format("{:.2f},{:.2f} ", x.at(at), y.at(error));
@@ -77,7 +77,14 @@ std::string error_plot_svg(const ErrorPlot& plot) {
                .with("stroke", "#c0392b")
                .with("stroke-width", 2)
                .line();
-  return svg + labels(plot) + "</svg>\n";
+  return svg_root()
+      .with("width", width)
+      .with("height", height)
+      .with("viewBox", view_box(0, 0, width, height))
+      .with("font-family", "sans-serif")
+      .with("font-size", 12)
+      .holding("\n" + svg + labels(plot))
+      .line();
 }
 
 }  // namespace kempe

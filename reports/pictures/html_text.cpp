@@ -97,21 +97,21 @@ std::string number_text(double value, int decimals) {
   return text;
 }
 
-std::string length_text(double mm, int decimals) {
-  return fmt::format("{}{}mm", number_text(mm, decimals), no_break_space);
+std::string length_text(double length, int decimals) {
+  return fmt::format("{}{}mm", number_text(length, decimals), no_break_space);
 }
 
-std::string angle_text(double rad, int decimals) { return number_text(degrees(rad), decimals) + "°"; }
+std::string angle_text(double angle, int decimals) { return number_text(degrees(angle), decimals) + "°"; }
 
-std::string area_text(double mm2) {
-  if (std::abs(mm2) < 100) return fmt::format("{}{}mm²", number_text(mm2, 1), no_break_space);
-  return fmt::format("{}{}cm²", number_text(mm2 / 100, std::abs(mm2) < 10000 ? 2 : 1), no_break_space);
+std::string area_text(double area) {
+  if (std::abs(area) < 100) return fmt::format("{}{}mm²", number_text(area, 1), no_break_space);
+  return fmt::format("{}{}cm²", number_text(area / 100, std::abs(area) < 10000 ? 2 : 1), no_break_space);
 }
 
-std::string residual_text(double mm) {
-  if (mm == 0) return fmt::format("0{}mm", no_break_space);
-  if (std::abs(mm) >= 1e-3) return length_text(mm);
-  const std::string text = fmt::format("{:.1e}", mm);  // rounds before the exponent is chosen
+std::string residual_text(double length) {
+  if (length == 0) return fmt::format("0{}mm", no_break_space);
+  if (std::abs(length) >= 1e-3) return length_text(length);
+  const std::string text = fmt::format("{:.1e}", length);  // rounds before the exponent is chosen
   const std::size_t e = text.find('e');
   double mantissa = 0;  // not by stod: it obeys the locale's decimal comma
   std::from_chars(text.data(), text.data() + e, mantissa);

@@ -23,13 +23,13 @@ std::string number_text(double value, int decimals);
 std::string coordinate(double value, int decimals = 3);
 
 /// "12.34 mm" with a no-break space.
-std::string length_text(double mm, int decimals = 3);
+std::string length_text(double length, int decimals = 3);
 /// "90°" from radians.
-std::string angle_text(double rad, int decimals = 2);
+std::string angle_text(double angle, int decimals = 2);
 /// "53.2 cm²", or mm² below 100 mm².
-std::string area_text(double mm2);
+std::string area_text(double area);
 /// A small figure with two digits: "3.1·10⁻¹³ mm".
-std::string residual_text(double mm);
+std::string residual_text(double length);
 /// "12 345": digits in groups of three with narrow no-break spaces.
 std::string count_text(unsigned long long count);
 

@@ -13,6 +13,7 @@
 #include "reports/pictures/mechanism_picture.hpp"
 #include "reports/pictures/picture_labels.hpp"
 #include "reports/pictures/round_step.hpp"
+#include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "workspace/obstacles.hpp"
@@ -88,11 +89,12 @@ std::string shortened(const std::string& name) {
 }
 
 std::string path_element(std::string_view css, const std::string& data) {
-  return data.empty() ? std::string() : fmt::format("<path class=\"{}\" d=\"{}\"/>\n", css, data);
+  return data.empty() ? std::string() : svg_shape(css, data).line();
 }
 
 std::string group(std::string_view id, const std::string& inside) {
-  return inside.empty() ? std::string() : fmt::format("<g class=\"m-{}\">\n{}</g>\n", id, inside);
+  if (inside.empty()) return {};
+  return SvgElement("g").with("class", fmt::format("m-{}", id)).holding("\n" + inside).line();
 }
 
 /// Inside a sheet, `inset` (mm) under the middle of its uppermost side, where its name stands.
@@ -238,17 +240,23 @@ std::string Picture::defs() const {
                                                  {"uncertain", 60, 4, 2},
                                                  {"thing", -45, 5, 1.6}}};
   const auto pattern = [](const Hatch& hatch, std::string_view prefix, double unit) {
-    return fmt::format(
-        "<pattern id=\"{4}-{0}\" class=\"hatch-{0}\" width=\"{1}\" height=\"{1}\" "
-        "patternUnits=\"userSpaceOnUse\" "
-        "patternTransform=\"rotate({2})\"><rect width=\"{1}\" height=\"{1}\" class=\"ground\"/>"
-        "<path d=\"M0,0V{1}\" stroke-width=\"{3}\"/></pattern>\n",
-        hatch.id, coordinate(hatch.step * unit, 5), hatch.turn, coordinate(hatch.stroke * unit, 5), prefix);
+    const std::string step = coordinate(hatch.step * unit, 5);
+    return SvgElement("pattern")
+        .with("id", fmt::format("{}-{}", prefix, hatch.id))
+        .with("class", fmt::format("hatch-{}", hatch.id))
+        .with("width", step)
+        .with("height", step)
+        .with("patternUnits", "userSpaceOnUse")
+        .with("patternTransform", fmt::format("rotate({})", hatch.turn))
+        .holding(SvgElement("rect").with("width", step).with("height", step).with("class", "ground").text())
+        .holding(
+            SvgElement("path").with("d", "M0,0V" + step).with("stroke-width", hatch.stroke * unit, 5).text())
+        .line();
   };
   std::string patterns;
   for (const Hatch& hatch : hatches)
     patterns += pattern(hatch, "hatch", view_.unit) + pattern(hatch, "swatch", 0.8);
-  return "<defs>\n" + patterns + "</defs>\n";
+  return SvgElement("defs").holding("\n" + patterns).line();
 }
 
 std::string Picture::grid() const {
@@ -279,8 +287,7 @@ std::string Picture::scale_bar() const {
 }
 
 std::string Picture::text(std::string_view css, const Point& at, const std::string& inside) const {
-  return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" dy=\".35em\">{}</text>\n", css, coordinate(at.x()),
-                     coordinate(-at.y()), inside);
+  return svg_words(css, at).holding(inside).line();
 }
 
 std::string Picture::lost_areas() {
@@ -291,8 +298,11 @@ std::string Picture::lost_areas() {
     for (const LostArea& part : design_.map.lost) {
       if (part.cause != words.cause || part.area.empty()) continue;
       lost += area(part.area);
-      paths += fmt::format("<path class=\"lost\" data-why=\"{}\" d=\"{}\"/>\n", html_escaped(why_lost(part)),
-                           svg_path(part.area, detail()));
+      paths += SvgElement("path")
+                   .with("class", "lost")
+                   .with("data-why", why_lost(part))
+                   .with("d", svg_path(part.area, detail()))
+                   .line();
     }
     if (paths.empty()) continue;
     svg += group(words.id, paths);
@@ -373,8 +383,7 @@ std::string Picture::contours(const std::vector<ContourCircle>& circles,
   std::vector<double> named;  // figures need room on the line
   for (const ContourCircle& circle : circles) {
     const double radius = circle.radius;
-    lines += fmt::format("<circle class=\"contour\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", coordinate(pole.x()),
-                         coordinate(-pole.y()), coordinate(radius));
+    lines += svg_disc("contour", pole, radius).line();
     if (std::any_of(named.begin(), named.end(),
                     [&](double other) { return std::abs(other - radius) < 20 * view_.unit; }))
       continue;
@@ -413,8 +422,11 @@ std::string Picture::joint_labels(LabelPlacer& placer) const {
                          (1.2 + (what.empty() ? 0.0 : 0.5 + 0.86 * static_cast<double>(what.size())));
     const Point at =
         placer.place_around(pose_[joint], radius, Point(width / 2, letter_size / 2) * u, free_side(joint));
-    std::string words = fmt::format("<tspan class=\"letter\">{}</tspan>", letter(joint));
-    if (!what.empty()) words += fmt::format(" <tspan class=\"role\">{}</tspan>", what);
+    const auto span = [](std::string_view css, std::string_view said) {
+      return SvgElement("tspan").with("class", css).saying(said).text();
+    };
+    std::string words = span("letter", std::string(1, letter(joint)));
+    if (!what.empty()) words += " " + span("role", what);
     svg += text(fmt::format("joint {}", what), at, words);
   }
   return group("names", svg);
@@ -471,7 +483,7 @@ std::string Picture::labels() const {
     if (i == 0 || obstacle_name(design_.obstacles, i - 1) != words)
       beside(Region{{design_.obstacles[i].shape}}, "obstacles", shortened(words));
   }
-  return fmt::format("<g class=\"words\">\n{}</g>\n", svg);
+  return SvgElement("g").with("class", "words").holding("\n" + svg).line();
 }
 
 MapPicture Picture::draw() {
@@ -481,15 +493,18 @@ MapPicture Picture::draw() {
   inside += mechanism_svg(design_, pose_, u) + labels() + scale_bar();
   layer("mechanism", "Linkage", "", "things");
   layer("grid", "Grid, mm", "", "things");
-  std::string svg = fmt::format(
-      "<svg class=\"map\" id=\"map\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
-      "aria-labelledby=\"map-title\" "
-      "viewBox=\"{} {} {} {}\" font-size=\"{}\">\n<title id=\"map-title\">The linkage on its workspace map, "
-      "seen from "
-      "above</title>\n{}</svg>\n",
-      coordinate(view_.left), coordinate(view_.top), coordinate(view_.width), coordinate(view_.height),
-      coordinate(letter_size * u, 5), inside);
-  return {svg, view_, layers_, tracer_, detail()};
+  const SvgElement title =
+      SvgElement("title").with("id", "map-title").saying("The linkage on its workspace map, seen from above");
+  const SvgElement svg = SvgElement("svg")
+                             .with("class", "map")
+                             .with("id", "map")
+                             .with("xmlns", svg_namespace)
+                             .with("role", "img")
+                             .with("aria-labelledby", "map-title")
+                             .with("viewBox", view_box(view_.left, view_.top, view_.width, view_.height))
+                             .with("font-size", letter_size * u, 5)
+                             .holding("\n" + title.line() + inside);
+  return {svg.line(), view_, layers_, tracer_, detail()};
 }
 
 Point centroid(const Ring& ring) {

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 
-#include "reports/pictures/html_text.hpp"
+#include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 
 namespace kempe {
 namespace {
 
-/// A link as two strokes over its axis: the rim and, narrower, the face. Round caps and joins make exactly
-/// the outline of the part: its axis grown by half its width.
 std::string link_svg(Link link, const Design& design, const Pose& pose, double unit) {
   std::vector<Point> axis;
   for (const Joint joint : body_line(link)) axis.push_back(pose[joint]);
@@ -19,34 +17,36 @@ std::string link_svg(Link link, const Design& design, const Pose& pose, double u
   const bool filled = design.style.plate == PlateStyle::triangle && axis.size() == 3;
   if (filled) path += "Z";
   const double width = drawn_width(design.style, unit);
-  return fmt::format(
-      "<g class=\"link layer-{} {}\"><title>link {}, layer {}</title><path class=\"rim\" d=\"{}\" "
-      "stroke-width=\"{}\"/>"
-      "<path class=\"face\" d=\"{}\" stroke-width=\"{}\"/></g>\n",
-      design.layers.rank(link), filled ? "filled" : "open", name(link), design.layers[link], path,
-      coordinate(width), path, coordinate(width - std::min(2.4 * unit, 0.5 * width)));
-}
-
-std::string disc(std::string_view css, const Point& at, double radius) {
-  return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", css, coordinate(at.x()),
-                     coordinate(-at.y()), coordinate(radius));
+  const std::string css =
+      fmt::format("link layer-{} {}", design.layers.rank(link), filled ? "filled" : "open");
+  const SvgElement title =
+      SvgElement("title").saying(fmt::format("link {}, layer {}", name(link), design.layers[link]));
+  return SvgElement("g")
+      .with("class", css)
+      .holding(title.text() + rim_and_face(path, width, width - std::min(2.4 * unit, 0.5 * width)))
+      .line();
 }
 
 std::string joint_svg(const CopyingLinkage& linkage, Joint joint, const Point& at, double radius) {
   const std::string_view what = role(linkage, joint);
-  if (what.empty()) return disc("pin", at, radius) + "\n";
-  std::string svg = disc(fmt::format("mark {}", what), at, 1.55 * radius) +
-                    disc(fmt::format("core {}", what), at, 0.6 * radius);
+  if (what.empty()) return svg_disc("pin", at, radius).line();
+  std::string svg = svg_disc(fmt::format("mark {}", what), at, 1.55 * radius).text() +
+                    svg_disc(fmt::format("core {}", what), at, 0.6 * radius).text();
   if (what == "pole") {  // fixed to the table: a cross in the disc
     const double arm = 1.55 * radius;
-    svg +=
-        fmt::format("<path class=\"cross\" d=\"{}{}\"/>", svg_line({at - Point(arm, 0), at + Point(arm, 0)}),
-                    svg_line({at - Point(0, arm), at + Point(0, arm)}));
+    svg += svg_shape("cross", svg_line({at - Point(arm, 0), at + Point(arm, 0)}) +
+                                  svg_line({at - Point(0, arm), at + Point(0, arm)}))
+               .text();
   }
   return svg + "\n";
 }
 
 }  // namespace
+
+std::string rim_and_face(const std::string& axis, double rim, double face) {
+  return svg_shape("rim", axis).with("stroke-width", rim).text() +
+         svg_shape("face", axis).with("stroke-width", face).text();
+}
 
 std::string_view role(const CopyingLinkage& linkage, Joint joint) {
   if (joint == linkage.pole_joint()) return "pole";
@@ -84,11 +84,11 @@ std::string mechanism_svg(const Design& design, const Pose& pose, double unit) {
   std::array<Link, 4> upward = all_links;
   std::stable_sort(upward.begin(), upward.end(),
                    [&](Link a, Link b) { return design.layers[a] < design.layers[b]; });
-  std::string svg = "<g class=\"m-mechanism\">\n";
+  std::string svg = "\n";
   for (const Link link : upward) svg += link_svg(link, design, pose, unit);
   const double radius = drawn_pin_radius(design.style, unit);
   for (const Joint joint : all_joints) svg += joint_svg(design.linkage, joint, pose[joint], radius);
-  return svg + "</g>\n";
+  return SvgElement("g").with("class", "m-mechanism").holding(svg).line();
 }
 
 }  // namespace kempe

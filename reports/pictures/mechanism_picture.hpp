@@ -22,6 +22,10 @@ double drawn_pin_radius(const LinkStyle& style, double unit);
 /// The corners of a sheet, counter-clockwise, mm.
 Ring corners(const FittingSheet& sheet);
 
+/// A link as two strokes over its axis (path data), rim and face so wide. Round caps and joins make exactly the outline of
+/// the part: its axis grown by half its width.
+std::string rim_and_face(const std::string& axis, double rim, double face);
+
 /// The group <g class="m-mechanism">.
 std::string mechanism_svg(const Design& design, const Pose& pose, double unit);
 

@@ -29,4 +29,24 @@ std::string SvgElement::text() const {
   return inside_.empty() ? start + "/>" : start + ">" + inside_ + "</" + name_ + ">";
 }
 
+std::string svg_file(const SvgElement& root) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + root.line();
+}
+
+std::string view_box(double left, double top, double width, double height) {
+  return coordinate(left) + " " + coordinate(top) + " " + coordinate(width) + " " + coordinate(height);
+}
+
+SvgElement svg_words(std::string_view css, const Point& at) {
+  return SvgElement("text").with("class", css).at("x", "y", {at.x(), -at.y()}).with("dy", ".35em");
+}
+
+SvgElement svg_disc(std::string_view css, const Point& at, double radius) {
+  return SvgElement("circle").with("class", css).at("cx", "cy", {at.x(), -at.y()}).with("r", radius);
+}
+
+SvgElement svg_shape(std::string_view css, std::string_view data) {
+  return SvgElement("path").with("class", css).with("d", data);
+}
+
 }  // namespace kempe

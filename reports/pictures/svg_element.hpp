@@ -32,4 +32,20 @@ class SvgElement {
   std::string name_, attributes_, inside_;
 };
 
+inline constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
+/// The outermost element of an SVG file.
+inline SvgElement svg_root() { return SvgElement("svg").with("xmlns", svg_namespace); }
+
+/// The text of a file with this root.
+std::string svg_file(const SvgElement& root);
+
+/// "left top width height", as a viewBox says it.
+std::string view_box(double left, double top, double width, double height);
+
+/// In a picture whose y runs upward, as the table's: words about a place, and a circle.
+SvgElement svg_words(std::string_view css, const Point& at);
+SvgElement svg_disc(std::string_view css, const Point& at, double radius);
+/// A path of this class.
+SvgElement svg_shape(std::string_view css, std::string_view data);
+
 }  // namespace kempe
