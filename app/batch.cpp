@@ -295,9 +295,12 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
     return fail(session, *clash);
   auto ranks = Ranks::join();
   if (!ranks) return fail(session, failed, ranks.error());
-  auto journal = BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()), is_batch_result);
+  auto journal =
+      BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()), KEMPE_VERSION, is_batch_result);
   // Either all processes go on or none: one that left alone would keep the others waiting.
   if (ranks->anyone(!journal)) return journal ? cannot_write : fail(session, cannot_write, journal.error());
+  if (ranks->anyone(journal->foreign_line().has_value()))
+    return journal->foreign_line() ? fail(session, *journal->foreign_line()) : bad_input;
   if (ranks->rank() == 0) tell_passed_over(*journal);
   BatchRun run(session, arguments, *tasks, *ranks, *journal);
   ranks->wait_for_all();  // nobody writes before everybody has read what earlier runs finished

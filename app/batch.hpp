@@ -2,7 +2,6 @@
 // Many specs in one run: resumable, on several threads, on several machines.
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -17,7 +16,7 @@ struct BatchArguments {
   std::string folder;  ///< results.jsonl, results.csv and the journals go here
   int jobs = 1;        ///< threads
   std::uint64_t seed = 1;
-  double time_limit = std::numeric_limits<double>::infinity();  ///< s, of each spec
+  double time_limit = Deadline::unlimited;  ///< s, of each spec
 };
 
 struct BatchTask {

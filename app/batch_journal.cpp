@@ -11,7 +11,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "specs/text/json_text.hpp"
@@ -56,20 +55,28 @@ bool ends_whole(int file) {
   return size <= 0 || (::pread(file, &last, 1, size - 1) == 1 && last == '\n');
 }
 
-std::string checksum(const std::string& key, const std::string& result) {
-  return text_key(key + "\n" + result);
+/// Of the lines themselves: raised when what stands in them changes its meaning.
+constexpr std::string_view format = "kempe-batch/2";
+
+struct Record {
+  std::string version, key, result;
+};
+
+std::string checksum(const Record& record) {
+  const std::string version = record.version.empty() ? "" : record.version + "\n";  // the first had none
+  return text_key(version + record.key + "\n" + record.result);
 }
 
-/// A journal's line as it was recorded; nothing if it is anything else.
-std::optional<std::pair<std::string, std::string>> record_of(const std::string& line) {
+/// A journal's line as it was recorded, by whichever version; nothing if it is anything else.
+std::optional<Record> record_of(const std::string& line) {
   const auto sound = parse_json(line, "journal");
   if (!sound || !sound->is_object()) return std::nullopt;
   const auto text_at = [&](const char* name) {
     const auto found = sound->find(name);
     return found != sound->end() && found->is_string() ? found->get<std::string>() : std::string();
   };
-  std::pair<std::string, std::string> record{text_at("key"), text_at("result")};
-  if (text_at("check") != checksum(record.first, record.second)) return std::nullopt;
+  Record record{text_at("version"), text_at("key"), text_at("result")};
+  if (text_at("check") != checksum(record)) return std::nullopt;
   return record;
 }
 
@@ -86,7 +93,7 @@ bool write_all(int file, std::string_view text) {
 }  // namespace
 
 tl::expected<BatchJournal, std::string> BatchJournal::open(const fs::path& folder, const std::string& name,
-                                                           IsResult is_result) {
+                                                           std::string_view program, IsResult is_result) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -94,7 +101,7 @@ tl::expected<BatchJournal, std::string> BatchJournal::open(const fs::path& folde
   const fs::path path = folder / ("journal-" + name + ".jsonl");
   const auto file = open_journal(path);
   if (!file) return tl::unexpected(file.error());
-  BatchJournal journal(folder, *file, is_result);
+  BatchJournal journal(folder, *file, fmt::format("{} {}", format, program), is_result);
   if (!ends_whole(*file) && !write_all(*file, "\n"))
     return tl::unexpected("cannot write " + printable(path.string()) + ": " + std::strerror(errno));
   journal.read_all();
@@ -102,7 +109,8 @@ tl::expected<BatchJournal, std::string> BatchJournal::open(const fs::path& folde
 }
 
 BatchJournal::BatchJournal(BatchJournal&& other) noexcept
-    : folder_(std::move(other.folder_)), file_(other.file_), is_result_(other.is_result_),
+    : folder_(std::move(other.folder_)), file_(other.file_), version_(std::move(other.version_)),
+      is_result_(other.is_result_), foreign_line_(std::move(other.foreign_line_)),
       passed_over_(std::move(other.passed_over_)), results_(std::move(other.results_)) {
   other.file_ = -1;
 }
@@ -117,7 +125,8 @@ const std::string* BatchJournal::result(const std::string& key) const {
 }
 
 tl::expected<void, std::string> BatchJournal::record(const std::string& key, const std::string& result) {
-  const nlohmann::ordered_json line{{"key", key}, {"result", result}, {"check", checksum(key, result)}};
+  const nlohmann::ordered_json line{
+      {"version", version_}, {"key", key}, {"result", result}, {"check", checksum({version_, key, result})}};
   const std::lock_guard lock(mutex_);
   if (!write_all(file_, line.dump() + "\n") || ::fdatasync(file_) != 0)
     return tl::unexpected("cannot write the journal in " + printable(folder_.string()) + ": " +
@@ -128,17 +137,29 @@ tl::expected<void, std::string> BatchJournal::record(const std::string& key, con
 
 void BatchJournal::read_all() {
   passed_over_.clear();
+  foreign_line_.reset();
   for (const fs::path& path : journals_of(folder_)) {
     std::ifstream stream(path, std::ios::binary);
     int number = 0;
     for (std::string line; std::getline(stream, line);) {
       ++number;
-      if (line.empty()) continue;
-      if (auto record = record_of(line); record && is_result_(record->second))
-        results_[std::move(record->first)] = std::move(record->second);
-      else
-        passed_over_.push_back(fmt::format("{}:{}", path.string(), number));
+      if (!line.empty()) read_line(line, path.string(), number);
     }
+  }
+}
+
+void BatchJournal::read_line(const std::string& line, const std::string& file, int number) {
+  const auto record = record_of(line);
+  if (record && record->version != version_) {
+    if (!foreign_line_)
+      foreign_line_ =
+          InputError{file, number, "version",
+                     record->version.empty() ? "none, as older versions wrote" : record->version,
+                     version_ + "; give another folder to -o, or remove the journals in this one"};
+  } else if (record && is_result_(record->result)) {
+    results_[record->key] = record->result;
+  } else {
+    passed_over_.push_back(fmt::format("{}:{}", file, number));
   }
 }
 

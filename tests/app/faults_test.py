@@ -567,6 +567,35 @@ class Batches(Case):
             self.assertEqual(self.batch(source).returncode, 0)
             self.assertEqual((self.out / "results.jsonl").read_bytes(), whole)
 
+    def test_a_journal_of_another_version_is_refused(self):
+        def check(*texts):  # FNV-1a, 64 bit
+            value = 0xCBF29CE484222325
+            for byte in "\n".join(texts).encode():
+                value = (value ^ byte) * 0x100000001B3 % 2**64
+            return f"{value:016x}"
+        source = self.lines(self.SPEC_LINE)
+        self.assertEqual(self.batch(source).returncode, 0)
+        whole = (self.out / "results.jsonl").read_bytes()
+        journal = self.out / "journal-0.jsonl"
+        ours = journal.read_text()
+        record = json.loads(ours)
+        self.assertEqual(record["check"], check(record["version"], record["key"], record["result"]))
+        unversioned = {"key": record["key"], "result": record["result"], "check": check(record["key"], record["result"])}
+        later = {"version": "kempe-batch/3 9.0", "key": record["key"], "result": record["result"],
+                 "check": check("kempe-batch/3 9.0", record["key"], record["result"])}
+        for name, said, other in (("older", "older versions", unversioned), ("later", "kempe-batch/3 9.0", later)):
+            for file, number in (("journal-0.jsonl", 2), ("journal-4.jsonl", 1)):
+                with self.subTest(name, file=file):
+                    (self.out / "results.jsonl").write_bytes(b"before\n")
+                    before = ours if file == "journal-0.jsonl" else ""
+                    (self.out / file).write_text(before + json.dumps(other) + "\n")
+                    self.assertTold(self.batch(source), 2, f"{file}:{number}", "version", said, record["version"])
+                    self.assertEqual((self.out / "results.jsonl").read_bytes(), b"before\n")
+                    (self.out / file).unlink()
+                    journal.write_text(ours)
+        self.assertEqual(self.batch(source).returncode, 0)
+        self.assertEqual((self.out / "results.jsonl").read_bytes(), whole)
+
     def test_a_journal_is_a_regular_file(self):
         source = self.lines(self.SPEC_LINE)
         elsewhere = self.scratch / "elsewhere"
