@@ -197,9 +197,30 @@ void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) 
                                error->worst, limit)});
 }
 
+/// The file of a given mechanism may say that the region is not covered; that of a search, which names what was sought or
+/// allowed, may not.
+bool claims_to_cover(const StoredDesign& design) {
+  return design.region.empty() || design.region_covered || design.allowed || design.objective;
+}
+
+/// The free workspace keeps them, which the map shows; over a region that is not covered none is claimed.
+void pass_over_region(const AuditTask& task, AuditRecord& record) {
+  record.not_checked("region", "the file states that the mechanism, which was given, does not cover it");
+  const char* why = "the file does not state that it is kept over the region, which is not covered";
+  if (!task.design.obstacles.empty()) record.not_checked("obstacles", why);
+  const auto& limits = task.design.limits;
+  if (!limits) return;
+  record.not_checked("limits.clearance_mm", why);
+  record.not_checked("limits.transmission_deg", why);
+  if (limits->sheets_gap) record.not_checked("limits.sheets_gap_mm", why);
+  if (limits->copy_error) record.not_checked("limits.copy_error_mm", why);
+  check_opening(task, record);
+}
+
 }  // namespace
 
 void audit_limits(const AuditTask& task, AuditRecord& record) {
+  if (!claims_to_cover(task.design)) return pass_over_region(task, record);
   check_coverage(task, record);
   check_clearance_limit(task, record);
   if (std::find(task.design.tables.begin(), task.design.tables.end(), "obstacles") ==

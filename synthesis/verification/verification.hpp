@@ -28,8 +28,8 @@ struct VerificationTask {
   DrawnMechanism mechanism;
   Complex k;                   ///< the copy ratio wanted
   Region region;               ///< what the tracer must cover
-  bool region_covered = true;  ///< false: only the part of the region within reach is driven over
-  /// Driven over where there is no region, or none of it within reach: the free workspace, or a part of it.
+  bool region_covered = true;  ///< false: the workspace is driven over instead
+  /// Driven over where there is no region, or it is not covered: the free workspace, or a part of it.
   Region workspace{};
   LinkStyle style;
   LayerAssignment layers;

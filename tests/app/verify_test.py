@@ -283,6 +283,28 @@ def truths(design, rng):
     return changes
 
 
+UNCOVERED = """
+[copy]
+scale = 1.4
+rotation_deg = 90
+[region]
+rectangle_mm = {{at = [40, -40], size = [120, 80]}}
+[links]
+width_mm = 6
+pin_diameter_mm = 3
+[limits]
+transmission_deg = 30
+{sheets_gap}
+[[obstacles]]
+polygon_mm = [[-40, 60], [-30, 60], [-30, 70], [-40, 70]]
+[mechanism]
+vertex = "pole"
+VA_mm = 50
+VB_mm = 35
+assembly = 3
+"""
+
+
 class Verify(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -367,6 +389,32 @@ class Verify(unittest.TestCase):
                 self.assertLess(breach["attained"], breach["allowed"])
                 reach = max(abs(p - pole) for p in points)
                 self.assertLessEqual(abs(complex(*breach["where_mm"]) - pole), reach * (1 + 1e-9))
+
+    def test_a_given_mechanism_that_does_not_cover_its_region(self):
+        for sheets_gap in ("", "sheets_gap_mm = 3"):
+            spec = self.scratch / "uncovered.toml"
+            spec.write_text(UNCOVERED.format(sheets_gap=sheets_gap))
+            run = kempe("workspace", spec, "-o", self.scratch / "uncovered")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn("NOT COVERED", run.stdout)
+            design = json.loads((self.scratch / "uncovered" / "design.json").read_text())
+            self.assertFalse(design["workspace"]["region_covered"])
+            found = self.assertCertified(self.verify(design))
+            self.assertEqual(found["driven_over"], "workspace")
+            unsaid = {one["key"] for one in found["not_checked"]}
+            self.assertLessEqual({"region", "obstacles", "limits.clearance_mm", "limits.transmission_deg"}, unsaid)
+            self.assertEqual("limits.sheets_gap_mm" in unsaid, bool(sheets_gap))
+            for key, change in falsehoods(design):
+                if key.startswith(("mechanism.", "workspace.", "verification.", "quality.size")) and key != "workspace.region_covered":
+                    with self.subTest(key):
+                        told = copy.deepcopy(design)
+                        change(told)
+                        self.assertBroken(self.verify(told), key)
+            self.assertBroken(self.verify({**design, "workspace": {**design["workspace"], "region_covered": True}}),
+                              "workspace.region_covered")
+            searched = {**design, "objective": self.designs["plagiograph"]["objective"], "links": self.designs["plagiograph"]["links"],
+                        "pole": self.designs["plagiograph"]["pole"]}
+            self.assertBroken(self.verify(searched), "region")  # what was searched for must cover it
 
     def test_what_stays_true_stays_certified(self):
         rng = random.Random(1)

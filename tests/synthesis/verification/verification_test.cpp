@@ -291,6 +291,28 @@ TEST(Verification, DrivesOverTheFreeWorkspaceWhereThereIsNoRegion) {
   EXPECT_GT(driven, 20);
 }
 
+TEST(Verification, DrivesOverTheFreeWorkspaceWhereTheRegionIsCoveredInPart) {
+  test::SpecDice dice(41);
+  std::mt19937_64 random(42);
+  int in_part = 0;
+  for (int i = 0; i < 40; ++i) {
+    const CopyingLinkage linkage = random_linkage(random);
+    Spec spec = dice.spec();
+    if (i % 2) spec.obstacles.push_back(dice.obstacle_beside(spec));
+    spec.limits.transmission = radians(10);
+    const auto reach = linkage.radii_over(linkage.assembly_interval());
+    const double middle = 0.5 * (reach.lower + reach.upper), half = 0.6 * (reach.upper - reach.lower);
+    spec.region = rectangle(linkage.pole() + Point(middle - half, -0.2 * half),
+                            linkage.pole() + Point(middle + half, 0.2 * half));
+    const Design design = assemble_given(spec, linkage, {.largest_sheets = false});
+    ASSERT_FALSE(design.map.coverage.covered) << i;
+    const Verification found = verify(verification_task(design));
+    EXPECT_TRUE(found.certified) << i << " " << found.failure;
+    in_part += found.over_workspace && found.samples > 200;
+  }
+  EXPECT_GT(in_part, 20);
+}
+
 TEST(Verification, DrivesOverTheFreeWorkspaceWhereNothingOfTheRegionIsReached) {
   Spec spec;
   spec.copy = Copy::of(report().k());
