@@ -7,23 +7,8 @@
 
 namespace kempe::app {
 
-Stopping::Stopping(double seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
-
-double Stopping::elapsed() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
-StopFlag Stopping::flag(double grace) const {
-  return [this, grace] { return interrupted() || elapsed() > seconds_ + grace; };
-}
-
-double Stopping::left() const {
-  constexpr double least = 1e-9;
-  return std::max(least, seconds_ - elapsed());
-}
-
 std::string Stopping::reason() const {
-  return interrupted() ? "interrupted" : fmt::format("time limit of {:.6g} s", seconds_);
+  return interrupted() ? "interrupted" : fmt::format("time limit of {:.6g} s", deadline_.limit());
 }
 
 CLI::Option* add_time_limit(CLI::App& command, double& seconds, const std::string& description) {

@@ -1,28 +1,25 @@
 #pragma once
 // When a command shall end early: on Ctrl-C, SIGTERM, or at the end of its time limit.
 
-#include <chrono>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "app/command.hpp"
 #include "app/interrupt.hpp"
-#include "kinematics/stop_flag.hpp"
+#include "kinematics/deadline.hpp"
 
 namespace kempe::app {
 
 /// Counts the time from when it is made.
 class Stopping {
  public:
-  static constexpr double unlimited = std::numeric_limits<double>::infinity();
-  explicit Stopping(double seconds = unlimited);
+  explicit Stopping(double seconds = Deadline::unlimited) : deadline_(seconds) {}
 
-  /// Set by a signal, or `grace` seconds after the limit. Must not outlive this.
-  StopFlag flag(double grace = 0) const;
+  /// Set by a signal, or `grace` seconds after the limit.
+  StopFlag flag(double grace = 0) const { return deadline_.flag(&interrupt_.requested(), 1, grace); }
   bool interrupted() const { return interrupt_.requested(); }
-  /// What is left of the limit, s, above 0.
-  double left() const;
+  /// What is left of the limit, s.
+  double left() const { return deadline_.left(); }
 
   /// The exit code of a command that stopped before it had an answer: `interrupted`, or else `stopped`.
   ExitCode code() const { return interrupted() ? app::interrupted : stopped; }
@@ -30,11 +27,8 @@ class Stopping {
   std::string reason() const;
 
  private:
-  double elapsed() const;
-
   Interrupt interrupt_;
-  double seconds_;
-  std::chrono::steady_clock::time_point start_;
+  Deadline deadline_;
 };
 
 /// A positive number of seconds, for --time-limit.

@@ -15,12 +15,19 @@ kempe::Polyline circle(const kempe::Point& centre, double radius) {
 kempe::Spec task() {
   kempe::Spec spec;
   spec.copy = kempe::Copy::of(1.4, 90 * kempe::degree);
-  spec.mechanism = kempe::MechanismSpec{kempe::Grounding::pole, 50, 35, 3, {}};
+  spec.mechanism = kempe::MechanismSpec{
+      .grounding = kempe::Grounding::pole, .VA = 50 * kempe::mm, .VB = 35 * kempe::mm, .assembly_mode = 3};
   spec.limits.transmission = 15 * kempe::degree;
   spec.links.style.width = 6;
   spec.links.style.pin_diameter = 3;
-  spec.obstacles.push_back({kempe::Region::rectangle({20, -60}, {40, 20}).polygons.front(), 1, 8, "vice"});
-  spec.obstacles.push_back({kempe::Region::circle({-60, 40}, 12).polygons.front(), 1, 8, "foot of the lamp"});
+  spec.obstacles.push_back({.shape = kempe::Region::rectangle({20, -60}, {40, 20}).polygons.front(),
+                            .lowest_layer = 1,
+                            .highest_layer = 8,
+                            .name = "vice"});
+  spec.obstacles.push_back({.shape = kempe::Region::circle({-60, 40}, 12).polygons.front(),
+                            .lowest_layer = 1,
+                            .highest_layer = 8,
+                            .name = "foot of the lamp"});
   return spec;
 }
 

@@ -121,19 +121,14 @@ Moved third_of_plate(const Moved& at_p, const Moved& at_q, const Moved& p, const
   return third;
 }
 
-struct MovedPose {
-  Moved V, A, B, C, X, Y;
-  Moved& operator[](Joint joint) {
-    switch (joint) {
-      case Joint::V: return V;
-      case Joint::A: return A;
-      case Joint::B: return B;
-      case Joint::C: return C;
-      case Joint::X: return X;
-      case Joint::Y: break;
-    }
-    return Y;
-  }
+/// A moved place for each joint.
+class MovedPose {
+ public:
+  Moved& operator[](Joint joint) { return places_[static_cast<std::size_t>(joint)]; }
+  const Moved& operator[](Joint joint) const { return places_[static_cast<std::size_t>(joint)]; }
+
+ private:
+  std::array<Moved, 6> places_{};
 };
 
 /// Closes the loops from two known joints of V, X, Y, each loop one dyad; returns the fault or nothing.
@@ -151,29 +146,33 @@ class Closure {
 
  private:
   bool from_XY() {
-    if (!put(pose_.C,
-             dyad(pose_.X, pose_.Y, own_.length(Measure::CX), own_.length(Measure::CY), sides_.C_of_XY)))
+    if (!put(pose_[Joint::C], dyad(pose_[Joint::X], pose_[Joint::Y], own_.length(Measure::CX),
+                                   own_.length(Measure::CY), sides_.C_of_XY)))
       return false;
-    pose_.A = third_of_plate(pose_.C, pose_.X, one_.C, one_.outer, one_.middle);
-    pose_.B = third_of_plate(pose_.C, pose_.Y, two_.C, two_.outer, two_.middle);
-    return put(pose_.V, dyad(pose_.A, pose_.B, VA(), VB(), sides_.V_of_AB));
+    pose_[Joint::A] = third_of_plate(pose_[Joint::C], pose_[Joint::X], one_.C, one_.outer, one_.middle);
+    pose_[Joint::B] = third_of_plate(pose_[Joint::C], pose_[Joint::Y], two_.C, two_.outer, two_.middle);
+    return put(pose_[Joint::V], dyad(pose_[Joint::A], pose_[Joint::B], VA(), VB(), sides_.V_of_AB));
   }
   bool from_VX() {
-    if (!put(pose_.A, dyad(pose_.V, pose_.X, VA(), distance(one_.middle, one_.outer), sides_.A_of_VX)))
+    if (!put(pose_[Joint::A],
+             dyad(pose_[Joint::V], pose_[Joint::X], VA(), distance(one_.middle, one_.outer), sides_.A_of_VX)))
       return false;
-    pose_.C = third_of_plate(pose_.A, pose_.X, one_.middle, one_.outer, one_.C);
-    if (!put(pose_.B, dyad(pose_.V, pose_.C, VB(), distance(two_.C, two_.middle), sides_.B_of_VC)))
+    pose_[Joint::C] = third_of_plate(pose_[Joint::A], pose_[Joint::X], one_.middle, one_.outer, one_.C);
+    if (!put(pose_[Joint::B],
+             dyad(pose_[Joint::V], pose_[Joint::C], VB(), distance(two_.C, two_.middle), sides_.B_of_VC)))
       return false;
-    pose_.Y = third_of_plate(pose_.C, pose_.B, two_.C, two_.middle, two_.outer);
+    pose_[Joint::Y] = third_of_plate(pose_[Joint::C], pose_[Joint::B], two_.C, two_.middle, two_.outer);
     return true;
   }
   bool from_VY() {
-    if (!put(pose_.B, dyad(pose_.V, pose_.Y, VB(), distance(two_.middle, two_.outer), sides_.B_of_VY)))
+    if (!put(pose_[Joint::B],
+             dyad(pose_[Joint::V], pose_[Joint::Y], VB(), distance(two_.middle, two_.outer), sides_.B_of_VY)))
       return false;
-    pose_.C = third_of_plate(pose_.B, pose_.Y, two_.middle, two_.outer, two_.C);
-    if (!put(pose_.A, dyad(pose_.V, pose_.C, VA(), distance(one_.C, one_.middle), sides_.A_of_VC)))
+    pose_[Joint::C] = third_of_plate(pose_[Joint::B], pose_[Joint::Y], two_.middle, two_.outer, two_.C);
+    if (!put(pose_[Joint::A],
+             dyad(pose_[Joint::V], pose_[Joint::C], VA(), distance(one_.C, one_.middle), sides_.A_of_VC)))
       return false;
-    pose_.X = third_of_plate(pose_.C, pose_.A, one_.C, one_.middle, one_.outer);
+    pose_[Joint::X] = third_of_plate(pose_[Joint::C], pose_[Joint::A], one_.C, one_.middle, one_.outer);
     return true;
   }
   bool put(Moved& joint, const Closed& closed) {
@@ -189,7 +188,7 @@ class Closure {
 
   Own own_;
   Plate one_, two_;
-  Sides sides_;
+  DyadSides sides_;
   MovedPose pose_{};
   ClosureFault fault_ = ClosureFault::flat;
 };
@@ -218,7 +217,7 @@ Output read_in_frame(const Moved& output, const Measures& measures) {
   return read;
 }
 
-Sides sides_of(const Pose& pose) {
+DyadSides sides_of(const Pose& pose) {
   const auto side = [&](Joint from, Joint to, Joint point) {
     return side_of(as_complex(pose[from]), as_complex(pose[to]), as_complex(pose[point]));
   };
@@ -300,7 +299,7 @@ Instrument variable_ratio_instrument(double arm, double ratio) {
 
 tl::expected<Output, ClosureFault> output_at(const Instrument& instrument, const Measures& measures,
                                              const Point& input) {
-  auto pose = closed_pose(instrument, measures, input);
+  const auto pose = closed_pose(instrument, measures, input);
   if (!pose) return tl::unexpected(pose.error());
   return read_in_frame((*pose)[instrument.mounting.output], measures);
 }
@@ -315,10 +314,11 @@ Point wanted_output(const Instrument& instrument, const Point& input) {
 
 tl::expected<Pose, ClosureFault> pose_of(const Instrument& instrument, const Measures& measures,
                                          const Point& input) {
-  auto pose = closed_pose(instrument, measures, input);
-  if (!pose) return tl::unexpected(pose.error());
-  return Pose{as_point(pose->V.at), as_point(pose->A.at), as_point(pose->B.at),
-              as_point(pose->C.at), as_point(pose->X.at), as_point(pose->Y.at)};
+  const auto closed = closed_pose(instrument, measures, input);
+  if (!closed) return tl::unexpected(closed.error());
+  Pose pose;
+  for (const Joint joint : all_joints) pose[joint] = as_point((*closed)[joint].at);
+  return pose;
 }
 
 MeasuredLengths lengths_of(const Measures& measures) {

@@ -36,15 +36,16 @@ using Measures = Eigen::Matrix<double, measure_count, 1>;
 /// d(x, y) / d(measures).
 using PlaceSlopes = Eigen::Matrix<double, 2, measure_count>;
 
-/// On which side of each dyad its joint lies: one assembly mode of the linkage, all five signs +1 or -1.
-struct Sides {
+/// On which side of each dyad its joint lies, all signs +1 or -1: one assembly mode of an instrument whose bars make no exact
+/// parallelogram, so that CopyingLinkage::Orientation does not say how its loops close.
+struct DyadSides {
   int C_of_XY = 1;  ///< sign of (Y - X) x (C - X)
   int V_of_AB = 1;
   int A_of_VX = 1;
   int B_of_VC = 1;
   int B_of_VY = 1;
   int A_of_VC = 1;
-  bool operator==(const Sides&) const = default;
+  bool operator==(const DyadSides&) const = default;
 };
 
 /// Which of the joints V, X, Y is pinned, which is set by hand and which is read.
@@ -61,7 +62,7 @@ struct Mounting {
 struct Instrument {
   Measures drawn = Measures::Zero();
   Mounting mounting{};
-  Sides sides{};
+  DyadSides sides{};
   Complex ratio{1, 0};
 
   /// The instrument with stylus and pencil exchanged: what was read is set, what was set is read, the ratio

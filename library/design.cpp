@@ -1,10 +1,10 @@
 // design() and map() of kempe/design.hpp.
 
 #include <algorithm>
-#include <chrono>
 #include <variant>
 
 #include "kempe/validate.hpp"
+#include "kinematics/deadline.hpp"
 #include "library/workings.hpp"
 #include "specs/spec_check.hpp"
 #include "synthesis/design/assemble.hpp"
@@ -14,39 +14,18 @@
 namespace kempe {
 namespace {
 
-/// The caller's wish to stop and the time limit, counted from when this is made. Flags must not outlive it.
-class Patience {
- public:
-  explicit Patience(const Options& options) : options_(options), start_(Clock::now()) {}
+Deadline deadline_of(const Options& options) {
+  return Deadline(options.time_limit.value_or(Deadline::unlimited));
+}
 
-  StopFlag flag(double grace = 0) const {
-    return [this, grace] {
-      return (options_.stop && options_.stop()) ||
-             (options_.time_limit && elapsed() > *options_.time_limit + grace);
-    };
-  }
+StopFlag wish_to_stop(const Options& options) { return options.stop ? StopFlag(options.stop) : StopFlag(); }
 
-  /// s, above 0; nothing without a limit.
-  std::optional<double> left() const {
-    constexpr double least = 1e-9;
-    if (!options_.time_limit) return std::nullopt;
-    return std::max(least, *options_.time_limit - elapsed());
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-  const Options& options_;
-  Clock::time_point start_;
-};
-
-SearchOptions search_options(const Options& options, const Patience& patience) {
+SearchOptions search_options(const Options& options, const Deadline& deadline) {
   SearchOptions search;
   search.seed = options.seed;
   search.threads = std::max(1, options.threads);
-  if (const auto left = patience.left()) search.time_limit = *left;
-  search.stop = patience.flag();
+  search.time_limit = deadline.left();
+  search.stop = deadline.flag(wish_to_stop(options));
   search.progress = options.progress;
   search.diagnose = options.diagnose;
   return search;
@@ -59,23 +38,23 @@ MapOptions map_options(const Options& options, StopFlag stop) {
 }
 
 Outcome design_checked(const Spec& spec, const Options& options) {
-  const Patience patience(options);
-  const SearchOutcome found = synthesize(spec, search_options(options, patience));
+  const Deadline deadline = deadline_of(options);
+  const SearchOutcome found = synthesize(spec, search_options(options, deadline));
   if (const auto* stopped = std::get_if<Stopped>(&found)) return Workings::outcome(*stopped);
   if (const auto* none = std::get_if<NoDesign>(&found)) return Workings::outcome(*none);
-  auto design =
-      certified_design(spec, std::get<FoundDesign>(found), map_options(options, patience.flag(time_to_map)));
+  auto design = certified_design(spec, std::get<FoundDesign>(found),
+                                 map_options(options, deadline.flag(wish_to_stop(options), 1, time_to_map)));
   if (!design) return Workings::uncertified(std::move(design.error()));
   return Workings::outcome(Workings::finished(std::move(*design), toml_text(spec)));
 }
 
 Outcome map_checked(const Spec& spec, const Options& options) {
-  const Patience patience(options);
+  const Deadline deadline = deadline_of(options);
   const auto linkage = given_linkage(spec, "");
   if (!linkage) return Workings::outcome(linkage.error());
   if (const auto none = plainly_impossible(spec); none && none->requirement == "obstacles")
     return Workings::outcome(*none);
-  Design design = assemble_given(spec, *linkage, map_options(options, patience.flag()));
+  Design design = assemble_given(spec, *linkage, map_options(options, deadline.flag(wish_to_stop(options))));
   return Workings::outcome(Workings::finished(std::move(design), toml_text(spec)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What the public classes carry inside, and how the library makes them.
+// The way between the public classes and what they hold: `FinishedDesign` is the public face of a `Design`
+// (synthesis/design/design.hpp), `Outcome` that of a `SearchOutcome`.
 
 #include <memory>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace kempe {
 
-/// The way into the public classes; they name it as a friend.
+/// Makes the public classes and opens them; they name it as a friend.
 struct Workings {
   static FinishedDesign finished(Design design, std::string spec_text) {
     return {std::make_shared<const Design>(std::move(design)), std::move(spec_text)};

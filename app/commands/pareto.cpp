@@ -30,7 +30,7 @@ struct ParetoArguments {
   int points = 15;
   std::uint64_t seed = 1;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  double time_limit = Stopping::unlimited;
+  double time_limit = Deadline::unlimited;
 };
 
 constexpr std::array objectives{Objective::size, Objective::transmission, Objective::copy_error,

@@ -22,7 +22,7 @@ struct SynthesizeArguments {
   std::string spec_file, batch_source, folder;
   std::uint64_t seed = 1;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  double time_limit = Stopping::unlimited;
+  double time_limit = Deadline::unlimited;
   double map_tolerance = MapOptions{}.map_tolerance;
 };
 
@@ -47,7 +47,7 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
     SearchOptions options;
     options.seed = arguments.seed;
     options.threads = arguments.threads;
-    if (std::isfinite(arguments.time_limit)) options.time_limit = stopping.left();
+    options.time_limit = stopping.left();
     options.stop = stopping.flag();
     options.progress = [&](double share, std::string_view what) { progress.show(share, what); };
     outcome = synthesize(loaded->spec, options);

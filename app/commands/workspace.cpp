@@ -19,7 +19,7 @@ struct WorkspaceArguments {
   std::string spec_file, folder;
   std::vector<double> why;  // x, y
   double map_tolerance = MapOptions{}.map_tolerance;
-  double time_limit = Stopping::unlimited;
+  double time_limit = Deadline::unlimited;
 };
 
 int tell_why(const Session& session, const Design& design, const Point& tracer) {

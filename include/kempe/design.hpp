@@ -20,7 +20,8 @@ namespace kempe {
 
 /// A linkage with its parts, its map and its figures: found by design(), or given and mapped by map().
 ///
-/// A value, cheap to copy, safe to read from several threads. Lengths mm, angles rad, places in the table's frame.
+/// A value, cheap to copy, safe to read from several threads. Lengths mm, angles rad, places in the table's frame. It holds a
+/// `Design`, the library's own record from which the reports are written, and shows of it what a program needs.
 class FinishedDesign {
  public:
   Copy copy() const;            ///< the ratio attained; with workshop lengths it may differ from the spec's

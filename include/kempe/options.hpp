@@ -1,5 +1,6 @@
 #pragma once
-// How long and how finely to work. None of it changes which design is best.
+// How to work: for how long, on how many threads, how finely. Of these the seed, the time limit and a stop can change which
+// design comes back; the others cannot.
 
 #include <cstdint>
 #include <functional>

@@ -1,9 +1,11 @@
 #pragma once
-// Points of the table's plane, and angles.
+// Points of the table's plane.
 
 #include <Eigen/Core>
 #include <complex>
 #include <vector>
+
+#include "kempe/units.hpp"
 
 namespace kempe {
 
@@ -15,9 +17,5 @@ using Complex = std::complex<double>;
 
 /// Straight edges from point to point, mm.
 using Polyline = std::vector<Point>;
-
-inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double radians(double degrees) { return degrees * (pi / 180); }
-inline constexpr double degrees(double radians) { return radians * (180 / pi); }
 
 }  // namespace kempe

@@ -13,6 +13,7 @@
 #include "kempe/grounding.hpp"
 #include "kempe/links.hpp"
 #include "kempe/region.hpp"
+#include "kempe/units.hpp"
 
 namespace kempe {
 
@@ -26,10 +27,10 @@ struct PoleSpec {
 
 /// What every design must keep over the whole region.
 struct Limits {
-  double clearance = 0.5;                    ///< mm, >= 0
-  double transmission = 0.5235987755982988;  ///< rad, 0 <= . < pi/2; 30 degrees unless given
-  std::optional<double> sheets_gap;          ///< mm; absent: original and copy may overlap
-  std::optional<double> copy_error;          ///< mm, worst case under Tolerance; absent: not required
+  double clearance = 0.5;             ///< mm, >= 0
+  double transmission = 30 * degree;  ///< rad, 0 <= . < pi/2
+  std::optional<double> sheets_gap;   ///< mm; absent: original and copy may overlap
+  std::optional<double> copy_error;   ///< mm, worst case under Tolerance; absent: not required
 };
 
 /// How far an instrument as made may be off, plus or minus.
@@ -68,11 +69,11 @@ struct ObjectiveSpec {
 
 /// A given mechanism, for map() and `kempe workspace`.
 struct MechanismSpec {
-  Grounding grounding = Grounding::pole;     ///< what stands at V
-  double VA = 0;                             ///< mm
-  double VB = 0;                             ///< mm
-  int assembly_mode = 0;                     ///< which usable interval of the opening, from 0 upward from -pi
-  std::optional<std::array<int, 4>> layers;  ///< of VA, VB, ACX, BCY; absent: the best assignment is sought
+  Grounding grounding = Grounding::pole;  ///< what stands at V
+  double VA = 0;                          ///< mm
+  double VB = 0;                          ///< mm
+  int assembly_mode = 0;                  ///< which usable interval of the opening, from 0 upward from -pi
+  std::optional<std::array<int, 4>> layers{};  ///< of VA, VB, ACX, BCY; absent: the best assignment is sought
 };
 
 /// How the parts are cut: what their drawings allow for.

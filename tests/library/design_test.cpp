@@ -20,7 +20,7 @@ Spec small_task() {
 
 Spec given_mechanism() {
   Spec spec = small_task();
-  spec.mechanism = MechanismSpec{Grounding::pole, 50, 35, 3, {}};
+  spec.mechanism = MechanismSpec{.grounding = Grounding::pole, .VA = 50, .VB = 35, .assembly_mode = 3};
   spec.limits.transmission = 15 * degree;
   return spec;
 }

@@ -36,7 +36,7 @@ Outcome mapped() {
   spec.region = Region::rectangle({62, -5}, {8, 10});
   spec.links.style.width = 6;
   spec.links.style.pin_diameter = 3;
-  spec.mechanism = MechanismSpec{Grounding::pole, 50, 35, 3, {}};
+  spec.mechanism = MechanismSpec{.grounding = Grounding::pole, .VA = 50, .VB = 35, .assembly_mode = 3};
   spec.limits.transmission = 15 * degree;
   return map(spec);
 }

@@ -171,13 +171,9 @@ const std::vector<Fault> faults{
        s.obstacles.push_back({{{{0, 0}, {1, 0}, {1, 1}}, {}}, 3, 2});
      }},
     {"MechanismOfNoLength", "[mechanism]\nvertex = \"pole\"\nVA_mm = 0\nVB_mm = 35\n",
-     [](Spec& s) {
-       s.mechanism = MechanismSpec{Grounding::pole, 0, 35, 0, {}};
-     }},
+     [](Spec& s) { s.mechanism = MechanismSpec{.VA = 0, .VB = 35}; }},
     {"AssemblyOutOfRange", "[mechanism]\nvertex = \"pole\"\nVA_mm = 50\nVB_mm = 35\nassembly = 4\n",
-     [](Spec& s) {
-       s.mechanism = MechanismSpec{Grounding::pole, 50, 35, 4, {}};
-     }},
+     [](Spec& s) { s.mechanism = MechanismSpec{.VA = 50, .VB = 35, .assembly_mode = 4}; }},
     {"JoinedLinksInOneLayer",
      "[mechanism]\nvertex = \"pole\"\nVA_mm = 50\nVB_mm = 35\nlayers = [1, 1, 2, 2]\n",
      [](Spec& s) {

@@ -1,38 +1,18 @@
 #include "synthesis/search/steps/search_control.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace kempe {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-}  // namespace
 
 SearchControl::SearchControl(SearchOptions options)
-    : start_(Clock::now()), options_(std::move(options)), stop_(after_share(1)) {}
+    : deadline_(options.time_limit), options_(std::move(options)), stop_(after_share(1)) {}
 
-bool SearchControl::has_time_limit() const { return std::isfinite(options_.time_limit); }
-
-double SearchControl::seconds() const { return seconds_since(start_); }
-
-StopFlag SearchControl::after_share(double share) const {
-  if (!has_time_limit()) return options_.stop;
-  return [stop = options_.stop, start = start_, limit = share * options_.time_limit] {
-    return stop() || seconds_since(start) > limit;
-  };
-}
+StopFlag SearchControl::after_share(double share) const { return deadline_.flag(options_.stop, share); }
 
 SearchControl SearchControl::part() const {
   SearchOptions options = options_;
   options.stop = stop_;
-  options.time_limit = std::numeric_limits<double>::infinity();
+  options.time_limit = Deadline::unlimited;
   return SearchControl(std::move(options));
 }
 
@@ -50,7 +30,7 @@ SearchControl SearchControl::silent_part() const {
 
 SearchControl SearchControl::part_of_time(double share) const {
   SearchOptions options = options_;
-  options.time_limit = share * std::max(0.0, options_.time_limit - seconds());
+  options.time_limit = share * deadline_.left();
   return SearchControl(std::move(options));
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 // How a search runs: its random numbers, threads and budgets, and when it must end.
 
-#include <chrono>
-
+#include "kinematics/deadline.hpp"
 #include "synthesis/search/steps/search_options.hpp"
 
 namespace kempe {
@@ -17,7 +16,7 @@ class SearchControl {
   const SearchBudgets& budgets() const { return options_.budgets; }
   /// Set by request or at the end of the time limit.
   const StopFlag& stop() const { return stop_; }
-  bool has_time_limit() const;
+  bool has_time_limit() const { return deadline_.is_limited(); }
   /// Set by request or when that share of the time limit is over.
   StopFlag after_share(double share) const;
 
@@ -31,9 +30,7 @@ class SearchControl {
   void report(double share, std::string_view what) const;
 
  private:
-  double seconds() const;  ///< since the beginning
-
-  std::chrono::steady_clock::time_point start_;
+  Deadline deadline_;
   SearchOptions options_;
   StopFlag stop_;
 };

@@ -3,10 +3,9 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string_view>
 
-#include "kinematics/stop_flag.hpp"
+#include "kinematics/deadline.hpp"
 #include "synthesis/search/steps/budgets.hpp"
 
 namespace kempe {
@@ -14,8 +13,8 @@ namespace kempe {
 struct SearchOptions {
   std::uint64_t seed = 1;
   int threads = 1;  ///< >= 1; the result does not depend on it
-  /// s of wall clock, > 0; at its end the best so far comes back
-  double time_limit = std::numeric_limits<double>::infinity();
+  /// s of wall clock, >= 0; at its end the best so far comes back
+  double time_limit = Deadline::unlimited;
   StopFlag stop{};  ///< set: the same at once
   /// Share of the work done, 0..1, and what is being done; called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
