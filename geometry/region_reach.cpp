@@ -1,6 +1,7 @@
 #include "geometry/region_reach.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,19 @@ namespace kempe {
 namespace {
 
 constexpr std::size_t edges_per_leaf = 8;
+
+/// Nodes still to be looked at: of a tree walked in depth never more than one a level, and one.
+class OpenNodes {
+ public:
+  bool empty() const { return count_ == 0; }
+  void push(std::size_t node) { nodes_[count_++] = node; }
+  std::size_t pop() { return nodes_[--count_]; }
+
+ private:
+  std::array<std::size_t, 40> nodes_{0};
+  std::size_t count_ = 1;  // the root
+};
+
 void append_edges(const Ring& ring, std::vector<BoundaryEdge>& edges) {
   for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
 }
@@ -60,16 +74,15 @@ void RegionReach::build_tree() {
 RegionReach::Nearest RegionReach::nearest(const Point& from) const {
   Nearest best{.distance = infinity};
   double best2 = infinity;
-  std::vector<std::size_t> open{0};
+  OpenNodes open;
   while (!open.empty()) {
-    const std::size_t node = open.back();
-    open.pop_back();
+    const std::size_t node = open.pop();
     if (squared_distance(tree_[node], from) > best2) continue;
     if (node + 1 < leaves_) {
       const std::size_t left = 2 * node + 1;
       const bool left_first = squared_distance(tree_[left], from) <= squared_distance(tree_[left + 1], from);
-      open.push_back(left_first ? left + 1 : left);
-      open.push_back(left_first ? left : left + 1);
+      open.push(left_first ? left + 1 : left);
+      open.push(left_first ? left : left + 1);
       continue;
     }
     const std::size_t first = (node + 1 - leaves_) * edges_per_leaf;
@@ -102,15 +115,14 @@ DistanceRange RegionReach::range(const Point& from) const {
 
 bool RegionReach::contains(const Point& point) const {
   bool inside = false;
-  std::vector<std::size_t> open{0};
+  OpenNodes open;
   while (!open.empty()) {
-    const std::size_t node = open.back();
-    open.pop_back();
+    const std::size_t node = open.pop();
     const Box& box = tree_[node];
     if (point.y() < box.lower.y() || point.y() > box.upper.y() || point.x() > box.upper.x()) continue;
     if (node + 1 < leaves_) {
-      open.push_back(2 * node + 2);
-      open.push_back(2 * node + 1);
+      open.push(2 * node + 2);
+      open.push(2 * node + 1);
       continue;
     }
     const std::size_t first = (node + 1 - leaves_) * edges_per_leaf;
