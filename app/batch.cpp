@@ -43,7 +43,8 @@ std::vector<BatchTask> folder_tasks(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".toml")
-      tasks.push_back({entry.path().filename().string(), read_text_file(entry.path()), folder.string()});
+      tasks.push_back(
+          {entry.path().filename().string(), read_text_file(entry.path()), folder.string(), false});
   std::sort(tasks.begin(), tasks.end(),
             [](const BatchTask& a, const BatchTask& b) { return a.name < b.name; });
   return tasks;
@@ -57,7 +58,7 @@ tl::expected<std::vector<BatchTask>, InputError> line_tasks(const std::string& f
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const std::string name = fmt::format("line-{}", number);
-    tasks.push_back({name, toml_from_json(line, name), fs::path(file).parent_path().string()});
+    tasks.push_back({name, toml_from_json(line, name), fs::path(file).parent_path().string(), true});
   }
   return tasks;
 }
@@ -238,6 +239,12 @@ tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& 
 
 namespace {
 
+/// The fault without its line where that is a line of the text made from one of JSON, which nobody sees.
+InputError as_told(InputError error, const BatchTask& task) {
+  if (task.is_one_line && error.file == task.name) error.line = 0;
+  return error;
+}
+
 /// The topmost fault, and how many more there are.
 std::string in_one_line(const InputError& error) {
   const std::size_t more = error.others.size();
@@ -253,7 +260,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
       task.text.and_then([&](const std::string& text) { return read_spec(text, task.name, task.folder); });
   if (!spec) {
     line["status"] = "bad input";
-    line["message"] = in_one_line(spec.error());
+    line["message"] = in_one_line(as_told(spec.error(), task));
     return line_of(line);
   }
   SearchOptions options = given;

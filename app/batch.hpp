@@ -22,8 +22,9 @@ struct BatchArguments {
 struct BatchTask {
   std::string name;  ///< the file's name, or line-N
   tl::expected<std::string, InputError>
-      text;            ///< TOML, or why there is none: that task's failure, not the batch's
-  std::string folder;  ///< where the files that it names are looked for
+      text;                  ///< TOML, or why there is none: that task's failure, not the batch's
+  std::string folder;        ///< where the files that it names are looked for
+  bool is_one_line = false;  ///< the text was one line of JSON: its own lines mean nothing to a person
 };
 
 /// The tasks of a source, in the order of their names or lines.

@@ -58,7 +58,8 @@ struct Part {
 /// "link ACX", "pin C", "pole post V", "tracer X", "pen Y".
 std::string name(const Part& part);
 
-/// All parts of a linkage in the given layers: four links, the pins that pass a layer, the three posts.
+/// All parts of a linkage in the given layers: four links, the pins that pass a layer, the three posts. Not the spacers on
+/// pins and posts: their width is the maker's choice, and the bill of materials says where it has a limit.
 std::vector<Part> parts_of(const CopyingLinkage& linkage, const LayerAssignment& layers);
 
 /// How far a part's outline lies from its axis, mm: half the link's width, half the pin's diameter.

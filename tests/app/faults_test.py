@@ -533,6 +533,12 @@ class Batches(Case):
         self.assertEqual(result["status"], "bad input")
         self.assertIn("no such file", result["message"])
 
+    def test_a_fault_names_the_line_of_the_batch_alone(self):
+        wide = self.SPEC_LINE.replace('"pin_diameter_mm": 3', '"pin_diameter_mm": 30')
+        self.assertEqual(self.batch(self.lines(self.SPEC_LINE.replace("scale", "size"), wide)).returncode, 0)
+        for number, line in enumerate(self.results(), 1):
+            self.assertRegex(line["message"], rf"^line-{number}: (copy|links)\.")
+
     def test_depth_has_a_limit(self):
         deep = 30_000
         run = self.batch(self.lines('{"a": ' + "[" * deep + "]" * deep + "}", '{"a": ' + '{"a": ' * deep + "1" + "}" * deep + "}",
