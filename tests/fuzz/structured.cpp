@@ -14,6 +14,7 @@
 #include "synthesis/verification/verification.hpp"
 #include "tests/fuzz/choices.hpp"
 #include "tests/geometry/grid_outlines.hpp"
+#include "tests/random.hpp"
 
 namespace kempe::fuzz {
 namespace {
@@ -67,7 +68,7 @@ void add_crowd(Choices& choices, Spec& spec) {
   const int count = 20 + choices.upto(180);
   const double far = choices.between(500, 5000);
   std::mt19937_64 random(static_cast<unsigned>(count));
-  const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto share = [&] { return test::share(random); };
   for (int i = 0; i < count; ++i) {
     const double distance = far * (0.5 + share()), bearing = 2 * pi * share();
     const Point at = distance * Point(std::cos(bearing), std::sin(bearing));

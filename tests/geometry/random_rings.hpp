@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "geometry/region.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 
-/// Standard distributions differ between libraries; this does not.
-inline double uniform(std::mt19937_64& random, double lower, double upper) {
-  return lower + (upper - lower) * (static_cast<double>(random() >> 11) * 0x1p-53);
-}
+using test::uniform;
 
 /// A simple counter-clockwise ring about the origin: corners at increasing angles, none of them 180 degrees
 /// apart.

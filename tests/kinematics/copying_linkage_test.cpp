@@ -11,6 +11,8 @@
 #include <set>
 #include <string_view>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
@@ -36,9 +38,7 @@ class RandomCases {
  public:
   explicit RandomCases(unsigned seed) : random_(seed) {}
 
-  double uniform(double lower, double upper) {
-    return std::uniform_real_distribution<double>(lower, upper)(random_);
-  }
+  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
 
   RandomCase next() {
     for (;;) {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <random>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
+using test::uniform;
 
 FourBar random_bar(std::mt19937_64& random) {
   return {100, uniform(random, 10, 300), uniform(random, 10, 300), uniform(random, 10, 300),

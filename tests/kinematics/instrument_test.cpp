@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
@@ -17,9 +19,7 @@ struct Drawn {
 
 /// A linkage of any grounding; every third has straight plates.
 Drawn random_drawn(std::mt19937_64& random) {
-  const auto uniform = [&](double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double lower, double upper) { return test::uniform(random, lower, upper); };
   for (;;) {
     const Grounding grounding = all_groundings[random() % 3];
     const double turn = random() % 3 == 0 ? (random() % 2 ? pi : 0) : uniform(-pi, pi);
@@ -33,7 +33,7 @@ Drawn random_drawn(std::mt19937_64& random) {
 }
 
 Point random_tracer(const CopyingLinkage& linkage, std::mt19937_64& random) {
-  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto uniform = [&] { return test::share(random); };
   const OpeningInterval openings = shrink(linkage.assembly_interval(), 0.25);
   return linkage.tracer_at(openings.lower + uniform() * openings.width(), 2 * pi * uniform());
 }
@@ -70,7 +70,7 @@ TEST(Instrument, HasTheLinkagesEightLengths) {
 
 /// Any measures near the drawn ones, in a frame that is moved and turned.
 Measures disturbed(const Measures& drawn, std::mt19937_64& random) {
-  const auto symmetric = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };
+  const auto symmetric = [&] { return 2 * test::share(random) - 1; };
   Measures measures = drawn;
   for (int i = 0; i < 10; ++i) measures[i] += 0.2 * symmetric();
   for (int i = 10; i < 12; ++i) measures[i] += 20 * symmetric();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/every_layers.hpp"
 #include "tests/metamorphic/laws.hpp"
 #include "workspace/map/workspace_map.hpp"
 
@@ -12,18 +13,6 @@ namespace kempe::metamorphic {
 namespace {
 
 constexpr int drawn = 80, mapped_below_the_bound = 8, mapped_above = 1, layers_tried = 3;
-
-/// Every way to lay VA, VB, ACX and BCY into layers, empty ones in between or below included: links that share a joint lie in
-/// different layers.
-std::vector<LayerAssignment> all_layers(int layers) {
-  std::vector<LayerAssignment> all;
-  for (int VA = 1; VA <= layers; ++VA)
-    for (int VB = 1; VB <= layers; ++VB)
-      for (int ACX = 1; ACX <= layers; ++ACX)
-        for (int BCY = 1; BCY <= layers; ++BCY)
-          if (VA != VB && VA != ACX && VB != BCY && ACX != BCY) all.push_back({{VA, VB, ACX, BCY}});
-  return all;
-}
 
 std::optional<Point> draw_pole(const Spec& spec, Dice& dice) {
   if (spec.pole.is_fixed()) return std::get<Point>(spec.pole.place);
@@ -121,7 +110,7 @@ class Trial {
 
 std::vector<Finding> check_mechanisms(const Task& task, const Answer& answer, Dice& dice, Counts& counts) {
   const Spec& spec = answer.spec;
-  const std::vector<LayerAssignment> layers = all_layers(spec.links.layers);
+  const std::vector<LayerAssignment> layers = test::every_layers(spec.links.layers);
   Trial trial(task, answer, counts);
   int below = 0, above = 0;
   for (int i = 0; i < drawn && below < mapped_below_the_bound; ++i) {

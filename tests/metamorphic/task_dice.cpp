@@ -6,6 +6,7 @@
 #include "specs/spec_reader.hpp"
 #include "tests/geometry/grid_outlines.hpp"
 #include "tests/metamorphic/task_changes.hpp"
+#include "tests/random.hpp"
 
 namespace kempe::metamorphic {
 namespace {
@@ -294,9 +295,7 @@ bool is_taken(const Task& task) { return read_spec(toml_of(task), "task", ".").h
 
 }  // namespace
 
-double Dice::uniform(double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
-}
+double Dice::uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
 
 double Dice::log_uniform(double lower, double upper) {
   return std::exp(uniform(std::log(lower), std::log(upper)));

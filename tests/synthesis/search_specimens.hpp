@@ -6,6 +6,7 @@
 
 #include "synthesis/search/search.hpp"
 #include "tests/geometry/grid_outlines.hpp"
+#include "tests/random.hpp"
 
 namespace kempe::test {
 
@@ -13,9 +14,7 @@ class SpecDice {
  public:
   explicit SpecDice(unsigned seed) : random_(seed) {}
 
-  double uniform(double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
+  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
   double log_uniform(double lower, double upper) {
     return std::exp(uniform(std::log(lower), std::log(upper)));
   }

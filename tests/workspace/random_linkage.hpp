@@ -6,6 +6,7 @@
 #include <random>
 
 #include "kinematics/copying_linkage.hpp"
+#include "tests/random.hpp"
 #include "workspace/parts.hpp"
 
 namespace kempe::test {
@@ -13,9 +14,7 @@ namespace kempe::test {
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  double between(double lower, double upper) {
-    return lower + (upper - lower) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
+  double between(double lower, double upper) { return test::uniform(engine_, lower, upper); }
   int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
 
  private:

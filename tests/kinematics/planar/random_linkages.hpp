@@ -6,15 +6,14 @@
 #include <random>
 
 #include "kinematics/planar/linkage.hpp"
+#include "tests/random.hpp"
 
 namespace kempe::test {
 
 class Random {
  public:
   explicit Random(std::uint64_t seed) : random_(seed) {}
-  double uniform(double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
+  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
   double logarithmic(double lower, double upper) {
     return std::exp(uniform(std::log(lower), std::log(upper)));
   }

@@ -8,6 +8,7 @@
 
 #include "geometry/stated_angle.hpp"
 #include "reports/audit/design_audit.hpp"
+#include "tests/random.hpp"
 #include "tests/reports/sample_designs.hpp"
 
 namespace kempe {
@@ -47,9 +48,7 @@ TEST(DesignJson, HasEveryKeyOfTheContract) {
 
 TEST(DesignJson, IsReadBackToTheLastBit) {
   std::mt19937_64 random(1);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 300; ++i) {
     const double turn = i % 3 == 0 ? radians(std::floor(uniform(-179, 180))) : uniform(-pi, pi);
     const double scale = uniform(0.2, 4);

@@ -12,6 +12,7 @@
 #include "reports/drawings/dxf_writer.hpp"
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/svg_writer.hpp"
+#include "tests/random.hpp"
 #include "tests/reports/sample_designs.hpp"
 
 namespace kempe {
@@ -148,9 +149,7 @@ TEST(DxfWriter, EscapesTexts) {
 
 TEST(Drawing, BoxesOfArcsAreTight) {
   std::mt19937_64 random(3);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 500; ++i) {
     const Point centre(uniform(-5, 5), uniform(-5, 5));
     const double radius = uniform(0.1, 5), start = uniform(-pi, pi), sweep = uniform(-6.2, 6.2);

@@ -6,6 +6,8 @@
 #include <random>
 #include <sstream>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
@@ -58,9 +60,7 @@ double area_of_path(const std::string& path) {
 
 TEST(SvgPath, KeepsTheAreaOfEveryPolygonWithArcs) {
   std::mt19937_64 random(7);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 300; ++i) {
     ArcRing ring;
     const int corners = 2 + static_cast<int>(random() % 6);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "specs/drawings/stroke_joining.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 namespace {
@@ -24,7 +25,7 @@ Region covered(const std::vector<DrawnStroke>& strokes, Cover cover, double marg
 
 TEST(DrawingCover, HullHoldsEveryPointAndIsConvex) {
   std::mt19937_64 random(2);
-  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto uniform = [&] { return test::share(random); };
   for (int i = 0; i < 100; ++i) {
     DrawnStroke stroke;
     for (int j = 0; j < 50; ++j)
@@ -91,9 +92,7 @@ TEST(StrokeJoining, LeavesCrossroadsAlone) {
 
 TEST(StrokeJoining, KeepsTheLengthOfWhatItJoins) {
   std::mt19937_64 random(4);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 200; ++i) {
     Stroke path;
     for (int j = 0; j < 20; ++j) path.push_back({uniform(0, 100), uniform(0, 100)});

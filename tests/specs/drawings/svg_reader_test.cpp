@@ -8,6 +8,7 @@
 
 #include "specs/drawings/svg_path_reader.hpp"
 #include "specs/drawings/svg_units.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 namespace {
@@ -149,9 +150,7 @@ double distance_to(const Stroke& line, const Point& p) {
 
 TEST(SvgReader, KeepsTheToleranceOnRandomCurves) {
   std::mt19937_64 random(5);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 200; ++i) {
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     map.linear() << uniform(-3, 3), uniform(-3, 3), uniform(-3, 3), uniform(-3, 3);
@@ -180,9 +179,7 @@ TEST(SvgReader, KeepsTheToleranceOnRandomCurves) {
 
 TEST(SvgReader, ArcsPassThroughBothEndsOnTheEllipseAskedFor) {
   std::mt19937_64 random(6);
-  const auto uniform = [&](double a, double b) {
-    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double a, double b) { return test::uniform(random, a, b); };
   for (int i = 0; i < 500; ++i) {
     const Point from(uniform(-9, 9), uniform(-9, 9)), to(uniform(-9, 9), uniform(-9, 9));
     const double rx = uniform(10, 20), ry = uniform(10, 20), turn = uniform(-3, 3);

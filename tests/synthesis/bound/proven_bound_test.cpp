@@ -10,6 +10,7 @@
 #include <random>
 
 #include "synthesis/tolerance/copy_error.hpp"
+#include "tests/random.hpp"
 #include "tests/samples.hpp"
 
 namespace kempe {
@@ -18,9 +19,7 @@ namespace {
 class Chance {
  public:
   explicit Chance(unsigned seed) : random_(seed) {}
-  double uniform(double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
+  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
   double log_uniform(double lower, double upper) {
     return std::exp(uniform(std::log(lower), std::log(upper)));
   }

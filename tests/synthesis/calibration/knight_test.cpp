@@ -7,12 +7,12 @@
 #include <cmath>
 #include <random>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
+using test::uniform;
 
 /// Departure of E of an instrument with these deviations, the stylus at the arm angle of the drawn arms.
 Point departure(const Instrument& instrument, const Measures& deviations, double angle) {

@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "synthesis/calibration/calibration.hpp"
+#include "tests/random.hpp"
 
 namespace kempe::calibration_specimens {
 
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : generator_(seed) {}
-  double uniform(double lower, double upper) {
-    return lower + (upper - lower) * (static_cast<double>(generator_() >> 11) * 0x1p-53);
-  }
+  double uniform(double lower, double upper) { return test::uniform(generator_, lower, upper); }
   double normal() {
     const double u = uniform(0x1p-53, 1), v = uniform(0, 2 * pi);
     return std::sqrt(-2 * std::log(u)) * std::cos(v);

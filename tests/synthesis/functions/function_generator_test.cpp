@@ -8,6 +8,7 @@
 #include <random>
 
 #include "synthesis/functions/precision_points.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 namespace {
@@ -116,7 +117,7 @@ class GlobalOracle {
 
   Genes evolved(int side) const {
     std::mt19937_64 random(5);
-    const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    const auto uniform = [&] { return test::share(random); };
     const double reach = std::log(task_.longest_ratio);
     constexpr std::size_t count = 60;
     std::vector<Genes> all(count);
@@ -230,7 +231,7 @@ TEST(FunctionGenerator, SixEqualRipplesAreNotTheLeastErrorOfTheLogarithmAt25Degr
   EXPECT_TRUE(design.optimum->proven);
   // Every near linkage is worse: random neighbours, the output's start again in the middle of their error.
   std::mt19937_64 random(11);
-  const auto uniform = [&] { return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1; };
+  const auto uniform = [&] { return 2 * test::share(random) - 1; };
   for (int i = 0; i < 2000; ++i) {
     const double size = std::pow(10.0, -1 - 3 * (i % 7) / 6.0);
     FunctionDesign near = design;
@@ -289,9 +290,7 @@ TEST(FunctionGenerator, FindsALinkageThatIsKnownToGenerateTheFunction) {
   std::mt19937_64 random(7);
   int tried = 0;
   while (tried < 5) {
-    const auto uniform = [&](double lower, double upper) {
-      return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-    };
+    const auto uniform = [&](double lower, double upper) { return test::uniform(random, lower, upper); };
     const FourBar hidden{100, uniform(40, 150), uniform(80, 200), uniform(40, 150)};
     const double start = uniform(-2, 2), range = 1.0;
     bool closes = true;

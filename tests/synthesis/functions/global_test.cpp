@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "synthesis/functions/function_generator.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 namespace {
@@ -132,7 +133,7 @@ class Evolution {
 
   Genes evolved(int side, std::uint64_t seed) const {
     std::mt19937_64 random(seed);
-    const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    const auto uniform = [&] { return test::share(random); };
     const double reach = std::log(task_.longest_ratio);
     constexpr std::size_t count = 50;
     std::vector<Genes> all(count);
@@ -334,7 +335,7 @@ class FourPointOracle {
 
   double least_error() {
     std::mt19937_64 random(3);
-    const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    const auto uniform = [&] { return test::share(random); };
     const double reach = std::log(task_.longest_ratio);
     std::vector<PinDistances::Links> before;
     constexpr int places = 720;
@@ -445,9 +446,7 @@ TEST(FunctionGlobally, FourPointsAreNotBeatenBySolvingForTheDistanceOfThePins) {
 
 TEST(FunctionGlobally, FourPointsWithOneStartGivenAreSolvedCompletely) {
   std::mt19937_64 random(17);
-  const auto uniform = [&](double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&](double lower, double upper) { return test::uniform(random, lower, upper); };
   int found = 0;
   for (int i = 0; i < 60; ++i) {
     NamedTask one = four_point_tasks()[static_cast<std::size_t>(i) % 9];

@@ -9,6 +9,7 @@
 
 #include "geometry/point.hpp"
 #include "synthesis/functions/precision_points.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 namespace {
@@ -140,9 +141,7 @@ TEST(StructuralError, FindsAnExactMemberOfTheFamily) {
 // polynomials.
 TEST(StructuralError, EachWayIsBestByItsOwnMeasure) {
   std::mt19937_64 random(1);
-  const auto uniform = [&random](double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-  };
+  const auto uniform = [&random](double lower, double upper) { return test::uniform(random, lower, upper); };
   for (int n = 0; n < 100; ++n) {
     const double a = uniform(0.5, 2), b = uniform(-2, 2), c = uniform(0.2, 1), lower = uniform(-2, 1);
     const auto wanted = [=](double x) { return std::exp(c * x) + std::sin(a * x + b); };

@@ -5,6 +5,7 @@
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/verification/verification.hpp"
+#include "tests/every_layers.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 #include "workspace/contact/clearance.hpp"
@@ -42,16 +43,6 @@ Spec spec_with_low_obstacles(test::SpecDice& dice) {
     spec.obstacles.push_back(obstacle);
   }
   return spec;
-}
-
-std::vector<LayerAssignment> every_tuple(int layers) {
-  std::vector<LayerAssignment> tuples;
-  for (int VA = 1; VA <= layers; ++VA)
-    for (int VB = 1; VB <= layers; ++VB)
-      for (int ACX = 1; ACX <= layers; ++ACX)
-        for (int BCY = 1; BCY <= layers; ++BCY)
-          if (VA != VB && VA != ACX && VB != BCY && ACX != BCY) tuples.push_back({{VA, VB, ACX, BCY}});
-  return tuples;
 }
 
 bool reaches_with_transmission(const Spec& spec, const CopyingLinkage& linkage) {
@@ -98,7 +89,7 @@ struct Rival {
 std::optional<Rival> best_rival(const Spec& spec, const std::optional<FoundDesign>& found,
                                 test::SpecDice& dice, int tries) {
   std::optional<Rival> best;
-  const auto tuples = every_tuple(spec.links.layers);
+  const auto tuples = test::every_layers(spec.links.layers);
   for (int i = 0; i < tries; ++i) {
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
     const int count = static_cast<int>(assembly_modes(shape_of(spec.copy.k(), grounding)).size());

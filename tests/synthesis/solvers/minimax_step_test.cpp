@@ -5,13 +5,15 @@
 
 #include <random>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
 class Chance {
  public:
   explicit Chance(std::uint64_t seed) : random_(seed) {}
-  double operator()() { return 2 * (static_cast<double>(random_() >> 11) * 0x1p-53) - 1; }
+  double operator()() { return 2 * test::share(random_) - 1; }
   Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index columns) {
     return Eigen::MatrixXd::NullaryExpr(rows, columns, [this] { return (*this)(); });
   }

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "kinematics/planar/solver.hpp"
+#include "tests/random.hpp"
 
 namespace kempe {
 namespace {
@@ -17,9 +18,7 @@ namespace {
 class Chance {
  public:
   explicit Chance(unsigned seed) : random_(seed) {}
-  double uniform(double lower, double upper) {
-    return lower + (upper - lower) * static_cast<double>(random_() >> 11) * 0x1p-53;
-  }
+  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
   double sign() { return random_() & 1 ? 1 : -1; }
   Point on_circle(double radius) { return as_point(std::polar(radius, uniform(-pi, pi))); }
   Point in_disc(double radius) { return on_circle(radius * std::sqrt(uniform(0, 1))); }

@@ -6,13 +6,15 @@
 #include <numeric>
 #include <random>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
-  double operator()(double a, double b) { return a + (b - a) * static_cast<double>(bits_() >> 11) * 0x1p-53; }
+  double operator()(double a, double b) { return test::uniform(bits_, a, b); }
 
  private:
   std::mt19937_64 bits_;

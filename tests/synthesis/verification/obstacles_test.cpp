@@ -7,12 +7,12 @@
 #include <limits>
 #include <random>
 
+#include "tests/random.hpp"
+
 namespace kempe {
 namespace {
 
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
+using test::uniform;
 
 Point place(std::mt19937_64& random, double size) {
   const double x = uniform(random, -size, size), y = uniform(random, -size, size);

@@ -7,15 +7,14 @@
 #include <random>
 
 #include "synthesis/design/assemble.hpp"
+#include "tests/random.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
 
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return lower + (upper - lower) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
+using test::uniform;
 
 Region rectangle(const Point& lower, const Point& upper) {
   return {{Polygon{{lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}}, {}}}};
