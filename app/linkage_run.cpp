@@ -15,8 +15,8 @@
 namespace kempe::app {
 namespace {
 
-std::string length_text(const LoadedLinkage& loaded, double mm) {
-  return fmt::format("{:.6g} {}", mm / loaded.file.unit.in_mm, loaded.file.unit.name);
+std::string length_text(const LoadedLinkage& loaded, double length) {
+  return fmt::format("{:.6g} {}", length / loaded.file.unit.in_mm, loaded.file.unit.name);
 }
 
 tl::unexpected<int> no_answer(const Session& session, const LoadedLinkage& loaded, const std::string& what) {
