@@ -1,11 +1,9 @@
 #pragma once
-// Points of the table's plane.
+// Points of the table's plane, and angles.
 
 #include <Eigen/Core>
 #include <complex>
 #include <vector>
-
-#include "kempe/units.hpp"
 
 namespace kempe {
 
@@ -17,5 +15,13 @@ using Complex = std::complex<double>;
 
 /// Straight edges from point to point, mm.
 using Polyline = std::vector<Point>;
+
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double rad = 1;
+inline constexpr double degree = pi / 180;
+/// An angle in degrees as radians.
+inline constexpr double radians(double degrees) { return degrees * degree; }
+/// An angle in radians as degrees.
+inline constexpr double degrees(double radians) { return radians * (180 / pi); }
 
 }  // namespace kempe

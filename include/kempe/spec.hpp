@@ -13,7 +13,6 @@
 #include "kempe/grounding.hpp"
 #include "kempe/links.hpp"
 #include "kempe/region.hpp"
-#include "kempe/units.hpp"
 
 namespace kempe {
 
