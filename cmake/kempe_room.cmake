@@ -1,7 +1,7 @@
-# kempe_room(NAME SOURCES ... USES ... [PRIVATE_USES ...])
+# kempe_room(NAME SOURCES ... USES ... [PRIVATE_USES ...] [JOINED ...])
 # One room of the house: the static library kempe_NAME (alias kempe::NAME), its warnings and its include roots.
 function(kempe_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE_USES;JOINED" ${ARGN})
   add_library(kempe_${name} STATIC ${ROOM_SOURCES})
   add_library(kempe::${name} ALIAS kempe_${name})
   set_target_properties(kempe_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -9,7 +9,7 @@ function(kempe_room name)
   target_include_directories(kempe_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES})
   kempe_warnings(kempe_${name})
-  kempe_whole_folders(kempe_${name})
+  kempe_whole_folders(kempe_${name} ${ROOM_JOINED})
   # No contraction: a compiler for a machine with fused multiply-add rounds every product as the others do, so that the same
   # spec gives the same bytes there.
   target_compile_options(kempe_${name} PRIVATE -ffp-contract=off)
@@ -17,9 +17,10 @@ function(kempe_room name)
   set_property(GLOBAL APPEND PROPERTY KEMPE_OUTSIDE ${ROOM_USES} ${ROOM_PRIVATE_USES})
 endfunction()
 
-# kempe_whole_folders(TARGET): with KEMPE_UNITY the sources of a folder are compiled as one, their headers and templates once:
-# a fresh build takes half of the CPU time, a changed file more. Helpers of one folder must not share a name, then (that one
-# shadows another is no fault). Files that include CGAL or the like (*_backend.cpp) stay alone.
+# kempe_whole_folders(TARGET [FOLDER ...]): with KEMPE_UNITY the sources of a folder are compiled as one, their headers and
+# templates once: a fresh build takes a part of the CPU time, a changed file more. A folder that is named here is compiled with
+# all that is below it (`.`: the whole target). What is compiled as one must not give two helpers one name (that one shadows
+# another is no fault). Files that include CGAL or the like (*_backend.cpp) stay apart, alone unless their room groups them.
 function(kempe_whole_folders target)
   if(NOT KEMPE_UNITY)
     return()
@@ -28,6 +29,11 @@ function(kempe_whole_folders target)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     get_filename_component(folder ${source} DIRECTORY)
+    foreach(joined IN LISTS ARGN)
+      if(joined STREQUAL "." OR folder MATCHES "^${joined}/")
+        set(folder ${joined})
+      endif()
+    endforeach()
     if(NOT IS_ABSOLUTE ${source} AND NOT source MATCHES "_backend\\.cpp$")
       string(MAKE_C_IDENTIFIER "sources_${folder}" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})

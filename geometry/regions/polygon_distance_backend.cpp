@@ -70,7 +70,7 @@ std::optional<Point> corner_inside(const Region& one, const Region& other) {
   return found;
 }
 
-Kernel::Segment_2 exact(const EdgeTree::Edge& edge) {
+Kernel::Segment_2 exact_segment(const EdgeTree::Edge& edge) {
   return {{edge.from.x(), edge.from.y()}, {edge.to.x(), edge.to.y()}};
 }
 
@@ -82,7 +82,7 @@ bool edges_are_apart(const Region& one, const Region& other, double gap, double 
   for_near_pairs(
       one, tree, [&] { return apart ? gap + slack : -1.0; },
       [&](const EdgeTree::Edge& a, const EdgeTree::Edge& b) {
-        if (CGAL::squared_distance(exact(a), exact(b)) < squared) apart = false;
+        if (CGAL::squared_distance(exact_segment(a), exact_segment(b)) < squared) apart = false;
       });
   return apart;
 }

@@ -20,7 +20,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using ExactPoint = Kernel::Point_2;
 using ExactRing = CGAL::Polygon_2<Kernel>;
-using ExactPolygon = CGAL::Polygon_with_holes_2<Kernel>;
+using ExactPart = CGAL::Polygon_with_holes_2<Kernel>;
 using ExactRegion = CGAL::Polygon_set_2<Kernel>;
 
 /// Corners of the polygon around a disc: it exceeds the radius by 0.12 %.
@@ -45,8 +45,8 @@ bool is_filled(const ExactRing& hole, const ExactRing& disc) {
 
 /// The polygon grown by the disc. Holes that it fills are left out beforehand: CGAL 5.5 erases them one by one through
 /// iterators that the first erasure has made invalid (Hole_filter_2.h), and with two of them memory is wrong.
-ExactPolygon grown(const Polygon& polygon, const ExactRing& disc) {
-  ExactPolygon open(exact(polygon.outer));
+ExactPart grown(const Polygon& polygon, const ExactRing& disc) {
+  ExactPart open(exact(polygon.outer));
   for (const Ring& hole : polygon.holes)
     if (ExactRing ring = exact(hole); !is_filled(ring, disc)) open.add_hole(std::move(ring));
   return CGAL::minkowski_sum_2(open, disc);
@@ -92,10 +92,10 @@ std::size_t corner_count(const Region& region) {
 
 /// Back to doubles. Holes that rounding closes are left closed: the result may only be larger.
 tl::expected<Region, std::string> rounded(const ExactRegion& exact_region) {
-  std::vector<ExactPolygon> polygons;
+  std::vector<ExactPart> polygons;
   exact_region.polygons_with_holes(std::back_inserter(polygons));
   std::vector<Ring> outers, holes;
-  for (const ExactPolygon& polygon : polygons) {
+  for (const ExactPart& polygon : polygons) {
     outers.push_back(rounded(polygon.outer_boundary()));
     for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) {
       Ring ring = without_repeated_corners(rounded(*hole));
@@ -120,7 +120,7 @@ tl::expected<Region, std::string> grown(const Region& region, double margin) {
     return tl::unexpected(too_many("corners to grow", corners, most_grown_corners));
   const std::vector<ExactPoint> disc_ring = around_disc(Point::Zero(), margin);
   const ExactRing disc(disc_ring.begin(), disc_ring.end());
-  std::vector<ExactPolygon> parts;
+  std::vector<ExactPart> parts;
   for (const Polygon& polygon : region.polygons) parts.push_back(grown(polygon, disc));
   ExactRegion sum;
   sum.join(parts.begin(), parts.end());

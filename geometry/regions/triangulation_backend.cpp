@@ -12,15 +12,15 @@
 namespace kempe {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr std::size_t not_numbered = static_cast<std::size_t>(-1);
 struct Number {
   std::size_t value = not_numbered;
 };
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Predicates>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Predicates>;
 using Faces = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
+    Predicates, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
 
 void insert(Faces& faces, const Ring& ring) {
   std::vector<Faces::Vertex_handle> vertices;

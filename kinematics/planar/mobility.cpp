@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/chance.hpp"
+#include "geometry/decompositions.hpp"
 #include "kinematics/planar/equations.hpp"
 #include "kinematics/planar/solver.hpp"
 #include "kinematics/planar/tolerances.hpp"

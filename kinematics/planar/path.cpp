@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "kinematics/planar/tolerances.hpp"
 
 namespace kempe {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/decompositions.hpp"
 #include "kinematics/planar/equations.hpp"
 #include "kinematics/planar/tolerances.hpp"
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "kinematics/planar/equations.hpp"
 #include "kinematics/planar/tolerances.hpp"
 
@@ -101,7 +102,7 @@ class Closing {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
     decomposition.setThreshold(share);
     decomposition.compute(jacobian_);
-    return decomposition.solve(f_);
+    return solution_of(decomposition, f_);
   }
 
   PlanarEquations equations_;

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "geometry/decompositions.hpp"
 
 namespace kempe {
 namespace {
@@ -132,7 +133,7 @@ Calibration expected_calibration(const CalibrationTask& task, const Eigen::Matri
                                  double noise) {
   Calibration expected;
   expected.noise = noise;
-  const Eigen::MatrixXd small = information.inverse();
+  const Eigen::MatrixXd small = inverse_of(information);
   const double size = task.setups.front().drawn.head<8>().cwiseAbs().maxCoeff();
   const auto unit = [&](Measure measure) { return measure == Measure::turn ? 1 / size : 1.0; };
   for (std::size_t i = 0; i < task.free.size(); ++i)

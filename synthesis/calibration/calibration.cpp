@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/calibration/fit.hpp"
 #include "synthesis/calibration/statistics.hpp"
 #include "synthesis/calibration/tolerances.hpp"

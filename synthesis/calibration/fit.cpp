@@ -1,12 +1,10 @@
 #include "synthesis/calibration/fit.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe::calibration_detail {
@@ -125,7 +123,7 @@ std::vector<Indistinct> indistinct_combinations(const Eigen::MatrixXd& slopes,
   Eigen::MatrixXd at_held(unknown, unknown);
   for (Eigen::Index i = 0; i < unknown; ++i)
     at_held.row(i) = space.row(static_cast<Eigen::Index>(held[static_cast<std::size_t>(i)]));
-  const Eigen::MatrixXd factors = space * at_held.inverse();
+  const Eigen::MatrixXd factors = space * inverse_of(at_held);
   std::vector<Indistinct> found;
   for (Eigen::Index i = 0; i < unknown; ++i) {
     found.push_back(combination(factors.col(i), held[static_cast<std::size_t>(i)], free, units));

@@ -1,11 +1,11 @@
 // Levenberg-Marquardt by MINPACK's lmder (cminpack).
 #include <cminpack.h>
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/calibration/least_squares.hpp"
 #include "synthesis/calibration/tolerances.hpp"
 
@@ -59,7 +59,7 @@ void polish(Call& call, LeastSquaresSolution& solution, Eigen::Index rows, doubl
   double last_step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 30; ++i) {
     if (!call.residuals(solution.x, residuals, &jacobian)) return;
-    const Eigen::VectorXd step = jacobian.colPivHouseholderQr().solve(-residuals);
+    const Eigen::VectorXd step = solution_of(jacobian.colPivHouseholderQr(), -residuals);
     const double length = step.norm();
     ++call.evaluations;
     if (!std::isfinite(length)) return;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/calibration/plan.hpp"
 #include "synthesis/calibration/tolerances.hpp"
 
@@ -86,7 +86,7 @@ bool correct(const Fan& fan, Measures& corrections, Eigen::VectorXd& values) {
   Eigen::MatrixXd slopes;
   for (int step = 0; step < 6; ++step) {
     if (!fan.departures(corrections, values, slopes)) return false;
-    const Eigen::Vector4d move = slopes.colPivHouseholderQr().solve(-values);
+    const Eigen::Vector4d move = solution_of(slopes.colPivHouseholderQr(), -values);
     for (std::size_t j = 0; j < 4; ++j)
       corrections[index_of(scales[j].measure)] += move[static_cast<Eigen::Index>(j)];
     if (move.norm() < tolerance::corrections_at_rest) break;

@@ -12,12 +12,10 @@
 //     the family of four-bars does not obey Haar's condition, and fewer ripples can be the best.
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/functions/conditions.hpp"
 #include "synthesis/functions/tolerances.hpp"
 
@@ -134,7 +132,7 @@ std::optional<Balanced> balanced(const GeneratorError& error, GeneratorVector u,
     right.segment(n, k).array() += E;
     system.block(n + m, n, 1, k).setOnes();
     right[n + m] = 1 - multipliers.head(k).sum();
-    const Eigen::VectorXd step = system.fullPivLu().solve(right);
+    const Eigen::VectorXd step = solution_of(system.fullPivLu(), right);
     if (!step.allFinite() || step.head(n).cwiseAbs().maxCoeff() > 0.5) return std::nullopt;
     u += step.head(n);
     multipliers += step.segment(n, m);

@@ -1,9 +1,9 @@
 #include "synthesis/functions/structural_error.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "geometry/point.hpp"
 #include "synthesis/functions/precision_points.hpp"
 #include "synthesis/functions/tolerances.hpp"
@@ -153,7 +153,7 @@ std::optional<Eigen::VectorXd> levelling_step(const StructuralErrorTask& task,
   for (Eigen::Index i = 0; i < system.rows(); ++i) system(i, p.size()) = i % 2 == 0 ? -1 : 1;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(system);
   if (qr.rank() < system.cols()) return std::nullopt;
-  const Eigen::VectorXd solution = qr.solve(-rows->value);
+  const Eigen::VectorXd solution = solution_of(qr, -rows->value);
   return Eigen::VectorXd(solution.head(p.size()));
 }
 
@@ -192,7 +192,7 @@ tl::expected<StructuralFit, NoFit> fit_through_points(const StructuralErrorTask&
     if (!rows) return tl::unexpected(NoFit::not_defined);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows->gradient);
     if (qr.rank() < p.size()) return tl::unexpected(NoFit::dependent);
-    const Eigen::VectorXd step = qr.solve(-rows->value);
+    const Eigen::VectorXd step = solution_of(qr, -rows->value);
     const double before = rows->value.norm();
     double share = 1;
     std::optional<Rows> next;
@@ -232,7 +232,7 @@ tl::expected<StructuralFit, NoFit> fit_least_squares(const StructuralErrorTask& 
     right.head(weighted.rows()) = -root_weight.cwiseProduct(rows->value);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(system);
     if (qr.rank() < p.size()) return tl::unexpected(NoFit::dependent);
-    const Eigen::VectorXd step = qr.solve(right);
+    const Eigen::VectorXd step = solution_of(qr, right);
     const auto next = rows_at(task, places.x, p + step);
     const double next_cost = next ? sum_of_squares(places, next->value) : 0;
     if (next && next_cost < cost) {

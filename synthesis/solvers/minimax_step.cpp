@@ -4,9 +4,9 @@
 
 #include "synthesis/solvers/minimax_step.hpp"
 
-#include <Eigen/LU>
 #include <vector>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/solvers/tolerances.hpp"
 
 namespace kempe {
@@ -44,7 +44,7 @@ class DualSimplex {
       const Eigen::FullPivLU<Eigen::MatrixXd> lu(basis);
       if (!lu.isInvertible()) return std::nullopt;
       // row . d - t = -value for figures, row . d = -value else: unknowns (d, -t).
-      const Eigen::VectorXd at = lu.solve(Eigen::VectorXd(-values_(basis_)));
+      const Eigen::VectorXd at = solution_of(lu, -values_(basis_));
       const Eigen::VectorXd violation = values_ + rows_ * at;
       Eigen::Index entering = 0;
       const double scale = program_.figures.cwiseAbs().maxCoeff();

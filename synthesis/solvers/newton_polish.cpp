@@ -1,9 +1,9 @@
 #include "synthesis/solvers/newton_polish.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/solvers/tolerances.hpp"
 
 namespace kempe {
@@ -71,7 +71,7 @@ Eigen::VectorXd least_norm(const Eigen::MatrixXd& matrix, const Eigen::VectorXd&
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(matrix.rows(), matrix.cols());
   decomposition.setThreshold(tolerance::rank_tolerance);
   decomposition.compute(matrix);
-  return decomposition.solve(right);
+  return solution_of(decomposition, right);
 }
 
 /// Drops the constraints that hold nothing: multipliers that come out negative, the worst first.

@@ -8,7 +8,7 @@ namespace kempe {
 namespace {
 
 /// Distances are rounded by less than this share of the coordinates they come from, but for the linkage's direction.
-constexpr double rounding = 1e-14;
+constexpr double distance_rounding = 1e-14;
 
 double farthest_of(const LinkageMotion& motion, const JointHull& hull) {
   double farthest = 0;
@@ -47,8 +47,8 @@ ContactScene::ContactScene(const MapTask& task, double within) : motion(task.lin
     const Obstacle& given = task.obstacles[number];
     SceneObstacle obstacle{EdgeTree(given.shape, task.linkage.pole()), number, 0};
     if (obstacle.edges.empty()) continue;
-    obstacle.slack =
-        turned + rounding * (size + task.clearance + obstacle.edges.magnitude() + task.linkage.pole().norm());
+    obstacle.slack = turned + distance_rounding * (size + task.clearance + obstacle.edges.magnitude() +
+                                                   task.linkage.pole().norm());
     const std::size_t before = encounters.size();
     const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
     for (std::size_t i = 0; i < pieces.size(); ++i)

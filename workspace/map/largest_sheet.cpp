@@ -183,7 +183,7 @@ Place SheetFinder::coarse(double turn) const {
 }
 
 /// Flat enough that the loss is not seen, and inside the region.
-Region flat(const ArcRegion& region) {
+Region flattened_finely(const ArcRegion& region) {
   Box box{Point::Constant(std::numeric_limits<double>::infinity()),
           Point::Constant(-std::numeric_limits<double>::infinity())};
   for (const ArcPolygon& polygon : region)
@@ -252,13 +252,13 @@ std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned)
 }  // namespace
 
 std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned) {
-  const auto place = best_place(flat(region), proportion, turned);
+  const auto place = best_place(flattened_finely(region), proportion, turned);
   if (!place) return std::nullopt;
   return sheet_at(*place, proportion);
 }
 
 std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region) {
-  const Region flattened_once = flat(region);
+  const Region flattened_once = flattened_finely(region);
   const auto upright = largest_iso_sheet(flattened_once, false),
              turned = largest_iso_sheet(flattened_once, true);
   return turned && (!upright || turned->width > upright->width) ? turned : upright;

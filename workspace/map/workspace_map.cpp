@@ -18,7 +18,7 @@ namespace kempe {
 namespace {
 
 /// Cells are cut until there would be more than this, whatever the tolerance asks: about 400 MB of lists.
-constexpr std::size_t most_cells = 1'000'000;
+constexpr std::size_t most_map_cells = 1'000'000;
 /// Where hardly anything is free the open band is measured against this share of the interval's area.
 constexpr double least_share = 0.01;
 
@@ -39,7 +39,8 @@ void refine(std::vector<Subdivision>& charts, double tolerance, const StopFlag& 
       free_area += chart.free_area();
       cells += chart.open().size();
     }
-    if (cells == 0 || cells > most_cells || open_area <= tolerance * std::max(free_area, least_share * whole))
+    if (cells == 0 || cells > most_map_cells ||
+        open_area <= tolerance * std::max(free_area, least_share * whole))
       return;
     bool any = false;
     for (Subdivision& chart : charts) any = chart.split(unless(stop)) || any;

@@ -1,0 +1,27 @@
+#include "geometry/decompositions.hpp"
+
+template class Eigen::JacobiSVD<Eigen::MatrixXd>;
+template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+template class Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+template class Eigen::FullPivLU<Eigen::MatrixXd>;
+template class Eigen::PartialPivLU<Eigen::MatrixXd>;
+
+namespace kempe {
+
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix) { return matrix.inverse(); }
+
+Eigen::VectorXd solution_of(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& matrix,
+                            const Eigen::VectorXd& right) {
+  return matrix.solve(right);
+}
+
+Eigen::VectorXd solution_of(const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>& matrix,
+                            const Eigen::VectorXd& right) {
+  return matrix.solve(right);
+}
+
+Eigen::VectorXd solution_of(const Eigen::FullPivLU<Eigen::MatrixXd>& matrix, const Eigen::VectorXd& right) {
+  return matrix.solve(right);
+}
+
+}  // namespace kempe

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+// Eigen's decompositions of matrices of any size, compiled once, in decompositions.cpp: a file that instantiates one of them
+// itself takes seconds more to compile. Who decomposes such a matrix includes this header instead of Eigen's.
+
+extern template class Eigen::JacobiSVD<Eigen::MatrixXd>;
+extern template class Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+extern template class Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+extern template class Eigen::FullPivLU<Eigen::MatrixXd>;
+extern template class Eigen::PartialPivLU<Eigen::MatrixXd>;
+
+namespace kempe {
+
+/// The inverse, by elimination with partial pivoting.
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix);
+/// What `solve` of each decomposition gives.
+Eigen::VectorXd solution_of(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& matrix,
+                            const Eigen::VectorXd& right);
+Eigen::VectorXd solution_of(const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>& matrix,
+                            const Eigen::VectorXd& right);
+Eigen::VectorXd solution_of(const Eigen::FullPivLU<Eigen::MatrixXd>& matrix, const Eigen::VectorXd& right);
+
+}  // namespace kempe
