@@ -20,7 +20,7 @@ std::string complaint(const DesignAudit& found, const std::string& file) {
   return text;
 }
 
-int run(const Session& session, const std::string& file) {
+int check_file(const Session& session, const std::string& file) {
   const auto text = read_text_file(file);
   if (!text) return fail(session, text.error());
   const auto design = read_design(*text, file);
@@ -39,7 +39,8 @@ void add_verify_command(CLI::App& program, Session& session) {
                                   "kempe verify out/plagiograph/design.json");
   auto file = std::make_shared<std::string>();
   command->add_option("DESIGN", *file, "A design.json")->required();
-  command->callback([&session, file] { session.chosen = [&session, file] { return run(session, *file); }; });
+  command->callback(
+      [&session, file] { session.chosen = [&session, file] { return check_file(session, *file); }; });
 }
 
 }  // namespace kempe::app

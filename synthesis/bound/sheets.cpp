@@ -7,7 +7,7 @@ namespace kempe::bounding {
 namespace {
 
 /// A gap is a difference of coordinates, off by less than this share of the largest of them.
-constexpr double rounding_share = 1e-12;
+constexpr double sheet_rounding_share = 1e-12;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
 SheetsGap::Verdict SheetsGap::verdict(const Point& pole, double radius) const {
   if (!gap_) return Verdict::far_enough;
   const double coordinates = extent_ + pole.norm() + radius;
-  const double rounding = rounding_share * (*gap_ + (1 + std::abs(k_)) * coordinates);
+  const double rounding = sheet_rounding_share * (*gap_ + (1 + std::abs(k_)) * coordinates);
   const double slack = std::abs(1.0 - k_) * radius + rounding;
   bool far_enough = true;
   for (const Point& place : places_) {
