@@ -53,7 +53,9 @@ function(kempe_warnings target)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     $<$<BOOL:${KEMPE_UNITY}>:-Wno-shadow>
     $<$<AND:$<BOOL:${KEMPE_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
-    $<$<BOOL:${KEMPE_WERROR}>:-Werror>)
+    $<$<BOOL:${KEMPE_WERROR}>:-Werror>
+    # What g++ finds after inlining is often false, and over many sources it inlines more: told, but no error.
+    "$<$<AND:$<BOOL:${KEMPE_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=maybe-uninitialized;-Wno-error=array-bounds;-Wno-error=stringop-overflow;-Wno-error=stringop-overread;-Wno-error=dangling-pointer;-Wno-error=free-nonheap-object>")
 endfunction()
 
 # kempe_tests(NAME SOURCES ... USES ...): one GoogleTest program a room, each case known to CTest.
