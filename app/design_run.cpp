@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
+#include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/drawings/step_assembly.hpp"
 #include "reports/publication.hpp"
@@ -146,6 +148,13 @@ std::string tool_line(const std::optional<ToolAdvice>& tool) {
   return text;
 }
 
+/// The command that checks the proof's log, with the design or alone.
+std::string how_to_check(const std::filesystem::path& folder, bool with_design) {
+  const auto path = [&](std::string_view name) { return " " + printable((folder / name).string()); };
+  return "python3 proof/kempe_check.py" + (with_design ? path("design.json") : "") + path(certificate_name) +
+         " checks it";
+}
+
 }  // namespace
 
 std::string summary_text(const Design& design, const std::filesystem::path& folder,
@@ -188,6 +197,8 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
     has_parts = has_parts || is_part;
   }
   text += "\n";
+  if (std::find(files.begin(), files.end(), certificate_name) != files.end())
+    text += "proof        " + how_to_check(folder, true) + "\n";
   for (const std::string& sentence : left_out) text += "             " + sentence + "\n";
   return text;
 }
@@ -215,9 +226,19 @@ std::string limit_word(const Relaxation& relaxation) {
 
 }  // namespace
 
-int tell_no_design(const Session& session, const NoDesign& none) {
+int tell_no_design(const Session& session, const NoDesign& none, const std::optional<ProofFolder>& proof) {
   const std::string verdict = none.proven ? "no design exists" : "no design was found";
   std::string message = verdict + (none.proven ? " (proven: no linkage can): " : ": ") + none.sentence + "\n";
+  std::vector<std::string> files;
+  if (const auto log =
+          none.proven && proof ? certificate_of_none(proof->spec.spec, proof->stop) : std::nullopt) {
+    if (const auto clash = output_clash(proof->spec.inputs(), proof->folder, {certificate_name}))
+      return fail(session, *clash);
+    if (const auto written = write_whole(proof->folder, {{certificate_name, *log}}); !written)
+      return fail(session, cannot_write, written.error());
+    message += "  " + how_to_check(proof->folder, false) + "\n";
+    files.push_back(certificate_name);
+  }
   if (!none.diagnosed) message += "  stopped before every limit was relaxed\n";
   if (!none.obstacles_out_of_reach.empty()) message += "  " + reach_line(none.obstacles_out_of_reach.size());
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
@@ -228,6 +249,7 @@ int tell_no_design(const Session& session, const NoDesign& none) {
                                   {"sentence", none.sentence},
                                   {"proven", none.proven},
                                   {"diagnosed", none.diagnosed},
+                                  {"files", files},
                                   {"obstacles_out_of_reach", none.obstacles_out_of_reach}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
@@ -243,13 +265,13 @@ int tell_no_design(const Session& session, const NoDesign& none) {
 }
 
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
-                   const std::filesystem::path& folder) {
+                   const std::filesystem::path& folder, const StopFlag& stop) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
   FolderDraft draft(folder);
-  const auto drafted = draft_design(design, extras, draft);
+  const auto drafted = draft_design(design, extras, draft, stop);
   if (!drafted)
     return fail(session, drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
                 drafted.error().sentence);

@@ -2,6 +2,7 @@
 // What `synthesize` and `workspace` share: the spec read, the design verified, written and told.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -28,10 +29,19 @@ std::string shown_name(const std::string& file);
 /// Verifies the design, writes its folder and prints the summary. Returns the exit code: `verification_failed` (and
 /// nothing written), `cannot_write`, or done.
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
-                   const std::filesystem::path& folder);
+                   const std::filesystem::path& folder, const StopFlag& stop = {});
 
-/// Says why no design exists and what would make one possible; returns `no_design`.
-int tell_no_design(const Session& session, const NoDesign& none);
+/// Where the log of a proof that there is no design may be written.
+struct ProofFolder {
+  const LoadedSpec& spec;
+  std::filesystem::path folder;
+  StopFlag stop;
+};
+
+/// Says why no design exists and what would make one possible; a proof's log goes into the folder, if one is given. Returns
+/// `no_design`, or `cannot_write`.
+int tell_no_design(const Session& session, const NoDesign& none,
+                   const std::optional<ProofFolder>& proof = std::nullopt);
 
 /// The summary that a person reads, or with --json one object; `left_out`: sentences about files that are not there.
 std::string summary_text(const Design& design, const std::filesystem::path& folder,

@@ -659,7 +659,7 @@ def cloud(still, moving, ways):
     """Places whose hull, grown by a radius, holds a joint over a cell; the radius; how far it moves; where it is in the middle."""
     ends = [[still[i] + sum((d * x for d, x in zip(moving[i].d, way)), ZERO) for i in (0, 1)] for way in ways]
     points, middle = [centre(e) for e in ends], centre(still)
-    radius = max(math.hypot(*(nextafter(c.hi - c.lo, inf) for c in e)) for e in ends)
+    radius = 0.5 * (1 + 1e-15) * max(math.hypot(*(nextafter(c.hi - c.lo, inf) for c in e)) for e in ends)
     return points, radius, max(math.dist(p, middle) for p in points), middle
 
 
@@ -834,6 +834,17 @@ class Certificate:
             most += slope.square() / (square * -4.0) if inside else slope * h + square * h.square()
         return most.hi < 0
 
+    def point_at(self, point, T, z):
+        """P + alpha p + beta q/s, by (2), the point's constants less the pole's collected before a, b and P vary."""
+        seen, pole = {j: self.shape.seen(j) for j in "VABCXY"}, (z["x"], z["y"])
+        alpha, beta = (csub(self.material(point, {j: c[i] for j, c in seen.items()}), seen[ROLES[self.shape.vertex][0]][i])
+                       for i in (0, 1))
+        w, aa, bb = cmul(self.shape.g, csub(T, pole)), z["a"].square(), z["b"].square()
+        r = square_of(w)
+        h = ((z["a"] * z["b"] * 2.0).square() - (r - aa - bb).square()).sqrt() * float(self.sign)
+        zeta = (r + aa - bb) / (r * 2.0), -h / (r * 2.0)
+        return cadd(pole, cmul(w, cadd(cmul(csub(alpha, beta), zeta), beta)))
+
     def no_lengths(self, node, line):
         return any(node.box[v].lo > node.box[v].hi for v in "ab")
 
@@ -871,8 +882,7 @@ class Certificate:
         names = [v for v in "abxy" if node.box[v].lo < node.box[v].hi]
         middle = {v: I(m) for v, m in node.middle().items()}
         wide = {v: I(i.lo, i.hi, [I(float(v == n)) for n in names]) for v, i in node.box.items()}
-        moving, still = (self.material(point, self.shape.joints((z["x"], z["y"]), csub(T, (z["x"], z["y"])), z["a"], z["b"], self.sign))
-                         for z in (wide, middle))
+        moving, still = (self.point_at(point, T, z) for z in (wide, middle))
         points, radius, _, _ = cloud(still, moving, [[c - middle[v] for v, c in zip(names, corner)] for corner in node.corners(names)])
         allowed = (self.task.half(point[0]) + self.task.clearance) * (1 - 1e-15)
         return all(math.hypot(*apart([p], K)) + radius + 1e-14 * max(abs(c) for c in p) < allowed for p in points)

@@ -1,6 +1,7 @@
 #include "reports/publication.hpp"
 
 #include "reports/audit/recheck.hpp"
+#include "reports/certificate.hpp"
 #include "reports/design_package.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "synthesis/verification/verification.hpp"
@@ -26,17 +27,22 @@ tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) 
 
 }  // namespace
 
-tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft) {
+tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
+                                                 const StopFlag& stop) {
   using enum NotPublished::By;
   design.verification = verify(verification_task(design));
   if (!design.verification.certified)
     return refused(verification,
                    "the design failed its verification, nothing is written: " + design.verification.failure);
   if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
+  const auto certificate = certificate_of(design, stop);  // before design.json, which states the bound proven
   give_memory_back();
   auto left_out = make_design_package(design, design.cutting, extras,
                                       [&](const OutputFile& file) { return draft.add(file); });
   if (!left_out) return refused(writing, left_out.error());
+  if (certificate)
+    if (const auto added = draft.add({certificate_name, *certificate}); !added)
+      return refused(writing, added.error());
   give_memory_back();
   if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
     return refused(rereading,

@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/page/html_report.hpp"
 #include "synthesis/design/design.hpp"
@@ -24,8 +25,10 @@ struct Drafted {
 
 /// Fills in the design's verification, and gives all its files (design_package.hpp) to the draft.
 ///  1. Nothing is drafted of a design that fails its verification.
+///     Its bound comes with the log of its proof (certificate.hpp), if that closes before `stop`.
 ///  2. The drawings are read again from the draft; where they are not the design, the error says so.
 /// Putting the draft in place is the caller's.
-tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft);
+tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
+                                                 const StopFlag& stop = {});
 
 }  // namespace kempe

@@ -58,12 +58,13 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
                         "before a design was found or proven impossible; nothing is written" +
                             known_bound(objective, early->proven_bound),
                         early->proven_bound);
-  if (const auto* none = std::get_if<NoDesign>(&outcome)) return tell_no_design(session, *none);
+  if (const auto* none = std::get_if<NoDesign>(&outcome))
+    return tell_no_design(session, *none, ProofFolder{*loaded, arguments.folder, stopping.flag(time_to_map)});
   const auto& found = std::get<FoundDesign>(outcome);
   auto design = certified_design(
       loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag(time_to_map)});
   if (!design) return fail(session, no_design, design.error());
-  const int code = publish_design(session, *design, *loaded, arguments.folder);
+  const int code = publish_design(session, *design, *loaded, arguments.folder, stopping.flag(time_to_map));
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

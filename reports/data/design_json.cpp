@@ -6,18 +6,13 @@
 #include "geometry/stated_angle.hpp"
 #include "reports/data/geojson_geometry.hpp"
 #include "reports/data/link_shape.hpp"
+#include "reports/data/task_json.hpp"
 #include "specs/objective_unit.hpp"
 
 namespace kempe {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Infinity (no pair of parts can touch) has no JSON form, and NaN must never pass for a figure.
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json finite_or_null(const std::optional<double>& value) {
-  return value ? finite_or_null(*value) : Json(nullptr);
-}
 
 Json opening_json(const OpeningInterval& opening) {
   return opening.empty() ? Json(nullptr)
@@ -151,25 +146,9 @@ Json search_json(const std::optional<SearchRecord>& search) {
   return json;
 }
 
-Json limits_json(const Limits& limits) {
-  return {{"clearance_mm", limits.clearance},
-          {"transmission_deg", stated_degrees(limits.transmission)},
-          {"sheets_gap_mm", finite_or_null(limits.sheets_gap)},
-          {"copy_error_mm", finite_or_null(limits.copy_error)}};
-}
-
-Json tolerance_json(const std::optional<Tolerance>& tolerance) {
-  if (!tolerance) return nullptr;
-  return {{"length_mm", tolerance->length}, {"play_mm", tolerance->play}};
-}
-
-Json obstacles_json(const std::vector<Obstacle>& obstacles) {
-  Json json = Json::array();
-  for (const Obstacle& obstacle : obstacles)
-    json.push_back({{"name", obstacle.name},
-                    {"shape", multi_polygon(Region{{obstacle.shape}})},
-                    {"layers", Json::array({obstacle.lowest_layer, obstacle.highest_layer})}});
-  return json;
+template <class Function>
+Json if_known(const std::optional<Allowed>& allowed, Function json) {
+  return allowed ? json(*allowed) : Json(nullptr);
 }
 
 Json copy_json(const Design& design) {
@@ -192,40 +171,6 @@ Json tool_json(const std::optional<ToolAdvice>& tool) {
           {"template_offset_mm", finite_or_null(tool->template_offset)}};
 }
 
-Json pole_json(const std::optional<Allowed>& allowed) {
-  if (!allowed) return nullptr;
-  if (allowed->pole.is_fixed()) return {{"at_mm", position(std::get<Point>(allowed->pole.place))}};
-  return {{"within_mm", multi_polygon(std::get<Region>(allowed->pole.place))}};
-}
-
-Json links_limits_json(const std::optional<Allowed>& allowed) {
-  if (!allowed) return nullptr;
-  Json json{{"layers", allowed->layers},
-            {"shortest_mm", allowed->shortest},
-            {"longest_mm", allowed->longest},
-            {"wall_mm", finite_or_null(allowed->wall)},
-            {"grid_mm", finite_or_null(allowed->workshop.grid)},
-            {"stock_mm", allowed->workshop.stock}};
-  for (std::size_t i = 0; i < allowed->workshop.locked.size(); ++i)
-    if (allowed->workshop.locked[i])
-      json[std::string(LinkLengths::names[i]) + "_mm"] = *allowed->workshop.locked[i];
-  return json;
-}
-
-Json objective_json(const std::optional<Allowed>& allowed) {
-  if (!allowed) return nullptr;
-  Json groundings = Json::array();
-  for (const Grounding grounding : allowed->groundings) groundings.push_back(name(grounding));
-  return {{"groundings", std::move(groundings)}};
-}
-
-Json cutting_json(const CuttingSpec& cutting) {
-  return {{"hole_fit_mm", cutting.hole_fit},
-          {"kerf_mm", cutting.kerf},
-          {"sheet_mm", cutting.sheet ? position(*cutting.sheet) : Json(nullptr)},
-          {"gap_mm", cutting.gap}};
-}
-
 }  // namespace
 
 nlohmann::ordered_json design_values(const Design& design) {
@@ -242,9 +187,9 @@ nlohmann::ordered_json design_values(const Design& design) {
           {"obstacles", obstacles_json(design.obstacles)},
           {"why_not_fewer_layers", design.why_not_fewer_layers},
           {"tool", tool_json(design.tool)},
-          {"pole", pole_json(design.allowed)},
-          {"links", links_limits_json(design.allowed)},
-          {"objective", objective_json(design.allowed)},
+          {"pole", if_known(design.allowed, pole_json)},
+          {"links", if_known(design.allowed, links_limits_json)},
+          {"objective", if_known(design.allowed, objective_json)},
           {"cutting", cutting_json(design.cutting)}};
 }
 

@@ -109,6 +109,29 @@ Allowed allowed_by(const Spec& spec) {
           spec.links.workshop, spec.objective.groundings, least_wall(spec)};
 }
 
+Spec task_of(const Design& design) {
+  Spec spec;
+  spec.copy = design.wanted ? Copy::of(design.wanted->scale, design.wanted->rotation)
+                            : Copy::of(design.scale, design.rotation);
+  spec.region = design.region;
+  spec.links.style = design.style;
+  spec.limits = design.limits;
+  spec.tolerance = design.tolerance;
+  spec.obstacles = design.obstacles;
+  spec.cutting = design.cutting;
+  if (design.search) spec.objective.objective = design.search->objective;
+  if (!design.allowed) return spec;
+  const Allowed& allowed = *design.allowed;
+  spec.pole = allowed.pole;
+  spec.links.layers = allowed.layers;
+  spec.links.shortest = allowed.shortest;
+  spec.links.longest = allowed.longest;
+  spec.links.workshop = allowed.workshop;
+  spec.links.wall = allowed.wall;
+  spec.objective.groundings = allowed.groundings;
+  return spec;
+}
+
 MapTask map_task(const Design& design) {
   return map_task(design.linkage, design.style, design.layers, design.limits, design.obstacles,
                   design.region);

@@ -53,6 +53,10 @@ struct Allowed {
 };
 Allowed allowed_by(const Spec& spec);
 
+struct Design;
+/// The task of a searched design, as its file states it: allowed_by() and all else back in a spec.
+Spec task_of(const Design& design);
+
 struct Design {
   CopyingLinkage linkage;
   /// That the lengths give: as the spec gave them unless `wanted`; rotation rad.

@@ -1,0 +1,21 @@
+#pragma once
+// Is a point of the linkage in an obstacle in every design of a cell, with the tracer at a place? In intervals.
+
+#include <optional>
+
+#include "synthesis/certificate/design_cell.hpp"
+
+namespace kempe::certificate {
+
+/// Where a material point stands in the middle design, and how far it may be from there in any other, mm.
+struct PointRange {
+  Point middle = Point::Zero();
+  double away = 0;
+};
+
+/// Nothing if some design of the cell cannot be proven to reach the place. `of_a`, `of_b`: the point less the pole's joint,
+/// V + of_a p + of_b q/s.
+std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
+                                     const bounding::MaterialPoint& from_pole);
+
+}  // namespace kempe::certificate
