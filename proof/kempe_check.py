@@ -836,8 +836,8 @@ class Certificate:
 
     def point_at(self, point, T, z):
         """P + alpha p + beta q/s, by (2), the point's constants less the pole's collected before a, b and P vary."""
-        seen, pole = {j: self.shape.seen(j) for j in "VABCXY"}, (z["x"], z["y"])
-        alpha, beta = (csub(self.material(point, {j: c[i] for j, c in seen.items()}), seen[ROLES[self.shape.vertex][0]][i])
+        seen, pole = self.shape.seen, (z["x"], z["y"])
+        alpha, beta = (csub(self.material(point, {j: c[i] for j, c in seen.items()}), seen["V" if self.shape.vertex == "pole" else "X"][i])
                        for i in (0, 1))
         w, aa, bb = cmul(self.shape.g, csub(T, pole)), z["a"].square(), z["b"].square()
         r = square_of(w)

@@ -7,9 +7,15 @@
 
 namespace kempe {
 
+bool has_rules(const Design& design) {
+  const auto& bound = design.quality.proven_bound;
+  return design.search && design.allowed && bound && std::isfinite(*bound) && !design.region.empty() &&
+         (design.search->objective == Objective::size || design.search->objective == Objective::transmission);
+}
+
 std::optional<std::string> certificate_of(Design& design, const StopFlag& stop) {
+  if (!has_rules(design)) return std::nullopt;
   auto& bound = design.quality.proven_bound;
-  if (!design.search || !design.allowed || !bound || !std::isfinite(*bound)) return std::nullopt;
   const Spec task = task_of(design);
   certificate::ProofOptions options;
   options.stop = stop;

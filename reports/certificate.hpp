@@ -11,6 +11,9 @@ namespace kempe {
 
 inline const std::string certificate_name = "certificate.jsonl";
 
+/// True if the design has a bound of an objective that the log has rules for (size, transmission).
+bool has_rules(const Design& design);
+
 /// The log that no design is better than the design's bound; nothing where it has no bound, its objective has no rules, or the
 /// tree does not close. A bound that touches the best design is made looser by a millionth of itself, in the design too: then
 /// what its file says is what the log proves.

@@ -43,6 +43,9 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
   if (certificate)
     if (const auto added = draft.add({certificate_name, *certificate}); !added)
       return refused(writing, added.error());
+  if (!certificate && has_rules(design))
+    left_out->push_back("certificate.jsonl is left out: the log of the bound's proof did not close" +
+                        std::string(stop() ? " before the time was over" : "") + ".");
   give_memory_back();
   if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
     return refused(rereading,

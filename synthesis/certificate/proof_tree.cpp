@@ -336,10 +336,13 @@ class RootProof {
     return held ? seen_cut(pair, cell, *held) : std::nullopt;
   }
 
-  /// Both sides are narrower than the openings passed before; else the same cut would be found there again.
-  static bool narrows(const SeenCut& cut, const bounding::Range& range) {
-    constexpr double by = 1e-3;
-    const double psi = 2 * std::atan(cut.cut.u), least = by * (range.upper - range.lower);
+  /// Both sides are narrower than the openings passed before, by a share that falls with the cell's: else the same cut would
+  /// be found again and again where a smaller cell has a better one.
+  static bool narrows(const SeenCut& cut, const DesignCell& cell, const bounding::Range& range) {
+    const double width = std::max(cell.half(Variable::a) / cell.middle(Variable::a),
+                                  cell.half(Variable::b) / cell.middle(Variable::b));
+    const double psi = 2 * std::atan(cut.cut.u);
+    const double least = std::min(1e-3, 0.1 * width) * (range.upper - range.lower);
     return psi > range.lower + least && psi < range.upper - least;
   }
 
@@ -347,10 +350,12 @@ class RootProof {
                                   const bounding::Range& range, const bounding::Range& window) const {
     const auto first = seen_cut(pair, cell, deepest);
     if (!first || first->refuted == 2) return first;
+    const auto middle = seen_cut(pair, cell, 0.5 * (range.lower + range.upper));
+    if (middle && middle->refuted == 2) return middle;
     std::optional<SeenCut> best;
     for (const auto& cut : {farthest_cut(pair, cell, deepest, window.upper),
-                            farthest_cut(pair, cell, deepest, window.lower), first})
-      if (cut && narrows(*cut, range) && cut->refuted > (best ? best->refuted : 0)) best = cut;
+                            farthest_cut(pair, cell, deepest, window.lower), middle, first})
+      if (cut && narrows(*cut, cell, range) && cut->refuted > (best ? best->refuted : 0)) best = cut;
     return best;
   }
 
