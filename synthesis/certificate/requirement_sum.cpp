@@ -61,7 +61,7 @@ Candidate reach(const SumTask& task, const DesignCell& cell, Requirement::Kind k
   return one;
 }
 
-Candidate bound(const SumTask& task, const DesignCell& cell) {
+Candidate size_in_bound(const SumTask& task, const DesignCell& cell) {
   const double A = task.root->mode.size_per_a, B = task.root->mode.size_per_b, weight = 1 / (A + B);
   Candidate one{{Requirement::Kind::bound, Point(Point::Zero()), weight}, {}};
   const double size = A * cell.middle(Variable::a) + B * cell.middle(Variable::b);
@@ -71,7 +71,7 @@ Candidate bound(const SumTask& task, const DesignCell& cell) {
   return one;
 }
 
-Candidate posts(const SumTask& task, const DesignCell& cell, const KnownPlace& place) {
+Candidate posts_apart(const SumTask& task, const DesignCell& cell, const KnownPlace& place) {
   const double weight = 1 / task.least_radius;
   const Point away = place.at - cell.pole();
   Candidate one{{Requirement::Kind::posts, place.place, weight}, {}};
@@ -102,8 +102,8 @@ std::vector<Candidate> candidates(const SumTask& task, const DesignCell& cell) {
   std::vector<Candidate> all;
   for (const KnownPlace& place : farthest) all.push_back(reach(task, cell, Requirement::Kind::far, place));
   for (const KnownPlace& place : nearest) all.push_back(reach(task, cell, Requirement::Kind::near, place));
-  if (task.size_bound) all.push_back(bound(task, cell));
-  if (task.least_radius > 0) all.push_back(posts(task, cell, nearest.front()));
+  if (task.size_bound) all.push_back(size_in_bound(task, cell));
+  if (task.least_radius > 0) all.push_back(posts_apart(task, cell, nearest.front()));
   return all;
 }
 
