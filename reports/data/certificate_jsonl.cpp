@@ -12,13 +12,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace certificate;
 
-Json json(const Place& place) {
+Json as_json(const Place& place) {
   if (const auto* at = std::get_if<Point>(&place)) return position(*at);
   const auto& [polygon, ring, corner, share] = std::get<EdgePlace>(place);
   return Json::array({polygon, ring, corner, share});
 }
 
-Json json(const PartPoint& point) {
+Json as_json(const PartPoint& point) {
   constexpr int bars = 2, links = 4;
   Json values = Json::array({text(point.part)});
   if (point.part.number < links) values.push_back(point.t);
@@ -26,10 +26,10 @@ Json json(const PartPoint& point) {
   return values;
 }
 
-Json json(const Requirement& one) {
+Json as_json(const Requirement& one) {
   constexpr std::array<const char*, 4> names{"far", "near", "posts", "bound"};
   Json values = Json::array({names[static_cast<std::size_t>(one.kind)]});
-  if (one.kind != Requirement::Kind::bound) values.push_back(json(one.place));
+  if (one.kind != Requirement::Kind::bound) values.push_back(as_json(one.place));
   values.push_back(one.weight);
   return values;
 }
@@ -45,22 +45,22 @@ struct LineJson {
     return {{"share", Json::array({text(line.one), other})}};
   }
   Json operator()(const ContactCut& line) const {
-    return {{"contact", Json::array({json(line.one), json(line.other)})}, {"u", line.u}};
+    return {{"contact", Json::array({as_json(line.one), as_json(line.other)})}, {"u", line.u}};
   }
   Json operator()(const SumLeaf& line) const {
     Json of = Json::array();
-    for (const Requirement& one : line.of) of.push_back(json(one));
+    for (const Requirement& one : line.of) of.push_back(as_json(one));
     return {{"leaf", "sum"}, {"of", std::move(of)}};
   }
   Json operator()(const SheetsLeaf& line) const {
-    return {{"leaf", "sheets"}, {"places", Json::array({json(line.one), json(line.other)})}};
+    return {{"leaf", "sheets"}, {"places", Json::array({as_json(line.one), as_json(line.other)})}};
   }
   Json operator()(const ObstacleLeaf& line) const {
     return {{"leaf", "obstacle"},
             {"obstacle", line.obstacle},
             {"edge", line.edge ? Json(*line.edge) : Json(nullptr)},
-            {"place", json(line.place)},
-            {"point", json(line.point)}};
+            {"place", as_json(line.place)},
+            {"point", as_json(line.point)}};
   }
   Json operator()(const PoleLeaf&) const { return {{"leaf", "pole"}}; }
   Json operator()(const LayersLeaf&) const { return {{"leaf", "layers"}}; }
