@@ -64,7 +64,7 @@ std::string positions(const ReportSpecimen& specimen) {
                                    .sheets_gap = {}});
   const auto radii = linkage.radii_over(linkage.assembly_interval());
   std::mt19937_64 random(11);
-  const auto uniform = [&] { return test::share(random); };
+  const auto uniform = [&] { return kempe::test::share(random); };
   Json all = Json::array();
   for (int i = 0; i < 300; ++i) {
     const double radius = 0.9 * radii.lower + (1.1 * radii.upper - 0.9 * radii.lower) * uniform();
