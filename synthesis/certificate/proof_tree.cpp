@@ -319,19 +319,26 @@ class RootProof {
     return seen;
   }
 
-  /// The cut farthest from `from` towards `to` that still holds all over the cell.
+  /// The last cut on the way from `from` to `to` that holds all over the cell, as all before it do: looked for in strides, then by
+  /// halving.
   std::optional<SeenCut> farthest_cut(const ContactPair& pair, const DesignCell& cell, double from,
                                       double to) const {
+    constexpr int strides = 16, halvings = 20;
     std::optional<double> held;
-    constexpr int steps = 8;
-    for (int step = 0; step < steps; ++step) {
-      const double middle = step == 0 ? to : 0.5 * (from + to);
-      if (cut_at(pair, cell, middle)) {
-        held = from = middle;
-        if (step == 0) break;
-      } else {
-        to = middle;
-      }
+    double fails = to;
+    for (int stride = 1; stride <= strides; ++stride) {
+      const double psi = from + (to - from) * stride / strides;
+      fails = psi;
+      if (!cut_at(pair, cell, psi)) break;
+      held = psi;
+    }
+    double holds = held.value_or(from);
+    for (int i = 0; i < halvings && holds != fails; ++i) {
+      const double middle = 0.5 * (holds + fails);
+      if (cut_at(pair, cell, middle))
+        held = holds = middle;
+      else
+        fails = middle;
     }
     return held ? seen_cut(pair, cell, *held) : std::nullopt;
   }
@@ -347,14 +354,14 @@ class RootProof {
   }
 
   std::optional<SeenCut> best_cut(const ContactPair& pair, const DesignCell& cell, double deepest,
-                                  const bounding::Range& range, const bounding::Range& window) const {
+                                  const bounding::Range& range) const {
     const auto first = seen_cut(pair, cell, deepest);
     if (!first || first->refuted == 2) return first;
     const auto middle = seen_cut(pair, cell, 0.5 * (range.lower + range.upper));
     if (middle && middle->refuted == 2) return middle;
     std::optional<SeenCut> best;
-    for (const auto& cut : {farthest_cut(pair, cell, deepest, window.upper),
-                            farthest_cut(pair, cell, deepest, window.lower), middle, first})
+    for (const auto& cut : {farthest_cut(pair, cell, deepest, range.upper),
+                            farthest_cut(pair, cell, deepest, range.lower), middle, first})
       if (cut && narrows(*cut, cell, range) && cut->refuted > (best ? best->refuted : 0)) best = cut;
     return best;
   }
@@ -369,7 +376,6 @@ class RootProof {
     if (!linkage) return std::nullopt;
     const double one = branch_.opening_of(range.lower), other = branch_.opening_of(range.upper);
     const OpeningInterval openings{std::min(one, other), std::max(one, other)};
-    const bounding::Range window{std::acos(node.cell.far_cosine), std::acos(node.cell.near_cosine)};
     int looked_at = 0;
     constexpr int most_looked_at = 6;
     for (const std::uint32_t i : node.assignments) {
@@ -380,7 +386,7 @@ class RootProof {
       const PartName first = name_of(tightest.pair->first), second = name_of(tightest.pair->second);
       if (!filled_[i].share(first, second)) continue;  // two posts: a sum's business
       const double psi = std::clamp(branch_.psi_of(tightest.opening), range.lower, range.upper);
-      const auto cut = best_cut(*tightest.pair, node.cell, psi, range, window);
+      const auto cut = best_cut(*tightest.pair, node.cell, psi, range);
       if (!cut) continue;
       Assignments some;
       for (const std::uint32_t j : node.assignments)
