@@ -51,6 +51,7 @@ class RootProof {
       : spec_(spec), places_(places), number_(number),
         branch_(bounding::make_branch(spec, grounding, number, {})) {
     root_.mode = branch_.assembly_mode;
+    root_.mode.allowed = {0, 4};  // rad, all: the limit on the copy error has no rule
     const Complex k = spec.copy.k();
     root_.g = grounding == Grounding::pole ? Complex(1) : grounding == Grounding::tracer ? Complex(-1) : -k;
     const double between = spec.links.style.pin_diameter + spec.limits.clearance;
