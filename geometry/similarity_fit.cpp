@@ -61,14 +61,18 @@ std::vector<Complex> conjugated(std::vector<Complex> values) {
   return values;
 }
 
+/// A reflection is plain if it leaves less than this share of what a rotation leaves: where the rotation fits poorly
+/// itself (it leaves more than this share of the spread), and else.
+constexpr double reflects_better = 0.25, poor_rotation = 0.01, reflects_exactly = 1e-4;
+
 /// Sums of squares left by the best rotation and by the best reflection: is it plain that the pairs mirror?
 bool is_mirrored(const Centred& data, double left_by_rotation) {
   const std::vector<Complex> reflected = conjugated(data.tracer);
   const Complex factor = best_factor(reflected, data.pen, data.tracer_spread);
   const double left_by_reflection = unexplained(reflected, data.pen, factor);
   if (left_by_rotation <= rounding * rounding * data.pen_spread) return false;
-  const bool rotation_is_poor = left_by_rotation > 0.01 * data.pen_spread;
-  return left_by_reflection < (rotation_is_poor ? 0.25 : 1e-4) * left_by_rotation;
+  const bool rotation_is_poor = left_by_rotation > poor_rotation * data.pen_spread;
+  return left_by_reflection < (rotation_is_poor ? reflects_better : reflects_exactly) * left_by_rotation;
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// Boolean sets of CGAL behind region_algebra.hpp. This file and polygon_distance_backend.cpp are the only
-// ones of this room that include CGAL.
+// Boolean sets of CGAL behind region_algebra.hpp.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -139,10 +138,13 @@ bool exactly_contains(const ArcRegion& outer, const ArcRegion& inner) {
   return rest.is_empty();
 }
 
+/// mm: arcs are followed to this, so boundaries as far apart as four times this keep apart themselves.
+constexpr double flat_to = 1e-3;
+
 /// What doubles can tell: the boundaries keep apart, so every ring lies on one side of the other region.
 std::optional<bool> surely_contains(const ArcRegion& outer, const ArcRegion& inner) {
-  const Region flat_outer = flattened(outer, 1e-3, Flatten::shrinks);
-  const Region flat_inner = flattened(inner, 1e-3, Flatten::grows);
+  const Region flat_outer = flattened(outer, flat_to, Flatten::shrinks);
+  const Region flat_inner = flattened(inner, flat_to, Flatten::grows);
   const auto nearest = [](const Region& one, const Region& other) {
     const EdgeTree tree(other, Point::Zero());
     double least = std::numeric_limits<double>::infinity();
@@ -164,7 +166,7 @@ std::optional<bool> surely_contains(const ArcRegion& outer, const ArcRegion& inn
     }
     return least;
   };
-  if (nearest(flat_inner, flat_outer) < 4e-3) return std::nullopt;
+  if (nearest(flat_inner, flat_outer) < 4 * flat_to) return std::nullopt;
   const EdgeTree outer_tree(flat_outer, Point::Zero()), inner_tree(flat_inner, Point::Zero());
   for (const Polygon& polygon : flat_inner.polygons) {
     if (!outer_tree.winds_around(polygon.outer.front())) return false;

@@ -9,12 +9,13 @@
 #include <span>
 
 #include "reports/audit/record.hpp"
+#include "reports/audit/tolerances.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr double same_length = 1e-9;    ///< share of a length
-constexpr double locked_length = 1e-8;  ///< the same, for a length that two locks give
+using namespace audit_tolerance;
+
 /// Measured between holes on one line; CX and CY follow from them and the plates' angle.
 constexpr std::array<std::size_t, 6> measured{0, 1, 2, 3, 4, 6};
 

@@ -8,6 +8,7 @@
 
 #include "geometry/regions/region_checks.hpp"
 #include "reports/audit/record.hpp"
+#include "reports/audit/tolerances.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -101,7 +102,8 @@ AuditTask audit_task(const StoredDesign& design, const CopyingLinkage& linkage) 
           .map_task = std::move(mapped),
           .map = std::move(map),
           .needed = openings_over(linkage, design.region),
-          .slack = 1e-9 * linkage.size() + 1e-14 * magnitude(design)};
+          .slack = audit_tolerance::share_of_rounding * linkage.size() +
+                   audit_tolerance::share_of_coordinates * magnitude(design)};
 }
 
 void look_at(const StoredDesign& design, DesignAudit& result) {

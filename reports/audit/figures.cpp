@@ -8,6 +8,7 @@
 
 #include "geometry/regions/region_algebra.hpp"
 #include "reports/audit/record.hpp"
+#include "reports/audit/tolerances.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/footprint.hpp"
@@ -17,15 +18,7 @@
 namespace kempe {
 namespace {
 
-constexpr double share_of_rounding = 1e-9;    ///< of figures in closed form
-constexpr double share_of_copy_error = 1e-6;  ///< maxima found to this
-constexpr double share_of_grid = 1e-3;        ///< of figures counted on a grid: last digits move whole cells
-constexpr double degrees_of_rounding = 1e-5;  ///< near a dead point half of the digits are left
-constexpr double share_of_sheet =
-    1e-2;  ///< a search finds them: no more is asked than that it finds them again
-constexpr double ratio_rounding = 1e-8;
-/// To what the gap to an obstacle is certified, mm, and as a share of the outer reach for small linkages.
-constexpr double certain_gap = 1e-2, certain_share = 1e-4;
+using namespace audit_tolerance;
 
 double rounding(double value) { return share_of_rounding * std::abs(value); }
 
@@ -286,9 +279,10 @@ void audit_claims(const StoredDesign& design, const Verification& drive, AuditRe
   record.figure("verification.rotation_deg",
                 drive.rotation * 180 / pi + std::remainder(degrees(stated.rotation - drive.rotation), 360),
                 degrees(drive.rotation), degrees_of_rounding);
-  record.figure("verification.copy_error_max_mm", stated.copy_error_max, drive.copy_error_max, 1e-9 * size);
+  record.figure("verification.copy_error_max_mm", stated.copy_error_max, drive.copy_error_max,
+                share_of_rounding * size);
   record.figure("verification.loop_residual_max_mm", stated.loop_residual_max, drive.loop_residual_max,
-                1e-9 * size);
+                share_of_rounding * size);
   record.not_checked("verification.samples", "the number of positions does not affect the result");
   record.not_checked("search", "how the design was found cannot be checked; its value is");
 }

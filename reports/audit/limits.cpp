@@ -7,6 +7,7 @@
 
 #include "geometry/regions/region_algebra.hpp"
 #include "reports/audit/record.hpp"
+#include "reports/audit/tolerances.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/contact/contact_scene.hpp"
@@ -16,9 +17,7 @@
 namespace kempe {
 namespace {
 
-constexpr double angle_slack = 1e-7;  ///< rad
-/// The map takes clearances as kept that are missed by less than this share of the outer reach.
-constexpr double touching = 1e-8;
+using namespace audit_tolerance;
 
 /// The region's place nearest to the pole, or its farthest corner.
 Point extreme_place(const Region& region, const Point& pole, bool farthest) {
@@ -187,7 +186,7 @@ void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) 
   if (!error)
     return record.not_checked("limits.copy_error_mm", "this assembly mode does not reach all of the region");
   record.checked("limits.copy_error_mm");
-  if (error->worst <= limit * (1 + 1e-9)) return;
+  if (error->worst <= limit * (1 + share_of_rounding)) return;
   record.broken(
       {.limit = "limits.copy_error_mm",
        .attained = error->worst,

@@ -7,11 +7,12 @@
 #include <cmath>
 
 #include "reports/audit/record.hpp"
+#include "reports/audit/tolerances.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr double agreeing = 1e-9;  ///< share of the size, and rad
+using audit_tolerance::agreeing;
 
 /// The second smallest of four: one of them alone may be wrong.
 double agreed(std::array<double, 4> values) {

@@ -194,16 +194,19 @@ bool within(double value, const std::optional<std::pair<double, double>>& range,
   return !range || (range->first - slack <= value && value <= range->second + slack);
 }
 
+/// rad, and share of the linkage's size: a position so far outside a bound still meets it.
+constexpr double bound_slack = 1e-9;
+
 bool meets(const FileBound& bound, const LinkageModel& model, const PlanarPosition& position) {
   if (bound.angle) {
     const double angle = position[static_cast<std::size_t>(model.body(bound.name))].angle;
     const double turns = std::floor((angle - bound.angle->first) / (2 * pi));
-    return within(angle - 2 * pi * turns, bound.angle, 1e-9) ||
-           within(angle - 2 * pi * (turns + 1), bound.angle, 1e-9);
+    return within(angle - 2 * pi * turns, bound.angle, bound_slack) ||
+           within(angle - 2 * pi * (turns + 1), bound.angle, bound_slack);
   }
   if (!model.point_numbers.contains(bound.name)) return true;
   const Point at = place(position, model.point(bound.name));
-  const double slack = 1e-9 * model.linkage.size();
+  const double slack = bound_slack * model.linkage.size();
   return within(at.x(), bound.place[0], slack) && within(at.y(), bound.place[1], slack);
 }
 

@@ -10,6 +10,8 @@ namespace kempe {
 namespace {
 
 constexpr double flat = 1e-9;  ///< of the longest side: a triangle this low is a straight line
+constexpr double agreeing =
+    1e-6;  ///< share of a length, and rad: what a file's rounded figures may differ by
 
 class JointPlacing {
  public:
@@ -135,7 +137,7 @@ class JointPlacing {
   std::optional<NotRigid> check_all() const {
     for (const JointDistance& d : task_.lengths) {
       const double is = (*places_[d.a] - *places_[d.b]).norm();
-      if (std::abs(is - d.length) > 1e-6 * std::max(is, d.length))
+      if (std::abs(is - d.length) > agreeing * std::max(is, d.length))
         return NotRigid{fmt::format("{}-{} = {:g} mm where the other lengths and angles give {:g} mm",
                                     name(d.a), name(d.b), d.length, is),
                         "lengths and angles that agree"};
@@ -144,7 +146,7 @@ class JointPlacing {
       const Complex from = as_complex(*places_[angle.from] - *places_[angle.at]);
       const Complex to = as_complex(*places_[angle.to] - *places_[angle.at]);
       const double is = std::arg(to / from);
-      if (std::abs(std::remainder(is - angle.angle, 2 * pi)) > 1e-6)
+      if (std::abs(std::remainder(is - angle.angle, 2 * pi)) > agreeing)
         return NotRigid{
             fmt::format("angle {}-{}-{} = {:g} degrees where the lengths give {:g}", name(angle.from),
                         name(angle.at), name(angle.to), degrees(angle.angle), degrees(is)),

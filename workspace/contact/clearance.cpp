@@ -11,9 +11,11 @@
 namespace kempe {
 namespace {
 
-/// To what the figure is certified: mm, and a share of the outer reach for small linkages.
+/// To what the figure is certified: mm, and for small linkages a share of the outer reach.
+constexpr double certain = 1e-2, certain_share = 1e-4;
+
 double certain_to(const CopyingLinkage& linkage) {
-  return std::min(1e-2, 1e-4 * reachable_annulus(linkage).outer);
+  return std::min(certain, certain_share * reachable_annulus(linkage).outer);
 }
 
 constexpr std::size_t most_cells = 200'000;

@@ -12,9 +12,11 @@
 namespace kempe {
 namespace {
 
-constexpr int pixels = 160;           ///< across the raster of the first search
-constexpr int turns = 24;             ///< tried in half a turn
-constexpr int kept = 6;               ///< places that are improved
+constexpr int pixels = 160;  ///< across the raster of the first search
+constexpr int turns = 24;    ///< tried in half a turn
+constexpr int kept = 6;      ///< places that are improved
+/// Of the region's size: a rectangle is moved by no smaller steps, and arcs are followed to this.
+constexpr double finest_step = 1e-6, flat_to = 1e-5;
 constexpr double enlarged_by = 1e-9;  ///< sheets are shrunk by this share against rounding
 
 /// Where a rectangle stands; its scale is half its height.
@@ -68,7 +70,7 @@ class SheetFinder {
     const double size = (box_.upper - box_.lower).norm();
     Chance chance(1);
     place.half_height = half_height_at(place.centre, place.turn, size);
-    for (double step = size / pixels; step > 1e-6 * size; step *= 0.5) {
+    for (double step = size / pixels; step > finest_step * size; step *= 0.5) {
       for (int failures = 0; failures < 24;) {
         const double down = chance.symmetric(), across = chance.symmetric();
         const Point centre = place.centre + step * Point(across, down);
@@ -189,7 +191,7 @@ Region flattened_finely(const ArcRegion& region) {
   for (const ArcPolygon& polygon : region)
     for (const ArcVertex& vertex : polygon.outer)
       box = {box.lower.cwiseMin(vertex.at), box.upper.cwiseMax(vertex.at)};
-  return flattened(region, 1e-5 * (box.upper - box.lower).norm(), Flatten::shrinks);
+  return flattened(region, flat_to * (box.upper - box.lower).norm(), Flatten::shrinks);
 }
 
 std::vector<double> turns_to_try(bool turned) {

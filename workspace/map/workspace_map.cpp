@@ -65,6 +65,9 @@ void add_cells(WorkspaceMap& map, const MapTask& task, const ContactScene& scene
                         polygons_of(chart.grid(), cells, Corners::join)});
 }
 
+/// rad: openings so near to each other are one.
+constexpr double same_opening = 1e-8;
+
 /// The openings of `within` that are not in `free`, which rises, each with a pair in contact there.
 std::vector<ContactOpenings> lost_openings(const MapTask& task, const std::vector<FreeOpenings>& free,
                                            const OpeningInterval& within) {
@@ -85,11 +88,11 @@ std::vector<ContactOpenings> lost_openings(const MapTask& task, const std::vecto
     while (from < to) {
       const ContactOpenings* best = nullptr;
       for (const ContactOpenings& one : contacts)
-        if (one.interval.lower <= from + 1e-8 && (!best || one.interval.upper > best->interval.upper))
+        if (one.interval.lower <= from + same_opening && (!best || one.interval.upper > best->interval.upper))
           best = &one;
       if (!best) break;
       const double end = best->interval.upper > from ? std::min(best->interval.upper, to) : to;
-      lost.push_back({{from, to - end < 1e-8 ? to : end}, best->pair});
+      lost.push_back({{from, to - end < same_opening ? to : end}, best->pair});
       from = lost.back().interval.upper;
     }
   return lost;
