@@ -17,7 +17,7 @@ namespace {
 
 using namespace bench;
 
-constexpr MapOptions no_sheets{.largest_sheets = false};
+const MapOptions no_sheets{.largest_sheets = false};
 
 void map_by_obstacles(benchmark::State& state) {
   const MapTask task = task_with(static_cast<int>(state.range(0)));
