@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "synthesis/calibration/fit.hpp"
 #include "synthesis/calibration/statistics.hpp"
@@ -118,14 +119,23 @@ class Judge {
  public:
   Judge(bool noise_is_known, double floor) : known_(noise_is_known), floor_(floor) {}
 
-  /// `square_sum` of the set that agrees, with its degrees of freedom; q summed over `readings` others.
-  double chance(double q, std::size_t readings, double square_sum, int freedom) const {
-    const auto pairs = static_cast<int>(readings);
-    const double per_value = q / (2.0 * pairs);
+  /// What others are measured by: a mean square, and its degrees of freedom, 0 for the stated noise. Absent: there is nothing
+  /// to measure by.
+  struct Yardstick {
+    double mean_square;
+    int freedom;
+  };
+  /// Of a set that agrees: its sum of squares and degrees of freedom. Takes as long as there are readings: one a set.
+  std::optional<Yardstick> yardstick(double square_sum, int freedom) const {
     if (known_ && (freedom < 1 || !contradicts_stated(square_sum, freedom)))
-      return fisher_upper_probability(per_value / std::max(1.0, floor_), pairs, 0);
-    if (freedom < 1) return 1;
-    return fisher_upper_probability(per_value / std::max(square_sum / freedom, floor_), pairs, freedom);
+      return Yardstick{std::max(1.0, floor_), 0};
+    if (freedom < 1) return std::nullopt;
+    return Yardstick{std::max(square_sum / freedom, floor_), freedom};
+  }
+  /// q summed over `readings` others.
+  static double chance(double q, std::size_t readings, const std::optional<Yardstick>& by) {
+    const auto pairs = static_cast<int>(readings);
+    return by ? fisher_upper_probability(q / (2.0 * pairs) / by->mean_square, pairs, by->freedom) : 1;
   }
 
   double mean_square(double square_sum, int freedom) const {
@@ -168,12 +178,12 @@ class Search {
     while (inside.size() < count_) {
       const auto fit = linear_.agreed(inside);
       Rows outside = without(all_, inside);
-      const int freedom = linear_.freedom(inside.size());
+      const auto by = judge_.yardstick(fit.square_sum, linear_.freedom(inside.size()));
       Rows admitted;
       std::size_t nearest = outside.front();
       double least = std::numeric_limits<double>::infinity(), nearest_chance = 0;
       for (const std::size_t i : outside) {
-        const double q = linear_.beyond(fit, i), chance = judge_.chance(q, 1, fit.square_sum, freedom);
+        const double q = linear_.beyond(fit, i), chance = Judge::chance(q, 1, by);
         constexpr double surely_like_the_rest = 0.05;
         if (chance > surely_like_the_rest) admitted.push_back(i);
         if (q < least) {
@@ -255,8 +265,8 @@ class Search {
     double sets = 1;
     for (std::size_t k = 0; k < outside.size(); ++k)
       sets *= static_cast<double>(count_ - k) / static_cast<double>(k + 1);
-    return judge_.chance(drop, outside.size(), rest, linear_.freedom(inside.size())) * sets <
-           tolerance::named_by_chance;
+    const auto by = judge_.yardstick(rest, linear_.freedom(inside.size()));
+    return Judge::chance(drop, outside.size(), by) * sets < tolerance::named_by_chance;
   }
 
   /// False if another reading in place of one of these would explain nearly as much: which is wrong cannot be told.
