@@ -1,0 +1,132 @@
+#include "synthesis/search/sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/problem/local_frame.hpp"
+#include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/steps/certify.hpp"
+#include "synthesis/search/steps/search_result.hpp"
+#include "synthesis/search/steps/search_task.hpp"
+
+namespace kempe {
+namespace {
+
+DesignPoint point_of(const CopyingLinkage& linkage) {
+  return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
+}
+
+/// The design that one choice has near a point.
+std::optional<FoundDesign> design_near(const SearchTask& task, Subproblem& sub, const DesignPoint& point) {
+  const ChoiceResult local = refine(*sub.problem, point, task.budgets().local, task.stop());
+  const ChoiceResult kept = certified(task, sub, local);
+  if (!kept.feasible) return std::nullopt;
+  return design_of(task, sub, kept);
+}
+
+/// The same, from anywhere.
+std::optional<FoundDesign> looked_for(const SearchTask& task, Subproblem& sub, const SketchBudget& budget) {
+  const ChoiceResult kept = certified(task, sub, search_choice(*sub.problem, choice_options(task, budget.look)));
+  if (!kept.feasible) return std::nullopt;
+  return design_of(task, sub, kept);
+}
+
+bool is_of(const Subproblem& sub, const CopyingLinkage& linkage) {
+  const Choice& choice = sub.choice->choice;
+  return choice.grounding == linkage.grounding() && choice.assembly_mode == linkage.assembly_mode();
+}
+
+/// The choices with the last design's first: that itself, then those that differ in their layers, then the others.
+std::vector<Subproblem> in_order(const SearchTask& task, const FoundDesign& last) {
+  std::vector<Subproblem> all = task.subproblems();
+  const auto strangeness = [&](const Subproblem& sub) {
+    if (!is_of(sub, last.linkage)) return 2;
+    return sub.choice->choice.layers == last.layers ? 0 : 1;
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const Subproblem& a, const Subproblem& b) {
+    return strangeness(a) < strangeness(b);
+  });
+  return all;
+}
+
+/// How far every design is from the best of all, as far as few boxes tell. Obstacles would take many.
+std::optional<ProvenBound> compared(const SearchTask& task, const std::optional<FoundDesign>& found,
+                                    const SketchBudget& budget) {
+  Spec free = task.spec();
+  free.obstacles.clear();
+  BoundOptions options{.tolerance = budget.near, .boxes = budget.boxes, .self_contact = false, .stop = task.stop()};
+  if (found) options.incumbent = found->value;
+  return proven_bound(free, options);
+}
+
+/// The choices of which the bound does not say that they are no better than what was found.
+std::vector<Subproblem*> worth_a_look(std::vector<Subproblem>& choices, Goal goal, const ProvenBound& bound,
+                                      const std::optional<FoundDesign>& found) {
+  std::vector<Subproblem*> open;
+  for (Subproblem& sub : choices) {
+    const auto best = bound.by_grounding[static_cast<std::size_t>(sub.choice->choice.grounding)];
+    if (!best) continue;
+    const bool can_be_better = !found || (is_maximized(goal) ? *best > found->value : *best < found->value);
+    if (can_be_better) open.push_back(&sub);
+  }
+  return open;
+}
+
+Sketch sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t count,
+                   const SketchBudget& budget) {
+  Sketch result;
+  std::vector<Subproblem> choices = in_order(task, last);
+  const DesignPoint from = point_of(last.linkage);
+  std::size_t next = 0;
+  for (; next < choices.size() && is_of(choices[next], last.linkage) && !result.design; ++next)
+    result.design = design_near(task, choices[next], from);
+  const auto bound = compared(task, result.design, budget);
+  if (!bound) return result;
+  result.proven_none = bound->no_design;
+  if (bound->no_design) return result;
+  result.bound = bound->value;
+  const auto is_near = [&] {
+    return result.design && std::abs(result.design->value - bound->value) <= budget.near * std::abs(bound->value);
+  };
+  // Places without contact that are better; then all choices in turn, a sketch each.
+  for (const RelaxedDesign& start : starts_of(*bound)) {
+    if (is_near() || task.stopped()) break;
+    for (Subproblem& sub : choices) {
+      const Choice& choice = sub.choice->choice;
+      if (choice.grounding != start.grounding || choice.assembly_mode != start.assembly_mode) continue;
+      keep_better(task.goal, design_near(task, sub, {{std::log(start.VA), std::log(start.VB)}, start.pole}), result.design);
+    }
+  }
+  if (is_near() || task.stopped()) return result;
+  const std::vector<Subproblem*> open = worth_a_look(choices, task.goal, *bound, result.design);
+  if (!open.empty())
+    keep_better(task.goal, looked_for(task, *open[count % open.size()], budget), result.design);
+  return result;
+}
+
+}  // namespace
+
+Sketch sketch_of(const FoundDesign& design) {
+  return {.design = design, .bound = design.proven_bound, .last = design};
+}
+
+Sketch sketch(const Spec& spec, const Sketch& previous, const SketchBudget& budget, const StopFlag& stop) {
+  if (!previous.last) return {};
+  if (plainly_impossible(spec)) return {.proven_none = true, .last = previous.last, .count = previous.count + 1};
+  const Point origin = local_origin(spec);
+  const Spec here = shifted(spec, -origin);
+  SearchOptions options;
+  options.stop = stop;
+  Sketch result = sketch_here(pose(here, SearchControl(options)), shifted(*previous.last, -origin),
+                              previous.count, budget);
+  result.count = previous.count + 1;
+  if (result.design) {
+    result.design->proven_bound = result.bound;
+    result.design = shifted(*result.design, origin);
+  }
+  result.last = result.design ? result.design : previous.last;
+  return result;
+}
+
+}  // namespace kempe

@@ -1,0 +1,48 @@
+#pragma once
+// A design for a spec that differs a little from one whose design is known: what a page shows while a handle is dragged.
+//
+//   follow    the last design's choice, solved anew from its lengths and pole, certified like any design
+//   compare   the bound's tree without contact, in few boxes: how far any other design may be better, and where it would be
+//   switch    to a design of another grounding, assembly mode or layers, where the bound leaves room for one
+//   look      where that leaves it open: one choice a sketch is looked at as a search does, in turn
+//
+// A sketch keeps every limit, as a search's design does. What it lacks is the search: another design may be better, by no more
+// than the distance from the bound.
+
+#include <array>
+#include <optional>
+
+#include "synthesis/search/steps/outcome.hpp"
+#include "synthesis/search/steps/search_options.hpp"
+
+namespace kempe {
+
+/// How much work a sketch may take. Counts, no times: the same sketch on every machine.
+struct SketchBudget {
+  std::size_t boxes = 600;   ///< of the bound's tree
+  double near = 0.01;        ///< share of the bound: a design so near to it is not compared with others
+  /// Of one choice a sketch, in turn, looked at as a search does, while the design is not near its bound.
+  ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 3};
+};
+
+/// A sketch, and what the next one begins with.
+struct Sketch {
+  std::optional<FoundDesign> design{};  ///< absent: none was found near the last one
+  /// What no design can beat, of the objective in its own unit, proven; absent where the tree did not end, or the objective has none.
+  std::optional<double> bound{};
+  bool proven_none = false;  ///< it is proven that no design exists
+  /// The last design that was found, in the coordinates of the table: where the next sketch begins.
+  std::optional<FoundDesign> last{};
+  /// Counts the sketches of one drag: whose turn it is among the other choices.
+  std::size_t count = 0;
+};
+
+/// The sketch that a search's design is.
+Sketch sketch_of(const FoundDesign& design);
+
+/// The sketch of `spec` from that of a spec that differs a little. The control's seed and threads play no part; a stop ends it
+/// with what is known. Deterministic unless stopped.
+Sketch sketch(const Spec& spec, const Sketch& previous, const SketchBudget& budget = {},
+              const StopFlag& stop = {});
+
+}  // namespace kempe
