@@ -54,9 +54,11 @@ Spec dragged(const Spec& spec, int step, int steps) {
       moved.region.polygons.front().outer.front() += reach * far * Point(-0.3, -0.2);
       break;
     case 1:  // the pole
-      if (auto* at = std::get_if<Point>(&moved.pole.place)) *at += reach * Point(0.5 * far, 0.5 * round);
+      if (auto* at = std::get_if<Point>(&moved.pole.place))
+        *at += reach * Point(0.5 * far, 0.5 * round);
       else
-        for (Polygon& polygon : std::get<Region>(moved.pole.place).polygons) move(polygon, reach * Point(far, round));
+        for (Polygon& polygon : std::get<Region>(moved.pole.place).polygons)
+          move(polygon, reach * Point(far, round));
       break;
     case 2:  // an obstacle, or where there is none the region
       if (moved.obstacles.empty())
@@ -108,7 +110,8 @@ int main(int argc, char** argv) {
       ++lost;
       continue;
     }
-    const double share = is_maximized(found->goal) ? found->value / last.design->value - 1 : last.design->value / found->value - 1;
+    const double share = is_maximized(found->goal) ? found->value / last.design->value - 1
+                                                   : last.design->value / found->value - 1;
     worse.push_back(share);
     within += share <= 0.02;
     if (share > 0.02)
@@ -116,9 +119,10 @@ int main(int argc, char** argv) {
                  name(last.design->linkage.grounding()), last.design->linkage.assembly_mode(), found->value,
                  name(found->linkage.grounding()), found->linkage.assembly_mode());
   }
-  fmt::print(R"({{"steps": {}, "ms_median": {:.3f}, "ms_95": {:.3f}, "ms_99": {:.3f}, "ms_most": {:.3f}, "without": {}, "compared": {}, "lost": {}, "within_2_percent": {}, "worse_median": {:.5f}, "worse_95": {:.5f}, "worse_most": {:.5f}, "stated_median": {:.4f}, "stated_95": {:.4f}}})"
-             "\n",
-             times.size(), percentile(times, 0.5), percentile(times, 0.95), percentile(times, 0.99), percentile(times, 1),
-             without, compared, lost, within, percentile(worse, 0.5), percentile(worse, 0.95), percentile(worse, 1),
-             percentile(stated, 0.5), percentile(stated, 0.95));
+  fmt::print(
+      R"({{"steps": {}, "ms_median": {:.3f}, "ms_95": {:.3f}, "ms_99": {:.3f}, "ms_most": {:.3f}, "without": {}, "compared": {}, "lost": {}, "within_2_percent": {}, "worse_median": {:.5f}, "worse_95": {:.5f}, "worse_most": {:.5f}, "stated_median": {:.4f}, "stated_95": {:.4f}}})"
+      "\n",
+      times.size(), percentile(times, 0.5), percentile(times, 0.95), percentile(times, 0.99),
+      percentile(times, 1), without, compared, lost, within, percentile(worse, 0.5), percentile(worse, 0.95),
+      percentile(worse, 1), percentile(stated, 0.5), percentile(stated, 0.95));
 }

@@ -36,6 +36,7 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
                    "the design failed its verification, nothing is written: " + design.verification.failure);
   if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
   const auto certificate = certificate_of(design, stop);  // before design.json, which states the bound proven
+  if (certificate) extras.proof_log = certificate_name;
   give_memory_back();
   auto left_out = make_design_package(design, design.cutting, extras,
                                       [&](const OutputFile& file) { return draft.add(file); });

@@ -21,7 +21,8 @@ struct Written {
 
 /// Writes what `kempe synthesize` writes: all files or none, each whole. The folder is made if it is not there; files of
 /// these names in it are replaced. Before anything is written the design is verified and its drawings are read again and
-/// compared with it; where either fails nothing is written, and `reason` says so. `title` heads the report.
+/// compared with it; where either fails nothing is written, and `reason` says so. A bound comes with the log of its proof,
+/// certificate.jsonl, which proof/kempe_check.py checks without this library (docs/proof.md). `title` heads the report.
 Written write(const FinishedDesign& design, const std::filesystem::path& folder,
               const std::string& title = "design");
 

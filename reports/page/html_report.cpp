@@ -34,7 +34,7 @@ std::string html_report(const Design& design, const ReportExtras& extras) {
   const MapPicture picture = map_picture(design);
   std::string body = section::header(design, extras) + section::key_figures(design) +
                      section::map(picture, report_is_live());
-  body += section::making(design) + section::parts(design, extras) + section::quality(design) +
+  body += section::making(design) + section::parts(design, extras) + section::quality(design, extras) +
           section::workspace(design);
   body += section::tolerance(design) + section::verification(design) + section::search(design);
   body += section::pareto(extras) + section::spec(extras);

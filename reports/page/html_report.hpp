@@ -35,6 +35,8 @@ struct ReportExtras {
   std::string spec_text;        ///< as the user wrote it; the middle of a very long one is left out
   std::optional<ParetoFront> pareto;
   std::vector<PartPicture> parts;
+  /// The file with the log of the bound's proof, which stands beside the page; empty: there is none.
+  std::string proof_log{};
   std::string why_no_parts{};  ///< why there are no files to cut the links by; empty: there are
 };
 

@@ -16,7 +16,7 @@ std::string key_figures(const Design& design);
 std::string map(const MapPicture& picture, bool live);
 /// Lengths to cut, joints and layers.
 std::string making(const Design& design);
-std::string quality(const Design& design);
+std::string quality(const Design& design, const ReportExtras& extras);
 std::string workspace(const Design& design);
 /// What the tolerances cost, source by source, and over the opening. Computed here
 /// (synthesis/tolerance/copy_error.hpp).

@@ -45,13 +45,18 @@ Requirement at_most(double value, const std::optional<double>& limit) {
 }
 
 /// The bound as a sentence: how much better any design could be.
-std::string bound_explanation(const Design& design) {
+std::string bound_explanation(const Design& design, const std::string& proof_log) {
   if (!design.search) return "No design of any lengths can do better than this.";
   const double value = design.search->value, bound = *design.quality.proven_bound;
   const double share = value != 0 ? std::abs(value - bound) / std::abs(value) * 100 : 0;
-  return fmt::format(
+  std::string text = fmt::format(
       "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
       number_text(share, share < 1 ? 3 : 1));
+  if (!proof_log.empty())
+    text += fmt::format(
+        " The proof's log is <code>{}</code>; the program kempe_check.py checks it without Kempe.",
+        html_escaped(proof_log));
+  return text;
 }
 
 std::string clearance_explanation(const Design& design) {
@@ -65,7 +70,7 @@ std::string clearance_explanation(const Design& design) {
 
 }  // namespace
 
-std::string quality(const Design& design) {
+std::string quality(const Design& design, const ReportExtras& extras) {
   const Quality& q = design.quality;
   Rows rows;
   const auto add = [&](const char* what, const std::string& value, const Requirement& required,
@@ -104,7 +109,7 @@ std::string quality(const Design& design) {
     add("Best possible",
         design.search ? objective_value(design.search->objective, *q.proven_bound)
                       : number_text(*q.proven_bound, 4),
-        {}, bound_explanation(design));
+        {}, bound_explanation(design, extras.proof_log));
   return html_section(
       "quality", "Quality",
       html_table("explained", {{"Figure"}, {"Value", true}, {"Required", true}, {"What it says"}}, rows));

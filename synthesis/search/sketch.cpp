@@ -27,7 +27,8 @@ std::optional<FoundDesign> design_near(const SearchTask& task, Subproblem& sub, 
 
 /// The same, from anywhere.
 std::optional<FoundDesign> looked_for(const SearchTask& task, Subproblem& sub, const SketchBudget& budget) {
-  const ChoiceResult kept = certified(task, sub, search_choice(*sub.problem, choice_options(task, budget.look)));
+  const ChoiceResult kept =
+      certified(task, sub, search_choice(*sub.problem, choice_options(task, budget.look)));
   if (!kept.feasible) return std::nullopt;
   return design_of(task, sub, kept);
 }
@@ -44,9 +45,8 @@ std::vector<Subproblem> in_order(const SearchTask& task, const FoundDesign& last
     if (!is_of(sub, last.linkage)) return 2;
     return sub.choice->choice.layers == last.layers ? 0 : 1;
   };
-  std::stable_sort(all.begin(), all.end(), [&](const Subproblem& a, const Subproblem& b) {
-    return strangeness(a) < strangeness(b);
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Subproblem& a, const Subproblem& b) { return strangeness(a) < strangeness(b); });
   return all;
 }
 
@@ -55,7 +55,8 @@ std::optional<ProvenBound> compared(const SearchTask& task, const std::optional<
                                     const SketchBudget& budget) {
   Spec free = task.spec();
   free.obstacles.clear();
-  BoundOptions options{.tolerance = budget.near, .boxes = budget.boxes, .self_contact = false, .stop = task.stop()};
+  BoundOptions options{
+      .tolerance = budget.near, .boxes = budget.boxes, .self_contact = false, .stop = task.stop()};
   if (found) options.incumbent = found->value;
   return proven_bound(free, options);
 }
@@ -87,7 +88,8 @@ Sketch sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t 
   if (bound->no_design) return result;
   result.bound = bound->value;
   const auto is_near = [&] {
-    return result.design && std::abs(result.design->value - bound->value) <= budget.near * std::abs(bound->value);
+    return result.design &&
+           std::abs(result.design->value - bound->value) <= budget.near * std::abs(bound->value);
   };
   // Places without contact that are better; then all choices in turn, a sketch each.
   for (const RelaxedDesign& start : starts_of(*bound)) {
@@ -95,7 +97,8 @@ Sketch sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t 
     for (Subproblem& sub : choices) {
       const Choice& choice = sub.choice->choice;
       if (choice.grounding != start.grounding || choice.assembly_mode != start.assembly_mode) continue;
-      keep_better(task.goal, design_near(task, sub, {{std::log(start.VA), std::log(start.VB)}, start.pole}), result.design);
+      keep_better(task.goal, design_near(task, sub, {{std::log(start.VA), std::log(start.VB)}, start.pole}),
+                  result.design);
     }
   }
   if (is_near() || task.stopped()) return result;
@@ -113,7 +116,8 @@ Sketch sketch_of(const FoundDesign& design) {
 
 Sketch sketch(const Spec& spec, const Sketch& previous, const SketchBudget& budget, const StopFlag& stop) {
   if (!previous.last) return {};
-  if (plainly_impossible(spec)) return {.proven_none = true, .last = previous.last, .count = previous.count + 1};
+  if (plainly_impossible(spec))
+    return {.proven_none = true, .last = previous.last, .count = previous.count + 1};
   const Point origin = local_origin(spec);
   const Spec here = shifted(spec, -origin);
   SearchOptions options;

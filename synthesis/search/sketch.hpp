@@ -19,8 +19,8 @@ namespace kempe {
 
 /// How much work a sketch may take. Counts, no times: the same sketch on every machine.
 struct SketchBudget {
-  std::size_t boxes = 600;   ///< of the bound's tree
-  double near = 0.01;        ///< share of the bound: a design so near to it is not compared with others
+  std::size_t boxes = 600;  ///< of the bound's tree
+  double near = 0.01;       ///< share of the bound: a design so near to it is not compared with others
   /// Of one choice a sketch, in turn, looked at as a search does, while the design is not near its bound.
   ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 3};
 };
