@@ -28,6 +28,9 @@ ObstacleLeaves::ObstacleLeaves(const RootTask& task) : task_(task) {
     const Box box = bounding_box(Region{{obstacle.shape}});
     circles_.emplace_back(0.5 * (box.lower + box.upper), 0.5 * (box.upper - box.lower).norm());
   }
+  for (std::uint8_t part = 0; part < part_count; ++part)
+    for (const PartPoint& point : points_along({part}, task.spec.links.style.plate))
+      points_[part].emplace_back(point, material_point(point, task.root.mode.s));
 }
 
 std::optional<Step> ObstacleLeaves::step(const Node& node) const {
@@ -35,20 +38,31 @@ std::optional<Step> ObstacleLeaves::step(const Node& node) const {
   if (node.guess)
     if (auto step = leaf_for(node, *node.guess)) return step;
   if (!small_enough(node.cell)) return std::nullopt;
+  const std::vector<Meeting> meetings = meetings_in(node.assignments);
   std::optional<Step> best;
   for (const KnownPlace& place : task_.places.spread()) {
     const auto joints = joints_at(node.cell, place.at);
     if (!joints) continue;
-    for (std::size_t obstacle = 0; obstacle < task_.spec.obstacles.size(); ++obstacle)
-      for (std::uint8_t part = 0; part < part_count; ++part) {
-        const auto guess = deepest(node, {part}, obstacle, place, *joints);
-        if (!guess) continue;
-        auto step = leaf_for(node, *guess);
-        if (step && step->children.empty()) return step;
-        if (step && !best) best = std::move(step);
-      }
+    for (const auto& [part, obstacle] : meetings) {
+      const auto guess = deepest(part, obstacle, place, *joints);
+      if (!guess) continue;
+      auto step = leaf_for(node, *guess);
+      if (step && step->children.empty()) return step;
+      if (step && !best) best = std::move(step);
+    }
   }
   return best;
+}
+
+std::vector<ObstacleLeaves::Meeting> ObstacleLeaves::meetings_in(const Assignments& assignments) const {
+  std::vector<Meeting> meetings;
+  for (std::size_t obstacle = 0; obstacle < task_.spec.obstacles.size(); ++obstacle)
+    for (std::uint8_t part = 0; part < part_count; ++part)
+      if (std::any_of(assignments.begin(), assignments.end(), [&](std::uint32_t i) {
+            return task_.filled[i].share(PartName{part}, task_.spec.obstacles[obstacle]);
+          }))
+        meetings.push_back({{part}, obstacle});
+  return meetings;
 }
 
 /// How deep a place lies within reach `needed` of an obstacle's edge or, without one, of all of it; mm.
@@ -115,19 +129,14 @@ std::optional<std::array<Complex, 6>> ObstacleLeaves::joints_at(const DesignCell
   return at;
 }
 
-std::optional<ObstacleGuess> ObstacleLeaves::deepest(const Node& node, PartName part, std::size_t obstacle,
+std::optional<ObstacleGuess> ObstacleLeaves::deepest(PartName part, std::size_t obstacle,
                                                      const KnownPlace& place,
                                                      const std::array<Complex, 6>& joints) const {
   const double need = needed(part);
-  if (std::none_of(node.assignments.begin(), node.assignments.end(), [&](std::uint32_t i) {
-        return task_.filled[i].share(part, task_.spec.obstacles[obstacle]);
-      }))
-    return std::nullopt;
   ObstacleGuess best;
   double most = 0;
   const Complex V = joints[0], p = joints[1] - V, q = joints[4] - V - p;  // V, A, X: q/s = X - A
-  for (const PartPoint& point : points_along(part, task_.spec.links.style.plate)) {
-    const bounding::MaterialPoint m = material_point(point, task_.root.mode.s);
+  for (const auto& [point, m] : points_[part.number]) {
     const Point at = as_point(V + m.of_a * p + m.of_b * q);
     if (!(circle_depth(at, obstacle, need) > most)) continue;
     for (const auto& edge : targets_[obstacle])
@@ -140,9 +149,11 @@ std::optional<ObstacleGuess> ObstacleLeaves::deepest(const Node& node, PartName 
   return std::nullopt;
 }
 
-/// At least the depth: from a circle around the obstacle.
+/// At least the depth: from a circle around the obstacle. Outside it the obstacle is no nearer than the circle.
 double ObstacleLeaves::circle_depth(const Point& at, std::size_t obstacle, double need) const {
-  return need + 2 * circles_[obstacle].second - (at - circles_[obstacle].first).norm();
+  const auto& [centre, radius] = circles_[obstacle];
+  const double away = (at - centre).norm();
+  return need + (away > radius ? 1 : 2) * radius - away;
 }
 
 }  // namespace kempe::certificate

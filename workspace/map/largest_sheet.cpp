@@ -38,20 +38,8 @@ class SheetFinder {
 
   /// Half the height of the largest rectangle about a centre at a turn; 0 if the centre lies outside.
   double half_height_at(const Point& centre, double turn, double at_most) const {
-    if (!tree_.winds_around(centre)) return 0;
-    const double cosine = std::cos(turn), sine = std::sin(turn);
-    const double corner = std::hypot(1, proportion_);  // of half a height of 1
-    double least = at_most;
-    for_each_edge(
-        tree_,
-        [&](const Box& box) {
-          return distance(box, {centre, centre}) < least * corner;
-        },
-        [&](const EdgeTree::Edge& edge) {
-          least = std::min(least, square_distance(squared_up(edge.from - centre, cosine, sine),
-                                                  squared_up(edge.to - centre, cosine, sine)));
-        });
-    return least;
+    InTheWay none;
+    return half_height_above(0, centre, turn, at_most, none);
   }
 
   /// The best places of a coarse search, best first.
@@ -67,6 +55,7 @@ class SheetFinder {
   /// Moves (and turns) a rectangle to where it can be larger, by random steps that shrink when they stop
   /// helping.
   Place improved(Place place, bool may_turn) const {
+    InTheWay in_the_way;
     const double size = (box_.upper - box_.lower).norm();
     Chance chance(1);
     place.half_height = half_height_at(place.centre, place.turn, size);
@@ -75,7 +64,7 @@ class SheetFinder {
         const double down = chance.symmetric(), across = chance.symmetric();
         const Point centre = place.centre + step * Point(across, down);
         const double turn = place.turn + (may_turn ? chance.symmetric(4 * step / size) : 0);
-        const double half_height = half_height_at(centre, turn, size);
+        const double half_height = half_height_above(place.half_height, centre, turn, size, in_the_way);
         if (half_height > place.half_height) {
           place = {centre, turn, half_height};
         } else {
@@ -91,6 +80,43 @@ class SheetFinder {
   Point squared_up(const Point& point, double cosine, double sine) const {
     const Point turned = turned_by(point, cosine, -sine);
     return {turned.x() / proportion_, turned.y()};
+  }
+
+  /// The edges that left too little room last.
+  struct InTheWay {
+    std::array<EdgeTree::Edge, 4> edges{};
+    std::size_t count = 0, next = 0;
+    void add(const EdgeTree::Edge& edge) {
+      edges[next] = edge;
+      next = (next + 1) % edges.size();
+      count = std::max(count, next == 0 ? edges.size() : next);
+    }
+  };
+
+  /// half_height_at() where it is larger than `than`; else any value that is not. Mostly one edge is in the way again and again.
+  double half_height_above(double than, const Point& centre, double turn, double at_most,
+                           InTheWay& in_the_way) const {
+    const double cosine = std::cos(turn), sine = std::sin(turn);
+    const auto room_beside = [&](const EdgeTree::Edge& edge) {
+      return square_distance(squared_up(edge.from - centre, cosine, sine),
+                             squared_up(edge.to - centre, cosine, sine));
+    };
+    for (std::size_t i = 0; i < in_the_way.count; ++i)
+      if (room_beside(in_the_way.edges[i]) <= than) return 0;
+    if (!tree_.winds_around(centre)) return 0;
+    const double corner = std::hypot(1, proportion_);  // of half a height of 1
+    double least = at_most;
+    for_each_edge(
+        tree_,
+        [&](const Box& box) {
+          return least > than && distance(box, {centre, centre}) < least * corner;
+        },
+        [&](const EdgeTree::Edge& edge) {
+          const double room = room_beside(edge);
+          if (room <= than && least > than) in_the_way.add(edge);
+          least = std::min(least, room);
+        });
+    return least;
   }
 
   /// Least of max(|x|, |y|) along a segment: at an end or where it crosses a diagonal.
