@@ -5,7 +5,7 @@ usage: kempe_check.py design.json [certificate.jsonl]   or   kempe_check.py cert
 
 A line a claim: proven, not proven or refuted. Exit code 0: all claims are proven; 1: one is not; 2: a file cannot be read.
 
-eps:      claims 1 and 2 and the limits forgive 1e-6 mm and 1e-6 degrees; claims 3 and 4 forgive nothing.
+eps:      claims 1, 2 and 5 and the limits forgive 1e-6 mm and 1e-6 degrees; claims 3 and 4 forgive nothing.
 Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the numbers of the files are the doubles nearest
           to them; rings are simple, and holes lie inside their polygon.
 """
@@ -14,7 +14,7 @@ import math
 import sys
 from fractions import Fraction
 from itertools import product
-from math import inf, nextafter
+from math import hypot, inf, nextafter
 
 EPS_MM, EPS_DEG = 1e-6, 1e-6
 MOST_CELLS = 200_000  # of one search; then the answer is "not proven"
@@ -22,8 +22,10 @@ LINKS = ("VA", "VB", "ACX", "BCY")
 PINS = {"A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY"), "V": ("VA", "VB")}
 POSTS = {"V": ("VA", "VB"), "X": ("ACX",), "Y": ("BCY",)}
 PARTS = LINKS + tuple("pin " + j for j in PINS) + tuple("post " + j for j in POSTS)
+# A joint has a hole in each of its links, which play sets apart. Capitals: the first link of PINS; small letters: the second.
+HOLES = {"VA": "VA", "VB": "vB", "ACX": "aCX", "BCY": "bcY", "pin A": "Aa", "pin B": "Bb", "pin C": "Cc"}
 LENGTHS = ("VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY")
-LOOKED_AT = ("format", "copy", "region", "mechanism", "limits", "obstacles", "pole", "links", "objective", "cutting")
+LOOKED_AT = ("format", "copy", "region", "mechanism", "limits", "tolerance", "obstacles", "pole", "links", "objective", "cutting")
 VERTICES = ("pole", "tracer", "pen")  # who stands at the vertex V
 
 
@@ -40,10 +42,10 @@ class Refuted(Exception):
 
 
 class I:
-    """An interval that holds the exact value, each result moved outwards by one step; `d`: derivatives, if any are asked for."""
+    """An interval that holds the exact value, each result moved outwards by one step; `d`: its derivatives, by variable."""
     __slots__ = ("lo", "hi", "d")
 
-    def __init__(self, lo, hi=None, d=()):
+    def __init__(self, lo, hi=None, d=None):
         self.lo, self.hi, self.d = lo, lo if hi is None else hi, d
 
     def __add__(self, o):
@@ -55,7 +57,7 @@ class I:
         return I(nextafter(self.lo + o.lo, -inf), nextafter(self.hi + o.hi, inf), both(self.d, o.d))
 
     def __neg__(self):
-        return I(-self.hi, -self.lo, self.d and [-x for x in self.d])
+        return I(-self.hi, -self.lo, self.d and {v: -x for v, x in self.d.items()})
 
     def __sub__(self, o):
         return self + -o
@@ -72,16 +74,14 @@ class I:
         if not (lo > -1e150 and hi < 1e150):  # so no infinity comes up, and no NaN
             raise Open
         zero = not (self.lo or self.hi) or not (o.lo or o.hi)
-        out = I(0.0) if zero else I(nextafter(lo, -inf), nextafter(hi, inf))
-        if self.d or o.d:
-            out.d = both(times(self.d, o), times(o.d, self))
-        return out
+        lo, hi = (0.0, 0.0) if zero else (nextafter(lo, -inf), nextafter(hi, inf))
+        return I(lo, hi, both(times(self.d, o), times(o.d, self)) if self.d or o.d else None)
 
     def __truediv__(self, o):
         if not (o.lo > 1e-140 or o.hi < -1e-140):
             raise Open
         inverse = I(nextafter(1 / o.hi, -inf), nextafter(1 / o.lo, inf))
-        inverse.d = times(o.d, -(inverse * inverse))
+        inverse.d = o.d and times(o.d, -(inverse * inverse))
         return self * inverse
 
     __radd__, __rmul__ = __add__, __mul__
@@ -109,11 +109,11 @@ ZERO, ONE = I(0.0), I(1.0)
 
 
 def times(slopes, o):
-    return [x * I(o.lo, o.hi) for x in slopes] if slopes else ()
+    return slopes and {v: x * I(o.lo, o.hi) for v, x in slopes.items()}
 
 
 def both(one, other):
-    return [x + y for x, y in zip(one, other)] if one and other else one or other
+    return {**one, **{v: one[v] + x if v in one else x for v, x in other.items()}} if one and other else one or other
 
 
 def cmul(a, b):
@@ -128,12 +128,34 @@ def csub(a, b):
     return a[0] - b[0], a[1] - b[1]
 
 
+def conj(a):
+    return a[0], -a[1]
+
+
+def cdiv(a, b):
+    return tuple(c / square_of(b) for c in cmul(a, conj(b)))
+
+
 def square_of(a):
     return a[0].square() + a[1].square()
 
 
 def centre(a):
     return a[0].middle(), a[1].middle()
+
+
+def apex(d, left, right, sign):
+    """The third corner of a triangle on the base from 0 to 1, d: the base's square, by Heron. That there are slopes proves that
+    its height does not vanish."""
+    f = ONE / d
+    h = (((left + right).square() * f - 1.0) * (1.0 - (left - right).square() * f)).sqrt() * sign
+    return ((left.square() - right.square()) * f + 1.0) * 0.5, h * 0.5
+
+
+def dyad(p, left, q, right, sign):
+    """The joint of two bars that hang at p and q."""
+    base = csub(q, p)
+    return cadd(p, cmul(base, apex(square_of(base), left, right, sign)))
 
 
 def unit_circle(degrees):
@@ -193,15 +215,17 @@ def apart(A, B):
     for (a, b), (c, d) in product(edges[:len(A)], edges[len(A):]):
         if side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0:
             return 0.0, 0.0
-    ways = [to_segment(p, *e) for p in A for e in edges[len(A):]] + [(-x, -y) for p in B for e in edges[:len(A)] for x, y in [to_segment(p, *e)]]
-    return min(ways, key=lambda v: math.hypot(*v))
+    ways = [to_segment(p, *e) for p in A for e in edges[len(A):]]
+    ways += [(-x, -y) for x, y in (to_segment(p, *e) for p in B for e in edges[:len(A)])]
+    return min(ways, key=lambda v: hypot(*v))
 
 
 def convex(ring):
     """True if a closed ring turns one way only, and once around."""
     corners = list(zip(ring, ring[1:], ring[2:] + ring[1:2]))
     turns = [side(*c) for c in corners]
-    around = sum(math.remainder(math.atan2(r[1] - q[1], r[0] - q[0]) - math.atan2(q[1] - p[1], q[0] - p[0]), 2 * math.pi) for p, q, r in corners)
+    ways = [math.atan2(q[1] - p[1], q[0] - p[0]) for p, q in zip(ring, ring[1:] + ring[1:2])]
+    around = sum(math.remainder(v - u, 2 * math.pi) for u, v in zip(ways, ways[1:]))
     return (min(turns) >= 0 or max(turns) <= 0) and abs(around) < 7
 
 
@@ -232,10 +256,9 @@ class Shape:
     """What ratio and vertex fix: s, g, the factors of the lengths, and the modes."""
 
     def __init__(self, task, vertex):
-        turn = unit_circle(task.degrees)
-        k = self.k = (turn[0] * task.scale, turn[1] * task.scale)
-        one, self.vertex = (ONE, ZERO), vertex
-        inverse = (k[0] / square_of(k), -k[1] / square_of(k))
+        turn, one = unit_circle(task.degrees), (ONE, ZERO)
+        self.vertex, k = vertex, tuple(c * task.scale for c in turn)
+        self.k, inverse = k, cdiv(one, k)
         self.s = {"pole": k, "tracer": csub(one, k), "pen": csub(one, inverse)}[vertex]
         self.g = {"pole": one, "tracer": (-ONE, ZERO), "pen": (-k[0], -k[1])}[vertex]
         self.abs_s, self.abs_1s, self.abs_g = (square_of(z).sqrt() for z in (self.s, csub(one, self.s), self.g))
@@ -265,17 +288,6 @@ class Shape:
         # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 where d comes to arg s itself.
         cc, cs = self.s[0] * (-self.up * self.signs(mode)[0]) / self.abs_s, self.s[1] * self.up / self.abs_s
         return (c, cc * c + cs * s) if (mode > 1) == (self.up > 0) else (cc * c - cs * s, -c)
-
-    def joints(self, pole, z, a, b, sign):
-        """All joints with the tracer at pole + z, by (2)."""
-        w = cmul(self.g, z)
-        r, aa, bb = square_of(w), a.square(), b.square()
-        h = ((a * b * 2.0).square() - (r - aa - bb).square()).sqrt() * sign
-        p = tuple(c / (r * 2.0) for c in cmul(w, (r + aa - bb, -h)))
-        q = cmul(self.s, csub(w, p))
-        V = pole if self.vertex == "pole" else csub(pole, w)
-        A = cadd(V, p)
-        return {"V": V, "A": A, "B": cadd(V, q), "C": cadd(A, q), "X": cadd(V, w), "Y": cadd(V, cmul(self.s, w))}
 
 
 def occupied(part, layers):
@@ -323,17 +335,15 @@ class File:
             at = at[key] if isinstance(at, dict) and key in at else self.fault(path, "nothing", "a value")
         return at if among is None or at in among else self.fault(path, at, " or ".join(among))
 
-    def number(self, path, low=-1e9, high=1e9, value=inf):
+    def number(self, path, low=-1e9, high=1e9, value=inf, kind=float):
         value = self.get(path) if value is inf else value
-        good = type(value) in (int, float) and low <= value <= high
-        return float(value) if good else self.fault(path, value, f"a number from {low} to {high}")
+        if type(value) not in (int, kind) or not low <= value <= high:
+            self.fault(path, value, f"a {'whole ' * (kind is int)}number from {low} to {high}")
+        return kind(value)
 
     def optional(self, path):
         table, _, key = path.rpartition(".")
         return self.number(path, 0) if (self.get(table) or {}).get(key) is not None else None
-
-    def whole(self, path, value, high, low=0):
-        return value if type(value) is int and low <= value <= high else self.fault(path, value, f"a whole number from {low} to {high}")
 
     def point(self, path, value):
         if not isinstance(value, list) or len(value) != 2:
@@ -360,17 +370,16 @@ class Task:
         self.file, self.plate = file, plate
         self.scale, self.degrees = file.number("copy.scale", 1e-6), file.number("copy.rotation_deg", -3600, 3600)
         self.width, self.pin = (file.number(made + key, 1e-6) for key in ("link_width_mm", "pin_diameter_mm"))
-        self.region = file.polygons("region")
+        self.region, self.obstacles = file.polygons("region"), []
         self.clearance, self.transmission = file.number("limits.clearance_mm", 0), file.number("limits.transmission_deg", 0, 90)
         self.sheets_gap, self.copy_error = file.optional("limits.sheets_gap_mm"), file.optional("limits.copy_error_mm")
-        self.obstacles = []
         for i, table in enumerate(file.get("obstacles")):
             rings, layers = File(f"{file.name}: obstacles[{i}]", table).polygons("shape"), table.get("layers")
             if not isinstance(layers, list) or len(layers) != 2 or len(rings) != 1:
                 file.fault(f"obstacles[{i}]", table, "a shape of one polygon and layers [lowest, highest]")
-            low = file.whole(f"obstacles[{i}].layers", layers[0], 64)
-            layers = [low, file.whole(f"obstacles[{i}].layers", layers[1], 64, low)]
-            self.obstacles.append({"rings": rings[0], "layers": layers, "name": str(table.get("name") or f"obstacle {i + 1}")})
+            low, high = (file.number(f"obstacles[{i}].layers", 0, 64, layer, int) for layer in layers)
+            name = str(table.get("name") or f"obstacle {i + 1}")
+            self.obstacles.append({"rings": rings[0], "layers": (low, file.number(name + ": layers", low, 64, high, int)), "name": name})
 
     def half(self, part):
         return 0.5 * (self.width if part in LINKS else self.pin)
@@ -378,12 +387,13 @@ class Task:
     def read_choice(self):
         """What limits the choice of a design: lengths, layers, groundings, the pole's place."""
         file = self.file
-        self.layers, self.longest = file.whole("links.layers", file.get("links.layers"), 8, 1), file.number("links.longest_mm", 0)
+        self.layers, self.longest = file.number("links.layers", 1, 8, kind=int), file.number("links.longest_mm", 0)
         apart_ = I(self.pin + max(0.0, file.number("cutting.hole_fit_mm", -10, 10))) + file.number("links.wall_mm", 0)
         self.shortest = max(file.number("links.shortest_mm", 0), apart_.lo)
         self.locked = {n: v for n in LENGTHS if (v := file.optional(f"links.{n}_mm"))}
-        self.grid, self.stock = file.optional("links.grid_mm"), [file.number("links.stock_mm", 0, 1e9, s) for s in file.get("links.stock_mm") or ()]
-        self.groundings, pole = file.get("objective.groundings"), file.get("pole")
+        self.grid, stock = file.optional("links.grid_mm"), file.get("links.stock_mm") or ()
+        self.stock = [file.number("links.stock_mm", 0, value=s) for s in stock]
+        self.groundings, pole = file.get("objective.groundings", ), file.get("pole")
         if not isinstance(pole, dict) or len(pole) != 1 or not isinstance(self.groundings, list) or not set(self.groundings) <= set(VERTICES):
             file.fault("pole, objective.groundings", pole, "at_mm or within_mm, and a list of vertices")
         self.pole_at = file.point("pole.at_mm", pole["at_mm"]) if "at_mm" in pole else None
@@ -391,7 +401,7 @@ class Task:
 
 
 class Design:
-    """Claims 1 and 2."""
+    """Claims 1, 2 and 5, and the limits."""
 
     def __init__(self, file):
         self.file = file
@@ -399,15 +409,23 @@ class Design:
         links = {l.get("name"): l for l in file.get("mechanism.links")}
         if not links.keys() >= set(LINKS) or links["ACX"].get("shape") != links["BCY"].get("shape"):
             file.fault("mechanism.links", links, "VA, VB, ACX, BCY, both plates of one shape")
-        self.layers = {l: file.whole("mechanism.links", links[l].get("layer"), 64, 1) for l in LINKS}
+        self.layers = {l: file.number("mechanism.links", 1, 64, links[l].get("layer"), int) for l in LINKS}
         task = self.task = Task(file, "mechanism.", links["ACX"].get("shape"))
         if task.plate not in ("bent", "triangle"):
             file.fault("mechanism.links", task.plate, "bent or triangle")
         shape = self.shape = Shape(task, file.get("mechanism.vertex", VERTICES))
-        self.sign, self.sign_d = shape.signs(file.whole("mechanism.assembly", file.get("mechanism.assembly"), shape.modes - 1))
+        self.sign, self.sign_d = shape.signs(file.number("mechanism.assembly", 0, shape.modes - 1, kind=int))
         self.pole = file.point("mechanism.pole_position_mm", file.get("mechanism.pole_position_mm"))
         self.lengths = {n: file.number(f"mechanism.lengths_mm.{n}", 1e-6) for n in LENGTHS}
         self.a, self.b = I(self.lengths["VA"]), I(self.lengths["VB"]) / shape.abs_s
+        sides = [x.middle() for x in (ONE, shape.abs_s, shape.abs_1s)]
+        self.flat = 20 * abs(shape.s[1].middle()) < max(sides) * min(sides)
+        self.exact = {n: f * unit for unit, factors in ((self.a, shape.of_a), (self.b, shape.of_b)) for n, f in factors.items()}
+        tolerant = file.data.get("tolerance") is not None
+        self.length, self.play = (tolerant and file.optional(f"tolerance.{key}_mm") or 0.0 for key in ("length", "play"))
+        self.robust = tolerant and file.get("tolerance").get("robust", False)
+        if self.robust not in (True, False):
+            file.fault("tolerance.robust", self.robust, "true or false")
         # Places are taken from the pole. In doubles they, and the corners of cells, are off by less than `slip`.
         self.region, self.blocks = self.local(task.region), self.local([o["rings"] for o in task.obstacles])
         sizes = [max((abs(c) for p in polygons for ring in p for corner in ring for c in corner), default=0.0)
@@ -441,14 +459,13 @@ class Design:
         return least, most
 
     def reached(self):
-        """Claim 1. Sets the ranges of squared distances and of cos psi over the region."""
+        """Claim 1. Sets the range of distances, and the way that the tracer moves radially."""
         shape = self.shape
-        for unit, (name, factor) in [(self.a, f) for f in shape.of_a.items()] + [(self.b, f) for f in shape.of_b.items()]:
-            if (factor * unit - self.lengths[name]).size() > EPS_MM:
-                raise Refuted(f"length {name} = {self.lengths[name]} does not fit VA, VB and the ratio")
-        self.range = self.distances()
-        sine, cosines = unit_circle(max(0.0, self.task.transmission - EPS_DEG))[1], []
-        for place, square in zip(("nearest", "farthest"), self.range):
+        for name, length in self.lengths.items():
+            if (self.exact[name] - length).size() > EPS_MM:
+                raise Refuted(f"length {name} = {length} does not fit VA, VB and the ratio")
+        squares, sine, cotangents = self.distances(), unit_circle(max(0.0, self.task.transmission - EPS_DEG))[1], []
+        for place, square in zip(("nearest", "farthest"), squares):
             c = (square * shape.abs_g.square() - self.a.square() - self.b.square()) / (self.a * self.b * 2.0)
             if c.lo > 1 or c.hi < -1:
                 raise Refuted(f"the {place} place, {math.sqrt(square.middle()):.6g} mm from the pole, is out of reach")
@@ -456,78 +473,121 @@ class Design:
             sin_d = (shape.s[0] * sin_psi * self.sign + shape.s[1] * c) / shape.abs_s * self.sign_d
             for point, x in (("dead", sin_psi), ("change", sin_d)):
                 if x.hi < sine.lo or x.hi <= 0:
-                    raise Refuted(f"at the {place} place the {point} point is only {math.degrees(math.asin(max(-1, x.hi))):.6g} degrees away")
+                    raise Refuted(f"at the {place} place the {point} point is only "
+                                  f"{math.degrees(math.asin(max(-1, x.hi))):.6g} degrees away")
                 if not (x.lo >= sine.hi and x.lo > 0):
                     raise Open
-            cosines.append(c)
-        self.cosines = I(cosines[0].lo, cosines[1].hi)
+            cotangents.append((shape.s[0] * c - shape.s[1] * sin_psi * self.sign) / shape.abs_s / (sin_d * self.sign_d))
+        self.range = [square.sqrt() for square in squares]
+        self.cotangents = [(min(c.lo for c in cotangents), 0.0), (max(c.hi for c in cotangents), 0.0)]
+        self.radius = [(self.range[0].lo, 0.0), (self.range[1].hi, 0.0)]
         return f" (transmission {self.task.transmission:g} degrees, eps {EPS_DEG:g} degrees)"
 
-    def clear(self):
-        """Claim 2."""
-        self.clear_of_itself()
-        self.clear_of_obstacles()
-        return f" (clearance {self.task.clearance:g} mm, eps {EPS_MM:g} mm)"
+    def nominal(self, z):
+        """The holes, from the pole, with the tracer at z, by (2); and the turns into the frames of links."""
+        s, w, a, b = self.shape.s, cmul(self.shape.g, z), self.a, self.b
+        r, aa, bb = square_of(w), a.square(), b.square()
+        h = ((a * b * 2.0).square() - (r - aa - bb).square()).sqrt() * self.sign
+        p = tuple(c / (r * 2.0) for c in cmul(w, (r + aa - bb, -h)))
+        q, V = cmul(s, csub(w, p)), (ZERO, ZERO) if self.shape.vertex == "pole" else (-w[0], -w[1])
+        A, B, C, X, Y = cadd(V, p), cadd(V, q), cadd(V, cadd(p, q)), cadd(V, w), cadd(V, cmul(s, w))
+        turns = {"ACX": tuple(x / self.exact["AC"] for x in conj(q)), "VA": tuple(x / a for x in conj(p)), "table": (ONE, ZERO)}
+        return {"V": V, "v": V, "A": A, "a": A, "B": B, "b": B, "C": C, "c": C, "X": X, "Y": Y, "P": (ZERO, ZERO)}, turns
 
-    def clear_of_itself(self):
-        task = self.task
+    def instrument(self, z):
+        """The same of all instruments, the tracer on the axis, with slopes by all that may be wrong: triangle by triangle."""
+        def off(value, by, name):
+            return value + I(-by, by, {name: ONE}) if by else value
+
+        def third(o, p, q, at_o, at_p):  # hole q of a plate whose holes o and p are given
+            turn = cdiv(csub(spots[q], spots[o]), csub(spots[p], spots[o]))
+            if self.length and not self.flat:
+                side, one, other = (L["".join(sorted(n))] for n in (o + p, o + q, p + q))
+                turn = apex(side.square(), one, other, 1.0 if turn[1].lo > 0 else -1.0)
+            return cadd(at_o, cmul(csub(at_p, at_o), turn))
+
+        s, vertex, no, one = self.shape.s, self.shape.vertex, (ZERO, ZERO), (ONE, ZERO)
+        L = {name: off(x, self.length, name) for name, x in self.exact.items()}
+        e = {j: (off(ZERO, 0.5 * self.play, j + "x"), off(ZERO, 0.5 * self.play, j + "y")) for j in "PVABC"}
+        spots = {"A": no, "B": no, "C": one, "X": cdiv(one, s), "Y": s}  # in the plates' frames, in units of AC and BC
+        if self.flat and self.length:
+            for tip, corner in (("X", "A"), ("Y", "B")):
+                height = off(spots[tip][1] * self.exact[corner + "C"], self.length, "C" + tip)
+                along = (L[corner + tip].square() - height.square()).sqrt() * (1.0 if s[0].lo > 0 else -1.0)
+                spots[tip] = along / L[corner + "C"], height / L[corner + "C"]
+                L["C" + tip] = square_of(csub(spots[tip], one)).sqrt() * L[corner + "C"]
+        r, P = square_of(z).sqrt(), no
+        T = r, ZERO
+        if vertex == "pen":
+            X, Y = e["P"], T
+            C = dyad(X, L["CX"], csub(Y, e["C"]), L["CY"], self.sign)
+            c = cadd(C, e["C"])
+            a, b = third("C", "X", "A", C, X), third("C", "Y", "B", c, Y)
+            A, B = csub(a, e["A"]), csub(b, e["B"])
+            V = dyad(A, L["VA"], csub(B, e["V"]), L["VB"], self.sign_d)
+            v = cadd(V, e["V"])
+        else:
+            V, X, v = (e["P"], T, e["V"]) if vertex == "pole" else (T, e["P"], cadd(T, e["V"]))
+            A = dyad(V, L["VA"], csub(X, e["A"]), L["AX"], -self.sign)
+            a = cadd(A, e["A"])
+            C = third("A", "X", "C", a, X)
+            c = cadd(C, e["C"])
+            B = dyad(v, L["VB"], csub(c, e["B"]), L["BC"], self.sign_d)
+            b = cadd(B, e["B"])
+            Y = third("B", "C", "Y", b, c)
+        turns = {"ACX": tuple(x / L["AC"] for x in conj(csub(C, a))), "VA": tuple(x / L["VA"] for x in conj(csub(A, V))),
+                 "table": tuple(x / r for x in z)}
+        return {"V": V, "v": v, "A": A, "a": a, "B": B, "b": b, "C": C, "c": c, "X": X, "Y": Y, "P": P}, turns
+
+    def loss(self, n, slopes):
+        """How far all that the tolerances let vary can move a way along n."""
+        def slope(variable):
+            x, y, dx, dy = slopes.get(variable, (0.0, 0.0, 0.0, 0.0))
+            return abs(n[0] * x + n[1] * y) + abs(n[0]) * dx + abs(n[1]) * dy
+        pins = sum(hypot(slope(j + "x"), slope(j + "y")) for j in "PVABC") if self.play else 0.0
+        return (1 + 1e-14) * (self.length * sum(map(slope, LENGTHS)) + 0.5 * self.play * pins)
+
+    def holes(self, part, piece):
+        if part in LINKS:
+            return [HOLES[part][part.index(joint)] for joint in piece]
+        return "P" if part[-1] == ("V" if self.shape.vertex == "pole" else "X") else HOLES.get(part, part[-1])
+
+    def clear(self, every=False):
+        """Claim 2, or claim 5. Contact of the linkage with itself does not change if all turns about the pole."""
+        task, self.every, itself, blocked = self.task, every, [], []
         for one, other in ((one, other) for i, one in enumerate(PARTS) for other in PARTS[:i]):
             together = share(one, other, self.layers, ())
             if not may_meet(one, other):
                 if together and one in LINKS and other in LINKS:
                     raise Refuted(f"{other} and {one} share a joint and a layer")
             elif together or one.startswith("post") and other.startswith("post"):
-                for A, B in product(pieces(other, task.plate), pieces(one, task.plate)):
-                    self.pair_is_clear(other, A, one, B, task.half(one) + task.half(other) + task.clearance)
+                # Parallel to VB and ACX, or to VA and BCY: seen from there such parts do not turn.
+                frame = "ACX" if {"VB", "ACX"} & {one, other} else "VA"
+                itself += [(other, self.holes(other, A), one, self.holes(one, B), frame, ([(0.0, 0.0)], 0.0, None),
+                            task.half(one) + task.half(other) + task.clearance)
+                           for A, B in product(pieces(other, task.plate), pieces(one, task.plate))]
+        self.cover([self.radius], itself, None, self.pending_in)
+        # A part that meets no edge on its way is inside an obstacle always or never: one place decides.
+        for (i, block), part in product(enumerate(self.blocks), PARTS):
+            for piece in pieces(part, task.plate) if share(part, i, self.layers, task.obstacles) else ():
+                holes, name = self.holes(part, piece), task.obstacles[i]["name"]
+                if where(self.seen(self.region[0][0][0], "table", holes)[0], block) > 0:
+                    raise Refuted(f"{part} is inside {name}")
+                blocked += [(part, holes, name, "P", "table", tree_of(list(zip(ring, ring[1:]))), task.half(part) + task.clearance)
+                            for ring in block]
+        for rings in self.region if blocked else ():
+            self.cover([ring[:-1] for ring in rings], blocked, None if len(rings) == 1 and convex(rings[0]) else rings, self.pending_in)
+            if rings is not self.region[0]:
+                self.way(self.region[0][0], rings[0], blocked)
+        return f" (clearance {self.task.clearance:g} mm, eps {EPS_MM:g} mm)"
 
-    def pair_is_clear(self, one, A, other, B, distance):
-        """Intervals of cos psi, halved until one direction separates the two all over each."""
-        along_q = bool({"VB", "ACX"} & {one, other})  # seen from q the two do not turn, else seen from p
-        units, turn, seen = (self.a, self.b), (-self.sign if along_q else self.sign), self.shape.seen
-        still = [[tuple(c * units[along_q] for c in seen[j][along_q]) for j in piece] for piece in (A, B)]
-        drift = tuple(c * units[not along_q] for c in csub(seen[B[0]][not along_q], seen[A[0]][not along_q]))
-        todo, cells = [self.cosines], 0
-        while todo:
-            x, cells = todo.pop(), cells + 1
-            m = x.middle()
-            at, y = ((ONE - I(m)) * (ONE + m)).sqrt() * turn, ((ONE - x) * (ONE + x)).sqrt() * turn
-            shift = centre(cmul(drift, (I(m), at)))
-            v = apart([centre(p) for p in still[0]], [cadd(centre(p), shift) for p in still[1]])
-            gap = math.hypot(*v)
-            if gap < distance - 2 * EPS_MM:
-                raise Refuted(f"{one} and {other}: gap {gap - distance + self.task.clearance:.6g} mm at cos psi = {m:.9g}; allowed "
-                              f"{self.task.clearance:g}")
-            n = v[0] / gap, v[1] / gap
-            # n . (drift e^(i psi)) = f cos psi + e sin psi
-            f, e = drift[0] * n[0] + drift[1] * n[1], drift[0] * n[1] - drift[1] * n[0]
-            swing = f * m + e * at + (f - e * x / y) * (x - m)
-            ends = [[p[0] * n[0] + p[1] * n[1] for p in piece] for piece in still]
-            if not (I(min(p.lo for p in ends[1])) - max(p.hi for p in ends[0]) + swing).lo >= (distance - EPS_MM) * (1 + 1e-15):
-                if not x.lo < m < x.hi or cells > MOST_CELLS:
-                    raise Open
-                todo += [I(x.lo, m), I(m, x.hi)]
+    def seen(self, z, frame, names):
+        """Holes of the nominal linkage, from the pole, with the tracer at z."""
+        holes, turns = self.nominal((I(z[0]), I(z[1])))
+        return [centre(cmul(holes[j], turns[frame])) for j in names]
 
-    def clear_of_obstacles(self):
-        """Obstacles by place; a part that meets no edge on its way is inside an obstacle always or never: one place decides."""
-        task, pairs = self.task, []
-        for i, part in product(range(len(self.blocks)), PARTS):
-            if share(part, i, self.layers, task.obstacles):
-                trees = [tree_of(list(zip(ring, ring[1:]))) for ring in self.blocks[i]]
-                pairs += [(part, piece, tree, i) for piece in pieces(part, task.plate) for tree in trees]
-        joints = self.joints_at(self.region[0][0][0]) if pairs else {}
-        for part, piece, _, i in pairs:
-            if where(centre(joints[piece[0]]), self.blocks[i]) > 0:
-                raise Refuted(f"{part} is inside {task.obstacles[i]['name']}")
-        for rings in self.region if pairs else ():
-            self.cover([ring[:-1] for ring in rings], pairs, None if len(rings) == 1 and convex(rings[0]) else rings)
-        for rings in self.region[1:] if pairs else ():
-            self.way(self.region[0][0], rings[0], pairs)
-
-    def joints_at(self, z):
-        return self.shape.joints((ZERO, ZERO), (I(z[0]), I(z[1])), self.a, self.b, self.sign)
-
-    def cover(self, parts, pairs, rings):
-        """Cells of a polygon, halved until all pairs are proven apart in each. `rings`: the polygon's, if it is not convex."""
+    def cover(self, parts, pairs, rings, pending_in):
+        """Cells of a polygon, halved until nothing is pending in any. `rings`: the polygon's, if it is not convex."""
         (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*parts[0]))
         todo, cells = [([x0, x1, y0, y1], parts, pairs)], 0
         while todo:
@@ -535,11 +595,11 @@ class Design:
             # A corner of the cell counts only if it is in the region; all others are on the region's edges.
             hull = [c for c in {c for part in parts for c in part}
                     if rings is None or not (c[0] in box[:2] and c[1] in box[2:]) or where(c, rings) >= 0]
-            left = self.pending_in(box, hull, pending) if hull else None
-            if left:
+            left = pending_in(box, hull, pending) if hull else None
+            if left is not None:
                 axis = 0 if box[1] - box[0] >= box[3] - box[2] else 1
                 m = 0.5 * box[2 * axis] + 0.5 * box[2 * axis + 1]
-                if box[2 * axis + 1] - box[2 * axis] < 1e-8 or cells > MOST_CELLS:
+                if m in box[2 * axis:2 * axis + 2] or cells > MOST_CELLS:
                     raise Open
                 for end, keep in ((1, -1), (0, 1)):
                     child = list(box)
@@ -547,54 +607,62 @@ class Design:
                     todo.append((child, [clip(part, axis, m, keep) for part in parts], left))
 
     def pending_in(self, box, hull, pending):
-        """The pairs not proven apart over the hull."""
+        """The pairs not proven apart over the hull; None if there are none, and the linkage closes."""
         m = 0.5 * box[0] + 0.5 * box[1], 0.5 * box[2] + 0.5 * box[3]
-        z = tuple(I(box[2 * i] - self.slip, box[2 * i + 1] + self.slip, [I(1.0 - i), I(float(i))]) for i in (0, 1))
+        z = tuple(I(box[2 * i] - self.slip, box[2 * i + 1] + self.slip, {"xy"[i]: ONE}) for i in (0, 1))
         try:
-            moving, still = self.shape.joints((ZERO, ZERO), z, self.a, self.b, self.sign), self.joints_at(m)
+            (moving, turning), (still, turn) = self.nominal(z), self.nominal((I(m[0]), I(m[1])))
+            wrong, twisting = self.instrument(z) if self.every else (None, None)
         except Open:
             return pending
-        ways = [[x - c for x, c in zip(self.near(v), m)] for v in hull]
-        clouds = {j: cloud(still[j], moving[j], ways) for j in {j for _, piece, _, _ in pending for j in piece}}
-        left, todo = [], list(pending)
-        while todo:
-            part, piece, node, i = todo.pop()
-            distance = self.task.half(part) + self.task.clearance
-            if not self.separated([clouds[j] for j in piece], node[0], distance):
-                if node[2] and node[1] > max(clouds[j][2] for j in piece):
-                    todo += [(part, piece, child, i) for child in node[2]]
-                    continue
-                if math.hypot(*apart([clouds[j][3] for j in piece], node[0])) < distance and not node[2]:
-                    self.refute(hull[0], part, piece, node[0], distance, i)
-                left.append((part, piece, node, i))
-        return left
+        ways, known, left, todo = [dict(zip("xy", csub(self.near(v), m))) for v in hull], {}, [], list(pending)
 
-    def separated(self, clouds, edge, distance):
-        """True if one direction proves a piece farther than the distance from an edge (or rectangle) all over the cell."""
-        v = apart([c[3] for c in clouds], edge)
-        if not (gap := math.hypot(*v)):
+        def moved(i, j, frame):  # the way from hole to hole
+            if (i, j, frame) not in known:
+                known[i, j, frame] = *cloud(cmul(csub(still[j], still[i]), turn[frame]), cmul(csub(moving[j], moving[i]), turning[frame]),
+                                            ways), slopes_of(cmul(csub(wrong[j], wrong[i]), twisting[frame])) if wrong else None
+            return known[i, j, frame]
+
+        while todo:
+            pair = part, A, other, B, frame, node, distance = todo.pop()
+            clouds = [moved(i, j, frame) for i, j in product(A, B)]
+            P, Q = ([centre(cmul(still[j], turn[frame])) for j in names] for names in (A, B))
+            v = apart(P, [cadd(q, e) for q in Q for e in node[0]])
+            if not self.separated(v, clouds, node[0], distance):
+                if node[2] and node[1] > max(c[2] for c in clouds):
+                    todo += [(part, A, other, B, frame, child, distance) for child in node[2]]
+                    continue
+                if hypot(*v) < distance and not node[2]:
+                    self.refute(hull[0], pair)
+                left.append(pair)
+        return left or None
+
+    def separated(self, v, clouds, edge, distance):
+        """True if one direction proves the two farther apart than the distance all over the cell."""
+        if not (gap := hypot(*v)):
             return False
         n = v[0] / gap, v[1] / gap
         far = min(n[0] * p[0] + n[1] * p[1] for p in edge)
-        near = max(max(n[0] * p[0] + n[1] * p[1] for p in c[0]) + c[1] for c in clouds)
+        near = min(min(n[0] * p[0] + n[1] * p[1] for p in c[0]) - c[1] - (self.loss(n, c[4]) if c[4] else 0.0) for c in clouds)
         slack = 1e-14 * (abs(far) + abs(near) + max(abs(c) for p in edge for c in p)) + 4 * self.slip
-        return far - near >= distance - EPS_MM + slack
+        return far + near >= distance - EPS_MM + slack
 
-    def refute(self, place, part, piece, edge, distance, i):
-        """Perhaps at this place of the region the part is nearer than it may be."""
+    def refute(self, place, pair):
+        """Perhaps at this place the two are nearer than they may be."""
+        part, A, other, B, frame, node, distance = pair
         try:
-            joints = self.joints_at(place)
+            P, Q = (self.seen(place, frame, names) for names in (A, B))
         except Open:
             return
-        gap = math.hypot(*apart([centre(joints[j]) for j in piece], edge))
+        gap = hypot(*apart(P, [cadd(p, e) for p in Q for e in node[0]]))
         if gap < distance - 2 * EPS_MM:
-            raise Refuted(f"{part} and {self.task.obstacles[i]['name']}: gap {gap - self.task.half(part):.6g} mm with the tracer at "
-                          f"({place[0] + self.pole[0]:.6g}, {place[1] + self.pole[1]:.6g}); allowed {self.task.clearance:g}")
+            raise Refuted(f"{part} and {other}: gap {gap - distance + self.task.clearance:.6g} mm with the tracer at ({place[0]:.6g}, "
+                          f"{place[1]:.6g}) from the pole; allowed {self.task.clearance:g}")
 
     def way(self, one, other, pairs):
         """Two polygons are joined if a way from corner to corner, straight or around the pole, is clear as well."""
         A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: math.dist(*pq))
-        least, most = math.sqrt(self.range[0].hi), math.sqrt(self.range[1].lo)
+        least, most = self.range[0].hi, self.range[1].lo
         start, turn, ways = math.atan2(A[1], A[0]), math.atan2(B[1], B[0]) - math.atan2(A[1], A[0]), [[A, B]]
         for r, t in product((0.5, 0.25, 0.75, 0.1, 0.9), (turn, turn - 2 * math.pi, turn + 2 * math.pi)):
             r, steps = least + r * (most - least), 2 + int(abs(t) / 0.02)
@@ -602,29 +670,30 @@ class Design:
         for way in ways:
             try:
                 for p, q in zip(way, way[1:]):
-                    if math.hypot(*to_segment((0.0, 0.0), p, q)) < least - EPS_MM or max(math.hypot(*p), math.hypot(*q)) > most + EPS_MM:
+                    if hypot(*to_segment((0.0, 0.0), p, q)) < least - EPS_MM or max(hypot(*p), hypot(*q)) > most + EPS_MM:
                         raise Open
-                    self.cover([[p, q]], pairs, None)
+                    self.cover([[p, q]], pairs, None, self.pending_in)
                 return
             except (Open, Refuted):
                 continue
         raise Open("no way from polygon to polygon was found")
 
+    def every_instrument(self):
+        """Claim 5."""
+        return f" (lengths within {self.length:g} mm, play {self.play:g} mm)" + self.clear(True)
+
     def limits(self):
         """What else the file limits."""
-        task, unchecked = self.task, []
+        task = self.task
         if task.sheets_gap is not None:
             self.sheets_apart(max(task.sheets_gap - EPS_MM, 1e-9))
-        if all(self.file.get(key) is not None for key in ("pole", "links", "objective", "cutting")):
-            task.read_choice()
-            self.choice_allowed()
-        else:
-            unchecked.append("pole, links, objective (not stated)")
-        if unchecked or task.copy_error is not None:
-            raise Open("not checked: " + ", ".join(unchecked + ["limits.copy_error_mm"] * (task.copy_error is not None)))
-
-    def choice_allowed(self):
-        task = self.task
+        if task.copy_error is not None:
+            if not (self.length or self.play):
+                raise Open("limits.copy_error_mm without a tolerance")
+            self.cover([self.cotangents], (), None, self.too_wrong_in)
+        if any(self.file.get(key) is None for key in ("pole", "links", "objective", "cutting")):
+            raise Open("not checked: pole, links, objective (not stated)")
+        task.read_choice()
         for name, length in self.lengths.items():
             if not task.shortest - EPS_MM <= length <= task.longest + EPS_MM or abs(length - task.locked.get(name, length)) > EPS_MM:
                 raise Refuted(f"length {name} = {length} is not within {task.shortest:g} and {task.longest:g}, or not as locked")
@@ -635,17 +704,64 @@ class Design:
             raise Refuted("this vertex or layer is not permitted")
         edges = [e for polygon in task.pole_within or [] for ring in polygon for e in zip(ring, ring[1:])] or [(task.pole_at, task.pole_at)]
         if not any(where(self.pole, p) >= 0 for p in task.pole_within or []):
-            if min(math.hypot(*to_segment(self.pole, *edge)) for edge in edges) > EPS_MM:
+            if min(hypot(*to_segment(self.pole, *edge)) for edge in edges) > EPS_MM:
                 raise Refuted("the pole stands elsewhere than permitted")
+
+    def too_wrong_in(self, box, hull, pending):
+        """None if the copy error keeps its limit all over a cell of cot d."""
+        if self.exceeding(self.sources(I(box[0], box[1])), self.task.copy_error + EPS_MM) is None:
+            return None
+        if found := self.exceeding(self.sources(I(hull[0][0])), self.task.copy_error + 2 * EPS_MM):
+            raise Refuted(f"copy error {found:.6g} mm at the opening {math.degrees(math.atan2(1, hull[0][0])):.6g} degrees (or as much less than "
+                          f"0); allowed {self.task.copy_error:g}")
+        return pending
+
+    def sources(self, x):
+        """The pen's deviation by each length and by each coordinate of each pin, times a constant of length 1, from x = cot d
+        (docs/tolerance.md: D). A flat plate's third hole is off at right angles to its line."""
+        s, one, i = self.shape.s, (ONE, ZERO), (ZERO, ONE)
+        t, y = csub(one, s), (x.square() + 1.0).sqrt() * self.sign_d  # 1 - s, 1 / sin d
+        e, ix, iy = (x / y, ONE / y), (ZERO, x), (ZERO, y)
+
+        def tip(u, v):  # how the tip moves by its plate's lengths; u, v: directions to it from the two others
+            v = i if self.flat else tuple(c / square_of(v).sqrt() for c in v)
+            u, c = tuple(c / square_of(u).sqrt() for c in u), u
+            c = cmul(conj(u), v)[1]
+            by_far = tuple(x / c for x in cmul(i, u))
+            return tuple(x * v[0] for x in by_far), tuple(-x / c for x in cmul(i, v)), by_far
+
+        xi, eta = tip(conj(s), cmul(t, conj(s))), tip(s, (-t[0], -t[1]))
+        out = {"VA": cmul(t, csub(one, ix)), "VB": cmul(t, iy), "AC": csub(cmul(e, csub(one, cmul(s, xi[0]))), cmul(t, iy)),
+               "BC": cadd(csub(eta[0], one), cmul(t, ix)), "AX": cmul(cmul(s, xi[1]), e), "CX": cmul(cmul(s, xi[2]), e),
+               "BY": eta[1], "CY": eta[2], "Ax": cmul(t, csub(one, ix)), "Cx": csub(one, cmul(t, ix)), "Cy": csub(i, cmul(t, i))}
+        out["Bx"], out["By"] = out["Vx"], out["Vy"] = cmul(t, ix), cmul(t, i)
+        out.update({"Px": out["Ax"]} if self.shape.vertex == "pole" else {"Px": s, "Py": cmul(s, i)})
+        factor = ONE / self.shape.abs_1s if self.shape.vertex == "pen" else ONE
+        return {name: box_of([c * factor for c in way]) for name, way in out.items()}
+
+    def exceeding(self, slopes, limit):
+        """A deviation that may be above the limit; None if there is none. Between the directions u and v none is longer than what
+        all can do along w = u + v, divided by the smaller of u.w and v.w."""
+        todo = [((1.0, 0.0), (0.0, 1.0)), ((0.0, 1.0), (-1.0, 0.0))]
+        while todo:
+            u, v = todo.pop()
+            w = cadd(u, v)
+            most, size = self.loss(w, slopes), hypot(*w)
+            if most > limit * size * (1 - 1e-12):
+                return most / size
+            if most > limit * min(u[0] * w[0] + u[1] * w[1], v[0] * w[0] + v[1] * w[1]) * (1 - 1e-12):
+                m = w[0] / size, w[1] / size
+                todo += [(u, m), (m, v)]
+        return None
 
     def sheets_apart(self, gap):
         """No place of the region is nearer to a place of its copy: edges by trees of rectangles, then one inside the other."""
         copies = [[[centre(cmul(self.shape.k, self.near(p))) for p in ring] for ring in polygon] for polygon in self.region]
-        slack = (16 * self.slip + 1e-13 * math.sqrt(self.range[1].hi)) * (1 + self.task.scale)
+        slack = (16 * self.slip + 1e-13 * self.range[1].hi) * (1 + self.task.scale)
         todo = [tuple(tree_of([e for p in some for r in p for e in zip(r, r[1:])]) for some in (self.region, copies))]
         while todo:
             one, other = todo.pop()
-            between = math.hypot(*apart(one[0], other[0]))
+            between = hypot(*apart(one[0], other[0]))
             if between < gap + slack:
                 if not one[2] and not other[2]:
                     raise (Refuted if between < gap - EPS_MM - slack else Open)(f"original and copy are {between:.6g} mm apart")
@@ -657,10 +773,20 @@ class Design:
 
 def cloud(still, moving, ways):
     """Places whose hull, grown by a radius, holds a joint over a cell; the radius; how far it moves; where it is in the middle."""
-    ends = [[still[i] + sum((d * x for d, x in zip(moving[i].d, way)), ZERO) for i in (0, 1)] for way in ways]
+    slopes = [c.d or {} for c in moving]
+    ends = [[still[i] + sum((slopes[i].get(v, ZERO) * x for v, x in way.items()), ZERO) for i in (0, 1)] for way in ways]
     points, middle = [centre(e) for e in ends], centre(still)
-    radius = 0.5 * (1 + 1e-15) * max(math.hypot(*(nextafter(c.hi - c.lo, inf) for c in e)) for e in ends)
+    radius = 0.5 * (1 + 1e-15) * max(hypot(*(nextafter(c.hi - c.lo, inf) for c in e)) for e in ends)
     return points, radius, max(math.dist(p, middle) for p in points), middle
+
+
+def box_of(z):
+    """Middles and half widths of a complex interval, in doubles, with more than their rounding."""
+    return *centre(z), *(0.5 * (c.hi - c.lo) + 1e-15 * c.size() for c in z)
+
+
+def slopes_of(way):
+    return {v: box_of([c.d[v] if c.d and v in c.d else ZERO for c in way]) for v in both(way[0].d or {}, way[1].d or {})}
 
 
 class Node:
@@ -684,9 +810,9 @@ class Certificate:
         file.get("format", ("kempe-certificate/1",))
         self.claim, self.objective = file.get("claim", ("bound", "none")), file.get("objective")
         self.bound = file.number("bound") if self.claim == "bound" else None
-        task = self.task = Task(File(name, file.get("task")), "", File(name, file.get("task")).get("plate", ("bent", "triangle")))
-        task.read_choice()
-        self.lines, self.at = lines, 0
+        task = File(name, file.get("task"))
+        self.task, self.lines, self.at = Task(task, "", task.get("plate", ("bent", "triangle"))), lines, 0
+        self.task.read_choice()
 
     def belongs_to(self, design):
         """The log speaks of the design's task, and proves what the design's file states."""
@@ -741,10 +867,8 @@ class Certificate:
         for rule in ("split", "share", "contact"):
             if rule in line:
                 return getattr(self, rule)(node, line)
-        leaf = line["leaf"]
-        if not {"sum": self.sum, "pole": self.pole, "sheets": self.sheets, "obstacle": self.obstacle, "lengths": self.no_lengths,
-                "layers": self.no_layers}[leaf](node, line):
-            raise Open(f"{leaf} does not refute")
+        if not getattr(self, "leaf_" + line["leaf"])(node, line):
+            raise Open(f"{line['leaf']} does not refute")
         return []
 
     def split(self, node, line):
@@ -798,7 +922,7 @@ class Certificate:
         p, q = self.task.region[polygon][ring][corner:corner + 2]
         return tuple(I(p[i]) + (I(q[i]) - p[i]) * float(t) for i in (0, 1))
 
-    def sum(self, node, line):
+    def leaf_sum(self, node, line):
         """Q about the middle of the box: value, slopes g, squares q and the product m of a and b."""
         middle, shape, task = node.middle(), self.shape, self.task
         a, b, value, m = I(middle["a"]), I(middle["b"]), ZERO, ZERO
@@ -845,13 +969,13 @@ class Certificate:
         zeta = (r + aa - bb) / (r * 2.0), -h / (r * 2.0)
         return cadd(pole, cmul(w, cadd(cmul(csub(alpha, beta), zeta), beta)))
 
-    def no_lengths(self, node, line):
+    def leaf_lengths(self, node, line):
         return any(node.box[v].lo > node.box[v].hi for v in "ab")
 
-    def no_layers(self, node, line):
+    def leaf_layers(self, node, line):
         return not node.assignments
 
-    def pole(self, node, line):
+    def leaf_pole(self, node, line):
         """The box of poles holds no place of their area: no edge of it comes in, and it is not all inside."""
         (x0, x1), (y0, y1), corners = *((node.box[v].lo, node.box[v].hi) for v in "xy"), list(node.corners("xy"))
         for polygon in self.task.pole_within:
@@ -864,13 +988,13 @@ class Certificate:
                 return False
         return True
 
-    def sheets(self, node, line):
+    def leaf_sheets(self, node, line):
         one, other = (self.place(p) for p in line["places"])
         poles = [(I(x), I(y)) for x, y in node.corners("xy")]
         ways = [csub(cadd(P, cmul(self.shape.k, csub(one, P))), other) for P in poles]
         return max(square_of(way).hi for way in ways) < I(self.task.sheets_gap).square().lo
 
-    def obstacle(self, node, line):
+    def leaf_obstacle(self, node, line):
         """A part's point stays, over the box, within reach of a convex piece of an obstacle."""
         index, point, edge = line["obstacle"], line["point"], line["edge"]
         if not all(share(point[0], index, l, self.task.obstacles) for l in node.assignments) or index < 0:
@@ -881,11 +1005,11 @@ class Certificate:
         K, T = ring[:-1] if edge is None else ring[edge:edge + 2], self.place(line["place"])
         names = [v for v in "abxy" if node.box[v].lo < node.box[v].hi]
         middle = {v: I(m) for v, m in node.middle().items()}
-        wide = {v: I(i.lo, i.hi, [I(float(v == n)) for n in names]) for v, i in node.box.items()}
+        wide = {v: I(i.lo, i.hi, {v: ONE} if v in names else None) for v, i in node.box.items()}
         moving, still = (self.point_at(point, T, z) for z in (wide, middle))
-        points, radius, _, _ = cloud(still, moving, [[c - middle[v] for v, c in zip(names, corner)] for corner in node.corners(names)])
+        points, radius, _, _ = cloud(still, moving, [{v: c - middle[v] for v, c in zip(names, corner)} for corner in node.corners(names)])
         allowed = (self.task.half(point[0]) + self.task.clearance) * (1 - 1e-15)
-        return all(math.hypot(*apart([p], K)) + radius + 1e-14 * max(abs(c) for c in p) < allowed for p in points)
+        return all(hypot(*apart([p], K)) + radius + 1e-14 * max(abs(c) for c in p) < allowed for p in points)
 
 
 def after_claim_1():
@@ -929,8 +1053,11 @@ def main(names):
         raise Unreadable(f"{', '.join(names)}: found {fault}; allowed: a table as docs/design-file.md or docs/proof.md has it")
     if checked:
         good = claim("1 every point is reached on one assembly mode", checked.reached)
-        for title, proof in (("2 the parts keep their clearance", checked.clear), ("limits of the file", checked.limits)):
-            good = claim(title, proof if hasattr(checked, "cosines") else after_claim_1) and good
+        claims = [("2 the parts keep their clearance", checked.clear), ("limits of the file", checked.limits)]
+        if checked.robust:
+            claims.append(("5 every instrument within the tolerances is on one assembly and clear", checked.every_instrument))
+        for title, proof in claims:
+            good = claim(title, proof if hasattr(checked, "range") else after_claim_1) and good
         print("not looked at:", ", ".join(sorted(design.data.keys() - set(LOOKED_AT))))
     for log in logs:
         word = {"size": "mm is smaller", "transmission": "degrees is larger"}.get(log.objective, "is better")

@@ -64,9 +64,7 @@ def log_of_design(spec_file, folder):
         told = any(s.startswith("certificate.jsonl is left out") for s in json.loads(ran.stdout)["left_out"])
         return LEFT_OUT if told else "a bound without its log, and no word of it"
     code, told = check(folder / "design.json", log)
-    lines = told.splitlines()
-    # What the checker does not look at (the copy error) it says; claims 1 to 3 hold all the same.
-    return None if code == 0 or all(": proven" in line for line in lines if line[:1] in "123") and len(lines) > 3 else told
+    return None if code == 0 else told
 
 
 def main():

@@ -319,12 +319,16 @@ class Builder:
         return None
 
     def placed(self, a, b, P, T):
-        try:
-            I = check.I
-            joints = self.log.shape.joints((I(P[0]), I(P[1])), (I(T[0] - P[0]), I(T[1] - P[1])), I(a), I(b), self.log.sign)
-        except check.Open:
+        """The joints with the tracer at T, by angles; None out of reach."""
+        shape, P, T = self.log.shape, complex(*P), complex(*T)
+        s, g = (complex(*check.centre(z)) for z in (shape.s, shape.g))
+        w = g * (T - P)
+        cosine = (abs(w) ** 2 - a * a - b * b) / (2 * a * b)
+        if abs(cosine) > 1:
             return None
-        return {j: complex(c[0].middle(), c[1].middle()) for j, c in joints.items()}
+        p = w / (1 + b / a * complex(cosine, self.log.sign * math.sqrt(1 - cosine * cosine)))
+        q, V = s * (w - p), P if shape.vertex == "pole" else P - w
+        return {"V": V, "A": V + p, "B": V + q, "C": V + p + q, "X": V + w, "Y": V + s * w}
 
     def hits(self, part, joints, ring, i, place):
         task, out = self.log.task, []
