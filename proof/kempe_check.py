@@ -152,12 +152,6 @@ def apex(d, left, right, sign):
     return ((left.square() - right.square()) * f + 1.0) * 0.5, h * 0.5
 
 
-def dyad(p, left, q, right, sign):
-    """The joint of two bars that hang at p and q."""
-    base = csub(q, p)
-    return cadd(p, cmul(base, apex(square_of(base), left, right, sign)))
-
-
 def unit_circle(degrees):
     """Cosine and sine of decimal degrees: Taylor's series in whole multiples of 2^-160, the rest far below 2^-100."""
     quarters, rest = divmod(Fraction(degrees) % 360, 90)
@@ -495,16 +489,31 @@ class Design:
         return {"V": V, "v": V, "A": A, "a": A, "B": B, "b": B, "C": C, "c": C, "X": X, "Y": Y, "P": (ZERO, ZERO)}, turns
 
     def instrument(self, z):
-        """The same of all instruments, the tracer on the axis, with slopes by all that may be wrong: triangle by triangle."""
+        """The same of all instruments, the tracer on the axis, with slopes by all that may be wrong, triangle by triangle: the ways
+        from hole to hole, and the turns."""
+        reach, still = {}, self.nominal((square_of(z).sqrt(), ZERO))[0]
+
         def off(value, by, name):
+            reach[name] = I(-by, by)
             return value + I(-by, by, {name: ONE}) if by else value
+
+        def way(i, j, at_i, at_j):  # by the mean value theorem often narrower than the difference
+            out = []
+            for c, exact in zip(csub(at_j, at_i), csub(still[j], still[i])):
+                about = sum((slope * reach[v] for v, slope in (c.d or {}).items()), exact)
+                out.append(I(max(c.lo, about.lo), min(c.hi, about.hi), c.d))
+            return out
+
+        def dyad(i, j, at_i, at_j, left, right, sign):  # the joint of two bars that hang at i and j
+            base = way(i, j, at_i, at_j)
+            return cadd(at_i, cmul(base, apex(square_of(base), L[left], L[right], sign)))
 
         def third(o, p, q, at_o, at_p):  # hole q of a plate whose holes o and p are given
             turn = cdiv(csub(spots[q], spots[o]), csub(spots[p], spots[o]))
             if self.length and not self.flat:
                 side, one, other = (L["".join(sorted(n))] for n in (o + p, o + q, p + q))
                 turn = apex(side.square(), one, other, 1.0 if turn[1].lo > 0 else -1.0)
-            return cadd(at_o, cmul(csub(at_p, at_o), turn))
+            return cadd(at_o, cmul(way(o, p, at_o, at_p), turn))
 
         s, vertex, no, one = self.shape.s, self.shape.vertex, (ZERO, ZERO), (ONE, ZERO)
         L = {name: off(x, self.length, name) for name, x in self.exact.items()}
@@ -520,24 +529,25 @@ class Design:
         T = r, ZERO
         if vertex == "pen":
             X, Y = e["P"], T
-            C = dyad(X, L["CX"], csub(Y, e["C"]), L["CY"], self.sign)
+            C = dyad("X", "Y", X, csub(Y, e["C"]), "CX", "CY", self.sign)
             c = cadd(C, e["C"])
             a, b = third("C", "X", "A", C, X), third("C", "Y", "B", c, Y)
             A, B = csub(a, e["A"]), csub(b, e["B"])
-            V = dyad(A, L["VA"], csub(B, e["V"]), L["VB"], self.sign_d)
+            V = dyad("A", "B", A, csub(B, e["V"]), "VA", "VB", self.sign_d)
             v = cadd(V, e["V"])
         else:
             V, X, v = (e["P"], T, e["V"]) if vertex == "pole" else (T, e["P"], cadd(T, e["V"]))
-            A = dyad(V, L["VA"], csub(X, e["A"]), L["AX"], -self.sign)
+            A = dyad("V", "X", V, csub(X, e["A"]), "VA", "AX", -self.sign)
             a = cadd(A, e["A"])
             C = third("A", "X", "C", a, X)
             c = cadd(C, e["C"])
-            B = dyad(v, L["VB"], csub(c, e["B"]), L["BC"], self.sign_d)
+            B = dyad("V", "C", v, csub(c, e["B"]), "VB", "BC", self.sign_d)
             b = cadd(B, e["B"])
             Y = third("B", "C", "Y", b, c)
-        turns = {"ACX": tuple(x / L["AC"] for x in conj(csub(C, a))), "VA": tuple(x / L["VA"] for x in conj(csub(A, V))),
+        at = {"V": V, "v": v, "A": A, "a": a, "B": B, "b": b, "C": C, "c": c, "X": X, "Y": Y, "P": P}
+        turns = {"ACX": tuple(x / L["AC"] for x in conj(way("a", "C", a, C))), "VA": tuple(x / L["VA"] for x in conj(way("V", "A", V, A))),
                  "table": tuple(x / r for x in z)}
-        return {"V": V, "v": v, "A": A, "a": a, "B": B, "b": b, "C": C, "c": c, "X": X, "Y": Y, "P": P}, turns
+        return lambda i, j: way(i, j, at[i], at[j]), turns
 
     def loss(self, n, slopes):
         """How far all that the tolerances let vary can move a way along n."""
@@ -612,7 +622,7 @@ class Design:
         z = tuple(I(box[2 * i] - self.slip, box[2 * i + 1] + self.slip, {"xy"[i]: ONE}) for i in (0, 1))
         try:
             (moving, turning), (still, turn) = self.nominal(z), self.nominal((I(m[0]), I(m[1])))
-            wrong, twisting = self.instrument(z) if self.every else (None, None)
+            wrong, twisting = self.instrument([I(c.lo, c.hi) for c in z]) if self.every else (None, None)
         except Open:
             return pending
         ways, known, left, todo = [dict(zip("xy", csub(self.near(v), m))) for v in hull], {}, [], list(pending)
@@ -620,7 +630,7 @@ class Design:
         def moved(i, j, frame):  # the way from hole to hole
             if (i, j, frame) not in known:
                 known[i, j, frame] = *cloud(cmul(csub(still[j], still[i]), turn[frame]), cmul(csub(moving[j], moving[i]), turning[frame]),
-                                            ways), slopes_of(cmul(csub(wrong[j], wrong[i]), twisting[frame])) if wrong else None
+                                            ways), slopes_of(cmul(wrong(i, j), twisting[frame])) if wrong else None
             return known[i, j, frame]
 
         while todo:

@@ -416,7 +416,7 @@ class Tolerances(unittest.TestCase):
             judge, checked, z = any_linkage(chance)
             r = WHOLE.I(abs(z))
             try:
-                holes, _ = checked.instrument((r, WHOLE.ZERO))
+                way, _ = checked.instrument((r, WHOLE.ZERO))
                 start = instruments.Instrument(judge, {}).closed(judge.pole + abs(z))
                 wrong = instruments.Instrument(judge, instruments.random_off(chance, checked.length, checked.play)).closed(judge.pole + abs(z))
             except (WHOLE.Open, instruments.Broken):  # too near to a dead point, or too flat a plate
@@ -426,7 +426,7 @@ class Tolerances(unittest.TestCase):
             for i, j in [chance.sample(sorted(names), 2) for _ in range(12)]:
                 n = cmath.rect(1, chance.uniform(0, 6.3))
                 moved = (wrong[j] - wrong[i]) - (start[j] - start[i])
-                slopes = WHOLE.slopes_of(WHOLE.csub(holes[names[j]], holes[names[i]]))
+                slopes = WHOLE.slopes_of(way(names[i], names[j]))
                 self.assertLessEqual((moved * n.conjugate()).real, checked.loss((n.real, n.imag), slopes) + 1e-9, (judge.k, judge.vertex, i, j))
         self.assertGreater(seen, 75)
 
