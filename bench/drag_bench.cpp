@@ -90,14 +90,14 @@ int main(int argc, char** argv) {
   options.diagnose = false;
   const auto first = synthesize(spec, options);
   if (!std::holds_alternative<FoundDesign>(first)) return 1;
-  Sketch last = sketch_of(std::get<FoundDesign>(first));
+  SketchedDesign last = sketch_of(std::get<FoundDesign>(first));
   std::vector<double> times, worse, stated;
   int without = 0, lost = 0, compared = 0, within = 0;
   for (int step = 0; step < steps; ++step) {
     const auto checked = check_spec(dragged(spec, step, steps));
     if (!checked) continue;
     const double start = cpu_s();
-    last = sketch(*checked, last);
+    last = sketched(*checked, last);
     times.push_back(1e3 * (cpu_s() - start));
     without += !last.design;
     if (last.design && last.bound) stated.push_back(std::abs(last.design->value / *last.bound - 1));

@@ -180,30 +180,50 @@ class Search {
       Rows outside = without(all_, inside);
       const auto by = judge_.yardstick(fit.square_sum, linear_.freedom(inside.size()));
       Rows admitted;
-      std::size_t nearest = outside.front();
-      double least = std::numeric_limits<double>::infinity(), nearest_chance = 0;
+      std::vector<Candidate> apart;
       for (const std::size_t i : outside) {
         const double q = linear_.beyond(fit, i), chance = Judge::chance(q, 1, by);
         constexpr double surely_like_the_rest = 0.05;
-        if (chance > surely_like_the_rest) admitted.push_back(i);
-        if (q < least) {
-          least = q;
-          nearest = i;
-          nearest_chance = chance;
-        }
+        if (chance > surely_like_the_rest)
+          admitted.push_back(i);
+        else
+          apart.push_back({q, chance, i});
       }
       if (admitted.empty()) {
-        if (nearest_chance < single && beyond_chance(outside, inside) && is_told(outside, inside))
-          return outside;
-        admitted = {nearest};
+        admitted = nearest_of(apart, single);
+        if (admitted.empty()) {
+          if (beyond_chance(outside, inside) && is_told(outside, inside)) return outside;
+          admitted = {std::min_element(apart.begin(), apart.end())->reading};
+        }
       }
+      const auto middle = static_cast<std::ptrdiff_t>(inside.size());
       inside.insert(inside.end(), admitted.begin(), admitted.end());
-      std::sort(inside.begin(), inside.end());
+      std::inplace_merge(inside.begin(), inside.begin() + middle, inside.end());
     }
     return {};
   }
 
  private:
+  /// A reading outside the set that agrees.
+  struct Candidate {
+    double q, chance;
+    std::size_t reading;
+    bool operator<(const Candidate& other) const {
+      return q != other.q ? q < other.q : reading < other.reading;
+    }
+  };
+  /// The nearest of those that one in a thousand fits has as far off: one, of very many a tenth, so that their number of rounds
+  /// grows slowly. Rising.
+  static Rows nearest_of(std::vector<Candidate>& apart, double single) {
+    const std::size_t share = std::max<std::size_t>(1, apart.size() / 10);
+    std::partial_sort(apart.begin(), apart.begin() + static_cast<std::ptrdiff_t>(share), apart.end());
+    Rows nearest;
+    for (std::size_t i = 0; i < share && !(apart[i].chance < single); ++i)
+      nearest.push_back(apart[i].reading);
+    std::sort(nearest.begin(), nearest.end());
+    return nearest;
+  }
+
   /// At most a third, and so few that the rest is judged by at least two degrees of freedom of its own.
   std::size_t most_outliers() const {
     std::size_t most = count_ / 3;

@@ -62,37 +62,42 @@ std::optional<ProvenBound> compared(const SearchTask& task, const std::optional<
 }
 
 /// The choices of which the bound does not say that they are no better than what was found.
-std::vector<Subproblem*> worth_a_look(std::vector<Subproblem>& choices, Goal goal, const ProvenBound& bound,
+std::vector<Subproblem*> worth_a_look(std::vector<Subproblem>& choices, Goal goal,
+                                      const std::optional<ProvenBound>& bound,
                                       const std::optional<FoundDesign>& found) {
   std::vector<Subproblem*> open;
   for (Subproblem& sub : choices) {
-    const auto best = bound.by_grounding[static_cast<std::size_t>(sub.choice->choice.grounding)];
-    if (!best) continue;
-    const bool can_be_better = !found || (is_maximized(goal) ? *best > found->value : *best < found->value);
-    if (can_be_better) open.push_back(&sub);
+    if (!bound) {
+      open.push_back(&sub);
+      continue;
+    }
+    const auto best = bound->by_grounding[static_cast<std::size_t>(sub.choice->choice.grounding)];
+    if (best && (!found || (is_maximized(goal) ? *best > found->value : *best < found->value)))
+      open.push_back(&sub);
   }
   return open;
 }
 
-Sketch sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t count,
-                   const SketchBudget& budget) {
-  Sketch result;
+SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t count,
+                           const SketchBudget& budget) {
+  SketchedDesign result;
   std::vector<Subproblem> choices = in_order(task, last);
   const DesignPoint from = point_of(last.linkage);
   std::size_t next = 0;
   for (; next < choices.size() && is_of(choices[next], last.linkage) && !result.design; ++next)
     result.design = design_near(task, choices[next], from);
   const auto bound = compared(task, result.design, budget);
-  if (!bound) return result;
-  result.proven_none = bound->no_design;
-  if (bound->no_design) return result;
-  result.bound = bound->value;
+  if (bound && bound->no_design) {
+    result.proven_none = true;
+    return result;
+  }
+  if (bound) result.bound = bound->value;
   const auto is_near = [&] {
-    return result.design &&
+    return result.design && bound &&
            std::abs(result.design->value - bound->value) <= budget.near * std::abs(bound->value);
   };
   // Places without contact that are better; then all choices in turn, a sketch each.
-  for (const RelaxedDesign& start : starts_of(*bound)) {
+  for (const RelaxedDesign& start : bound ? starts_of(*bound) : std::vector<RelaxedDesign>{}) {
     if (is_near() || task.stopped()) break;
     for (Subproblem& sub : choices) {
       const Choice& choice = sub.choice->choice;
@@ -102,7 +107,7 @@ Sketch sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t 
     }
   }
   if (is_near() || task.stopped()) return result;
-  const std::vector<Subproblem*> open = worth_a_look(choices, task.goal, *bound, result.design);
+  const std::vector<Subproblem*> open = worth_a_look(choices, task.goal, bound, result.design);
   if (!open.empty())
     keep_better(task.goal, looked_for(task, *open[count % open.size()], budget), result.design);
   return result;
@@ -110,20 +115,24 @@ Sketch sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t 
 
 }  // namespace
 
-Sketch sketch_of(const FoundDesign& design) {
+SketchedDesign sketch_of(const FoundDesign& design) {
   return {.design = design, .bound = design.proven_bound, .last = design};
 }
 
-Sketch sketch(const Spec& spec, const Sketch& previous, const SketchBudget& budget, const StopFlag& stop) {
-  if (!previous.last) return {};
-  if (plainly_impossible(spec))
-    return {.proven_none = true, .last = previous.last, .count = previous.count + 1};
+SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const SketchBudget& budget,
+                        const StopFlag& stop) {
+  SketchedDesign none{.last = previous.last, .count = previous.count + 1};
+  if (!previous.last || has_stock_lengths(spec)) return none;
+  if (plainly_impossible(spec)) {
+    none.proven_none = true;
+    return none;
+  }
   const Point origin = local_origin(spec);
   const Spec here = shifted(spec, -origin);
   SearchOptions options;
   options.stop = stop;
-  Sketch result = sketch_here(pose(here, SearchControl(options)), shifted(*previous.last, -origin),
-                              previous.count, budget);
+  SketchedDesign result = sketch_here(pose(here, SearchControl(options)), shifted(*previous.last, -origin),
+                                      previous.count, budget);
   result.count = previous.count + 1;
   if (result.design) {
     result.design->proven_bound = result.bound;

@@ -9,7 +9,7 @@
 // A sketch keeps every limit, as a search's design does. What it lacks is the search: another design may be better, by no more
 // than the distance from the bound.
 
-#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "synthesis/search/steps/outcome.hpp"
@@ -26,7 +26,7 @@ struct SketchBudget {
 };
 
 /// A sketch, and what the next one begins with.
-struct Sketch {
+struct SketchedDesign {
   std::optional<FoundDesign> design{};  ///< absent: none was found near the last one
   /// What no design can beat, of the objective in its own unit, proven; absent where the tree did not end, or the objective has none.
   std::optional<double> bound{};
@@ -38,11 +38,13 @@ struct Sketch {
 };
 
 /// The sketch that a search's design is.
-Sketch sketch_of(const FoundDesign& design);
+SketchedDesign sketch_of(const FoundDesign& design);
 
-/// The sketch of `spec` from that of a spec that differs a little. The control's seed and threads play no part; a stop ends it
-/// with what is known. Deterministic unless stopped.
-Sketch sketch(const Spec& spec, const Sketch& previous, const SketchBudget& budget = {},
-              const StopFlag& stop = {});
+/// The sketch of `spec` from that of a spec that differs a little; a stop ends it with what is known. Guarantees:
+///  1. a design keeps every limit of the spec, evaluated anew, its contact and its obstacles certified;
+///  2. the same arguments give the same sketch, bit for bit, unless stopped;
+///  3. nothing comes back where nothing was found, or where lengths are of a grid or a stock, which only a search can choose.
+SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const SketchBudget& budget = {},
+                        const StopFlag& stop = {});
 
 }  // namespace kempe

@@ -1,0 +1,160 @@
+// Sketches: designs for specs that differ a little from the last one's.
+#include "synthesis/search/sketch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "specs/spec_check.hpp"
+#include "specs/spec_reader.hpp"
+#include "synthesis/design/assemble.hpp"
+#include "synthesis/search/search.hpp"
+#include "tests/random.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/kept_limits.hpp"
+
+namespace kempe {
+namespace {
+
+Spec example(const std::string& name) {
+  auto spec = read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
+  EXPECT_TRUE(spec) << spec.error().message();
+  return *spec;
+}
+
+std::optional<FoundDesign> searched(const Spec& spec) {
+  SearchOptions options;
+  options.diagnose = false;
+  const SearchOutcome outcome = synthesize(spec, options);
+  const auto* found = std::get_if<FoundDesign>(&outcome);
+  return found ? std::optional(*found) : std::nullopt;
+}
+
+void shift(Ring& ring, const Point& by) {
+  for (Point& corner : ring) corner += by;
+}
+
+/// A spec a little beside this one: a share of it moves by some millimetres, the ratio by some parts of a hundred.
+Spec beside(const Spec& spec, std::mt19937_64& random) {
+  Spec moved = spec;
+  const auto by = [&] { return Point(test::uniform(random, -4, 4), test::uniform(random, -4, 4)); };
+  switch (random() % 4) {
+    case 0:
+      for (Polygon& polygon : moved.region.polygons) {
+        const Point way = by();
+        shift(polygon.outer, way);
+        for (Ring& hole : polygon.holes) shift(hole, way);
+      }
+      break;
+    case 1:
+      if (auto* at = std::get_if<Point>(&moved.pole.place)) *at += by();
+      break;
+    case 2:
+      for (Obstacle& obstacle : moved.obstacles) shift(obstacle.shape.outer, by());
+      break;
+    default:
+      moved.copy = Copy::of(spec.copy.scale() * test::uniform(random, 0.97, 1.03),
+                            spec.copy.rotation() + test::uniform(random, -2, 2) * degree);
+  }
+  const auto checked = check_spec(moved);
+  return checked ? *checked : spec;
+}
+
+// Every limit is looked at by the map, which knows nothing of the search, over all of the region.
+TEST(Sketch, KeepsEveryLimit) {
+  std::mt19937_64 random(7);
+  for (const char* name : {"plagiograph", "nameplate", "half-turn", "sixty", "clamped-plate", "pantorouter"}) {
+    const Spec spec = example(name);
+    SketchedDesign last = sketch_of(*searched(spec));
+    int sketches = 0;
+    for (int i = 0; i < test::samples(40); ++i) {
+      const Spec moved = beside(spec, random);
+      last = sketched(moved, last);
+      if (!last.design) continue;
+      ++sketches;
+      MapOptions options;
+      options.largest_sheets = false;
+      const auto design = certified_design(moved, *last.design, options);
+      ASSERT_TRUE(design) << name << ", step " << i << ": " << design.error();
+      EXPECT_EQ(test::first_limit_missed(moved, *design, 1e-9), "") << name << ", step " << i;
+      EXPECT_NEAR(design->quality.size, last.design->attained.size, 1e-9 * design->quality.size);
+      if (last.bound && moved.objective.objective == Objective::size) {
+        EXPECT_LE(*last.bound, last.design->value * (1 + 1e-9)) << name << ", step " << i;
+      }
+    }
+    EXPECT_GE(sketches, test::expected(10)) << name;
+  }
+}
+
+// Beside what the whole search finds for the same spec.
+TEST(Sketch, IsNearTheSearchsDesign) {
+  int compared = 0, near = 0, missed = 0;
+  std::mt19937_64 random(8);
+  for (const char* name : {"plagiograph", "nameplate", "half-turn", "sixty", "clamped-plate", "pantorouter"}) {
+    Spec spec = example(name);
+    SketchedDesign last = sketch_of(*searched(spec));
+    for (int i = 0; i < test::samples(10); ++i) {
+      spec = beside(spec, random);
+      for (int rest = 0; rest < 3; ++rest) last = sketched(spec, last);
+      const auto best = searched(spec);
+      if (!best) {
+        EXPECT_FALSE(last.design) << name << ", step " << i;
+        continue;
+      }
+      ++compared;
+      missed += !last.design;
+      if (!last.design) continue;
+      const double share = last.design->value / best->value - 1;
+      near += (is_maximized(best->goal) ? -share : share) <= 0.02;
+    }
+  }
+  if (test::shortened()) return;
+  EXPECT_GE(compared, 35);
+  EXPECT_LE(missed, compared / 20);
+  EXPECT_GE(near, compared - compared / 20) << compared;
+}
+
+TEST(Sketch, IsTheSameForTheSameArguments) {
+  const Spec spec = example("clamped-plate");
+  std::mt19937_64 random(9);
+  const SketchedDesign start = sketch_of(*searched(spec));
+  const Spec moved = beside(spec, random);
+  const SketchedDesign one = sketched(moved, start), other = sketched(moved, start);
+  ASSERT_EQ(one.design.has_value(), other.design.has_value());
+  if (one.design) {
+    EXPECT_EQ(one.design->value, other.design->value);
+    EXPECT_EQ(one.design->linkage.VA(), other.design->linkage.VA());
+  }
+  EXPECT_EQ(one.bound, other.bound);
+}
+
+// A hand that drags a handle into what cannot be, and back.
+TEST(Sketch, FindsItsWayBack) {
+  const Spec spec = example("plagiograph");
+  SketchedDesign last = sketch_of(*searched(spec));
+  const double size = last.design->value;
+  Spec impossible = spec;
+  impossible.links.longest = spec.links.shortest * 1.01;
+  last = sketched(impossible, last);
+  EXPECT_FALSE(last.design);
+  EXPECT_TRUE(last.proven_none);
+  last = sketched(spec, last);
+  ASSERT_TRUE(last.design);
+  EXPECT_NEAR(last.design->value, size, 1e-6 * size);
+}
+
+TEST(Sketch, LeavesLengthsOfTheWorkshopToTheSearch) {
+  Spec spec = example("plagiograph");
+  const SketchedDesign start = sketch_of(*searched(spec));
+  spec.links.workshop.grid = 5;
+  EXPECT_FALSE(sketched(spec, start).design);
+}
+
+TEST(Sketch, EndsWhenItIsTold) {
+  const Spec spec = example("clamped-plate");
+  const SketchedDesign start = sketch_of(*searched(spec));
+  EXPECT_FALSE(sketched(spec, start, {}, [] { return true; }).design);
+}
+
+}  // namespace
+}  // namespace kempe
