@@ -47,7 +47,7 @@ Spec dragged(const Spec& spec, int step, int steps) {
   const int handle = step * handles / steps;
   const double t = static_cast<double>(step * handles % steps) / steps;
   const double far = std::sin(pi * t), round = std::sin(2 * pi * t);
-  const double reach = 0.1 * extent_of(spec.region);
+  const double reach = 0.05 * extent_of(spec.region);
   Spec moved = spec;
   switch (handle) {
     case 0:  // a corner of the region

@@ -12,6 +12,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import batch
+import drag
 import forward
 import growth
 import kernels
@@ -19,7 +20,8 @@ import sampler
 import synthesis
 from measure import HEAD, Context
 
-SECTIONS = {"kernels": kernels, "forward": forward, "sampler": sampler, "growth": growth, "synthesis": synthesis, "batch": batch}
+SECTIONS = {"kernels": kernels, "forward": forward, "sampler": sampler, "growth": growth, "synthesis": synthesis, "batch": batch,
+            "drag": drag}
 
 
 def main():

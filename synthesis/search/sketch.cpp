@@ -38,12 +38,15 @@ bool is_of(const Subproblem& sub, const CopyingLinkage& linkage) {
   return choice.grounding == linkage.grounding() && choice.assembly_mode == linkage.assembly_mode();
 }
 
+bool is_choice(const Subproblem& sub, const FoundDesign& design) {
+  return is_of(sub, design.linkage) && sub.choice->choice.layers == design.layers;
+}
+
 /// The choices with the last design's first: that itself, then those that differ in their layers, then the others.
 std::vector<Subproblem> in_order(const SearchTask& task, const FoundDesign& last) {
   std::vector<Subproblem> all = task.subproblems();
   const auto strangeness = [&](const Subproblem& sub) {
-    if (!is_of(sub, last.linkage)) return 2;
-    return sub.choice->choice.layers == last.layers ? 0 : 1;
+    return is_choice(sub, last) ? 0 : is_of(sub, last.linkage) ? 1 : 2;
   };
   std::stable_sort(all.begin(), all.end(),
                    [&](const Subproblem& a, const Subproblem& b) { return strangeness(a) < strangeness(b); });
@@ -78,9 +81,24 @@ std::vector<Subproblem*> worth_a_look(std::vector<Subproblem>& choices, Goal goa
   return open;
 }
 
-SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, std::size_t count,
-                           const SketchBudget& budget) {
-  SketchedDesign result;
+/// The better of a sketch's design and another one leads; the other stays among the designs of other choices.
+void remember(std::optional<FoundDesign> other, Goal goal, SketchedDesign& result) {
+  if (!other) return;
+  if (!result.design || is_better(goal, *other, *result.design)) std::swap(other, result.design);
+  if (!other) return;
+  const auto same_choice = [](const FoundDesign& a, const FoundDesign& b) {
+    return a.linkage.grounding() == b.linkage.grounding() &&
+           a.linkage.assembly_mode() == b.linkage.assembly_mode() && a.layers == b.layers;
+  };
+  std::erase_if(result.others, [&](const FoundDesign& one) {
+    return same_choice(one, *other) || same_choice(one, *result.design);
+  });
+  if (!same_choice(*other, *result.design)) result.others.push_back(*std::move(other));
+}
+
+/// `result` comes with the other choices' last designs.
+SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, SketchedDesign result,
+                           std::size_t count, const SketchBudget& budget) {
   std::vector<Subproblem> choices = in_order(task, last);
   const DesignPoint from = point_of(last.linkage);
   std::size_t next = 0;
@@ -108,8 +126,15 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, std:
   }
   if (is_near() || task.stopped()) return result;
   const std::vector<Subproblem*> open = worth_a_look(choices, task.goal, bound, result.design);
-  if (!open.empty())
-    keep_better(task.goal, looked_for(task, *open[count % open.size()], budget), result.design);
+  std::optional<FoundDesign> other;
+  if (result.design && count % 2 == 1 && !result.others.empty()) {
+    const FoundDesign known = result.others[count / 2 % result.others.size()];
+    for (Subproblem& sub : choices)
+      if (is_choice(sub, known)) other = design_near(task, sub, point_of(known.linkage));
+  } else if (!open.empty()) {
+    other = looked_for(task, *open[(result.design ? count / 2 : count) % open.size()], budget);
+  }
+  remember(other, task.goal, result);
   return result;
 }
 
@@ -121,7 +146,7 @@ SketchedDesign sketch_of(const FoundDesign& design) {
 
 SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const SketchBudget& budget,
                         const StopFlag& stop) {
-  SketchedDesign none{.last = previous.last, .count = previous.count + 1};
+  SketchedDesign none{.last = previous.last, .others = previous.others, .count = previous.count + 1};
   if (!previous.last || has_stock_lengths(spec)) return none;
   if (plainly_impossible(spec)) {
     none.proven_none = true;
@@ -131,8 +156,11 @@ SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const 
   const Spec here = shifted(spec, -origin);
   SearchOptions options;
   options.stop = stop;
+  SketchedDesign start;
+  for (const FoundDesign& other : previous.others) start.others.push_back(shifted(other, -origin));
   SketchedDesign result = sketch_here(pose(here, SearchControl(options)), shifted(*previous.last, -origin),
-                                      previous.count, budget);
+                                      std::move(start), previous.count, budget);
+  for (FoundDesign& other : result.others) other = shifted(std::move(other), origin);
   result.count = previous.count + 1;
   if (result.design) {
     result.design->proven_bound = result.bound;

@@ -4,13 +4,15 @@
 //   follow    the last design's choice, solved anew from its lengths and pole, certified like any design
 //   compare   the bound's tree without contact, in few boxes: how far any other design may be better, and where it would be
 //   switch    to a design of another grounding, assembly mode or layers, where the bound leaves room for one
-//   look      where that leaves it open: one choice a sketch is looked at as a search does, in turn
+//   look      where that leaves it open, in turn: one of the last designs of other choices is followed too, or one choice is
+//             looked at as a search does
 //
 // A sketch keeps every limit, as a search's design does. What it lacks is the search: another design may be better, by no more
 // than the distance from the bound.
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "synthesis/search/steps/outcome.hpp"
 #include "synthesis/search/steps/search_options.hpp"
@@ -22,7 +24,7 @@ struct SketchBudget {
   std::size_t boxes = 600;  ///< of the bound's tree
   double near = 0.01;       ///< share of the bound: a design so near to it is not compared with others
   /// Of one choice a sketch, in turn, looked at as a search does, while the design is not near its bound.
-  ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 3};
+  ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 5};
 };
 
 /// A sketch, and what the next one begins with.
@@ -33,6 +35,8 @@ struct SketchedDesign {
   bool proven_none = false;  ///< it is proven that no design exists
   /// The last design that was found, in the coordinates of the table: where the next sketch begins.
   std::optional<FoundDesign> last{};
+  /// The last designs of other choices, at most one a choice: they are followed in turn, for one of them may become the best.
+  std::vector<FoundDesign> others{};
   /// Counts the sketches of one drag: whose turn it is among the other choices.
   std::size_t count = 0;
 };
