@@ -2,127 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
+#include "app/batch_index.hpp"
 #include "app/batch_journal.hpp"
+#include "app/batch_result.hpp"
+#include "app/batch_source.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
 #include "app/ranks.hpp"
 #include "reports/data/atomic_file.hpp"
-#include "reports/data/csv_text.hpp"
-#include "reports/drawings/parts_fault.hpp"
-#include "specs/json_spec.hpp"
-#include "specs/objective_unit.hpp"
-#include "specs/spec_reader.hpp"
-#include "specs/text/json_text.hpp"
 #include "specs/text/printable.hpp"
-#include "specs/text/text_file.hpp"
-#include "synthesis/design/assemble.hpp"
-#include "synthesis/search/search.hpp"
 #include "synthesis/solvers/parallel.hpp"
-#include "synthesis/verification/verification.hpp"
 
 namespace kempe::app {
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-/// JSON on one line; bytes that are no UTF-8, as a file's name may have, become U+FFFD.
-std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-std::vector<BatchTask> folder_tasks(const fs::path& folder) {
-  std::vector<BatchTask> tasks;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".toml")
-      tasks.push_back(
-          {entry.path().filename().string(), read_text_file(entry.path()), folder.string(), false});
-  std::sort(tasks.begin(), tasks.end(),
-            [](const BatchTask& a, const BatchTask& b) { return a.name < b.name; });
-  return tasks;
-}
-
-tl::expected<std::vector<BatchTask>, InputError> line_tasks(const std::string& file) {
-  std::vector<BatchTask> tasks;
-  std::ifstream stream(file, std::ios::binary);
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const std::string name = fmt::format("line-{}", number);
-    tasks.push_back({name, toml_from_json(line, name), fs::path(file).parent_path().string(), true});
-  }
-  return tasks;
-}
-
-Json figures(const Design& design) {
-  const CopyingLinkage& l = design.linkage;
-  Json line{{"vertex", std::string(name(l.grounding()))},
-            {"assembly", l.assembly_mode()},
-            {"VA_mm", l.VA()},
-            {"VB_mm", l.VB()},
-            {"pole_mm", {l.pole().x(), l.pole().y()}},
-            {"layers", design.layers.of},
-            {"size_mm", design.quality.size},
-            {"transmission_deg", degrees(design.quality.transmission_min)},
-            {"clearance_mm", design.quality.clearance_min},
-            {"region_covered", design.map.coverage.covered},
-            {"copy_error_max_mm", design.verification.copy_error_max}};
-  if (const auto& search = design.search) {  // as in design.json
-    line["objective"] = std::string(name(search->objective));
-    line["value"] = in_file_unit(search->objective, search->value);
-    if (const auto& bound = design.quality.proven_bound)
-      line["lower_bound"] = in_file_unit(search->objective, *bound);
-    if (!search->complete) line["complete"] = false;
-  }
-  return line;
-}
-
-std::string csv_of(const std::vector<std::string>& lines) {
-  static const char* const columns[] = {"name",  "status",  "vertex",           "assembly",     "VA_mm",
-                                        "VB_mm", "size_mm", "transmission_deg", "clearance_mm", "message"};
-  std::string csv;
-  for (const char* column : columns) csv += (csv.empty() ? "" : ",") + std::string(column);
-  csv += "\n";
-  for (const std::string& line : lines) {
-    const Json object = Json::parse(line);
-    std::string row;
-    for (const char* column : columns) {
-      std::string cell;
-      if (object.contains(column))
-        cell =
-            object[column].is_string() ? csv_cell(object[column].get<std::string>()) : object[column].dump();
-      row += (column == columns[0] ? "" : ",") + cell;
-    }
-    csv += row + "\n";
-  }
-  return csv;
-}
-
-/// Whether a text from a journal is a line that batch_result() writes: what follows relies on it.
-bool is_batch_result(const std::string& line) {
-  const auto object = parse_json(line, "journal");
-  const auto holds = [&](const char* name, auto is_kind) {
-    const auto found = object->find(name);
-    return found != object->end() && is_kind(*found);
-  };
-  const auto text = [](const nlohmann::json& value) { return value.is_string(); };
-  const auto number = [](const nlohmann::json& value) { return value.is_number(); };
-  if (!object || !object->is_object() || !holds("name", text) || !holds("status", text)) return false;
-  const std::string status = object->at("status");
-  if (status == "bad input" || status == "no design" || status == "stopped") return holds("message", text);
-  if (status != "design" && status != "verification failed") return false;
-  return holds("vertex", text) && holds("VA_mm", number) && holds("VB_mm", number) &&
-         holds("size_mm", number);
-}
+const std::string lines_file = "results.jsonl", table_file = "results.csv";
+const std::string stopped_sentence = "stopped; the same command continues";
 
 /// What a time limit leaves of a search is no result of another limit, or of none.
 std::string limit_in_key(const BatchArguments& arguments) {
@@ -130,55 +35,109 @@ std::string limit_in_key(const BatchArguments& arguments) {
 }
 
 /// By what a task is known to later runs: its name, the seed, and its text or why there is none.
-std::string key_of(const BatchTask& task, const BatchArguments& arguments) {
+std::uint64_t key_of(const BatchTask& task, const BatchArguments& arguments) {
   const std::string text = task.text ? *task.text : "no text: " + task.text.error().message();
   return text_key(fmt::format("{}\n{}{}\n{}", task.name, arguments.seed, limit_in_key(arguments), text));
 }
 
+/// How many specs and designs were written.
+struct Written {
+  std::int64_t specs = 0, designs = 0;
+};
+
 /// One run over the tasks, on all threads of this process.
 class BatchRun {
  public:
-  BatchRun(const Session& session, const BatchArguments& arguments, const std::vector<BatchTask>& tasks,
-           Ranks& ranks, BatchJournal& journal)
-      : session_(session), arguments_(arguments), tasks_(tasks), ranks_(ranks), journal_(journal) {
-    for (const BatchTask& task : tasks) keys_.push_back(key_of(task, arguments));
-    for (const std::string& key : keys_) finished_before_.push_back(journal.result(key) != nullptr);
+  BatchRun(const Session& session, const BatchArguments& arguments, BatchSource& source, Ranks& ranks,
+           BatchJournal& journal, BatchIndex& index)
+      : session_(session), arguments_(arguments), source_(source), ranks_(ranks), journal_(journal),
+        index_(index) {}
+
+  /// Looks up what earlier runs finished. An error sentence if that cannot be kept.
+  std::optional<std::string> look_up() {
+    for (std::int64_t i = 0; i < source_.size() && !interrupted(); ++i)
+      index_.add(key_of(source_.task(i), arguments_));
+    read_journals();
+    return index_.failure();
   }
 
   /// An error sentence if the journal cannot be written.
   std::optional<std::string> work() {
     run_parallel(static_cast<std::size_t>(arguments_.jobs), arguments_.jobs,
                  [this](std::size_t) { take_tasks(); });
+    const auto flushed = journal_.flush();
+    if (!flushed && !failure_) failure_ = flushed.error();
     return failure_;
   }
 
   bool interrupted() const { return interrupt_.requested(); }
 
-  /// The result lines in the order of the tasks; nothing if one is missing.
-  std::optional<std::vector<std::string>> lines() const {
-    std::vector<std::string> all;
-    for (const std::string& key : keys_) {
-      const std::string* line = journal_.result(key);
-      if (line == nullptr) return std::nullopt;
-      all.push_back(*line);
+  /// Both files of results, in the order of the tasks. The error: the exit code and a sentence.
+  tl::expected<Written, std::pair<ExitCode, std::string>> write_results() {
+    read_journals();
+    FolderDraft draft(arguments_.folder);
+    Written written;
+    auto begun = draft.begin(lines_file).and_then([&] { return draft.begin(table_file); }).and_then([&] {
+      return draft.append(table_file, batch_csv_head());
+    });
+    for (; begun && written.specs < source_.size(); ++written.specs) {
+      if (interrupted()) return tl::unexpected(std::pair(app::interrupted, stopped_sentence));
+      const BatchTask task = source_.task(written.specs);
+      const auto line = result_of(key_of(task, arguments_));
+      if (!line)
+        return tl::unexpected(std::pair(
+            failed, index_.failure().value_or(printable(task.name) +
+                                              " is not finished: another process stopped early, or the specs "
+                                              "were changed meanwhile; the same command continues")));
+      if (batch_status(*line) == "design") ++written.designs;
+      begun = draft.append(lines_file, *line + "\n").and_then([&] {
+        return draft.append(table_file, batch_csv_row(*line));
+      });
     }
-    return all;
+    const auto placed = begun.and_then([&] { return draft.put_in_place(); });
+    if (!placed) return tl::unexpected(std::pair(cannot_write, placed.error()));
+    return written;
   }
 
  private:
-  void take_tasks() {
+  /// A task, with the key under which its result is recorded.
+  struct Taken {
+    std::int64_t number;
+    BatchTask task;
+    std::uint64_t key;
+  };
+
+  void read_journals() {
+    journal_.read_on([this](std::uint64_t key, const JournalPlace& place) { index_.set(key, place); });
+  }
+
+  std::optional<std::string> result_of(std::uint64_t key) {
+    const auto place = index_.place(key);
+    return place ? journal_.result_at(*place, key) : std::nullopt;
+  }
+
+  /// The next task that nobody has taken and no earlier run has finished. One thread at a time: so the source is read in
+  /// rising order.
+  std::optional<Taken> next() {
+    const std::lock_guard lock(taking_);
     for (;;) {
-      const long next = ranks_.next();
-      if (next >= static_cast<long>(tasks_.size()) || interrupt_.requested() || failed_) return;
-      const auto i = static_cast<std::size_t>(next);
-      if (finished_before_[i]) continue;
-      const std::string line = batch_result(tasks_[i], options());
+      const std::int64_t number = ranks_.next(source_.size());
+      if (number >= source_.size() || interrupt_.requested() || failed_) return std::nullopt;
+      BatchTask task = source_.task(number);
+      const std::uint64_t key = key_of(task, arguments_);
+      if (!index_.place(key)) return Taken{number, std::move(task), key};
+    }
+  }
+
+  void take_tasks() {
+    while (const auto taken = next()) {
+      const std::string line = batch_result(taken->task, options());
       if (interrupt_.requested()) return;  // what a signal cut short is done again
-      if (const auto recorded = journal_.record(keys_[i], line); !recorded) {
+      if (const auto recorded = journal_.record(taken->key, line); !recorded) {
         if (!failed_.exchange(true)) failure_ = recorded.error();
         return;
       }
-      tell(i, line);
+      tell(*taken, line);
     }
   }
 
@@ -190,115 +149,39 @@ class BatchRun {
     return options;
   }
 
-  void tell(std::size_t i, const std::string& line) const {
+  void tell(const Taken& taken, const std::string& line) const {
     if (session_.quiet) return;
-    const Json object = Json::parse(line);
-    const std::string text = fmt::format("[{}/{}] {}: {}\n", i + 1, tasks_.size(), printable(tasks_[i].name),
-                                         object["status"].get<std::string>());
+    const std::string text = fmt::format("[{}/{}] {}: {}\n", taken.number + 1, source_.size(),
+                                         printable(taken.task.name), batch_status(line));
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
 
   const Session& session_;
   const BatchArguments& arguments_;
-  const std::vector<BatchTask>& tasks_;
+  BatchSource& source_;
   Ranks& ranks_;
   BatchJournal& journal_;
-  std::vector<std::string> keys_;
-  std::vector<bool> finished_before_;
+  BatchIndex& index_;
+  std::mutex taking_;
   Interrupt interrupt_;
   std::atomic<bool> failed_{false};
   std::optional<std::string> failure_;
 };
 
-/// The batch's own file, or the folder's specs.
-std::vector<fs::path> inputs_of(const std::string& source, const std::vector<BatchTask>& tasks) {
-  std::error_code error;
-  if (!fs::is_directory(source, error)) return {source};
-  std::vector<fs::path> files;
-  for (const BatchTask& task : tasks) files.push_back(fs::path(source) / task.name);
-  return files;
-}
-
 void tell_passed_over(const BatchJournal& journal) {
-  const auto& lines = journal.passed_over();
-  if (lines.empty()) return;
-  say(fmt::format(
-      "note: {} is no record of a finished spec{}; its spec is done again", lines.front(),
-      lines.size() > 1 ? fmt::format(", nor are {} other lines of the journals", lines.size() - 1) : ""));
+  if (journal.passed_over() == 0) return;
+  const int others = journal.passed_over() - 1;
+  say(fmt::format("note: {} is no record of a finished spec{}; its spec is done again",
+                  journal.first_passed_over(),
+                  others > 0 ? fmt::format(", nor are {} other lines of the journals", others) : ""));
 }
 
 }  // namespace
-
-tl::expected<std::vector<BatchTask>, InputError> batch_tasks(const std::string& source) {
-  std::error_code error;
-  if (fs::is_directory(source, error)) return folder_tasks(source);
-  if (fs::is_regular_file(source, error)) return line_tasks(source);
-  return tl::unexpected(InputError{source, 0, "--batch", "neither a folder nor a file",
-                                   "a folder of *.toml, or a .jsonl file"});
-}
-
-namespace {
-
-/// The fault without its line where that is a line of the text made from one of JSON, which nobody sees.
-InputError as_told(InputError error, const BatchTask& task) {
-  if (task.is_one_line && error.file == task.name) error.line = 0;
-  return error;
-}
-
-/// The topmost fault, and how many more there are.
-std::string in_one_line(const InputError& error) {
-  const std::size_t more = error.others.size();
-  if (more == 0) return error.message();
-  return fmt::format("{} (and {} more {})", error.message(), more, more == 1 ? "fault" : "faults");
-}
-
-}  // namespace
-
-std::string batch_result(const BatchTask& task, const SearchOptions& given) {
-  Json line{{"name", task.name}};
-  const auto spec =
-      task.text.and_then([&](const std::string& text) { return read_spec(text, task.name, task.folder); });
-  if (!spec) {
-    line["status"] = "bad input";
-    line["message"] = in_one_line(as_told(spec.error(), task));
-    return line_of(line);
-  }
-  SearchOptions options = given;
-  options.diagnose = false;  // of thousands of specs: `kempe synthesize` on one of them says why
-  const SearchOutcome outcome = synthesize(*spec, options);
-  const auto* found = std::get_if<FoundDesign>(&outcome);
-  if (found == nullptr) {
-    const auto* none = std::get_if<NoDesign>(&outcome);
-    line["status"] = none != nullptr ? "no design" : "stopped";
-    line["message"] =
-        none != nullptr ? none->sentence : "stopped before a design was found or proven impossible";
-    if (none != nullptr) line["proven"] = none->proven;
-    return line_of(line);
-  }
-  MapOptions map;
-  map.largest_sheets = false;  // not among the figures of a batch
-  map.stop = given.stop;
-  auto certified = certified_design(*spec, *found, map);
-  if (!certified) {
-    line["status"] = "no design";
-    line["proven"] = false;
-    line["message"] = certified.error();
-    return line_of(line);
-  }
-  Design& design = *certified;
-  design.verification = verify(verification_task(design));
-  line["status"] = design.verification.certified ? "design" : "verification failed";
-  line.update(figures(design));
-  if (!design.verification.certified) line["message"] = design.verification.failure;
-  if (const auto fault = parts_fault(design, spec->cutting)) line["parts"] = fault->sentence;
-  return line_of(line);
-}
 
 int run_batch(const Session& session, const BatchArguments& arguments) {
-  const auto tasks = batch_tasks(arguments.source);
-  if (!tasks) return fail(session, tasks.error());
-  if (const auto clash = output_clash(inputs_of(arguments.source, *tasks), arguments.folder,
-                                      {"results.jsonl", "results.csv"}))
+  const auto source = BatchSource::open(arguments.source);
+  if (!source) return fail(session, source.error());
+  if (const auto clash = output_clash((*source)->inputs(), arguments.folder, {lines_file, table_file}))
     return fail(session, *clash);
   auto ranks = Ranks::join();
   if (!ranks) return fail(session, failed, ranks.error());
@@ -306,32 +189,28 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
       BatchJournal::open(arguments.folder, fmt::format("{}", ranks->rank()), KEMPE_VERSION, is_batch_result);
   // Either all processes go on or none: one that left alone would keep the others waiting.
   if (ranks->anyone(!journal)) return journal ? cannot_write : fail(session, cannot_write, journal.error());
+  auto index = BatchIndex::make(arguments.folder, (*source)->size());
+  if (ranks->anyone(!index)) return index ? cannot_write : fail(session, cannot_write, index.error());
+  BatchRun run(session, arguments, **source, *ranks, *journal, *index);
+  const auto lost = run.look_up();
+  if (ranks->anyone(lost.has_value())) return lost ? fail(session, cannot_write, *lost) : cannot_write;
+  // Nobody writes before everybody has read what earlier runs finished.
   if (ranks->anyone(journal->foreign_line().has_value()))
     return journal->foreign_line() ? fail(session, *journal->foreign_line()) : bad_input;
   if (ranks->rank() == 0) tell_passed_over(*journal);
-  BatchRun run(session, arguments, *tasks, *ranks, *journal);
-  ranks->wait_for_all();  // nobody writes before everybody has read what earlier runs finished
   const auto failure = run.work();
   const bool someone_failed = ranks->anyone(failure.has_value());
   if (failure) return fail(session, cannot_write, *failure);
   if (someone_failed) return cannot_write;
-  if (run.interrupted()) return fail(session, interrupted, "stopped; the same command continues");
+  if (run.interrupted()) return fail(session, interrupted, stopped_sentence);
   if (ranks->rank() != 0) return done;
-  journal->read_all();
-  const auto lines = run.lines();
-  if (!lines) return fail(session, failed, "another process stopped early; the same command continues");
-  std::string text;
-  for (const std::string& line : *lines) text += line + "\n";
-  const auto written = write_whole(fs::path(arguments.folder), {OutputFile{"results.jsonl", text},
-                                                                OutputFile{"results.csv", csv_of(*lines)}});
-  if (!written) return fail(session, cannot_write, written.error());
-  const auto designs = std::count_if(lines->begin(), lines->end(), [](const std::string& line) {
-    return Json::parse(line)["status"] == "design";
-  });
-  const Json summary{{"specs", lines->size()}, {"designs", designs}, {"folder", arguments.folder}};
-  print(session.json ? line_of(summary) + "\n"
-                     : fmt::format("{} specs, {} designs: {}/results.jsonl, results.csv\n", lines->size(),
-                                   designs, printable(arguments.folder)));
+  const auto written = run.write_results();
+  if (!written) return fail(session, written.error().first, written.error().second);
+  const nlohmann::ordered_json summary{
+      {"specs", written->specs}, {"designs", written->designs}, {"folder", arguments.folder}};
+  print(session.json ? summary.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                     : fmt::format("{} specs, {} designs: {}/{}, {}\n", written->specs, written->designs,
+                                   printable(arguments.folder), lines_file, table_file));
   return done;
 }
 

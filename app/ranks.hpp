@@ -1,6 +1,7 @@
 #pragma once
 // The processes that share a batch: one, or the ranks of an MPI run.
 
+#include <cstdint>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -19,8 +20,9 @@ class Ranks {
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  /// The next task's number that no process has taken yet, from 0 upward. Safe from several threads.
-  long next();
+  /// The next task's number that no process has taken yet, from 0 upward; `count` or more when all were taken. Rising from
+  /// call to call, with gaps for what others took. Safe from several threads.
+  std::int64_t next(std::int64_t count);
 
   /// Returns once every process has come here.
   void wait_for_all() { anyone(false); }

@@ -9,7 +9,7 @@
 namespace kempe::app {
 
 struct Ranks::State {
-  std::atomic<long> next{0};
+  std::atomic<std::int64_t> next{0};
 };
 
 tl::expected<Ranks, std::string> Ranks::join() {
@@ -31,7 +31,7 @@ Ranks::Ranks(Ranks&& other) noexcept : rank_(other.rank_), size_(other.size_), s
 
 Ranks::~Ranks() { delete state_; }
 
-long Ranks::next() { return state_->next.fetch_add(1); }
+std::int64_t Ranks::next(std::int64_t) { return state_->next.fetch_add(1); }
 
 bool Ranks::anyone(bool mine) { return mine; }
 

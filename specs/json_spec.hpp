@@ -1,6 +1,6 @@
 #pragma once
 // A spec written as JSON, as programs write it. It becomes TOML text, not tables in memory: those have no lines, by which the
-// reader chooses the fault that it names, and a batch's journal knows a spec by its text.
+// reader chooses the fault that it names.
 
 #include <string>
 #include <tl/expected.hpp>

@@ -76,9 +76,9 @@ void add_synthesize_command(CLI::App& program, Session& session) {
                                   "kempe synthesize specs/examples/plagiograph.toml -o out/plagiograph");
   auto arguments = std::make_shared<SynthesizeArguments>();
   auto* spec = command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)");
-  auto* batch =
-      command->add_option("--batch", arguments->batch_source,
-                          "Many specs: a folder of *.toml, or a .jsonl file; resumable (docs/batch.md)");
+  auto* batch = command->add_option(
+      "--batch", arguments->batch_source,
+      "Many specs: a folder of *.toml, a .jsonl file or a sweep (.json); resumable (docs/batch.md)");
   spec->excludes(batch);
   command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
   command->add_option("--seed", arguments->seed, "Of the random numbers: the same seed gives the same design")

@@ -122,7 +122,8 @@ class Draft {
  public:
   explicit Draft(fs::path target) : asked_(std::move(target)), target_(target_of(asked_)) {}
   Draft(Draft&& other) noexcept
-      : asked_(std::move(other.asked_)), target_(std::move(other.target_)), draft_(std::move(other.draft_)) {
+      : asked_(std::move(other.asked_)), target_(std::move(other.target_)), draft_(std::move(other.draft_)),
+        file_(std::move(other.file_)), gathered_(std::move(other.gathered_)) {
     other.draft_.clear();
   }
   Draft& operator=(Draft&&) = delete;
@@ -141,18 +142,39 @@ class Draft {
 
   const Target& target() const { return target_; }
 
-  tl::expected<void, std::string> fill(std::string_view contents) {
+  tl::expected<void, std::string> begin() {
     if (const auto status = fixed()) return tl::unexpected(cannot_replace(*status));
     std::string pattern = (target_.place.parent_path() / "kempe-XXXXXX.tmp").string();
-    OpenFile file(::mkstemps(pattern.data(), 4));
-    if (!file.is_open()) return tl::unexpected(cannot(asked_, errno));
+    file_ = std::make_unique<OpenFile>(::mkstemps(pattern.data(), 4));
+    if (!file_->is_open()) return tl::unexpected(cannot(asked_, errno));
     draft_ = pattern;
-    int error = write_all(file.number(), contents);
-    if (error == 0) error = finish(file.number());
-    const int closing = file.close();
+    return {};
+  }
+
+  tl::expected<void, std::string> append(std::string_view piece) {
+    constexpr std::size_t enough = 1 << 16;
+    gathered_ += piece;
+    if (gathered_.size() < enough) return {};
+    return write_gathered();
+  }
+
+  /// Brings what is there to the disk; nothing happens if that was done.
+  tl::expected<void, std::string> end() {
+    if (!file_) return {};
+    if (auto written = write_gathered(); !written) return written;
+    int error = finish(file_->number());
+    const int closing = file_->close();
+    file_.reset();
     if (error == 0) error = closing;
     if (error != 0) return tl::unexpected(cannot(asked_, error));
     return {};
+  }
+
+  tl::expected<void, std::string> fill(std::string_view contents) {
+    if (auto begun = begin(); !begun) return begun;
+    if (const int error = write_all(file_->number(), contents); error != 0)
+      return tl::unexpected(cannot(asked_, error));
+    return end();
   }
 
   const fs::path& place() const { return draft_; }
@@ -164,6 +186,13 @@ class Draft {
   }
 
  private:
+  tl::expected<void, std::string> write_gathered() {
+    const int error = write_all(file_->number(), gathered_);
+    gathered_.clear();
+    if (error != 0) return tl::unexpected(cannot(asked_, error));
+    return {};
+  }
+
   std::string cannot_replace(const struct stat& status) const {
     if (S_ISDIR(status.st_mode)) return cannot(asked_, EISDIR);
     return "cannot write " + printable(asked_.string()) + ": it is no regular file and is not replaced";
@@ -187,6 +216,8 @@ class Draft {
   fs::path asked_;
   Target target_;
   fs::path draft_;
+  std::unique_ptr<OpenFile> file_;  ///< while pieces may come
+  std::string gathered_;
 };
 
 /// While it lives, no other run puts files into this folder: two runs into one folder leave the files of one of them.
@@ -262,7 +293,23 @@ tl::expected<void, std::string> FolderDraft::add(const OutputFile& file) {
   return {};
 }
 
+tl::expected<void, std::string> FolderDraft::begin(const fs::path& name) {
+  const fs::path target = state_->folder / name;
+  if (auto made = state_->make(target.parent_path()); !made) return made;
+  if (auto begun = state_->drafts.emplace_back(target).begin(); !begun) return begun;
+  state_->names.push_back(name.string());
+  return {};
+}
+
+tl::expected<void, std::string> FolderDraft::append(const fs::path& name, std::string_view piece) {
+  for (std::size_t i = 0; i < state_->names.size(); ++i)
+    if (state_->names[i] == name.string()) return state_->drafts[i].append(piece);
+  return tl::unexpected("cannot write " + printable((state_->folder / name).string()) + ": not begun");
+}
+
 tl::expected<void, std::string> FolderDraft::put_in_place() {
+  for (Draft& draft : state_->drafts)
+    if (auto ended = draft.end(); !ended) return ended;
   const FolderTurn turn(state_->folder);
   if (!turn.take())
     return tl::unexpected("cannot write " + printable(state_->folder.string()) +

@@ -40,7 +40,11 @@ class FolderDraft {
 
   /// The error is a sentence that names the path.
   tl::expected<void, std::string> add(const OutputFile& file);
-  /// Renames all files; a failure before the first rename leaves the folder as it was.
+  /// Begins a file that comes in pieces; add() is this with one piece, and what it is given is on the disk afterwards.
+  tl::expected<void, std::string> begin(const std::filesystem::path& name);
+  /// The next piece of a file that was begun. Small pieces are gathered before they are written.
+  tl::expected<void, std::string> append(const std::filesystem::path& name, std::string_view piece);
+  /// Writes what is left of files in pieces, then renames all files; a failure before the first rename leaves the folder as it was.
   tl::expected<void, std::string> put_in_place();
 
   /// The names of the files added, in order.

@@ -51,7 +51,7 @@ void note_ratio(Design& design, const Copy& copy) {
 }
 
 Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
-                 const MapOptions& options) {
+                 const MapOptions& options, Detail detail) {
   Design design{.linkage = linkage,
                 .scale = spec.copy.scale(),
                 .rotation = spec.copy.rotation(),
@@ -66,9 +66,11 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
   note_ratio(design, spec.copy);
   design.map = map_workspace(map_task(design), options);
   design.opening = design.map.certified_opening;
-  Footprint swept = footprint(linkage, design.style, design.region);
-  design.footprint = std::move(swept.outline);
-  design.quality.footprint = swept.area;
+  if (detail == Detail::full) {
+    Footprint swept = footprint(linkage, design.style, design.region);
+    design.footprint = std::move(swept.outline);
+    design.quality.footprint = swept.area;
+  }
   design.quality.size = linkage.size();
   design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
@@ -137,9 +139,9 @@ MapTask map_task(const Design& design) {
                   design.region);
 }
 
-Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options) {
-  Design design = assembled(spec, found.linkage, found.layers, options);
-  if (found.layers.highest() > 2 && !options.stop()) {
+Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options, Detail detail) {
+  Design design = assembled(spec, found.linkage, found.layers, options, detail);
+  if (detail == Detail::full && found.layers.highest() > 2 && !options.stop()) {
     LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
     if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
   }
@@ -156,17 +158,17 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
 }
 
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
-                                                   const MapOptions& options) {
-  Design design = assemble_design(spec, found, options);
+                                                   const MapOptions& options, Detail detail) {
+  Design design = assemble_design(spec, found, options, detail);
   if (design.map.coverage.covered) return design;
   return tl::unexpected("the map does not certify the design found: " + design.map.coverage.why_not);
 }
 
 Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
   if (spec.mechanism && spec.mechanism->layers)
-    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options);
+    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options, Detail::full);
   const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
-  Design design = assembled(spec, linkage, choice.best, options);
+  Design design = assembled(spec, linkage, choice.best, options, Detail::full);
   design.why_not_fewer_layers = choice.why_not_fewer;
   return design;
 }

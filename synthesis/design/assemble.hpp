@@ -11,12 +11,19 @@
 
 namespace kempe {
 
+/// How much of a design is worked out.
+enum class Detail {
+  full,
+  figures  ///< without the footprint, half the work beside the search, and without the reasons for its layers
+};
+
 /// The design that a search found, with the record of the search.
-Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options);
+Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options,
+                       Detail detail = Detail::full);
 
 /// The same, if its map shows that it covers the region; else a sentence that says why it is no design.
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
-                                                   const MapOptions& options);
+                                                   const MapOptions& options, Detail detail = Detail::full);
 
 /// A design found when a time limit was over is mapped for so much longer, s; then the map stays as coarse as it is.
 inline constexpr double time_to_map = 0.4;

@@ -175,7 +175,8 @@ class Kills(Case):
             out = self.scratch / str(at)
             batch = ("synthesize", "--batch", specs, "-o", out, "-j", "1", "--quiet")
             run = kempe(*batch, environment=preloaded(fault="kill", at=at))
-            self.assertEqual(run.returncode, -signal.SIGKILL)
+            # Lines that come at once are synchronised at once: a run may make two calls less than the one that was counted.
+            self.assertIn(run.returncode, (-signal.SIGKILL,) if at <= calls - 2 else (-signal.SIGKILL, 0))
             for name in set(whole) & set(contents(out)):
                 self.assertEqual((out / name).read_bytes(), whole[name])
             self.assertEqual(kempe(*batch).returncode, 0)

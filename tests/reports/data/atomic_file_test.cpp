@@ -44,10 +44,32 @@ TEST_F(FolderDrafts, AppearTogether) {
   EXPECT_FALSE(draft.draft_of("one.txt"));
 }
 
+TEST_F(FolderDrafts, ComeInPiecesSmallAndLarge) {
+  FolderDraft draft(base_ / "out");
+  ASSERT_TRUE(draft.begin("one.txt"));
+  ASSERT_TRUE(draft.begin("two.txt"));
+  std::string one, two;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string piece(static_cast<std::size_t>(i % 200), static_cast<char>('a' + i % 26));
+    one += piece;
+    two += piece + piece;
+    ASSERT_TRUE(draft.append("one.txt", piece));
+    ASSERT_TRUE(draft.append("two.txt", piece + piece));
+  }
+  EXPECT_FALSE(draft.append("three.txt", "x"));
+  EXPECT_FALSE(fs::exists(base_ / "out" / "one.txt"));
+  ASSERT_TRUE(draft.put_in_place());
+  EXPECT_EQ(*read_text_file(base_ / "out" / "one.txt"), one);
+  EXPECT_EQ(*read_text_file(base_ / "out" / "two.txt"), two);
+  EXPECT_THAT(everything(), ElementsAre("out", "out/one.txt", "out/two.txt"));
+}
+
 TEST_F(FolderDrafts, LeaveNothingBehindUnlessPutInPlace) {
   {
     FolderDraft draft(base_ / "a" / "b");
     ASSERT_TRUE(draft.add({"parts/one.txt", "one"}));
+    ASSERT_TRUE(draft.begin("two.txt"));
+    ASSERT_TRUE(draft.append("two.txt", "two"));
   }
   EXPECT_THAT(everything(), IsEmpty());
 }
