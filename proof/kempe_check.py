@@ -18,6 +18,7 @@ from math import hypot, inf, nextafter
 
 EPS_MM, EPS_DEG = 1e-6, 1e-6
 MOST_CELLS = 200_000  # of one search; then the answer is "not proven"
+STAGES = (0.25, 0.5, 0.75, 1.0)  # of the way from the nominal instrument to another, evenly spaced
 LINKS = ("VA", "VB", "ACX", "BCY")
 PINS = {"A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY"), "V": ("VA", "VB")}
 POSTS = {"V": ("VA", "VB"), "X": ("ACX",), "Y": ("BCY",)}
@@ -387,8 +388,9 @@ class Task:
         self.locked = {n: v for n in LENGTHS if (v := file.optional(f"links.{n}_mm"))}
         self.grid, stock = file.optional("links.grid_mm"), file.get("links.stock_mm") or ()
         self.stock = [file.number("links.stock_mm", 0, value=s) for s in stock]
-        self.groundings, pole = file.get("objective.groundings", ), file.get("pole")
-        if not isinstance(pole, dict) or len(pole) != 1 or not isinstance(self.groundings, list) or not set(self.groundings) <= set(VERTICES):
+        self.groundings, pole = file.get("objective.groundings"), file.get("pole")
+        known = isinstance(self.groundings, list) and set(self.groundings) <= set(VERTICES)
+        if not isinstance(pole, dict) or len(pole) != 1 or not known:
             file.fault("pole, objective.groundings", pole, "at_mm or within_mm, and a list of vertices")
         self.pole_at = file.point("pole.at_mm", pole["at_mm"]) if "at_mm" in pole else None
         self.pole_within = None if self.pole_at else file.polygons("pole.within_mm") or file.fault("pole.within_mm", [], "an area")
@@ -488,14 +490,14 @@ class Design:
         turns = {"ACX": tuple(x / self.exact["AC"] for x in conj(q)), "VA": tuple(x / a for x in conj(p)), "table": (ONE, ZERO)}
         return {"V": V, "v": V, "A": A, "a": A, "B": B, "b": B, "C": C, "c": C, "X": X, "Y": Y, "P": (ZERO, ZERO)}, turns
 
-    def instrument(self, z):
-        """The same of all instruments, the tracer on the axis, with slopes by all that may be wrong, triangle by triangle: the ways
-        from hole to hole, and the turns."""
+    def instrument(self, z, share=1.0):
+        """The same of all instruments within a share of the tolerances, the tracer on the axis, with slopes by all that may be wrong,
+        triangle by triangle: the ways from hole to hole, and the turns."""
         reach, still = {}, self.nominal((square_of(z).sqrt(), ZERO))[0]
 
         def off(value, by, name):
-            reach[name] = I(-by, by)
-            return value + I(-by, by, {name: ONE}) if by else value
+            reach[name] = I(-by * share, by * share)
+            return value + I(-by * share, by * share, {name: ONE}) if by else value
 
         def way(i, j, at_i, at_j):  # by the mean value theorem often narrower than the difference
             out = []
@@ -622,7 +624,7 @@ class Design:
         z = tuple(I(box[2 * i] - self.slip, box[2 * i + 1] + self.slip, {"xy"[i]: ONE}) for i in (0, 1))
         try:
             (moving, turning), (still, turn) = self.nominal(z), self.nominal((I(m[0]), I(m[1])))
-            wrong, twisting = self.instrument([I(c.lo, c.hi) for c in z]) if self.every else (None, None)
+            wrong = [self.instrument([I(c.lo, c.hi) for c in z], part) for part in STAGES] if self.every else []
         except Open:
             return pending
         ways, known, left, todo = [dict(zip("xy", csub(self.near(v), m))) for v in hull], {}, [], list(pending)
@@ -630,7 +632,7 @@ class Design:
         def moved(i, j, frame):  # the way from hole to hole
             if (i, j, frame) not in known:
                 known[i, j, frame] = *cloud(cmul(csub(still[j], still[i]), turn[frame]), cmul(csub(moving[j], moving[i]), turning[frame]),
-                                            ways), slopes_of(cmul(wrong(i, j), twisting[frame])) if wrong else None
+                                            ways), [slopes_of(cmul(way(i, j), twisting[frame])) for way, twisting in wrong]
             return known[i, j, frame]
 
         while todo:
@@ -653,7 +655,7 @@ class Design:
             return False
         n = v[0] / gap, v[1] / gap
         far = min(n[0] * p[0] + n[1] * p[1] for p in edge)
-        near = min(min(n[0] * p[0] + n[1] * p[1] for p in c[0]) - c[1] - (self.loss(n, c[4]) if c[4] else 0.0) for c in clouds)
+        near = min(min(n[0] * p[0] + n[1] * p[1] for p in c[0]) - c[1] - sum(self.loss(n, s) for s in c[4]) / len(STAGES) for c in clouds)
         slack = 1e-14 * (abs(far) + abs(near) + max(abs(c) for p in edge for c in p)) + 4 * self.slip
         return far + near >= distance - EPS_MM + slack
 

@@ -136,7 +136,7 @@ DESIGN_RULES = [
      lambda: changed("plagiograph", "limits", "copy_error_mm", 5)),
     ("no table of what was permitted", 'raise Open("not checked: pole, links, objective (not stated)")', "return",
      lambda: changed("plagiograph", "links", None)),
-    ("parts that a wrong instrument brings too near", "if self.every else (None, None)", "if False else (None, None)",
+    ("parts that a wrong instrument brings too near", "if self.every else []", "if False else []",
      lambda: tolerant("free", None, True, 4.3)),
     ("the format", 'file.get("format", ("kempe-design/1",))', 'file.get("format")', lambda: changed("plagiograph", "format", "kempe-design/2")),
     ("a hole outside its polygon", "if any(where(c, polygon[:1]) < 0 for hole in polygon[1:] for c in hole):", "if False:",
