@@ -374,7 +374,8 @@ class Task:
                 file.fault(f"obstacles[{i}]", table, "a shape of one polygon and layers [lowest, highest]")
             low, high = (file.number(f"obstacles[{i}].layers", 0, 64, layer, int) for layer in layers)
             name = str(table.get("name") or f"obstacle {i + 1}")
-            self.obstacles.append({"rings": rings[0], "layers": (low, file.number(name + ": layers", low, 64, high, int)), "name": name})
+            layers = low, file.number(name + ": layers", low, 64, high, int)
+            self.obstacles.append({"rings": rings[0], "layers": layers, "name": name})
 
     def half(self, part):
         return 0.5 * (self.width if part in LINKS else self.pin)
@@ -491,8 +492,8 @@ class Design:
         return {"V": V, "v": V, "A": A, "a": A, "B": B, "b": B, "C": C, "c": C, "X": X, "Y": Y, "P": (ZERO, ZERO)}, turns
 
     def instrument(self, z, share=1.0):
-        """The same of all instruments within a share of the tolerances, the tracer on the axis, with slopes by all that may be wrong,
-        triangle by triangle: the ways from hole to hole, and the turns."""
+        """The same of all instruments within a share of the tolerances, the tracer on the axis, with slopes by all that may be
+        wrong, triangle by triangle: the ways from hole to hole, and the turns."""
         reach, still = {}, self.nominal((square_of(z).sqrt(), ZERO))[0]
 
         def off(value, by, name):
@@ -547,7 +548,8 @@ class Design:
             b = cadd(B, e["B"])
             Y = third("B", "C", "Y", b, c)
         at = {"V": V, "v": v, "A": A, "a": a, "B": B, "b": b, "C": C, "c": c, "X": X, "Y": Y, "P": P}
-        turns = {"ACX": tuple(x / L["AC"] for x in conj(way("a", "C", a, C))), "VA": tuple(x / L["VA"] for x in conj(way("V", "A", V, A))),
+        turns = {"ACX": tuple(x / L["AC"] for x in conj(way("a", "C", a, C))),
+                 "VA": tuple(x / L["VA"] for x in conj(way("V", "A", V, A))),
                  "table": tuple(x / r for x in z)}
         return lambda i, j: way(i, j, at[i], at[j]), turns
 
@@ -588,7 +590,8 @@ class Design:
                 blocked += [(part, holes, name, "P", "table", tree_of(list(zip(ring, ring[1:]))), task.half(part) + task.clearance)
                             for ring in block]
         for rings in self.region if blocked else ():
-            self.cover([ring[:-1] for ring in rings], blocked, None if len(rings) == 1 and convex(rings[0]) else rings, self.pending_in)
+            simple = len(rings) == 1 and convex(rings[0])
+            self.cover([ring[:-1] for ring in rings], blocked, None if simple else rings, self.pending_in)
             if rings is not self.region[0]:
                 self.way(self.region[0][0], rings[0], blocked)
         return f" (clearance {self.task.clearance:g} mm, eps {EPS_MM:g} mm)"
@@ -631,8 +634,9 @@ class Design:
 
         def moved(i, j, frame):  # the way from hole to hole
             if (i, j, frame) not in known:
-                known[i, j, frame] = *cloud(cmul(csub(still[j], still[i]), turn[frame]), cmul(csub(moving[j], moving[i]), turning[frame]),
-                                            ways), [slopes_of(cmul(way(i, j), twisting[frame])) for way, twisting in wrong]
+                at, over = cmul(csub(still[j], still[i]), turn[frame]), cmul(csub(moving[j], moving[i]), turning[frame])
+                slopes = [slopes_of(cmul(way(i, j), twisting[frame])) for way, twisting in wrong]
+                known[i, j, frame] = *cloud(at, over, ways), slopes
             return known[i, j, frame]
 
         while todo:
@@ -655,7 +659,8 @@ class Design:
             return False
         n = v[0] / gap, v[1] / gap
         far = min(n[0] * p[0] + n[1] * p[1] for p in edge)
-        near = min(min(n[0] * p[0] + n[1] * p[1] for p in c[0]) - c[1] - sum(self.loss(n, s) for s in c[4]) / len(STAGES) for c in clouds)
+        near = min(min(n[0] * p[0] + n[1] * p[1] for p in points) - radius - sum(self.loss(n, s) for s in slopes) / len(STAGES)
+                   for points, radius, _, _, slopes in clouds)
         slack = 1e-14 * (abs(far) + abs(near) + max(abs(c) for p in edge for c in p)) + 4 * self.slip
         return far + near >= distance - EPS_MM + slack
 
@@ -668,8 +673,8 @@ class Design:
             return
         gap = hypot(*apart(P, [cadd(p, e) for p in Q for e in node[0]]))
         if gap < distance - 2 * EPS_MM:
-            raise Refuted(f"{part} and {other}: gap {gap - distance + self.task.clearance:.6g} mm with the tracer at ({place[0]:.6g}, "
-                          f"{place[1]:.6g}) from the pole; allowed {self.task.clearance:g}")
+            raise Refuted(f"{part} and {other}: gap {gap - distance + self.task.clearance:.6g} mm with the tracer at "
+                          f"({place[0]:.6g}, {place[1]:.6g}) from the pole; allowed {self.task.clearance:g}")
 
     def way(self, one, other, pairs):
         """Two polygons are joined if a way from corner to corner, straight or around the pole, is clear as well."""
@@ -678,7 +683,8 @@ class Design:
         start, turn, ways = math.atan2(A[1], A[0]), math.atan2(B[1], B[0]) - math.atan2(A[1], A[0]), [[A, B]]
         for r, t in product((0.5, 0.25, 0.75, 0.1, 0.9), (turn, turn - 2 * math.pi, turn + 2 * math.pi)):
             r, steps = least + r * (most - least), 2 + int(abs(t) / 0.02)
-            ways.append([A, *((r * math.cos(start + t * i / steps), r * math.sin(start + t * i / steps)) for i in range(steps + 1)), B])
+            bearings = [start + t * i / steps for i in range(steps + 1)]
+            ways.append([A, *((r * math.cos(bearing), r * math.sin(bearing)) for bearing in bearings), B])
         for way in ways:
             try:
                 for p, q in zip(way, way[1:]):
@@ -707,15 +713,17 @@ class Design:
             raise Open("not checked: pole, links, objective (not stated)")
         task.read_choice()
         for name, length in self.lengths.items():
-            if not task.shortest - EPS_MM <= length <= task.longest + EPS_MM or abs(length - task.locked.get(name, length)) > EPS_MM:
+            locked = task.locked.get(name, length)
+            if not task.shortest - EPS_MM <= length <= task.longest + EPS_MM or abs(length - locked) > EPS_MM:
                 raise Refuted(f"length {name} = {length} is not within {task.shortest:g} and {task.longest:g}, or not as locked")
             if name not in ("CX", "CY") and (task.grid and abs(math.remainder(length, task.grid)) > EPS_MM
                                              or task.stock and min(abs(length - s) for s in task.stock) > EPS_MM):
                 raise Refuted(f"length {name} = {length} is not of the grid or the stock")
         if self.shape.vertex not in task.groundings or max(self.layers.values()) > task.layers:
             raise Refuted("this vertex or layer is not permitted")
-        edges = [e for polygon in task.pole_within or [] for ring in polygon for e in zip(ring, ring[1:])] or [(task.pole_at, task.pole_at)]
+        edges = [e for polygon in task.pole_within or [] for ring in polygon for e in zip(ring, ring[1:])]
         if not any(where(self.pole, p) >= 0 for p in task.pole_within or []):
+            edges = edges or [(task.pole_at, task.pole_at)]
             if min(hypot(*to_segment(self.pole, *edge)) for edge in edges) > EPS_MM:
                 raise Refuted("the pole stands elsewhere than permitted")
 
@@ -724,8 +732,8 @@ class Design:
         if self.exceeding(self.sources(I(box[0], box[1])), self.task.copy_error + EPS_MM) is None:
             return None
         if found := self.exceeding(self.sources(I(hull[0][0])), self.task.copy_error + 2 * EPS_MM):
-            raise Refuted(f"copy error {found:.6g} mm at the opening {math.degrees(math.atan2(1, hull[0][0])):.6g} degrees (or as much less than "
-                          f"0); allowed {self.task.copy_error:g}")
+            opening = math.degrees(math.atan2(self.sign_d, self.sign_d * hull[0][0]))
+            raise Refuted(f"copy error {found:.6g} mm at the opening {opening:.6g} degrees; allowed {self.task.copy_error:g}")
         return pending
 
     def sources(self, x):
@@ -829,15 +837,18 @@ class Certificate:
     def belongs_to(self, design):
         """The log speaks of the design's task, and proves what the design's file states."""
         mine, copy, mechanism = self.task.file.data, design.get("copy"), design.get("mechanism")
-        theirs = {key: design.get(key) for key in ("region", "pole", "links", "limits", "obstacles", "objective", "tolerance", "cutting")}
+        tables = ("region", "pole", "links", "limits", "obstacles", "objective", "tolerance", "cutting")
+        theirs = {key: design.get(key) for key in tables}
         theirs["copy"] = {key: copy.get("wanted_" + key, copy.get(key)) for key in ("scale", "rotation_deg")}
-        theirs.update({key: mechanism.get(key) for key in ("link_width_mm", "pin_diameter_mm")}, plate=mechanism["links"][2].get("shape"))
+        theirs.update({key: mechanism.get(key) for key in ("link_width_mm", "pin_diameter_mm")})
+        theirs["plate"] = mechanism["links"][2].get("shape")
         for key, value in theirs.items():
             if mine.get(key) != value:
                 raise Open(f"the log's {key} is not the design's")
         if self.claim != "bound" or design.get("search.objective") != self.objective:
             raise Open("the log is about something else than the design's objective")
-        value, stated, over = design.number("search.value"), design.optional("quality.lower_bound"), 1 if self.objective == "size" else -1
+        value, stated = design.number("search.value"), design.optional("quality.lower_bound")
+        over = 1 if self.objective == "size" else -1
         if over * value < over * self.bound - EPS_MM:
             raise Refuted(f"this design has {value}")
         if stated is not None and over * stated > over * self.bound + EPS_MM:
@@ -894,7 +905,8 @@ class Certificate:
         if one not in PARTS or other not in PARTS and not 0 <= other < len(self.task.obstacles):
             raise Open("unknown parts")
         together = [share(one, other, l, self.task.obstacles) for l in node.assignments]
-        return [Node(node.box, node.window, [l for l, t in zip(node.assignments, together) if t == wanted]) for wanted in (True, False)]
+        return [Node(node.box, node.window, [l for l, t in zip(node.assignments, together) if t == wanted])
+                for wanted in (True, False)]
 
     def contact(self, node, line):
         u, (one, other) = I(float(line["u"])), line["contact"]
@@ -903,7 +915,8 @@ class Certificate:
         cosine, sine = (ONE - u.square()) / (u.square() + ONE), u * 2.0 / (u.square() + ONE) * self.sign
         allowed = I(self.task.half(one[0])) + self.task.half(other[0]) + self.task.clearance
         for a, b in node.corners("ab"):
-            joints = {j: cadd(tuple(c * a for c in alpha), cmul(beta, (cosine * b, sine * b))) for j, (alpha, beta) in self.shape.seen.items()}
+            joints = {j: cadd(tuple(c * a for c in alpha), cmul(beta, (cosine * b, sine * b)))
+                      for j, (alpha, beta) in self.shape.seen.items()}
             if not square_of(csub(self.material(one, joints), self.material(other, joints))).hi < allowed.square().lo:
                 raise Open("the points are not in contact all over the box")
         return [Node(node.box, window, node.assignments) for window in ((node.window[0], cosine), (cosine, node.window[1]))]
@@ -973,8 +986,8 @@ class Certificate:
     def point_at(self, point, T, z):
         """P + alpha p + beta q/s, by (2), the point's constants less the pole's collected before a, b and P vary."""
         seen, pole = self.shape.seen, (z["x"], z["y"])
-        alpha, beta = (csub(self.material(point, {j: c[i] for j, c in seen.items()}), seen["V" if self.shape.vertex == "pole" else "X"][i])
-                       for i in (0, 1))
+        still = seen["V" if self.shape.vertex == "pole" else "X"]
+        alpha, beta = (csub(self.material(point, {j: c[i] for j, c in seen.items()}), still[i]) for i in (0, 1))
         w, aa, bb = cmul(self.shape.g, csub(T, pole)), z["a"].square(), z["b"].square()
         r = square_of(w)
         h = ((z["a"] * z["b"] * 2.0).square() - (r - aa - bb).square()).sqrt() * float(self.sign)
@@ -1019,7 +1032,8 @@ class Certificate:
         middle = {v: I(m) for v, m in node.middle().items()}
         wide = {v: I(i.lo, i.hi, {v: ONE} if v in names else None) for v, i in node.box.items()}
         moving, still = (self.point_at(point, T, z) for z in (wide, middle))
-        points, radius, _, _ = cloud(still, moving, [{v: c - middle[v] for v, c in zip(names, corner)} for corner in node.corners(names)])
+        ways = [{v: c - middle[v] for v, c in zip(names, corner)} for corner in node.corners(names)]
+        points, radius, _, _ = cloud(still, moving, ways)
         allowed = (self.task.half(point[0]) + self.task.clearance) * (1 - 1e-15)
         return all(hypot(*apart([p], K)) + radius + 1e-14 * max(abs(c) for c in p) < allowed for p in points)
 

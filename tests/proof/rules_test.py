@@ -124,7 +124,7 @@ DESIGN_RULES = [
      lambda: changed("free", "limits", "sheets_gap_mm", lambda v: v + 20)),
     ("a length over the limit", "if not task.shortest - EPS_MM <= length <= task.longest + EPS_MM or", "if",
      lambda: changed("plagiograph", "links", "longest_mm", 40)),
-    ("a locked length", "abs(length - task.locked.get(name, length)) > EPS_MM:", "False:", lambda: changed("plagiograph", "links", "VA_mm", 100)),
+    ("a locked length", "abs(length - locked) > EPS_MM:", "False:", lambda: changed("plagiograph", "links", "VA_mm", 100)),
     ("a grid", "task.grid and", "False and", lambda: changed("plagiograph", "links", "grid_mm", 5)),
     ("a stock", "task.stock and", "False and", lambda: changed("plagiograph", "links", "stock_mm", [30, 60])),
     ("a vertex not permitted", "self.shape.vertex not in task.groundings or", "", lambda: changed("plagiograph", "objective", "groundings", ["pole"])),
