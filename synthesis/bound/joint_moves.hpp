@@ -28,10 +28,13 @@ struct DesignBox {
   double w() const;
 };
 
-/// No joint of any design of the box that has its tracer at `place` is farther than this from its place in `joints`, mm;
+/// In the order of Joint, mm.
+using JointMoves = std::array<double, 6>;
+
+/// No joint of any design of the box that has its tracer at `place` is farther than its figure from its place in `joints`;
 /// nothing if the middle design does not reach the place, or the box is too large for a statement. `joints`: about where
 /// the middle design's are, in the order of Joint, table's frame, mm; an error there only makes the figure larger.
-std::optional<double> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
-                                          const Point& place, const std::array<Complex, 6>& joints);
+std::optional<JointMoves> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
+                                              const Point& place, const std::array<Complex, 6>& joints);
 
 }  // namespace kempe::bounding

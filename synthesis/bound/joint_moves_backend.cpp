@@ -44,8 +44,8 @@ struct FromPole {
 double DesignBox::t() const { return std::sqrt(lengths.t.lower * lengths.t.upper); }
 double DesignBox::w() const { return std::sqrt(lengths.w.lower * lengths.w.upper); }
 
-std::optional<double> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
-                                          const Point& place, const std::array<Complex, 6>& joints) {
+std::optional<JointMoves> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
+                                              const Point& place, const std::array<Complex, 6>& joints) {
   const OutwardRounding rounding;
   const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
   const Interval distance = length(arm);
@@ -64,16 +64,17 @@ std::optional<double> joints_move_at_most(const AssemblyMode& assembly_mode, con
   const IntervalComplex D = tracer.P + tracer.Q * rho;
   const Interval D_length = length(D), least = D_length - length(tracer.Q) * delta;
   if (!(least.inf() > 0.05 * D_length.sup())) return std::nullopt;
-  double most = 0;
+  JointMoves moves;
   for (const Joint joint : all_joints) {
     const FromPole at = from_pole(joint);
     const IntervalComplex M = (at.P + at.Q * rho) / D;
     const Interval map_moves = length(at.Q * tracer.P - at.P * tracer.Q) * delta / (D_length * least);
     const Interval beside = length(exactly(1.0) - M) + map_moves;
     const Interval off = length(pole + arm * M - exactly(joints[static_cast<std::size_t>(joint)]));
-    most = std::max(most, (Interval(box.radius) * beside + distance * map_moves + off).sup());
+    moves[static_cast<std::size_t>(joint)] =
+        (Interval(box.radius) * beside + distance * map_moves + off).sup();
   }
-  return most;
+  return moves;
 }
 
 }  // namespace kempe::bounding

@@ -17,6 +17,8 @@ constexpr int many_places = 2000;
 /// A gap is a difference of coordinates, off by less than this share of the largest of them: some 450 units in the last place,
 /// for a formula of a few dozen operations.
 constexpr double rounding_share = 1e-13;
+/// Factor: at no place do joints move farther than this times what they do at others, more or less.
+constexpr double moves_of_others = 3;
 
 /// Equal for terms that ask the same.
 using TermKey = std::tuple<std::size_t, double, std::vector<Joint>>;
@@ -31,8 +33,9 @@ ObstacleTest::ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
                            const std::vector<LayerAssignment>& layers, StopFlag stop)
     : assembly_mode_(assembly_mode), reach_(spec.copy.k(), assembly_mode.grounding, assembly_mode.number),
       roles_(roles_of(assembly_mode.grounding)), clearance_(spec.limits.clearance),
-      shapes_(obstacle_shapes(spec.obstacles)), places_(tracer_places(spec.region, first_places)),
-      many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
+      shapes_(obstacle_shapes(spec.obstacles)), many_places_(tracer_places(spec.region, many_places)),
+      stop_(std::move(stop)) {
+  for (const Point& place : tracer_places(spec.region, first_places)) places_.push_back({place});
   const auto any =
       CopyingLinkage::make(spec.copy.k(), assembly_mode.grounding, 100, 100, assembly_mode.number);
   std::map<TermKey, std::size_t> known;
@@ -53,41 +56,109 @@ double ObstacleTest::gap_rounding(const Term& term, const PlacedJoints& joints) 
          (largest + std::abs(obstacle.centre) + obstacle.radius + term.what.piece.half_width + clearance_);
 }
 
-LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, std::optional<Hit>& hint,
-                               bool only_hint) const {
-  const double t = box.t(), w = box.w();
-  const LogLengths middle{std::log(std::sqrt(w / t / 2)),
-                          std::log(std::sqrt(w * t / 2) * std::abs(assembly_mode_.s))};
-  double nearest = std::numeric_limits<double>::infinity();
-  std::optional<Hit> next;
-  const auto look_at = [&](std::size_t place, std::size_t first, std::size_t last) {
-    const PlacedJoints joints(reach_, roles_, middle, box.pole, places_[place]);
-    std::optional<double> moved;
+/// One box, place by place.
+struct ObstacleTest::Look {
+  const ObstacleTest& test;
+  const DesignBox& box;
+  LayerSet& alive;
+  LogLengths middle{};
+  double nearest = std::numeric_limits<double>::infinity();  ///< mm, of a gap with what the joints move added
+  std::optional<Hit> hit{};
+  double moved = 0;  ///< mm, the most that joints were found to move; infinite where that could not be said
+
+  Look(const ObstacleTest& of, const DesignBox& all, LayerSet& left) : test(of), box(all), alive(left) {
+    const double t = box.t(), w = box.w();
+    middle = {std::log(std::sqrt(w / t / 2)),
+              std::log(std::sqrt(w * t / 2) * std::abs(test.assembly_mode_.s))};
+  }
+
+  PlacedJoints joints_at(std::size_t place) const {
+    return {test.reach_, test.roles_, middle, box.pole, test.places_[place].at};
+  }
+
+  std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints) {
+    const auto moves = joints_move_at_most(test.assembly_mode_, box, test.places_[place].at, joints.all());
+    moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end()))
+                  : std::numeric_limits<double>::infinity();
+    return moves;
+  }
+
+  /// What the corners of a term's piece move at most, mm.
+  static double moved_of(const ObstacleTerm& term, const JointMoves& moves) {
+    double most = 0;
+    for (int i = 0; i < term.piece.hull.count; ++i)
+      most = std::max(most,
+                      moves[static_cast<std::size_t>(term.piece.hull.joints[static_cast<std::size_t>(i)])]);
+    return most;
+  }
+
+  /// Rules out what is hit at a place, and returns the smallest gap there less the clearance, or a lower bound of it.
+  double at(std::size_t place, std::size_t first, std::size_t last) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto& of_one = test.places_[place].layers;
+    if (of_one && !alive.has(*of_one)) return least;
+    const PlacedJoints joints = joints_at(place);
+    std::optional<JointMoves> moves;
     for (std::size_t i = first; i < last; ++i) {
-      if (!terms_[i].layers.meets(alive)) continue;
-      const ObstacleTerm& term = terms_[i].what;
-      const double gap = obstacle_gap(term, shapes_[term.obstacle], joints, clearance_);  // exact below it
-      if (gap >= clearance_) continue;
-      if (!moved) moved = joints_move_at_most(assembly_mode_, box, places_[place], joints.all());
-      if (!moved) return;
-      if (gap + *moved + gap_rounding(terms_[i], joints) < clearance_) {
-        alive.remove(terms_[i].layers);
-        next = Hit{place, i};
-        if (alive.empty()) return;
-      } else if (gap + *moved < nearest) {
-        nearest = gap + *moved;
-        if (!next) next = Hit{place, i};
+      const Term& term = test.terms_[i];
+      if (of_one ? !term.layers.has(*of_one) : !term.layers.meets(alive)) continue;
+      const double clearance = test.clearance_;
+      const double gap =
+          obstacle_gap(term.what, test.shapes_[term.what.obstacle], joints, clearance);  // exact below it
+      least = std::min(least, gap - clearance);
+      if (gap >= clearance) continue;
+      if (!moves) moves = moved_at(place, joints);
+      if (!moves) return least;
+      const double here = moved_of(term.what, *moves);
+      if (gap + here + test.gap_rounding(term, joints) < clearance) {
+        hit = Hit{place, i};
+        of_one ? alive.remove(*of_one) : alive.remove(term.layers);
+        if (of_one || alive.empty()) return least;
+      } else if (gap + here < nearest) {
+        nearest = gap + here;
+        if (!hit) hit = Hit{place, i};
       }
     }
-  };
-  if (hint) look_at(hint->place, hint->term, hint->term + 1);
-  for (std::size_t place = 0; !only_hint && place < places_.size() && !alive.empty() && !stop_(); ++place)
-    look_at(place, 0, terms_.size());
-  if (next) hint = next;
+    return least;
+  }
+};
+
+LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const {
+  Look look(*this, box, alive);
+  if (sight.hit) look.at(sight.hit->place, sight.hit->term, sight.hit->term + 1);
+  if (!only_hit) {
+    std::vector<std::pair<std::size_t, double>> seen;
+    const auto look_at = [&](std::size_t place) {
+      if (!alive.empty() && !stop_()) seen.emplace_back(place, look.at(place, 0, terms_.size()));
+    };
+    if (sight.near) std::for_each(sight.near->begin(), sight.near->end(), look_at);
+    for (std::size_t place = sight.judged; place < places_.size(); ++place) look_at(place);
+    if (!alive.empty()) judge(look, seen, sight);
+  }
+  if (look.hit) sight.hit = look.hit;
   return alive;
 }
 
-bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers) {
+/// Keeps the places where an obstacle can be hit in a part of the box. That joints move alike at all places is not certain, but
+/// a place left out can only make the bound looser.
+void ObstacleTest::judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen,
+                         Sight& sight) const {
+  if (seen.empty() || stop_()) return;
+  if (look.moved == 0) look.moved_at(seen.front().first, look.joints_at(seen.front().first));
+  auto near = std::make_shared<std::vector<std::size_t>>();
+  for (const auto& [place, gap] : seen)
+    if (gap < moves_of_others * look.moved) near->push_back(place);
+  sight.near = std::move(near);
+  sight.judged = places_.size();
+}
+
+void ObstacleTest::demand_more(double margin, const std::vector<Point>& places) {
+  clearance_ += margin;
+  for (const Point& place : places) places_.push_back({place});
+}
+
+bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers,
+                            const std::optional<Hit>& first) {
   const LogLengths lengths{std::log(VA), std::log(VB)};
   const auto is_clear_at = [&](const Point& place) {
     if (stop_()) return false;
@@ -97,11 +168,17 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
              obstacle_gap(term.what, shapes_[term.what.obstacle], joints, clearance_) < clearance_;
     });
   };
-  if (!std::all_of(places_.begin(), places_.end(), is_clear_at)) return false;
+  const auto is_kept = [&](const Place& place) {
+    return (place.layers && *place.layers != layers) || is_clear_at(place.at);
+  };
+  if (first && !is_kept(places_[first->place])) return false;
+  if (!std::all_of(places_.begin(), places_.end(), is_kept)) return false;
   const auto hit = std::find_if_not(many_places_.begin(), many_places_.end(), is_clear_at);
   if (hit == many_places_.end()) return true;
-  if (!stop_() && places_.size() < most_places) places_.push_back(*hit);
+  if (!stop_() && places_.size() < most_places) places_.push_back({*hit});
   return false;
 }
+
+void ObstacleTest::add_place(const Point& place, std::size_t layers) { places_.push_back({place, layers}); }
 
 }  // namespace kempe::bounding

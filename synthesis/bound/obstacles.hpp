@@ -2,10 +2,13 @@
 // Obstacles for the proven bound: is a part in an obstacle in every design of a box, with the tracer at some place?
 //
 // Around the middle design of the box no joint moves farther than joint_moves.hpp says. Signed distances of convex sets change
-// by no more than their corners move, so an overlap in the middle that is deeper than the largest of these is an overlap in
-// every design.
+// by no more than their corners move, so an overlap in the middle that is deeper than the corners of the part's piece move is
+// an overlap in every design.
 
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "kinematics/stop_flag.hpp"
 #include "synthesis/bound/joint_moves.hpp"
@@ -19,6 +22,14 @@ struct Hit {
   std::size_t place = 0, term = 0;
 };
 
+/// What a box hands down to those it is split into.
+struct Sight {
+  std::optional<Hit> hit{};  ///< where an obstacle came nearest to being in the way
+  /// Of the first `judged` places those from which an obstacle can be hit in some part of the box; absent: all of them.
+  std::shared_ptr<const std::vector<std::size_t>> near{};
+  std::size_t judged = 0;
+};
+
 /// The obstacles of a spec, seen by one grounding and assembly.
 class ObstacleTest {
  public:
@@ -26,29 +37,45 @@ class ObstacleTest {
   ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
                const std::vector<LayerAssignment>& layers, StopFlag stop = {});
 
-  /// The assignments of `alive` in which no obstacle is surely hit. `hint`: a hit of the box this one was split from; set to
-  /// the one that came nearest to certain. With `only_hint` nothing else is looked at.
-  LayerSet not_hit(const DesignBox& box, LayerSet alive, std::optional<Hit>& hint, bool only_hint) const;
+  /// The assignments of `alive` in which no obstacle is surely hit. `sight`: of the box this one was split from; becomes its
+  /// own. With `only_hit` nothing but the hit is looked at.
+  LayerSet not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const;
 
-  /// What not_hit() without a hint costs, in tests of a box for reach.
-  std::size_t cost() const { return 1 + places_.size() * terms_.size() / 300; }
+  /// From now on obstacles are kept away by `margin` (mm) more, at these places too.
+  void demand_more(double margin, const std::vector<Point>& places);
+
+  /// What not_hit() costs where it looks at all, in tests of a box for reach.
+  std::size_t cost(const Sight& sight) const {
+    const std::size_t near = sight.near ? sight.near->size() : 0;
+    return 1 + (near + places_.size() - sight.judged) * terms_.size() / 300;
+  }
 
   /// True if a design keeps its clearance at very many places. One where it does not is looked at in every box from then on.
-  bool is_clear(double VA, double VB, const Point& pole, std::size_t layers);
+  /// `first`: where it may well not be kept.
+  bool is_clear(double VA, double VB, const Point& pole, std::size_t layers, const std::optional<Hit>& first);
+
+  /// One more place to look at for one assignment alone.
+  void add_place(const Point& place, std::size_t layers);
 
  private:
   struct Term {
     ObstacleTerm what;
     LayerSet layers{};  ///< in which it counts
   };
+  struct Place {
+    Point at;
+    std::optional<std::size_t> layers{};  ///< of which it is; absent: of all
+  };
   double gap_rounding(const Term& term, const PlacedJoints& joints) const;
+  struct Look;
+  void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 
   AssemblyMode assembly_mode_;
   Reach reach_;
   JointRoles roles_;
   double clearance_;
   std::vector<ObstacleShape> shapes_;
-  std::vector<Point> places_;       ///< looked at in every box
+  std::vector<Place> places_;       ///< looked at in every box
   std::vector<Point> many_places_;  ///< looked at for single designs
   std::vector<Term> terms_;
   StopFlag stop_;

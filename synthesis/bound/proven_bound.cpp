@@ -47,8 +47,8 @@ struct Node {
   bool sheets_apart = false;  // wherever the pole stands in the box
   PoleDistances distances;
   LengthBox lengths;
-  bounding::LayerSet alive{};        // layer assignments not yet ruled out, by their place in the branch
-  std::optional<bounding::Hit> hit;  // where an obstacle came nearest to being in the way
+  bounding::LayerSet alive{};  // layer assignments not yet ruled out, by their place in the branch
+  bounding::Sight sight;       // of the obstacles
   std::array<std::uint32_t, kept_cuts>
       cut{};  // of the first layer assignments: number in Tree::cuts_, 0 for none
 
@@ -71,9 +71,9 @@ double extent(const RegionReach& region) { return region.farthest(Point::Zero())
 
 class Tree {
  public:
-  Tree(const Spec& spec, Objective objective, const BoundOptions& options)
-      : spec_(spec), options_(options), by_size_(objective == Objective::size), region_(spec.region),
-        sheets_(spec, region_) {
+  Tree(const Spec& spec, Objective objective, const BoundOptions& options, const Trials* trials = nullptr)
+      : spec_(spec), options_(options), trials_(trials), by_size_(objective == Objective::size),
+        region_(spec.region), sheets_(spec, region_) {
     if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
     place_rounding_ = rounding_share * std::max(extent(region_), area_ ? extent(*area_) : 0);
     constexpr std::size_t most_corners = 256;
@@ -89,7 +89,29 @@ class Tree {
   /// Nothing if it was stopped before every grounding was looked at: then nothing is proven of the others.
   std::optional<ProvenBound> grow() {
     if (!plant()) return std::nullopt;
-    while (!open_.empty() && boxes_ < options_.boxes && open_.top().bound < enough() && !options_.stop()) {
+    grow_until(options_.tolerance);
+    ProvenBound proven = proven_so_far();
+    if (trials_ && proven.tight && best_ < infinity) {
+      for (const auto& test : obstacle_tests_) test->demand_more(trials_->margin, trials_->places);
+      grow_until(trials_->tolerance);
+      proven.exhausted = is_closed(trials_->tolerance);
+      // What the trials came to meanwhile is a design all the same.
+      proven.value = by_size_ ? std::min(proven.value, best_) : std::max(proven.value, -best_);
+    }
+    return verdict(std::move(proven));
+  }
+
+ private:
+  const AssemblyMode& assembly_mode(const Node& node) const { return branches_[node.branch].assembly_mode; }
+
+  /// Bounds at least this good end the search.
+  double enough(double tolerance) const {
+    return best_ < infinity ? best_ - tolerance * std::abs(best_) : infinity;
+  }
+  bool is_closed(double tolerance) const { return open_.empty() || open_.top().bound >= enough(tolerance); }
+
+  void grow_until(double tolerance) {
+    while (!is_closed(tolerance) && boxes_ < options_.boxes && !options_.stop()) {
       Node node = open_.top();
       open_.pop();
       if (options_.self_contact && !rule_out_layers(node)) continue;
@@ -98,14 +120,7 @@ class Tree {
         try_designs(node);  // often at first, when the boxes are still many
       split(node);
     }
-    return verdict();
   }
-
- private:
-  const AssemblyMode& assembly_mode(const Node& node) const { return branches_[node.branch].assembly_mode; }
-
-  /// Bounds at least this good end the search.
-  double enough() const { return best_ < infinity ? best_ - options_.tolerance * std::abs(best_) : infinity; }
 
   /// The transmission angle that designs of interest have at least.
   double transmission() const {
@@ -126,9 +141,9 @@ class Tree {
     for (const Grounding grounding : all_groundings) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
-      const auto layers =
-          bounding::layer_choices(spec_.copy.k(), grounding, spec_.links.layers,
-                                  sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{});
+      const auto layers = bounding::layer_choices(
+          spec_.copy.k(), grounding, spec_.links.layers,
+          sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{}, trials_ != nullptr);
       const std::size_t count = assembly_modes(shape_of(spec_.copy.k(), grounding)).size();
       for (std::size_t number = 0; number < count; ++number) {
         if (options_.stop()) return false;
@@ -198,7 +213,7 @@ class Tree {
     node.bound = bound_of(node);
     if (!by_size_ && -node.bound < spec_.limits.transmission) return;
     if (node.bound >= best_) return drop(node, best_);
-    if (!repeat_cuts(node) || (node.hit && !rule_out_by_obstacles(node, true))) return;
+    if (!repeat_cuts(node) || (node.sight.hit && !rule_out_by_obstacles(node, true))) return;
     node.number = boxes_;
     open_.push(node);
   }
@@ -215,10 +230,10 @@ class Tree {
   /// Drops layer assignments in which every design of the box has a part in an obstacle; false if none is left.
   bool rule_out_by_obstacles(Node& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
-    if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost();
+    if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost(node.sight);
     const bounding::PoleDisc poles = bounding::disc_around(node.x, node.y);
     node.alive = obstacle_tests_[node.branch]->not_hit({node.lengths, poles.centre, poles.radius}, node.alive,
-                                                       node.hit, only_where_last);
+                                                       node.sight, only_where_last);
     return !node.alive.empty();
   }
 
@@ -341,7 +356,7 @@ class Tree {
         std::min(linkage->transmission_angle(*near), linkage->transmission_angle(*far));
     if (transmission < spec_.limits.transmission - 1e-9) return;
     const double value = by_size_ ? linkage->size() : -transmission;
-    if (value >= best_) return;
+    if (value >= (trials_ ? enough(trials_->tolerance) : best_)) return;
     const OpeningInterval openings{std::min(*near, *far), std::max(*near, *far)};
     if (spec_.limits.copy_error && spec_.tolerance) {
       const CopyErrorProfile profile = copy_error_profile(*linkage, CopyTolerance::uniform(*spec_.tolerance));
@@ -351,16 +366,30 @@ class Tree {
       return !options_.self_contact ||
              (smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
                   spec_.limits.clearance &&
-              (!sees_obstacles() || obstacle_tests_[node.branch]->is_clear(
-                                        linkage->VA(), linkage->VB(), node.pole(),
-                                        static_cast<std::size_t>(&choice - branch.layers.data()))));
+              (!sees_obstacles() ||
+               obstacle_tests_[node.branch]->is_clear(
+                   linkage->VA(), linkage->VB(), node.pole(),
+                   static_cast<std::size_t>(&choice - branch.layers.data()), node.sight.hit)));
     };
     const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
     if (layers == branch.layers.end()) return;
-    design_ = RelaxedDesign{linkage->grounding(), linkage->assembly_mode(),
-                            linkage->VA(),        linkage->VB(),
-                            node.pole(),          layers->layers};
+    const RelaxedDesign design{linkage->grounding(), linkage->assembly_mode(),
+                               linkage->VA(),        linkage->VB(),
+                               node.pole(),          layers->layers};
+    if (trials_)
+      return try_out(node.branch, static_cast<std::size_t>(layers - branch.layers.begin()), design);
+    design_ = design;
     best_ = value;
+  }
+
+  /// Tries a design out in the search: what it leads to is known, and where it fails is looked at from now on.
+  void try_out(std::size_t branch, std::size_t layers, const RelaxedDesign& design) {
+    if (tried_out_ >= trials_->most) return;
+    ++tried_out_;
+    const Trial trial = trials_->run(design);
+    if (trial.best) best_ = std::min(best_, by_size_ ? *trial.best : -*trial.best);
+    if (sees_obstacles())
+      for (const Point& place : trial.in_the_way) obstacle_tests_[branch]->add_place(place, layers);
   }
 
   /// A box whose bound would not rise if the pole were known is split across its lengths first.
@@ -411,14 +440,17 @@ class Tree {
         linkage->grounding(), linkage->assembly_mode(), linkage->VA(), linkage->VB(), node.pole(), {}};
   }
 
-  ProvenBound verdict() {
+  ProvenBound proven_so_far() const {
     ProvenBound result;
-    const bool exhausted = open_.empty();
-    const double bound = exhausted ? best_ : std::min(best_, open_.top().bound);
-    result.boxes = boxes_;
-    result.no_design = exhausted && !(best_ < infinity);
-    result.tight = exhausted || bound >= enough();
+    const double bound = open_.empty() ? best_ : std::min(best_, open_.top().bound);
+    result.no_design = open_.empty() && !(best_ < infinity);
+    result.tight = is_closed(options_.tolerance);
     if (!result.no_design) result.value = by_size_ ? bound : -bound;
+    return result;
+  }
+
+  ProvenBound verdict(ProvenBound result) {
+    result.boxes = boxes_;
     if (best_ < infinity) result.relaxation = by_size_ ? best_ : -best_;
     result.design = design_;
     std::set<std::size_t> promising;
@@ -435,6 +467,8 @@ class Tree {
 
   const Spec& spec_;
   const BoundOptions& options_;
+  const Trials* trials_;  // absent: designs of the relaxation are as good as any
+  int tried_out_ = 0;
   bool by_size_;
   RegionReach region_;
   std::optional<RegionReach> area_;
@@ -469,6 +503,13 @@ std::optional<ProvenBound> proven_bound(const Spec& spec, Objective objective, c
   if (origin.isZero(0)) return Tree(spec, objective, options).grow();
   const Spec here = shifted(spec, -origin);
   return back_to_the_table(Tree(here, objective, options).grow(), origin);
+}
+
+std::optional<ProvenBound> searched_by_tree(const Spec& spec, Objective objective,
+                                            const BoundOptions& options, const Trials& trials) {
+  if (objective != Objective::size && objective != Objective::transmission) return std::nullopt;
+  if (spec.region.empty()) return std::nullopt;
+  return Tree(spec, objective, options, &trials).grow();
 }
 
 std::vector<RelaxedDesign> starts_of(const ProvenBound& bound) {

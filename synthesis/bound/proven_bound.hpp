@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,33 @@
 #include "workspace/parts.hpp"
 
 namespace kempe {
+
+/// A design that keeps all limits looked at: a start for the search, and mostly its result.
+struct RelaxedDesign {
+  Grounding grounding = Grounding::pole;
+  int assembly_mode = 0;
+  double VA = 0, VB = 0;       ///< mm
+  Point pole = Point::Zero();  ///< mm
+  LayerAssignment layers;      ///< meaningless if contact was not looked at
+};
+
+/// What a search makes of a design of the tree.
+struct Trial {
+  std::optional<double>
+      best{};  ///< value of the best design that is certain by now: mm of size, rad of transmission
+  std::vector<Point>
+      in_the_way;  ///< places of the tracer where an obstacle was met, for this design's layers
+};
+
+/// The tree as a search. First it is a bound, but only what the trials made certain counts as known; then it goes on with the
+/// obstacles where and as far away as the search keeps them, until it closes on the search's own optimum.
+struct Trials {
+  std::function<Trial(const RelaxedDesign&)> run;
+  int most = 0;                 ///< trials
+  std::vector<Point> places{};  ///< of the tracer: where the search looks at obstacles
+  double margin = 0;            ///< mm that it keeps away from them beyond the clearance
+  double tolerance = 0;         ///< share of the best value known: nothing better by more is to be left
+};
 
 struct BoundOptions {
   /// Value of a design already found (mm of size, rad of transmission): the bound need not rise above it.
@@ -36,15 +64,6 @@ struct BoundOptions {
   StopFlag stop{};
 };
 
-/// A design that keeps all limits looked at: a start for the search, and mostly its result.
-struct RelaxedDesign {
-  Grounding grounding = Grounding::pole;
-  int assembly_mode = 0;
-  double VA = 0, VB = 0;       ///< mm
-  Point pole = Point::Zero();  ///< mm
-  LayerAssignment layers;      ///< meaningless if contact was not looked at
-};
-
 struct ProvenBound {
   /// No design of the spec has a smaller size (mm), or a larger transmission angle (rad). Meaningless if
   /// no_design.
@@ -54,6 +73,8 @@ struct ProvenBound {
   /// The tolerance was reached; else the boxes ran out first, and the bound is valid but may be looser than
   /// need be.
   bool tight = false;
+  /// Of a search: so was that of the trials.
+  bool exhausted = false;
   /// Best value of the relaxation that was met (incumbent included): a better bound than this cannot be had
   /// by it. Absent if none was met.
   std::optional<double> relaxation;
@@ -80,5 +101,9 @@ std::optional<ProvenBound> proven_bound(const Spec& spec, const BoundOptions& op
 /// The same for an objective of the caller's choice.
 std::optional<ProvenBound> proven_bound(const Spec& spec, Objective objective,
                                         const BoundOptions& options = {});
+
+/// The same as a search, in the spec's own frame.
+std::optional<ProvenBound> searched_by_tree(const Spec& spec, Objective objective,
+                                            const BoundOptions& options, const Trials& trials);
 
 }  // namespace kempe

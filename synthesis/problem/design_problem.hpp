@@ -129,6 +129,8 @@ class DesignProblem {
   void set_room(const Point& pole);
   /// One more place of the tracer at which obstacles are looked at.
   void add_place(const Point& tracer) { places_.push_back(tracer); }
+  /// All of them: those of the space, then those added.
+  const std::vector<Point>& places() const { return places_; }
   /// A limit that a finished design misses by `shortfall` (mm or rad) is demanded so much more strictly: rows and samples
   /// look at single openings, the check of the finished design at all. False if that limit cannot be demanded more strictly.
   bool tighten(Goal limit, double shortfall);

@@ -1,3 +1,4 @@
+// tree                  among obstacles: the bound's tree as the search (tree_search.hpp); where it leaves nothing, that is all
 // prove                 the bound's tree: it proves that there is no design, or gives places to start from
 // relax                 every choice without contact: an order, and what to prune by
 // for group in order    of fixed size, so that threads change nothing
@@ -18,6 +19,7 @@
 #include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/strategies/stock_lengths.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
+#include "synthesis/search/tree_search.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
@@ -72,11 +74,8 @@ std::optional<double> bound_of(Goal goal, const FirstLook& look, const std::opti
   return bound;
 }
 
-}  // namespace
-
-SearchResult best_design(const SearchTask& asked) {
-  const SearchTask task = posed_for_its_limits(asked);
-  const FirstLook look = first_look(task);
+/// After a first look, which may be empty.
+SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
   SearchResult found = best_of_any_lengths(task, starts_of(proof));
@@ -85,6 +84,29 @@ SearchResult best_design(const SearchTask& asked) {
   found.stopped = found.stopped || stopped;
   if (found.stopped) keep_better(task.goal, look.design, found.design);
   found.bound = bound_of(task.goal, look, proof);
+  if (found.design) {
+    found.design->evaluations = found.evaluations;
+    found.design->complete = !found.stopped;
+  }
+  return found;
+}
+
+}  // namespace
+
+SearchResult best_by_choices(const SearchTask& asked) {
+  const SearchTask task = posed_for_its_limits(asked);
+  return best_by_choices(task, first_look(task));
+}
+
+SearchResult best_design(const SearchTask& asked) {
+  const SearchTask task = posed_for_its_limits(asked);
+  const FirstLook look = first_look(task);
+  if (!suits_tree_search(task) || (look.proof && look.proof->no_design)) return best_by_choices(task, look);
+  const SearchResult by_tree = best_by_tree(task);
+  if (by_tree.exhausted || by_tree.proven_none) return by_tree;
+  SearchResult found = best_by_choices(task, look);
+  keep_better(task.goal, by_tree.design, found.design);
+  found.evaluations += by_tree.evaluations;
   if (found.design) {
     found.design->evaluations = found.evaluations;
     found.design->complete = !found.stopped;

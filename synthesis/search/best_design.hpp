@@ -11,4 +11,7 @@ namespace kempe {
 /// the spec's may be given too. The result does not depend on the number of threads.
 SearchResult best_design(const SearchTask& task);
 
+/// The same by the search of every choice alone, which depends on the random numbers.
+SearchResult best_by_choices(const SearchTask& task);
+
 }  // namespace kempe

@@ -41,7 +41,7 @@ SearchResult searched_again(const SearchTask& task, SearchResult found,
   const std::uint64_t seed = task.control.options().seed;
   for (int i = 1; i <= task.budgets().improve.searches && !task.stopped() && !is_enough(found); ++i) {
     const SearchResult again =
-        best_design(task.with(task.control.part_with_seed(seed + static_cast<std::uint64_t>(i))));
+        best_by_choices(task.with(task.control.part_with_seed(seed + static_cast<std::uint64_t>(i))));
     found.evaluations += again.evaluations;
     if (!again.design || (found.design && !is_better(task.goal, *again.design, *found.design))) continue;
     found.design = again.design;
@@ -52,6 +52,10 @@ SearchResult searched_again(const SearchTask& task, SearchResult found,
 }
 
 SearchResult improved(const SearchTask& task, SearchResult found) {
+  if (found.exhausted) {
+    found.design->proven_bound = found.bound;
+    return found;
+  }
   if (!has_exact_ratio(*found.design, task.spec())) return found;
   const auto bound =
       proven_bound(task.space().spec(), {.incumbent = found.design->value, .stop = task.stop()});

@@ -16,6 +16,12 @@ struct ProofBudget {
   std::size_t boxes = 20000;
 };
 
+/// Of the search by the bound's tree, among obstacles (tree_search.hpp).
+struct TreeBudget {
+  std::size_t boxes = 60000;  ///< before the choices are searched one by one
+  int trials = 40;            ///< of its designs in the local search
+};
+
 /// Of the pole alone, before the problem without contact is solved.
 struct PoleBudget {
   int evaluations = 240;  ///< poles that a global search looks at
@@ -140,6 +146,7 @@ struct SearchBudgets {
   /// number of threads.
   std::size_t group = 4;
   ProofBudget proof{};
+  TreeBudget tree{};
   PoleBudget pole{};
   ChoiceBudgets choice{};
   LocalBudget local{};

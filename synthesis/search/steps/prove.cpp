@@ -10,15 +10,6 @@ namespace {
 /// A little more than the least usable angle, so that a start keeps it after rounding.
 constexpr double usable_start = 1.001 * least_usable_angle;
 
-Spec with_limits(Spec moved, const Requirements& limits) {
-  moved.limits.transmission = limits.transmission;
-  moved.limits.clearance = limits.clearance;
-  moved.limits.sheets_gap = limits.sheets_gap;
-  moved.limits.copy_error = limits.copy_error;
-  moved.links.longest = limits.longest;
-  return moved;
-}
-
 /// The first design that local searches from what is known without contact lead to.
 std::optional<FoundDesign> first_design(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
   const StopFlag enough = task.control.after_share(task.budgets().time.first_design);
@@ -38,12 +29,23 @@ std::optional<FoundDesign> first_design(const SearchTask& task, const std::vecto
 
 }  // namespace
 
+Spec spec_for_tree(const SearchTask& task) {
+  Spec moved = task.space().spec();
+  const Requirements& limits = task.limits;
+  moved.limits.transmission = limits.transmission;
+  moved.limits.clearance = limits.clearance;
+  moved.limits.sheets_gap = limits.sheets_gap;
+  moved.limits.copy_error = limits.copy_error;
+  moved.links.longest = limits.longest;
+  return moved;
+}
+
 std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop) {
   const Requirements& limits = task.limits;
   if (task.goal == Goal::pole_margin || limits.pole_margin > 0) return std::nullopt;
   const Objective objective = task.goal == Goal::transmission ? Objective::transmission : Objective::size;
   const BoundOptions options{.boxes = task.budgets().proof.boxes, .shortest = limits.shortest, .stop = stop};
-  Spec moved = with_limits(task.space().spec(), limits);
+  Spec moved = spec_for_tree(task);
   auto bound = proven_bound(moved, objective, options);
   if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;
   // The bound holds without the least angle that designs keep; places to start from are those that keep it.

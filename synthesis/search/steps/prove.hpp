@@ -11,6 +11,9 @@ namespace kempe {
 /// Nothing where the pole may leave its area, which the tree does not know.
 std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop);
 
+/// The task's spec as the tree is asked: with the task's limits, and the obstacles in reach alone.
+Spec spec_for_tree(const SearchTask& task);
+
 /// What is found before the search itself, where it may run out of time.
 struct FirstLook {
   std::optional<ProvenBound> proof{};

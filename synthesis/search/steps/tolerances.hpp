@@ -32,6 +32,10 @@ inline constexpr double violated_row = 1e-11;
 
 /// Share of the cost: a choice that comes so near to its bound is searched no further.
 inline constexpr double at_bound = 1e-7;
+/// Share of the cost: the tree among obstacles is searched until no design can be better by more.
+inline constexpr double tree_search = 5e-7;
+/// Share of the bound: how near the same tree brings it to the best design.
+inline constexpr double tree_bound = 1e-4;
 /// Share of the cost: the second solver's result replaces the first's only if it is better by more; rounding must not make
 /// one solver's digits look better than the other's.
 inline constexpr double solver_gain = 1e-9;

@@ -52,8 +52,8 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
       const bounding::DesignBox box{{{t / grow, t * grow}, {w / grow, w * grow}},
                                     Point(dice.uniform(-20, 20), dice.uniform(-20, 20)),
                                     dice.uniform(0, 2)};
-      std::optional<bounding::Hit> hint;
-      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(2), hint, false);
+      bounding::Sight sight;
+      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(2), sight, false);
       if (left.has(0) && left.has(1)) continue;
       ++boxes_hit;
       for (int n = 0; n < 12; ++n) {

@@ -1,0 +1,89 @@
+#include "synthesis/search/tree_search.hpp"
+
+#include <cmath>
+
+#include "synthesis/search/steps/prove.hpp"
+#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/strategies/strategy.hpp"
+
+namespace kempe {
+namespace {
+
+class TreeSearch {
+ public:
+  explicit TreeSearch(const SearchTask& task) : task_(task), strategy_(strategy_for(task.goal)) {
+    for (Subproblem& sub : task.subproblems()) prospects_.push_back({std::move(sub)});
+  }
+
+  SearchResult run() {
+    const auto tree = searched_by_tree(spec_for_tree(task_),
+                                       task_.goal == Goal::size ? Objective::size : Objective::transmission,
+                                       {.tolerance = tolerance::tree_bound,
+                                        .boxes = task_.budgets().tree.boxes,
+                                        .shortest = task_.limits.shortest,
+                                        .stop = task_.stop()},
+                                       trials());
+    if (tree && tree->no_design) return {.proven_none = true, .evaluations = best_.evaluations};
+    strategy_.finish(task_, best_);
+    if (!best_.design) return {.stopped = task_.stopped(), .evaluations = best_.evaluations};
+    best_.design->evaluations = best_.evaluations;
+    best_.design->complete = !task_.stopped();
+    return {.design = best_.design,
+            .stopped = task_.stopped(),
+            .exhausted = tree && tree->exhausted && !task_.stopped(),
+            .bound = tree && tree->tight ? std::optional(holding(tree->value)) : std::nullopt,
+            .evaluations = best_.evaluations};
+  }
+
+ private:
+  /// The bound, where the last digits made a design a trifle better than the one it was proven with.
+  double holding(double bound) const {
+    const double value = best_.design->value;
+    return is_maximized(task_.goal) ? std::max(bound, value) : std::min(bound, value);
+  }
+
+  Trials trials() {
+    return {.run = [this](const RelaxedDesign& start) { return try_from(start); },
+            .most = task_.budgets().tree.trials,
+            .places = task_.space().tracer_places(),
+            .margin = tolerance::inward_obstacle * task_.space().layout().unit,
+            .tolerance = tolerance::tree_search};
+  }
+
+  Trial try_from(const RelaxedDesign& start) {
+    Trial trial;
+    for (Prospect& prospect : prospects_)
+      if (const Choice& choice = prospect.subproblem.choice->choice;
+          choice.grounding == start.grounding && choice.assembly_mode == start.assembly_mode &&
+          choice.layers == start.layers)
+        try_from(start, prospect, trial.in_the_way);
+    if (best_.result.feasible) trial.best = is_maximized(task_.goal) ? -best_.result.cost : best_.result.cost;
+    return trial;
+  }
+
+  void try_from(const RelaxedDesign& start, Prospect& prospect, std::vector<Point>& in_the_way) {
+    const DesignProblem& problem = *prospect.subproblem.problem;
+    const std::size_t known = problem.places().size();
+    const DesignPoint point{{std::log(start.VA), std::log(start.VB)}, start.pole};
+    strategy_.certify(task_, prospect, refine(problem, point, task_.budgets().local, task_.stop()), best_);
+    in_the_way.insert(in_the_way.end(), problem.places().begin() + static_cast<std::ptrdiff_t>(known),
+                      problem.places().end());
+  }
+
+  const SearchTask& task_;
+  const Strategy& strategy_;
+  std::vector<Prospect> prospects_;
+  Incumbent best_;
+};
+
+}  // namespace
+
+bool suits_tree_search(const SearchTask& task) {
+  const Requirements& limits = task.limits;
+  return !has_stock_lengths(task.spec()) && (task.goal == Goal::size || task.goal == Goal::transmission) &&
+         !task.space().obstacles().empty() && limits.pole_margin == 0 && !limits.size && !limits.footprint;
+}
+
+SearchResult best_by_tree(const SearchTask& task) { return TreeSearch(task).run(); }
+
+}  // namespace kempe

@@ -1,0 +1,79 @@
+// The tree as a search among obstacles, beside the search of every choice, which shares nothing with it but the local solver.
+#include "synthesis/search/tree_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "synthesis/search/best_design.hpp"
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/obstacle_check.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/search_specimens.hpp"
+
+namespace kempe {
+namespace {
+
+Spec spec_among_obstacles(test::SpecDice& dice, int i) {
+  Spec spec = dice.spec();
+  if (i % 3 != 0) spec.pole.place = Point::Zero();
+  if (i % 4 == 0) spec.objective.objective = Objective::transmission;
+  for (int n = 0; n < 1 + i % 3; ++n) spec.obstacles.push_back(dice.obstacle_beside(spec));
+  return spec;
+}
+
+void expect_sound(const SearchTask& task, const FoundDesign& design) {
+  const DesignCheck check = check_design(task.spec(), task.limits, design.linkage, design.layers);
+  EXPECT_TRUE(check.feasible);
+  EXPECT_TRUE(
+      check_obstacles(task.space().spec(), task.limits, design.linkage, design.layers, check.opening).clear);
+}
+
+TEST(TreeSearch, LeavesNothingBetterToTheSearchOfEveryChoice) {
+  test::SpecDice dice(2029);
+  int exhausted = 0;
+  for (int i = 0; i < test::samples(60); ++i) {
+    const Spec spec = spec_among_obstacles(dice, i);
+    const SearchTask task = pose(spec, SearchControl({}));
+    if (!suits_tree_search(task)) continue;
+    const SearchResult by_tree = best_by_tree(task);
+    if (by_tree.design) expect_sound(task, *by_tree.design);
+    if (!by_tree.exhausted) continue;
+    ++exhausted;
+    const SearchResult by_choices = best_by_choices(task);
+    if (!by_choices.design) continue;
+    const double tree = by_tree.design->value, choices = by_choices.design->value;
+    if (task.goal == Goal::size)
+      EXPECT_LT(tree, choices * (1 + 1e-6)) << "spec " << i;
+    else
+      EXPECT_GT(tree, choices * (1 - 1e-6)) << "spec " << i;
+  }
+  EXPECT_GT(exhausted, test::expected(15));
+}
+
+TEST(TreeSearch, TellsTheSameTwice) {
+  test::SpecDice dice(2030);
+  for (int i = 0; i < test::samples(10); ++i) {
+    const Spec spec = spec_among_obstacles(dice, i);
+    const SearchTask task = pose(spec, SearchControl({}));
+    if (!suits_tree_search(task)) continue;
+    const SearchResult one = best_by_tree(task), other = best_by_tree(task);
+    EXPECT_EQ(one.exhausted, other.exhausted);
+    ASSERT_EQ(one.design.has_value(), other.design.has_value());
+    if (!one.design) continue;
+    EXPECT_EQ(one.design->linkage, other.design->linkage);
+    EXPECT_EQ(one.design->layers, other.design->layers);
+  }
+}
+
+TEST(TreeSearch, IsForObstaclesAndGoalsThatTheTreeKnows) {
+  test::SpecDice dice(2031);
+  Spec spec = spec_among_obstacles(dice, 1);
+  spec.obstacles.clear();
+  EXPECT_FALSE(suits_tree_search(pose(spec, SearchControl({}))));
+  for (const Goal goal : {Goal::footprint, Goal::copy_error, Goal::clearance, Goal::sheets_gap}) {
+    const Spec crowded = spec_among_obstacles(dice, 1);
+    EXPECT_FALSE(suits_tree_search(pose(crowded, SearchControl({})).with(goal)));
+  }
+}
+
+}  // namespace
+}  // namespace kempe
