@@ -43,6 +43,7 @@ Json figures(const Design& design) {
             {"clearance_mm", design.quality.clearance_min},
             {"region_covered", design.map.coverage.covered},
             {"copy_error_max_mm", design.verification.copy_error_max}};
+  if (const auto& robust = design.quality.robust) line["robust_clearance_mm"] = robust->clearance;
   if (const auto& search = design.search) {  // as in design.json
     line["objective"] = std::string(name(search->objective));
     line["value"] = in_file_unit(search->objective, search->value);

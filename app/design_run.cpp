@@ -127,6 +127,28 @@ std::string region_line(const Design& design) {
              : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
 }
 
+/// What robustness keeps, and what it costs.
+std::string robust_line(const Design& design, int decimals) {
+  const auto& robust = design.quality.robust;
+  if (!robust) return "";
+  if (!robust->holds)
+    return fmt::format(
+        "robust       NO: not proven for every instrument within {:.4g} mm and {:.4g} mm of play\n",
+        design.tolerance->length, design.tolerance->play);
+  std::string text =
+      fmt::format("robust       every instrument within the tolerances keeps {:.{}f} mm of clearance",
+                  robust->clearance, decimals);
+  if (robust->nominal_value && design.search) {
+    const Objective objective = design.search->objective;
+    const double value = design.search->value, without = *robust->nominal_value;
+    text += fmt::format("; it costs {:.{}f} {}, {:.1f} %",
+                        std::abs(in_file_unit(objective, value) - in_file_unit(objective, without)), decimals,
+                        objective == Objective::transmission ? "degrees" : unit_of(objective),
+                        100 * std::abs(value - without) / std::abs(without));
+  }
+  return text + "\n";
+}
+
 /// What to put on the tracer, or how to draw the template, so that the cut is right.
 std::string tool_line(const std::optional<ToolAdvice>& tool) {
   if (!tool) return "";
@@ -181,6 +203,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   if (q.copy_error_worst)
     text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n",
                         *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+  text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);
   text += tool_line(design.tool);

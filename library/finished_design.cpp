@@ -26,6 +26,11 @@ double FinishedDesign::transmission_min() const { return inside_->quality.transm
 double FinishedDesign::footprint() const { return inside_->quality.footprint; }
 std::optional<double> FinishedDesign::copy_error() const { return inside_->quality.copy_error_worst; }
 
+std::optional<double> FinishedDesign::robust_clearance() const {
+  const auto& robust = inside_->quality.robust;
+  return robust && std::isfinite(robust->clearance) ? std::optional(robust->clearance) : std::nullopt;
+}
+
 std::optional<double> FinishedDesign::clearance_min() const {
   const double gap = inside_->quality.clearance_min;
   return std::isfinite(gap) ? std::optional(gap) : std::nullopt;

@@ -168,6 +168,7 @@ std::optional<Tolerance> read_tolerance(const TableView& table) {
   Tolerance tolerance;
   table.set("length_mm", tolerance.length);
   table.set("play_mm", tolerance.play);
+  table.set("robust", tolerance.robust);
   return tolerance;
 }
 

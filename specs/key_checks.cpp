@@ -106,6 +106,7 @@ class ValueCheck {
     switch (rule_.kind) {
       case KeyKind::number: return check_number(value);
       case KeyKind::whole_number: return check_whole_number(value);
+      case KeyKind::truth: return require(value.is_boolean(), value);
       case KeyKind::choice: return check_choice(value);
       case KeyKind::choices: return check_choices(value);
       case KeyKind::text: return require(!value.value_or(std::string()).empty(), value);

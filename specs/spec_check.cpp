@@ -138,7 +138,9 @@ toml::table mechanism_table(const MechanismSpec& mechanism) {
 }
 
 toml::table tolerance_table(const Tolerance& tolerance) {
-  return toml::table{{"length_mm", tolerance.length}, {"play_mm", tolerance.play}};
+  toml::table table{{"length_mm", tolerance.length}, {"play_mm", tolerance.play}};
+  put(table, "robust", tolerance.robust, Tolerance{}.robust);
+  return table;
 }
 
 toml::table cutting_table(const CuttingSpec& cutting) {

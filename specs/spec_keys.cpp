@@ -91,6 +91,8 @@ constexpr SpecKey keys[] = {
     {"tolerance", "length_mm", number, from(0, 10), "", optional, "0", "0.05",
      "tolerance of every length, plus or minus"},
     {"tolerance", "play_mm", number, from(0, 10), "", optional, "0", "0.02", "play of every pin"},
+    {"tolerance", "robust", truth, any, "", optional, "false", "true",
+     "every instrument within the tolerances must cover the region and keep the clearance"},
 
     {"tool", "follower_radius_mm", number, from(0, 1000), "", optional, "", "3",
      "radius of the follower at the tracer"},
@@ -191,6 +193,7 @@ std::string describe_allowed(const SpecKey& key) {
   switch (key.kind) {
     case number: return fmt::format("a number {}{}{}", range, unit, remark_on(key));
     case whole_number: return fmt::format("a whole number {}", range);
+    case truth: return "true or false";
     case choice: return "one of " + words;
     case choices: return fmt::format("a list of one or more of {}, each once", words);
     case text: return "text between quotation marks";

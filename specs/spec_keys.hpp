@@ -14,6 +14,7 @@ namespace kempe {
 enum class KeyKind {
   number,        ///< a finite number within the range
   whole_number,  ///< an integer within the range
+  truth,         ///< true or false
   choice,        ///< one of the words
   choices,       ///< a list of different words
   text,          ///< any text, not empty

@@ -39,6 +39,14 @@ void check_tolerance(const Spec& spec, const toml::table& root, Complaints& comp
   }
 }
 
+void check_robust(const Spec& spec, const toml::table& root, Complaints& complaints) {
+  if (!spec.tolerance || !spec.tolerance->robust || !complaints.none_about("tolerance")) return;
+  if (spec.tolerance->length > 0 || spec.tolerance->play > 0) return;
+  const TableView table = table_in(root, "tolerance");
+  complaints.add(table.line_of_key("robust"), table.dotted("robust"), "true with all tolerances 0",
+                 "length_mm or play_mm above 0 beside it");
+}
+
 void require_tables(const toml::table& root, Complaints& complaints) {
   if (!root.contains("copy") && !is_meant(root, "copy")) {
     complaints.add(0, "copy", "nothing", "a table [copy] with scale and rotation_deg, or pairs_mm");
@@ -68,6 +76,7 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
     spec.mechanism = read_mechanism(table("mechanism"), spec.copy, spec.links.layers, complaints);
   spec.cutting = read_cutting(table("cutting"));
   check_tolerance(spec, root, complaints);
+  check_robust(spec, root, complaints);
   if (complaints.none_about("pole"))
     spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
   if (sound("obstacles")) spec.obstacles = read_obstacles(*root.get_as<toml::array>("obstacles"), complaints);

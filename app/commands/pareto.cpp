@@ -105,6 +105,9 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if ((*first == Objective::copy_error || *second == Objective::copy_error) && !loaded->spec.tolerance)
     return fail(session, {loaded->file, 0, "tolerance", "no such table",
                           "[tolerance] with length_mm and play_mm, for copy_error"});
+  if (loaded->spec.tolerance && loaded->spec.tolerance->robust)
+    return fail(session, {loaded->file, 0, "tolerance.robust", "true",
+                          "false: fronts are of the instruments as drawn"});
   const Stopping stopping(arguments.time_limit);
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {

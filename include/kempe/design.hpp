@@ -39,6 +39,9 @@ class FinishedDesign {
   double footprint() const;  ///< mm^2, outer bound of the area swept while the tracer covers the region
   /// mm, worst case over the region under Spec::tolerance; absent without it.
   std::optional<double> copy_error() const;
+  /// mm, no instrument within Spec::tolerance has a smaller gap between its parts while its tracer covers the region: proven.
+  /// Absent unless Tolerance::robust asks for it, and where some instrument is not proven to close.
+  std::optional<double> robust_clearance() const;
 
   Objective objective() const;  ///< what was made small or large; size for a given mechanism
   /// The objective's value: mm, rad (transmission) or mm^2 (footprint); absent for a given mechanism.

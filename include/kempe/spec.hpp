@@ -36,6 +36,8 @@ struct Limits {
 struct Tolerance {
   double length = 0;  ///< mm, of each length
   double play = 0;    ///< mm, of each pin
+  /// Every instrument within these tolerances must cover the region on its assembly mode and keep the clearance.
+  bool robust = false;
 };
 
 /// Follower on the tracer, cutter on the pen: radii, mm.
@@ -90,7 +92,7 @@ struct Spec {
   PoleSpec pole;                       ///< the origin unless given
   LinkSpec links;                      ///< what to build of
   Limits limits;                       ///< what to keep
-  std::optional<Tolerance> tolerance;  ///< needed where the copy error is asked for
+  std::optional<Tolerance> tolerance;  ///< needed where the copy error, or robust designs, are asked for
   ToolSpec tool;                       ///< for advice on the template
   std::vector<Obstacle> obstacles;     ///< what is in the way
   ObjectiveSpec objective;             ///< what is sought

@@ -9,6 +9,7 @@
 #include "reports/audit/record.hpp"
 #include "reports/audit/tolerances.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
+#include "synthesis/tolerance/robust.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/contact/contact_scene.hpp"
 #include "workspace/contact/self_contact.hpp"
@@ -196,6 +197,36 @@ void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) 
                                error->worst, limit)});
 }
 
+/// True if the file says that every instrument within its tolerances is a design: that of a search must.
+bool claims_to_be_robust(const StoredDesign& design) {
+  const auto& stated = design.quality.robust;
+  return design.allowed || design.objective || !stated || stated->holds;
+}
+
+void check_robust_claim(const AuditTask& task, AuditRecord& record) {
+  const StoredDesign& design = task.design;
+  if (!design.tolerance || !design.tolerance->robust) {
+    if (design.quality.robust) record.not_checked("quality.robust", "tolerance.robust does not ask for it");
+    return;
+  }
+  if (design.region.empty()) return record.not_checked("tolerance.robust", "the file has no region");
+  record.checked("tolerance.robust");
+  const RobustCheck found = check_robust(task.map_task, CopyTolerance::uniform(*design.tolerance));
+  const bool holds = task.map.coverage.covered && found.keeps(task.map_task.clearance - task.slack);
+  if (!holds && claims_to_be_robust(design))
+    record.broken({.limit = "tolerance.robust",
+                   .attained = found.closes ? std::optional(found.clearance) : std::nullopt,
+                   .allowed = task.map_task.clearance,
+                   .sentence = robust_fault(found, task.map_task.clearance)});
+  const auto& stated = design.quality.robust;
+  if (!stated || !found.closes) return;
+  const double rounding =
+      found.sharpness + task.slack + (task.map_task.obstacles.empty() ? 0 : 2 * certain_gap);
+  record.figure("quality.robust.clearance_min_mm", stated->clearance, found.clearance, rounding);
+  record.figure("quality.robust.clearance_loss_mm", stated->clearance_loss,
+                task.map.clearance_min - found.clearance, rounding);
+}
+
 /// The file of a given mechanism may say that the region is not covered; that of a search, which names what was sought or
 /// allowed, may not.
 bool claims_to_cover(const StoredDesign& design) {
@@ -213,6 +244,7 @@ void pass_over_region(const AuditTask& task, AuditRecord& record) {
   record.not_checked("limits.transmission_deg", why);
   if (limits->sheets_gap) record.not_checked("limits.sheets_gap_mm", why);
   if (limits->copy_error) record.not_checked("limits.copy_error_mm", why);
+  if (task.design.tolerance && task.design.tolerance->robust) record.not_checked("tolerance.robust", why);
   check_opening(task, record);
 }
 
@@ -222,6 +254,7 @@ void audit_limits(const AuditTask& task, AuditRecord& record) {
   if (!claims_to_cover(task.design)) return pass_over_region(task, record);
   check_coverage(task, record);
   check_clearance_limit(task, record);
+  check_robust_claim(task, record);
   if (std::find(task.design.tables.begin(), task.design.tables.end(), "obstacles") ==
       task.design.tables.end())
     record.not_checked("obstacles", "the file does not say whether there are any");

@@ -73,14 +73,20 @@ Json objective_figure(const std::optional<double>& value, const std::optional<Se
 Json quality_json(const Design& design) {
   const Quality& quality = design.quality;
   const Json swept = design.region.empty() ? Json(nullptr) : finite_or_null(quality.footprint);
-  return {{"size_mm", finite_or_null(quality.size)},
-          {"transmission_min_deg", finite_or_null(degrees(quality.transmission_min))},
-          {"clearance_min_mm", finite_or_null(quality.clearance_min)},
-          {"copy_error_worst_mm", finite_or_null(quality.copy_error_worst)},
-          {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
-          {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
-          {"footprint_mm2", swept},
-          {"lower_bound", objective_figure(quality.proven_bound, design.search)}};
+  Json json{{"size_mm", finite_or_null(quality.size)},
+            {"transmission_min_deg", finite_or_null(degrees(quality.transmission_min))},
+            {"clearance_min_mm", finite_or_null(quality.clearance_min)},
+            {"copy_error_worst_mm", finite_or_null(quality.copy_error_worst)},
+            {"copy_error_rss_mm", finite_or_null(quality.copy_error_rss)},
+            {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
+            {"footprint_mm2", swept},
+            {"lower_bound", objective_figure(quality.proven_bound, design.search)}};
+  if (quality.robust)
+    json["robust"] = {{"holds", quality.robust->holds},
+                      {"clearance_min_mm", finite_or_null(quality.robust->clearance)},
+                      {"clearance_loss_mm", finite_or_null(quality.robust->clearance_loss)},
+                      {"nominal_value", objective_figure(quality.robust->nominal_value, design.search)}};
+  return json;
 }
 
 Json sheet_json(const FittingSheet& sheet) {

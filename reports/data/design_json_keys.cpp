@@ -27,7 +27,9 @@ void note_keys(const JsonField& root, StoredDesign& design) {
   for (const JsonField& link : root["mechanism"]["links"].elements(0, most))
     look(link, {"name", "joints", "shape", "layer"});
   look_in("quality", {"size_mm", "transmission_min_deg", "clearance_min_mm", "copy_error_worst_mm",
-                      "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2", "lower_bound"});
+                      "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2", "lower_bound", "robust"});
+  if (const auto robust = root["quality"].find("robust"))
+    look(*robust, {"holds", "clearance_min_mm", "clearance_loss_mm", "nominal_value"});
   look_in("workspace",
           {"reachable_mm2", "usable_mm2", "collision_free_mm2", "uncertain_mm2", "region_covered",
            "why_not_covered", "largest_sheet", "sheets", "tightest_parts", "map_tolerance"});
@@ -35,7 +37,7 @@ void note_keys(const JsonField& root, StoredDesign& design) {
                            "flips", "certified", "failure", "driven_over"});
   look_in("search", {"objective", "value", "solvers", "evaluations", "seed", "complete"});
   look_in("limits", {"clearance_mm", "transmission_deg", "sheets_gap_mm", "copy_error_mm"});
-  look_in("tolerance", {"length_mm", "play_mm"});
+  look_in("tolerance", {"length_mm", "play_mm", "robust"});
   if (const auto obstacles = root.find("obstacles"))
     for (const JsonField& one : obstacles->elements(0, most)) look(one, {"name", "shape", "layers"});
   look_in("tool", {"follower_radius_mm", "cutter_radius_mm", "exact_follower_radius_mm",

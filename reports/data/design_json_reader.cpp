@@ -167,6 +167,13 @@ void read_copy(const JsonField& field, StoredDesign& design) {
                  field["ratio_error"].number(0, largest_coordinate)};
 }
 
+Robustness robustness(const JsonField& field) {
+  return {.holds = field["holds"].boolean(),
+          .clearance = field["clearance_min_mm"].number_or_null().value_or(-HUGE_VAL),
+          .clearance_loss = field["clearance_loss_mm"].number_or_null().value_or(HUGE_VAL),
+          .nominal_value = field["nominal_value"].number_or_null()};
+}
+
 Quality quality(const JsonField& field) {
   Quality result;
   result.size = field["size_mm"].number();
@@ -177,6 +184,7 @@ Quality quality(const JsonField& field) {
   result.distortion_worst = field["distortion_worst_mm"].number_or_null();
   result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
   result.proven_bound = field["lower_bound"].number_or_null();
+  if (const auto one = field.find("robust")) result.robust = robustness(*one);
   return result;
 }
 
@@ -232,8 +240,10 @@ Limits limits(const JsonField& field) {
 }
 
 Tolerance tolerance(const JsonField& field) {
+  const auto robust = field.find("robust");
   return {.length = field["length_mm"].number(0, largest_coordinate),
-          .play = field["play_mm"].number(0, largest_coordinate)};
+          .play = field["play_mm"].number(0, largest_coordinate),
+          .robust = robust && robust->boolean()};
 }
 
 Obstacle obstacle(const JsonField& field) {

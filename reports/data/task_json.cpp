@@ -23,7 +23,9 @@ Json limits_json(const Limits& limits) {
 
 Json tolerance_json(const std::optional<Tolerance>& tolerance) {
   if (!tolerance) return nullptr;
-  return {{"length_mm", tolerance->length}, {"play_mm", tolerance->play}};
+  Json json{{"length_mm", tolerance->length}, {"play_mm", tolerance->play}};
+  if (tolerance->robust) json["robust"] = true;
+  return json;
 }
 
 Json obstacles_json(const std::vector<Obstacle>& obstacles) {

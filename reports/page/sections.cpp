@@ -129,6 +129,9 @@ std::string key_figures(const Design& design) {
     html += html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
                             design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
                                                      : "under the tolerances");
+  if (q.robust)
+    html += html_key_figure("Robust", q.robust->holds ? length_text(q.robust->clearance, 2) : "not proven",
+                            "clearance of every instrument");
   html += html_key_figure("Free workspace", area_text(area(design.map.collision_free)), "without contact");
   html += html_key_figure(
       "Opening", angle_text(design.opening.width(), 1),

@@ -68,6 +68,25 @@ std::string clearance_explanation(const Design& design) {
   return text + ".";
 }
 
+/// What robustness promises, and what it costs.
+std::string robust_explanation(const Design& design) {
+  const Robustness& robust = *design.quality.robust;
+  if (!robust.holds)
+    return "Not proven: some instrument within the tolerances may not cover the region, or have parts nearer "
+           "than required.";
+  std::string text =
+      "Proven: every instrument within the tolerances covers the region on its one assembly mode, and its "
+      "parts keep this.";
+  if (!robust.nominal_value || !design.search) return text;
+  const double value = design.search->value, without = *robust.nominal_value;
+  const bool angle = design.search->objective == Objective::transmission;
+  return text + fmt::format(" It costs {}, {}\u202f%: the best design found that need not be robust has {}.",
+                            angle ? angle_text(std::abs(value - without), 3)
+                                  : objective_value(design.search->objective, std::abs(value - without)),
+                            number_text(100 * std::abs(value - without) / std::abs(without), 1),
+                            objective_value(design.search->objective, without));
+}
+
 }  // namespace
 
 std::string quality(const Design& design, const ReportExtras& extras) {
@@ -98,6 +117,9 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.copy_error_rss)
     add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
         "The same with independent errors: root of the sum of squares.");
+  if (q.robust)
+    add("Robust clearance", std::isfinite(q.robust->clearance) ? length_text(q.robust->clearance, 3) : "none",
+        {"≥ " + length_text(design.limits.clearance), q.robust->holds}, robust_explanation(design));
   if (q.distortion_worst)
     add("Distortion, worst case", length_text(*q.distortion_worst, 4), {},
         "What remains of the error when a slightly different scale, rotation and origin are allowed: the "

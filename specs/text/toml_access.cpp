@@ -138,6 +138,10 @@ void TableView::set(std::string_view key, int& value) const {
   if (const toml::node* node = find(key)) value = static_cast<int>(node->value_or(std::int64_t{value}));
 }
 
+void TableView::set(std::string_view key, bool& value) const {
+  if (const toml::node* node = find(key)) value = node->value<bool>().value_or(value);
+}
+
 void TableView::set(std::string_view key, std::string& value) const {
   if (const toml::node* node = find(key)) value = node->value_or(value);
 }

@@ -50,6 +50,7 @@ class TableView {
   void set(std::string_view key, double& value) const;
   void set(std::string_view key, std::optional<double>& value) const;
   void set(std::string_view key, int& value) const;
+  void set(std::string_view key, bool& value) const;
   void set(std::string_view key, std::string& value) const;
   void set(std::string_view key, Point& value) const;
 

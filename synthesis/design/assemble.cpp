@@ -41,6 +41,15 @@ void measure_copy_error(Design& design) {
   design.quality.distortion_worst = error->distortion_worst;
 }
 
+void measure_robustness(Design& design) {
+  if (!design.tolerance || !design.tolerance->robust || design.region.empty()) return;
+  const RobustCheck check = check_robust(map_task(design), CopyTolerance::uniform(*design.tolerance));
+  design.quality.robust =
+      Robustness{.holds = design.map.coverage.covered && check.keeps(design.limits.clearance),
+                 .clearance = check.clearance,
+                 .clearance_loss = design.quality.clearance_min - check.clearance};
+}
+
 /// With workshop lengths k may be off: the design then states what it attains, and what was wanted beside it.
 void note_ratio(Design& design, const Copy& copy) {
   const double error = std::abs(design.linkage.k() - copy.k());
@@ -75,6 +84,7 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
   design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
   measure_copy_error(design);
+  measure_robustness(design);
   return design;
 }
 
@@ -153,6 +163,7 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
                                .complete = found.complete,
                                .obstacles_out_of_reach = names_out_of_reach(spec)};
   design.quality.proven_bound = found.proven_bound;
+  if (design.quality.robust) design.quality.robust->nominal_value = found.nominal_value;
   design.allowed = allowed_by(spec);
   return design;
 }
@@ -160,6 +171,9 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
                                                    const MapOptions& options, Detail detail) {
   Design design = assemble_design(spec, found, options, detail);
+  const auto& robust = design.quality.robust;
+  if (design.map.coverage.covered && robust && !robust->holds)
+    return tl::unexpected(std::string("the design found is not proven to be robust"));
   if (design.map.coverage.covered) return design;
   return tl::unexpected("the map does not certify the design found: " + design.map.coverage.why_not);
 }

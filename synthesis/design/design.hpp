@@ -8,6 +8,7 @@
 
 #include "kempe/verification.hpp"
 #include "synthesis/design/tool_advice.hpp"
+#include "synthesis/tolerance/robust.hpp"
 #include "workspace/map/workspace_map.hpp"
 
 namespace kempe {
@@ -22,6 +23,7 @@ struct Quality {
   double footprint = 0;  ///< mm^2, outer bound of the area swept while the tracer covers the region
   /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
   std::optional<double> proven_bound;
+  std::optional<Robustness> robust{};  ///< absent unless it was asked for
 };
 
 struct SearchRecord {

@@ -2,6 +2,7 @@
 // best design              prove, relax, group, search, certify (best_design.cpp)
 // search again             from other random numbers, before "no design" is said without a proof
 // improve                  while the gap to the proven bound is wide (improve.cpp)
+// robust                   where it is asked for: with limits raised until every instrument keeps them (robust_search.cpp)
 // the design, or why there is none (diagnosis.cpp), or that the time was over
 
 #include "synthesis/search/search.hpp"
@@ -11,6 +12,8 @@
 #include "synthesis/search/diagnosis.hpp"
 #include "synthesis/search/improve.hpp"
 #include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/robust_search.hpp"
+#include "synthesis/tolerance/robust.hpp"
 
 namespace kempe {
 namespace {
@@ -24,15 +27,26 @@ FoundDesign finished(const SearchTask& task, SearchResult found) {
   return *std::move(found.design);
 }
 
+/// The time that a robust design is to leave for its rounds.
+SearchTask nominal_task(const SearchTask& task) {
+  if (!asks_for_robust(task.spec()) || !task.control.has_time_limit()) return task;
+  return task.with(task.control.part_of_time(task.budgets().time.nominal));
+}
+
 /// `origin`: of the spec's coordinates, on the table.
 SearchOutcome synthesize_here(const Spec& spec, const Point& origin, const SearchOptions& options) {
-  const SearchTask task = pose(spec, SearchControl(options));
+  const SearchTask whole = pose(spec, SearchControl(options)), task = nominal_task(whole);
   SearchResult found = best_design(task);
   const std::optional<double> bound = has_stock_lengths(spec) ? std::nullopt : found.bound;
   if (!found.design && !found.proven_none) found = searched_again(task, std::move(found), has_design);
-  if (found.design) return finished(task, std::move(found));
+  if (found.design) {
+    FoundDesign nominal = finished(task, std::move(found));
+    if (!asks_for_robust(spec)) return nominal;
+    return make_robust(whole, nominal);
+  }
   if (found.stopped && !found.proven_none) return Stopped{found.evaluations, bound};
-  return diagnose(task, found, origin);
+  NoDesign none = diagnose(whole, found, origin);
+  return asks_for_robust(spec) ? told_without_robust(std::move(none)) : none;
 }
 
 SearchOutcome back_to_the_table(SearchOutcome outcome, const Point& origin) {

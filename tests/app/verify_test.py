@@ -170,6 +170,14 @@ def falsehoods(design):
             d["limits"]["copy_error_mm"] = 1e-9
         add("limits.copy_error_mm", tolerance)
 
+    add("tolerance.robust", lambda d: d.update(tolerance={"length_mm": 9, "play_mm": 0, "robust": True}))
+    if "robust" in quality:
+        add("tolerance.robust", lambda d: d["tolerance"].update(length_mm=1.5 * d["tolerance"]["length_mm"]))
+        add("quality.robust.clearance_min_mm", lambda d: d["quality"]["robust"].update(
+            clearance_min_mm=quality["robust"]["clearance_min_mm"] + 0.05))
+        add("quality.robust.clearance_loss_mm", lambda d: d["quality"]["robust"].update(
+            clearance_loss_mm=quality["robust"]["clearance_loss_mm"] + 0.05))
+
     if design["links"]:
         lengths = mechanism["lengths_mm"].values()
         add("links.shortest_mm", lambda d: d["links"].update(shortest_mm=1.02 * min(lengths)))

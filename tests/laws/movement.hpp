@@ -55,7 +55,8 @@ struct Movement {
     enlarge(moved.links);
     enlarge(moved.limits);
     if (moved.tolerance)
-      moved.tolerance = Tolerance{scale * moved.tolerance->length, scale * moved.tolerance->play};
+      moved.tolerance =
+          Tolerance{scale * moved.tolerance->length, scale * moved.tolerance->play, moved.tolerance->robust};
     if (moved.mechanism) {
       moved.mechanism->VA *= scale;
       moved.mechanism->VB *= scale;

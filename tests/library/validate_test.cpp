@@ -148,6 +148,10 @@ const std::vector<Fault> faults{
        s.objective.objective = Objective::copy_error;
        s.tolerance = Tolerance{};
      }},
+    {"RobustWithoutTolerances", "[tolerance]\nrobust = true\n",
+     [](Spec& s) {
+       s.tolerance = Tolerance{0, 0, true};
+     }},
     {"ToleranceNegative", "[tolerance]\nlength_mm = -0.05\n",
      [](Spec& s) {
        s.tolerance = Tolerance{-0.05, 0};

@@ -92,6 +92,7 @@ ordered_json value_schema(const SpecKey& key) {
   switch (key.kind) {
     case KeyKind::number: return number;
     case KeyKind::whole_number: return whole;
+    case KeyKind::truth: return {{"type", "boolean"}};
     case KeyKind::choice: return word;
     case KeyKind::choices: {
       ordered_json schema = list_schema(word, 1);

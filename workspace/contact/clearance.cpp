@@ -76,6 +76,24 @@ void improve(ClearanceFigure& best, double& named, const MapTask& task, const Co
   }
 }
 
+/// The figure, or what of the moving parts and obstacles comes nearer over the openings.
+ClearanceFigure with_obstacles(const MapTask& task, ClearanceFigure best, const OpeningInterval& openings,
+                               const StopFlag& stop) {
+  const ContactScene scene(task, best.gap);
+  if (scene.encounters.empty() || !(openings.width() > 0)) return best;
+  const EdgeTree region(task.region, task.linkage.pole());
+  Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
+                    {.contacts_stay_open = true, .region_only = true});
+  double named = best.gap;
+  while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
+    improve(best, named, task, scene, cells, stop);
+    cells.lower_clearance(best.gap - certain_to(task.linkage));
+    if (!cells.split(unless(stop))) break;
+  }
+  best.certified = cells.open().empty();
+  return best;
+}
+
 }  // namespace
 
 std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop) {
@@ -90,19 +108,15 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const Sto
     best.gap = post->gap;
     best.parts = post->post + " and " + obstacle_name(task.obstacles, post->obstacle);
   }
-  const ContactScene scene(task, best.gap);
-  if (scene.encounters.empty() || !(openings.width() > 0)) return best;
-  const EdgeTree region(task.region, task.linkage.pole());
-  Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
-                    {.contacts_stay_open = true, .region_only = true});
-  double named = best.gap;
-  while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
-    improve(best, named, task, scene, cells, stop);
-    cells.lower_clearance(best.gap - certain_to(task.linkage));
-    if (!cells.split(unless(stop))) break;
-  }
-  best.certified = cells.open().empty();
-  return best;
+  return with_obstacles(task, best, openings, stop);
+}
+
+ObstacleClearance obstacle_clearance(const MapTask& task, double within, const StopFlag& stop) {
+  const OpeningInterval openings = openings_met(task.linkage, task.region);
+  const ClearanceFigure figure =
+      with_obstacles(task, {within, "", task.linkage.pole(), true}, openings, stop);
+  return {figure, figure.certified ? figure.gap - certain_to(task.linkage)
+                                   : -std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace kempe

@@ -19,4 +19,12 @@ struct ClearanceFigure {
 /// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified.
 std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {});
 
+/// The same of obstacles and moving parts alone.
+struct ObstacleClearance {
+  ClearanceFigure figure;  ///< its gap is at most `within`
+  double proven = 0;       ///< mm: no gap is smaller; -infinity if the figure is not certified
+};
+/// Gaps above `within` (mm) are not looked for. The region must be reachable and not empty.
+ObstacleClearance obstacle_clearance(const MapTask& task, double within, const StopFlag& stop = {});
+
 }  // namespace kempe

@@ -8,6 +8,8 @@
 #include <array>
 #include <cstddef>
 
+#include "kempe/point.hpp"
+
 namespace kempe {
 
 /// Of the first proof, before the search.
@@ -133,12 +135,25 @@ struct DiagnosisBudget {
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };
 
+/// Of robust designs (robust_search.hpp).
+struct RobustBudget {
+  int rounds = 10;      ///< searches with raised limits, of one transmission limit
+  double waste = 0.04;  ///< share of what the clearance is raised by: so much more than needed will do
+  /// Factor of the transmission limit, and the least and largest limit, rad: until every instrument closes.
+  double more_transmission = 1.5, least_transmission = 3 * degree, most_transmission = 60 * degree;
+  /// rad: a design nearer to a dead or change point is compared with one that is not. Errors grow with 1 / sin of it.
+  double comfortable_transmission = 20 * degree;
+  int halvings = 4;  ///< of the tolerances, where no design is robust within them
+};
+
 /// Shares of a time limit.
 struct TimeShares {
   double proof = 0.2;         ///< when the first proof must end: then the search goes on without it
   double first_design = 0.6;  ///< when the search for a first design must
   /// Of what is left: the search with any lengths, where the workshop dictates them
   double any_lengths = 0.4;
+  double nominal =
+      0.4;  ///< of what is left: the design that need not be robust, where a robust one is asked for
 };
 
 struct SearchBudgets {
@@ -154,6 +169,7 @@ struct SearchBudgets {
   ImproveBudget improve{};
   StockBudget stock{};
   DiagnosisBudget diagnosis{};
+  RobustBudget robust{};
   TimeShares time{};
 };
 

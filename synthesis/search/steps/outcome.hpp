@@ -24,6 +24,8 @@ struct FoundDesign {
   std::uint64_t seed = 0;
   bool complete = true;                  ///< false: stopped early, a better one may exist
   std::optional<double> proven_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
+  /// Of a robust design: the goal's value of the best design found that need not be robust.
+  std::optional<double> nominal_value{};
 };
 
 /// One change that, alone, makes a design possible: of a limit's value, of another key, or an obstacle taken away.

@@ -28,6 +28,9 @@ inline constexpr double place_rounding = 1e-9;
 /// Unit (DesignLayout::unit): a row of the exchange method missed by no more is not violated; the local solvers leave so much.
 inline constexpr double violated_row = 1e-11;
 
+/// Share of the size: what a robust design keeps more than the clearance, so that it does in another frame and file too.
+inline constexpr double robust_rounding = 1e-9;
+
 // Which gain is worth more work
 
 /// Share of the cost: a choice that comes so near to its bound is searched no further.
