@@ -219,7 +219,9 @@ void check_robust_claim(const AuditTask& task, AuditRecord& record) {
                    .allowed = task.map_task.clearance,
                    .sentence = robust_fault(found, task.map_task.clearance)});
   const auto& stated = design.quality.robust;
-  if (!stated || !found.closes) return;
+  if (!stated) return;
+  record.checked("quality.robust");
+  if (!found.closes) return;
   const double rounding =
       found.sharpness + task.slack + (task.map_task.obstacles.empty() ? 0 : 2 * certain_gap);
   record.figure("quality.robust.clearance_min_mm", stated->clearance, found.clearance, rounding);
