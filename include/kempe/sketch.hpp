@@ -53,8 +53,8 @@ class Sketch {
 };
 
 /// The sketch of a spec from that of one that differs a little. Where nothing is found the next call goes on from the last design
-/// that was, and looks at one more choice of grounding, assembly mode and layers each time. Lengths of a grid or a stock are not
-/// sketched. Of the options only time limit and stop play a part. The same arguments give the same sketch, unless stopped.
+/// that was, and looks at one more choice of grounding, assembly mode and layers each time. Lengths of a grid or a stock, and
+/// robust designs, are not sketched. Of the options only time limit and stop play a part. The same arguments give the same sketch, unless stopped.
 Sketch sketch(const Spec& spec, const Sketch& previous, const Options& options = {});
 
 }  // namespace kempe

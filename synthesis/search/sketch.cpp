@@ -13,6 +13,11 @@
 namespace kempe {
 namespace {
 
+/// True of what a local solution cannot keep: lengths of the workshop, and limits for every instrument within the tolerances.
+bool only_searched(const Spec& spec) {
+  return has_stock_lengths(spec) || (spec.tolerance && spec.tolerance->robust);
+}
+
 DesignPoint point_of(const CopyingLinkage& linkage) {
   return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
 }
@@ -147,7 +152,7 @@ SketchedDesign sketch_of(const FoundDesign& design) {
 SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const SketchBudget& budget,
                         const StopFlag& stop) {
   SketchedDesign none{.last = previous.last, .others = previous.others, .count = previous.count + 1};
-  if (!previous.last || has_stock_lengths(spec)) return none;
+  if (!previous.last || only_searched(spec)) return none;
   if (plainly_impossible(spec)) {
     none.proven_none = true;
     return none;

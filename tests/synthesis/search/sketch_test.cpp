@@ -152,6 +152,13 @@ TEST(Sketch, LeavesLengthsOfTheWorkshopToTheSearch) {
   EXPECT_FALSE(sketched(spec, start).design);
 }
 
+TEST(Sketch, LeavesRobustDesignsToTheSearch) {
+  Spec spec = example("plagiograph");
+  const SketchedDesign start = sketch_of(*searched(spec));
+  spec.tolerance = Tolerance{.length = 0.05, .play = 0.05, .robust = true};
+  EXPECT_FALSE(sketched(spec, start).design);
+}
+
 TEST(Sketch, EndsWhenItIsTold) {
   const Spec spec = example("clamped-plate");
   const SketchedDesign start = sketch_of(*searched(spec));
