@@ -4,7 +4,8 @@ function(kempe_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRIVATE_USES;JOINED" ${ARGN})
   add_library(kempe_${name} STATIC ${ROOM_SOURCES})
   add_library(kempe::${name} ALIAS kempe_${name})
-  set_target_properties(kempe_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(kempe_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)  # a shared library shows what include/kempe marks
   target_compile_features(kempe_${name} PUBLIC cxx_std_20)
   target_include_directories(kempe_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES})

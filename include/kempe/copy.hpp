@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "kempe/export.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {
@@ -20,7 +21,7 @@ struct PairFit {
 ///
 /// Invariant: scale(), rotation() and k() are the same ratio; only the functions below make one. Nothing is refused here:
 /// validate() says what no linkage can copy by.
-class Copy {
+class KEMPE_EXPORT Copy {
  public:
   /// Scale 1 without rotation: a translation, which has no pole, until a ratio is given.
   Copy() = default;

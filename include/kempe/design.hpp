@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kempe/copy.hpp"
+#include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
 #include "kempe/map.hpp"
 #include "kempe/options.hpp"
@@ -22,7 +23,7 @@ namespace kempe {
 ///
 /// A value, cheap to copy, safe to read from several threads. Lengths mm, angles rad, places in the table's frame. It holds a
 /// `Design`, the library's own record from which the reports are written, and shows of it what a program needs.
-class FinishedDesign {
+class KEMPE_EXPORT FinishedDesign {
  public:
   Copy copy() const;            ///< the ratio attained; with workshop lengths it may differ from the spec's
   Grounding grounding() const;  ///< what stands at V
@@ -76,7 +77,7 @@ struct PossibleChange {
 };
 
 /// What comes of a spec: a design, or why there is none, or what is wrong with the spec.
-class Outcome {
+class KEMPE_EXPORT Outcome {
  public:
   /// What came of it.
   enum class Kind {
@@ -121,11 +122,11 @@ class Outcome {
 ///  1. a design keeps every limit of the spec, evaluated anew, its contact certified, and its map covers the region;
 ///  2. the same spec and seed give the same outcome, bit for bit, for any number of threads (unless stopped early);
 ///  3. nothing is shared between calls: they may run in several threads at once.
-Outcome design(const Spec& spec, const Options& options = {});
+KEMPE_EXPORT Outcome design(const Spec& spec, const Options& options = {});
 
 /// The map of the mechanism that Spec::mechanism gives, among the spec's obstacles. The limits are not required of it: the
 /// map says where they are kept. Of the options seed, threads, progress and diagnose play no part. Where the spec gives no
 /// mechanism, or an area for its pole, fault() says so.
-Outcome map(const Spec& spec, const Options& options = {});
+KEMPE_EXPORT Outcome map(const Spec& spec, const Options& options = {});
 
 }  // namespace kempe

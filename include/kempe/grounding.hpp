@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "kempe/export.hpp"
+
 namespace kempe {
 
 /// The six named points of the drawing.
@@ -18,6 +20,6 @@ enum class Grounding {
 inline constexpr std::array<Grounding, 3> all_groundings{Grounding::pole, Grounding::tracer, Grounding::pen};
 
 /// "pole", "tracer" or "pen".
-std::string_view name(Grounding grounding);
+KEMPE_EXPORT std::string_view name(Grounding grounding);
 
 }  // namespace kempe

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "kempe/export.hpp"
+
 namespace kempe {
 
 /// A fault of a file, or of a spec filled in a program (then without file and line); and whatever else is wrong there.
-struct InputError {
+struct KEMPE_EXPORT InputError {
   std::string file;     ///< as the user named it; empty if not from a file
   int line = 0;         ///< from 1; 0: no one line
   std::string key;      ///< dotted, as in a spec's file: "copy.scale"; empty: no one key

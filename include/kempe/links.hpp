@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "kempe/export.hpp"
+
 namespace kempe {
 
 enum class PlateStyle {
@@ -22,7 +24,7 @@ struct LinkStyle {
 };
 
 /// Lengths that the workshop dictates.
-struct WorkshopSpec {
+struct KEMPE_EXPORT WorkshopSpec {
   std::optional<double> grid;                   ///< mm: lengths are multiples of this
   std::vector<double> stock;                    ///< mm: lengths are from this list; empty: any
   std::array<std::optional<double>, 8> locked;  ///< mm, in the order of LinkLengths::names

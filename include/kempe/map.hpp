@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kempe/export.hpp"
 #include "kempe/pose.hpp"
 #include "kempe/region.hpp"
 
@@ -37,7 +38,7 @@ struct SheetThatFits {
 };
 
 /// The map of one linkage with its parts and surroundings. A value, cheap to copy; all places in the table's frame.
-class Map {
+class KEMPE_EXPORT Map {
  public:
   /// True if every point of the region is certainly in one component of the collision-free workspace. False without a
   /// region.

@@ -4,13 +4,14 @@
 #include <array>
 #include <string_view>
 
+#include "kempe/export.hpp"
 #include "kempe/grounding.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {
 
 /// Where the six points are (or: their velocities, their accelerations), table frame, mm (mm/s, mm/s^2).
-struct Pose {
+struct KEMPE_EXPORT Pose {
   Point V;  ///< vertex of the parallelogram
   Point A;  ///< of the parallelogram, on the plate A-C-X
   Point B;  ///< of the parallelogram, on the plate B-C-Y
@@ -46,7 +47,7 @@ enum class Unreachable {
   beyond_change_point  ///< the chain reaches it, but only with the parallelogram past its flat position
 };
 /// "beyond the outer reach" and so on, for a person.
-std::string_view name(Unreachable why);
+KEMPE_EXPORT std::string_view name(Unreachable why);
 
 /// A closed interval of the opening d = arg(B - V) - arg(A - V), rad, within [-pi, pi]; empty when lower > upper.
 struct OpeningInterval {

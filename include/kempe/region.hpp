@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kempe/export.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {
@@ -19,7 +20,7 @@ struct Polygon {
 };
 
 /// A set of polygons with disjoint interiors, mm. A value: what is wrong with it is said by validate().
-struct Region {
+struct KEMPE_EXPORT Region {
   std::vector<Polygon> polygons;  ///< in any order
 
   /// The upright rectangle with this lower left corner, width and height, mm.

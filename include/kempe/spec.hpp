@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kempe/copy.hpp"
+#include "kempe/export.hpp"
 #include "kempe/grounding.hpp"
 #include "kempe/links.hpp"
 #include "kempe/region.hpp"
@@ -57,9 +58,9 @@ struct Obstacle {
 /// What is made small or, of the transmission, large.
 enum class Objective { size, transmission, copy_error, footprint };
 /// "size", "transmission", "copy_error" or "footprint".
-std::string_view name(Objective objective);
+KEMPE_EXPORT std::string_view name(Objective objective);
 /// True for transmission only: larger is better.
-bool is_maximized(Objective objective);
+KEMPE_EXPORT bool is_maximized(Objective objective);
 
 /// What is sought, and among which groundings.
 struct ObjectiveSpec {

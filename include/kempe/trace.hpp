@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kempe/design.hpp"
+#include "kempe/export.hpp"
 
 namespace kempe {
 
@@ -29,6 +30,7 @@ struct CopiedDrawing {
 /// pose whose loops close, without contact with an obstacle; the similarity is never used to place the pen. Where the tracer
 /// cannot follow, the line is cut to 1e-9 mm of the last place that it reaches. Points that are not finite are refused: the
 /// drawing is then empty.
-CopiedDrawing trace(const FinishedDesign& design, const std::vector<Polyline>& lines, double step = 0.5);
+KEMPE_EXPORT CopiedDrawing trace(const FinishedDesign& design, const std::vector<Polyline>& lines,
+                                 double step = 0.5);
 
 }  // namespace kempe

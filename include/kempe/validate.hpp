@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
 #include "kempe/spec.hpp"
 
@@ -13,13 +14,13 @@ namespace kempe {
 
 /// What is wrong with a spec, or nothing. The checks are the file reader's own, so the same fault has the same words: key,
 /// what was found, what is allowed. Numbers are named in the file's units (mm, degrees).
-std::optional<InputError> validate(const Spec& spec);
+KEMPE_EXPORT std::optional<InputError> validate(const Spec& spec);
 
 /// The spec of a TOML file (docs/spec.md), checked; a drawing it names is looked for beside it. Or what is wrong, with the
 /// line.
-std::variant<Spec, InputError> load(const std::filesystem::path& file);
+KEMPE_EXPORT std::variant<Spec, InputError> load(const std::filesystem::path& file);
 
 /// The spec as a file would say it (TOML, docs/spec.md), without what is as it would be unsaid. load() reads it back.
-std::string toml_text(const Spec& spec);
+KEMPE_EXPORT std::string toml_text(const Spec& spec);
 
 }  // namespace kempe

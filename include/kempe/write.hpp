@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kempe/design.hpp"
+#include "kempe/export.hpp"
 
 namespace kempe {
 
@@ -23,7 +24,7 @@ struct Written {
 /// these names in it are replaced. Before anything is written the design is verified and its drawings are read again and
 /// compared with it; where either fails nothing is written, and `reason` says so. A bound comes with the log of its proof,
 /// certificate.jsonl, which proof/kempe_check.py checks without this library (docs/proof.md). `title` heads the report.
-Written write(const FinishedDesign& design, const std::filesystem::path& folder,
+KEMPE_EXPORT Written write(const FinishedDesign& design, const std::filesystem::path& folder,
               const std::string& title = "design");
 
 }  // namespace kempe
