@@ -1,3 +1,5 @@
+// Also toml_text() of kempe/validate.hpp.
+
 #include "specs/spec_check.hpp"
 
 #include <algorithm>
@@ -5,6 +7,7 @@
 #include <sstream>
 
 #include "geometry/stated_angle.hpp"
+#include "kempe/validate.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "kinematics/grounding.hpp"
 #include "specs/spec_table.hpp"

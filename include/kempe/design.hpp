@@ -77,7 +77,7 @@ struct PossibleChange {
 };
 
 /// What comes of a spec: a design, or why there is none, or what is wrong with the spec.
-class KEMPE_EXPORT Outcome {
+class Outcome {
  public:
   /// What came of it.
   enum class Kind {

@@ -10,9 +10,10 @@ declared = " ".join(path.read_text(encoding="utf-8") for path in headers.glob("*
 types = set(re.findall(r"(?:class|struct) KEMPE_EXPORT (\w+)", declared))
 functions = set(re.findall(r"^KEMPE_EXPORT [\w:<>, ]+? (\w+)\(", declared, re.MULTILINE))
 
-listing = subprocess.run(["nm", "--dynamic", "--defined-only", "--demangle", library], check=True, capture_output=True, text=True)
-shown = {line.split(" ", 2)[2] for line in listing.stdout.splitlines()}
-ours = {name for name in shown if re.match(r"(?:(?:vtable|typeinfo|typeinfo name|guard variable) for )?kempe::", name)}
+listing = subprocess.run(["nm", "--dynamic", "--defined-only", library], check=True, capture_output=True, text=True)
+mangled = [name for line in listing.stdout.splitlines() if re.match(r"_Z(?:TV|TI|TS|GV)?NK?5kempe", name := line.split(" ")[-1])]
+plain = subprocess.run(["c++filt"], input="\n".join(mangled), check=True, capture_output=True, text=True).stdout.splitlines()
+ours = {re.sub(r"^(?:vtable|typeinfo|typeinfo name|guard variable) for ", "", name) for name in plain}
 names = {(match[1], match[2]) for name in ours if (match := re.match(r"kempe::(\w+)(?:\[abi:\w+\])?(::|\(|$)", name))}
 
 faults = sorted(f"shown, but not marked: {name}" for name in ours
