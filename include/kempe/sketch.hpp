@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "kempe/design.hpp"
+#include "kempe/export.hpp"
 
 namespace kempe {
 
@@ -17,7 +18,7 @@ struct SketchedDesign;  // what is inside
 /// It keeps every limit, evaluated anew, its contact and its obstacles certified, as a design of design() does. What it lacks is
 /// the search: another design may be better, by proven_bound() at most. And it has no map, no verification and no files: where the
 /// hand rests, call design(). A value, cheap to copy. Lengths mm, angles rad, places in the table's frame.
-class Sketch {
+class KEMPE_EXPORT Sketch {
  public:
   /// Where a drag begins: the sketch that a searched design is.
   explicit Sketch(const FinishedDesign& design);
@@ -54,7 +55,8 @@ class Sketch {
 
 /// The sketch of a spec from that of one that differs a little. Where nothing is found the next call goes on from the last design
 /// that was, and looks at one more choice of grounding, assembly mode and layers each time. Lengths of a grid or a stock, and
-/// robust designs, are not sketched. Of the options only time limit and stop play a part. The same arguments give the same sketch, unless stopped.
-Sketch sketch(const Spec& spec, const Sketch& previous, const Options& options = {});
+/// robust designs, are not sketched. Of the options only time limit and stop play a part. The same arguments give the same
+/// sketch, unless stopped.
+KEMPE_EXPORT Sketch sketch(const Spec& spec, const Sketch& previous, const Options& options = {});
 
 }  // namespace kempe

@@ -25,6 +25,6 @@ struct Written {
 /// compared with it; where either fails nothing is written, and `reason` says so. A bound comes with the log of its proof,
 /// certificate.jsonl, which proof/kempe_check.py checks without this library (docs/proof.md). `title` heads the report.
 KEMPE_EXPORT Written write(const FinishedDesign& design, const std::filesystem::path& folder,
-              const std::string& title = "design");
+                           const std::string& title = "design");
 
 }  // namespace kempe
