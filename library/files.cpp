@@ -20,6 +20,8 @@ std::variant<Spec, InputError> load(const std::filesystem::path& file) {
   return std::move(*spec);
 }
 
+std::string toml_text(const Spec& spec) { return spec_as_toml(spec); }
+
 Written write(const FinishedDesign& design, const std::filesystem::path& folder, const std::string& title) {
   Design finished = Workings::inside(design);
   ReportExtras extras;

@@ -1,5 +1,3 @@
-// Also toml_text() of kempe/validate.hpp.
-
 #include "specs/spec_check.hpp"
 
 #include <algorithm>
@@ -7,7 +5,6 @@
 #include <sstream>
 
 #include "geometry/stated_angle.hpp"
-#include "kempe/validate.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "kinematics/grounding.hpp"
 #include "specs/spec_table.hpp"
@@ -204,7 +201,7 @@ tl::expected<Spec, InputError> check_spec(const Spec& spec) {
   return checked;
 }
 
-std::string toml_text(const Spec& spec) {
+std::string spec_as_toml(const Spec& spec) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << toml::toml_formatter(table_of(spec)) << "\n";

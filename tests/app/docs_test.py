@@ -108,7 +108,7 @@ def mentions(name, text):
 def stands_in(name, text):
     """A type must be defined there, not only used."""
     outer = name.split("::")[0]
-    is_defined = re.search(rf"\b(?:struct|class|using)\s+{re.escape(outer)}\b(?!;)", text)
+    is_defined = re.search(rf"\b(?:struct|class|using)\s+(?:KEMPE_EXPORT\s+)?{re.escape(outer)}\b(?!;)", text)
     return mentions(name, text) and (is_defined is not None or not re.match("[A-Z][a-z]", outer))
 
 
