@@ -384,7 +384,8 @@ RobustCheck check_robust(const MapTask& task, const CopyTolerance& tolerance) {
   check.obstacle_shift =
       farthest < infinity ? shift_of(pieces_near_obstacles(task, own + farthest)) : farthest;
   const ObstacleClearance obstacles = obstacle_clearance(task, own + check.obstacle_shift);
-  if (obstacles.proven - check.obstacle_shift >= own) return check;
+  const bool are_farther = obstacles.figure.certified && obstacles.figure.parts.empty();
+  if (are_farther || obstacles.proven - check.obstacle_shift >= own) return check;
   check.clearance = obstacles.proven - check.obstacle_shift;
   check.parts = obstacles.figure.parts;
   check.at_distance = (obstacles.figure.at - task.linkage.pole()).norm();

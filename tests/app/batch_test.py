@@ -137,12 +137,14 @@ class Kills(Case):
         for seed in range(4):
             chance = random.Random(seed)
             source, out = self.source(chance), self.scratch / f"out-{seed}"
+            started = time.monotonic()
             whole = self.run_batch(source, self.scratch / f"whole-{seed}", "-j", 2)
             count, began = len(whole["results.jsonl"].splitlines()), time.monotonic()
+            longest = (began - started) / 5  # so that it takes some ten kills on any machine
             while not (out / "results.jsonl").exists():
                 self.assertLess(time.monotonic() - began, 300)
                 process = subprocess.Popen(self.command(source, out, "-j", chance.choice([1, 2, 3])), stdout=subprocess.DEVNULL)
-                time.sleep(chance.uniform(0, 0.4))
+                time.sleep(chance.uniform(0, longest))
                 before = self.journal_keys(out)
                 process.send_signal(signal.SIGKILL)
                 kills += process.wait() == -signal.SIGKILL
@@ -153,7 +155,7 @@ class Kills(Case):
                              {name: whole[name] for name in RESULTS if (out / name).exists()})
             self.assertEqual(self.run_batch(source, out), whole)
             self.assertEqual(len(self.journal_keys(out)), count)
-        self.assertGreater(kills, 20)
+        self.assertGreaterEqual(kills, 12)
 
     def test_only_what_was_edited_is_done_again(self):
         specs = [with_value(SPEC, "copy.scale", 1.2 + 0.1 * i) for i in range(5)]

@@ -21,8 +21,8 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const Sto
 
 /// The same of obstacles and moving parts alone.
 struct ObstacleClearance {
-  ClearanceFigure figure;  ///< its gap is at most `within`
-  double proven = 0;       ///< mm: no gap is smaller; -infinity if the figure is not certified
+  ClearanceFigure figure;  ///< without parts where none come nearer than `within`
+  double proven = 0;  ///< mm: no gap is smaller, `within` at most; -infinity if the figure is not certified
 };
 /// Gaps above `within` (mm) are not looked for. The region must be reachable and not empty.
 ObstacleClearance obstacle_clearance(const MapTask& task, double within, const StopFlag& stop = {});
