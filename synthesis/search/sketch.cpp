@@ -9,14 +9,13 @@
 #include "synthesis/search/steps/certify.hpp"
 #include "synthesis/search/steps/search_result.hpp"
 #include "synthesis/search/steps/search_task.hpp"
+#include "synthesis/tolerance/robust.hpp"
 
 namespace kempe {
 namespace {
 
 /// True of what a local solution cannot keep: lengths of the workshop, and limits for every instrument within the tolerances.
-bool only_searched(const Spec& spec) {
-  return has_stock_lengths(spec) || (spec.tolerance && spec.tolerance->robust);
-}
+bool only_searched(const Spec& spec) { return has_stock_lengths(spec) || asks_for_robust(spec); }
 
 DesignPoint point_of(const CopyingLinkage& linkage) {
   return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
