@@ -113,11 +113,11 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const Sto
 
 ObstacleClearance obstacle_clearance(const MapTask& task, double within, const StopFlag& stop) {
   const OpeningInterval openings = openings_met(task.linkage, task.region);
-  const double certain = certain_to(task.linkage);
+  const double sure = certain_to(task.linkage);
   const ClearanceFigure figure =
-      with_obstacles(task, {within + certain, "", task.linkage.pole(), true}, openings, stop);
+      with_obstacles(task, {within + sure, "", task.linkage.pole(), true}, openings, stop);
   if (!figure.certified) return {figure, -std::numeric_limits<double>::infinity()};
-  return {figure, figure.parts.empty() ? within : figure.gap - certain};
+  return {figure, figure.parts.empty() ? within : figure.gap - sure};
 }
 
 }  // namespace kempe
