@@ -102,7 +102,7 @@ SearchResult best_design(const SearchTask& asked) {
   const SearchTask task = posed_for_its_limits(asked);
   const FirstLook look = first_look(task);
   if (!suits_tree_search(task) || (look.proof && look.proof->no_design)) return best_by_choices(task, look);
-  const SearchResult by_tree = best_by_tree(task);
+  SearchResult by_tree = best_by_tree(task);
   if (by_tree.exhausted || by_tree.proven_none) return by_tree;
   SearchResult found = best_by_choices(task, look);
   keep_better(task.goal, by_tree.design, found.design);
