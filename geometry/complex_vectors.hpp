@@ -1,5 +1,7 @@
 #pragma once
-// Products of plane vectors written as complex numbers.
+// Products of plane vectors written as complex numbers, and segment_distance.hpp's nearest place in the same numbers.
+
+#include <algorithm>
 
 #include "geometry/point.hpp"
 
@@ -8,5 +10,12 @@ namespace kempe {
 /// Re(conj(a) b) and Im(conj(a) b).
 inline double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
 inline double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
+
+/// The place nearest to `point` on the segment from a to b, as a share of the way.
+inline double nearest_share(Complex point, Complex a, Complex b) {
+  const Complex along = b - a;
+  const double squared = std::norm(along);
+  return squared > 0 ? std::clamp(dot(along, point - a) / squared, 0.0, 1.0) : 0;
+}
 
 }  // namespace kempe

@@ -1,5 +1,6 @@
 #include "geometry/convex_distance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kempe {
@@ -71,6 +72,21 @@ NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second) {
   approach(second, first, true, best);
   best.distance = std::sqrt(best.distance);
   return best;
+}
+
+double distance_from(Complex point, ConvexCorners set) {
+  const double outward = free_side(set);
+  double least_squared = std::norm(point - set[0]), highest = -infinity;
+  for (std::size_t i = 0; i < edge_count(set); ++i) {
+    const Complex edge = next(set, i) - set[i], to_point = point - set[i];
+    const double length_squared = std::norm(edge);
+    if (!(length_squared > 0)) continue;
+    const double share = std::clamp(dot(edge, to_point) / length_squared, 0.0, 1.0);
+    least_squared = std::min(least_squared, std::norm(to_point - share * edge));
+    if (set.size() > 2)
+      highest = std::max(highest, outward * cross(edge, to_point) / std::sqrt(length_squared));
+  }
+  return highest < 0 && highest > -infinity ? highest : std::sqrt(least_squared);
 }
 
 }  // namespace kempe

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/slack.hpp"
+
 namespace kempe {
 namespace {
-
-/// Residuals below this share of the pen points' spread are rounding.
-constexpr double rounding = 1e-12;
 
 /// The pairs about their means, as complex numbers.
 struct Centred {
@@ -47,13 +46,13 @@ double unexplained(const std::vector<Complex>& from, const std::vector<Complex>&
 
 Complex without_rounding(Complex k) {
   const double size = std::abs(k);
-  if (std::abs(k.real()) < rounding * size) k.real(0);
-  if (std::abs(k.imag()) < rounding * size) k.imag(0);
+  if (std::abs(k.real()) < slack::rounding * size) k.real(0);
+  if (std::abs(k.imag()) < slack::rounding * size) k.imag(0);
   return k;
 }
 
 Point without_rounding(const Point& point, double scale) {
-  return point.unaryExpr([&](double c) { return std::abs(c) < rounding * scale ? 0.0 : c; });
+  return point.unaryExpr([&](double c) { return std::abs(c) < slack::rounding * scale ? 0.0 : c; });
 }
 
 std::vector<Complex> conjugated(std::vector<Complex> values) {
@@ -70,7 +69,7 @@ bool is_mirrored(const Centred& data, double left_by_rotation) {
   const std::vector<Complex> reflected = conjugated(data.tracer);
   const Complex factor = best_factor(reflected, data.pen, data.tracer_spread);
   const double left_by_reflection = unexplained(reflected, data.pen, factor);
-  if (left_by_rotation <= rounding * rounding * data.pen_spread) return false;
+  if (left_by_rotation <= slack::rounding * slack::rounding * data.pen_spread) return false;
   const bool rotation_is_poor = left_by_rotation > poor_rotation * data.pen_spread;
   return left_by_reflection < (rotation_is_poor ? reflects_better : reflects_exactly) * left_by_rotation;
 }
@@ -86,9 +85,9 @@ std::optional<Point> SimilarityFit::fixed_point() const {
 tl::expected<SimilarityFit, PairFault> fit_similarity(const std::vector<PointPair>& pairs) {
   const Centred data = centred(pairs);
   const double size = std::sqrt(data.pen_spread) + std::abs(data.pen_mean);
-  if (data.tracer_spread <= std::pow(rounding * std::abs(data.tracer_mean), 2))
+  if (data.tracer_spread <= std::pow(slack::rounding * std::abs(data.tracer_mean), 2))
     return tl::unexpected(PairFault::too_few);
-  if (data.pen_spread <= std::pow(rounding * std::abs(data.pen_mean), 2))
+  if (data.pen_spread <= std::pow(slack::rounding * std::abs(data.pen_mean), 2))
     return tl::unexpected(PairFault::one_pen_point);
 
   SimilarityFit fit{without_rounding(best_factor(data.tracer, data.pen, data.tracer_spread)), Point::Zero()};

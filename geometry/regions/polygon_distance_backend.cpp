@@ -9,14 +9,12 @@
 #include "geometry/edge_tree.hpp"
 #include "geometry/regions/region_algebra.hpp"
 #include "geometry/segment_distance.hpp"
+#include "geometry/slack.hpp"
 
 namespace kempe {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-
-/// Distances in doubles are accepted above this share of the coordinates; below it exact arithmetic decides.
-constexpr double rounding = 1e-12;
 
 template <class Visit>
 void for_each_ring(const Region& region, Visit visit) {
@@ -106,7 +104,7 @@ bool are_apart(const Region& one, const Region& other, double gap) {
   if (!nearest) return true;
   const double size = std::max(
       {std::abs(gap), EdgeTree(one, Point::Zero()).magnitude(), EdgeTree(other, Point::Zero()).magnitude()});
-  const double slack = rounding * size;
+  const double slack = slack::rounding * size;  // below it exact arithmetic decides
   if (nearest->distance > gap + slack) return true;
   if (nearest->distance < gap - slack) return false;
   if (gap > slack) return edges_are_apart(one, other, gap, slack);

@@ -42,11 +42,9 @@ struct ShapeFault {
 std::optional<ShapeFault> shape_fault(const Ring& ring);
 
 /// Makes a region of outer rings and holes that may run either way round and repeat corners.
-///  1. The result keeps the invariant of Polygon: simple rings that nowhere touch, outer ones
-///  counter-clockwise, holes
+///  1. The result keeps the invariant of Polygon: simple rings that nowhere touch, outer ones counter-clockwise, holes
 ///     clockwise, each hole in the polygon that surrounds it. Islands in holes are polygons of their own.
-///  2. Crossing, touching or overlapping rings, an outer ring in another without a hole between, a hole
-///  outside or
+///  2. Crossing, touching or overlapping rings, an outer ring in another without a hole between, a hole outside or
 ///     within a hole are refused: nothing is repaired in silence.
 /// O(n log n) for n corners.
 tl::expected<Region, RingFault> assemble_region(const std::vector<Ring>& outers,

@@ -23,8 +23,8 @@ struct RingContact {
 /// How rings that nowhere meet lie to each other.
 struct RingNesting {
   std::vector<bool> counter_clockwise;  ///< of each ring
-  std::vector<std::optional<std::size_t>>
-      parent;  ///< the smallest ring around each; nothing for the outermost
+  /// The smallest ring around each; nothing for the outermost.
+  std::vector<std::optional<std::size_t>> parent;
 };
 
 /// Examines rings of at least three corners in which no corner equals the next one and all coordinates are
