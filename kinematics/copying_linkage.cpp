@@ -4,22 +4,9 @@
 #include <cmath>
 
 #include "geometry/complex_vectors.hpp"
-#include "kinematics/tolerances.hpp"
+#include "kinematics/slack.hpp"
 
 namespace kempe {
-namespace {
-
-/// arg s brought into [0, pi); exactly 0 for straight plates.
-double dead_point_opening(Complex shape) {
-  double angle = std::arg(shape);
-  if (angle < 0) angle += pi;
-  return angle < tolerance::straight_plates || pi - angle < tolerance::straight_plates ? 0 : angle;
-}
-
-int sign(double value) { return (value > 0) - (value < 0); }
-
-}  // namespace
-
 std::string_view name(Unreachable why) {
   switch (why) {
     case Unreachable::too_far: return "beyond the outer reach";
@@ -54,14 +41,6 @@ Point& Pose::operator[](Joint joint) {
   return Y;
 }
 
-bool is_straight(Complex shape) { return dead_point_opening(shape) == 0; }
-
-std::vector<OpeningInterval> assembly_modes(Complex shape) {
-  const double dead = dead_point_opening(shape);
-  if (dead == 0) return {{-pi, 0}, {0, pi}};
-  return {{-pi, dead - pi}, {dead - pi, 0}, {0, dead}, {dead, pi}};
-}
-
 tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Grounding grounding, double VA,
                                                                 double VB, int assembly_mode,
                                                                 const Point& pole) {
@@ -69,19 +48,20 @@ tl::expected<CopyingLinkage, LinkageFault> CopyingLinkage::make(Complex k, Groun
     return tl::unexpected(LinkageFault::ratio_not_finite);
   if (std::abs(k) == 0) return tl::unexpected(LinkageFault::ratio_zero);
   const Complex s = shape_of(k, grounding);
-  if (std::abs(1.0 - k) < tolerance::straight_plates || std::abs(s) == 0)
+  if (std::abs(1.0 - k) < slack::straight_plates || std::abs(s) == 0)
     return tl::unexpected(LinkageFault::ratio_one);
   const auto positive = [](double length) { return std::isfinite(length) && length > 0; };
   if (!positive(VA) || !positive(VB)) return tl::unexpected(LinkageFault::length_not_positive);
-  if (assembly_mode < 0 || static_cast<std::size_t>(assembly_mode) >= assembly_modes(s).size())
+  const std::vector<AssemblyMode> modes = assembly_modes(s);
+  if (assembly_mode < 0 || static_cast<std::size_t>(assembly_mode) >= modes.size())
     return tl::unexpected(LinkageFault::no_such_assembly_mode);
-  return CopyingLinkage(k, grounding, VA, VB, assembly_mode, pole);
+  return CopyingLinkage(k, grounding, VA, VB, modes[static_cast<std::size_t>(assembly_mode)], pole);
 }
 
-CopyingLinkage::CopyingLinkage(Complex k, Grounding grounding, double VA, double VB, int assembly_mode,
-                               const Point& pole)
+CopyingLinkage::CopyingLinkage(Complex k, Grounding grounding, double VA, double VB,
+                               const AssemblyMode& assembly_mode, const Point& pole)
     : k_(k), grounding_(grounding), VA_(VA), VB_(VB), assembly_mode_(assembly_mode), pole_(pole),
-      s_(shape_of(k, grounding)), interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)]) {}
+      s_(shape_of(k, grounding)) {}
 
 LinkLengths CopyingLinkage::lengths() const {
   const double scale = std::abs(s_);
@@ -119,7 +99,7 @@ double CopyingLinkage::radius_slope_at(double opening) const {
 }
 
 bool CopyingLinkage::radius_grows_with_opening() const {
-  return std::sin(interval_.middle() - std::arg(s_)) < 0;
+  return std::sin(assembly_mode_.openings.middle() - std::arg(s_)) < 0;
 }
 
 tl::expected<double, Unreachable> CopyingLinkage::opening_at(double radius) const {
@@ -129,18 +109,18 @@ tl::expected<double, Unreachable> CopyingLinkage::opening_at(double radius) cons
   // tan^2(e/2) = ((a+b)^2 - w^2) / (w^2 - (a-b)^2) keeps full precision at both dead points, unlike acos.
   const double outer = (a + b - chain) * (a + b + chain);
   const double inner = (chain - std::abs(a - b)) * (chain + std::abs(a - b));
-  const double slack = tolerance::cosine_slack * (a + b) * (a + b);
+  const double slack = slack::cosine_slack * (a + b) * (a + b);
   if (outer < -slack) return tl::unexpected(Unreachable::too_far);
   if (inner < -slack) return tl::unexpected(Unreachable::too_near);
   const double elbow = 2 * std::atan2(std::sqrt(std::max(0.0, outer)), std::sqrt(std::max(0.0, inner)));
   const double side = radius_grows_with_opening() ? -1 : 1;
   double opening = side * elbow + std::arg(s_);
-  const double middle = interval_.middle();
+  const double middle = assembly_mode_.openings.middle();
   opening -= 2 * pi * std::round((opening - middle) / (2 * pi));
-  if (opening < interval_.lower - tolerance::opening_rounding ||
-      opening > interval_.upper + tolerance::opening_rounding)
+  if (opening < assembly_mode_.openings.lower - slack::opening_rounding ||
+      opening > assembly_mode_.openings.upper + slack::opening_rounding)
     return tl::unexpected(Unreachable::beyond_change_point);
-  return std::clamp(opening, interval_.lower, interval_.upper);
+  return std::clamp(opening, assembly_mode_.openings.lower, assembly_mode_.openings.upper);
 }
 
 CopyingLinkage::RadiusRange CopyingLinkage::radii_over(const OpeningInterval& openings) const {
@@ -178,7 +158,7 @@ namespace {
 /// Real u, v with u a + v b = c; nothing if a and b are parallel.
 tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, Complex c) {
   const double det = cross(a, b);
-  if (std::abs(det) <= tolerance::parallel * std::abs(a) * std::abs(b))
+  if (std::abs(det) <= slack::parallel * std::abs(a) * std::abs(b))
     return tl::unexpected(Unreachable::too_far);
   return std::array{cross(c, b) / det, cross(a, c) / det};
 }
@@ -215,11 +195,6 @@ tl::expected<Pose, Unreachable> CopyingLinkage::accelerations(const Pose& pose, 
     return at_rest.pose_from_vectors((i * second[0] - alpha1 * alpha1) * p,
                                      (i * second[1] - beta1 * beta1) * q);
   });
-}
-
-CopyingLinkage::Orientation CopyingLinkage::orientation() const {
-  const int turn = is_straight(s_) ? 0 : sign(s_.imag());
-  return {sign(std::sin(interval_.middle())), -turn, turn};
 }
 
 }  // namespace kempe

@@ -16,6 +16,7 @@
 
 #include "geometry/point.hpp"
 #include "kempe/pose.hpp"
+#include "kinematics/assembly_mode.hpp"
 #include "kinematics/grounding.hpp"
 #include "kinematics/opening_interval.hpp"
 
@@ -27,21 +28,13 @@ enum class LinkageFault {
   ratio_zero,            ///< k = 0 copies everything onto the pole
   ratio_one,             ///< k = 1 without rotation: the linkage degenerates (the pole lies at infinity)
   length_not_positive,   ///< VA or VB is not a positive finite number
-  no_such_assembly_mode  ///< the index is not below assembly_count(s)
+  no_such_assembly_mode  ///< assembly_modes(s) has none of this number
 };
 std::string_view name(LinkageFault fault);
 
 /// Nearer than this to a dead point or a change point nothing counts as usable, rad, whatever limit is asked for: a
 /// thousandth of a degree. Searched, mapped and verified designs keep it alike.
 inline constexpr double least_usable_angle = pi / 180000;
-
-/// True if the plates have collinear joints (s real): then every plate is a straight bar.
-bool is_straight(Complex shape);
-
-/// The usable assembly modes: open intervals of the opening between neighbours among {0, pi, arg s mod pi}, from -pi
-/// upward. Four of them, or two if the plates are straight. At each end the linkage meets its change point (0, pi)
-/// or its serial dead point (arg s mod pi).
-std::vector<OpeningInterval> assembly_modes(Complex shape);
 
 /// A copying linkage of given ratio, grounding, lengths, assembly mode and pole.
 ///
@@ -51,7 +44,7 @@ std::vector<OpeningInterval> assembly_modes(Complex shape);
 /// Guarantees, for every pose it returns:
 ///  1. pen - pole = k (tracer - pole);
 ///  2. every link has its length;
-///  3. the opening lies in assembly_interval(): poses of one linkage never differ in assembly.
+///  3. the opening lies in assembly_mode().openings: poses of one linkage never differ in assembly.
 class CopyingLinkage {
  public:
   static tl::expected<CopyingLinkage, LinkageFault> make(Complex k, Grounding grounding, double VA, double VB,
@@ -63,7 +56,9 @@ class CopyingLinkage {
   Complex shape() const { return s_; }
   double VA() const { return VA_; }
   double VB() const { return VB_; }
-  int assembly_mode() const { return assembly_mode_; }
+
+  /// The one it never leaves: its openings, and how the loops lie.
+  const AssemblyMode& assembly_mode() const { return assembly_mode_; }
   const Point& pole() const { return pole_; }
 
   Joint pole_joint() const { return roles_of(grounding_).pole; }
@@ -75,13 +70,10 @@ class CopyingLinkage {
   /// Sum over the four moving links of half the perimeter of the hull of their joints, mm. Linear in VA and VB.
   double size() const;
 
-  /// The open interval of the opening that this assembly mode never leaves (returned by its closure), rad.
-  const OpeningInterval& assembly_interval() const { return interval_; }
-
   /// The openings at which the transmission angle is at least `transmission` (rad, >= 0) and least_usable_angle;
   /// perhaps empty.
   OpeningInterval openings_with_transmission(double transmission) const {
-    return shrink(interval_, std::max(transmission, least_usable_angle));
+    return shrink(assembly_mode_.openings, std::max(transmission, least_usable_angle));
   }
 
   /// mu = min(asin|sin(d - arg s)|, asin|sin d|): how far the linkage stands from its nearest dead or change point.
@@ -122,27 +114,20 @@ class CopyingLinkage {
   tl::expected<Pose, Unreachable> accelerations(const Pose& pose, const Point& tracer_velocity,
                                                 const Point& tracer_acceleration) const;
 
-  /// Signs of (A-V)x(B-V), (C-A)x(X-A), (C-B)x(Y-B); 0 where a plate is straight.
-  struct Orientation {
-    int parallelogram, plate_ACX, plate_BCY;
-    bool operator==(const Orientation&) const = default;
-  };
-  Orientation orientation() const;
-
   bool operator==(const CopyingLinkage&) const = default;
 
  private:
-  CopyingLinkage(Complex k, Grounding grounding, double VA, double VB, int assembly_mode, const Point& pole);
+  CopyingLinkage(Complex k, Grounding grounding, double VA, double VB, const AssemblyMode& assembly_mode,
+                 const Point& pole);
 
   Pose pose_from_vectors(Complex p, Complex q) const;
 
   Complex k_;
   Grounding grounding_;
   double VA_, VB_;
-  int assembly_mode_;
+  AssemblyMode assembly_mode_;
   Point pole_;
   Complex s_;
-  OpeningInterval interval_;
 };
 
 }  // namespace kempe

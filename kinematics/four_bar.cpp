@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "kinematics/tolerances.hpp"
+#include "kinematics/slack.hpp"
 
 namespace kempe {
 
@@ -69,7 +69,7 @@ CrankMotion FourBar::motion() const {
   std::array<double, 4> sorted{ground, input, coupler, output};
   std::sort(sorted.begin(), sorted.end());
   const double excess = sorted[0] + sorted[3] - sorted[1] - sorted[2];
-  if (std::abs(excess) <= tolerance::balanced_bars * sorted[3]) return CrankMotion::change_point;
+  if (std::abs(excess) <= slack::balanced_bars * sorted[3]) return CrankMotion::change_point;
   if (excess > 0) return CrankMotion::double_rocker;
   if (sorted[0] == input) return CrankMotion::crank_rocker;
   if (sorted[0] == ground) return CrankMotion::double_crank;
@@ -82,8 +82,7 @@ std::optional<DirectedFourBar> four_bar_from(const FreudensteinCoefficients& k, 
   const double a = ground / k.K1, c = ground / k.K2;  // directed: a negative length points the other way
   const double b_squared = a * a + c * c + ground * ground - 2 * a * c * k.K3;
   const double largest = std::max({std::abs(a), std::abs(c), ground});
-  if (!std::isfinite(b_squared) || b_squared <= tolerance::no_coupler * largest * largest)
-    return std::nullopt;
+  if (!std::isfinite(b_squared) || b_squared <= slack::no_coupler * largest * largest) return std::nullopt;
   return DirectedFourBar{{ground, std::abs(a), std::sqrt(b_squared), std::abs(c)}, a < 0, c < 0};
 }
 

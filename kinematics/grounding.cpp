@@ -13,6 +13,7 @@ struct Facts {
   Complex (*shape)(Complex k);
   Complex (*ratio)(Complex shape);
   Complex (*chain)(Complex k);
+  bool chain_is_scaled;  ///< by |k|
 };
 
 constexpr std::array<Facts, 3> table{{
@@ -21,19 +22,22 @@ constexpr std::array<Facts, 3> table{{
      {Joint::V, Joint::X, Joint::Y},
      [](Complex k) { return k; },
      [](Complex s) { return s; },
-     [](Complex) { return Complex(1); }},
+     [](Complex) { return Complex(1); },
+     false},
     {Grounding::tracer,
      "tracer",
      {Joint::X, Joint::V, Joint::Y},
      [](Complex k) { return 1.0 - k; },
      [](Complex s) { return 1.0 - s; },
-     [](Complex) { return Complex(-1); }},
+     [](Complex) { return Complex(-1); },
+     false},
     {Grounding::pen,
      "pen",
      {Joint::X, Joint::Y, Joint::V},
      [](Complex k) { return 1.0 - 1.0 / k; },
      [](Complex s) { return 1.0 / (1.0 - s); },
-     [](Complex k) { return -k; }},
+     [](Complex k) { return -k; },
+     true},
 }};
 
 const Facts& facts(Grounding grounding) { return table[static_cast<std::size_t>(grounding)]; }
@@ -60,6 +64,10 @@ std::optional<Grounding> grounding_with(const JointRoles& roles) {
   return first_with([&](const Facts& each) { return each.roles == roles; });
 }
 
+bool pole_is_at_V(Grounding grounding) { return facts(grounding).roles.pole == Joint::V; }
+
+bool pen_is_at_V(Grounding grounding) { return facts(grounding).roles.pen == Joint::V; }
+
 Complex shape_of(Complex k, Grounding grounding) { return facts(grounding).shape(k); }
 
 Complex ratio_of(Complex shape, Grounding grounding) { return facts(grounding).ratio(shape); }
@@ -67,7 +75,7 @@ Complex ratio_of(Complex shape, Grounding grounding) { return facts(grounding).r
 Complex chain_per_tracer(Complex k, Grounding grounding) { return facts(grounding).chain(k); }
 
 double chain_length_per_tracer(Complex k, Grounding grounding) {
-  return grounding == Grounding::pen ? std::abs(k) : 1;
+  return facts(grounding).chain_is_scaled ? std::abs(k) : 1;
 }
 
 }  // namespace kempe

@@ -27,6 +27,12 @@ JointRoles roles_of(Grounding grounding);
 /// The grounding in which these joints have these roles; nothing if none has.
 std::optional<Grounding> grounding_with(const JointRoles& roles);
 
+/// True if the pole's pin is the one that joins VA and VB: else the two are pins of their own.
+bool pole_is_at_V(Grounding grounding);
+
+/// True if the pen sits there: then pole and tracer hold the plates' ends, and the loops close from both.
+bool pen_is_at_V(Grounding grounding);
+
 /// The shape s of the plates for a copy ratio k (finite, not 0; not 1 with the pen at V).
 Complex shape_of(Complex k, Grounding grounding);
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "geometry/complex_vectors.hpp"
-#include "kinematics/tolerances.hpp"
+#include "kinematics/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -20,7 +20,10 @@ struct MovedLength {
   Eigen::Matrix<double, 1, measure_count> by = Eigen::Matrix<double, 1, measure_count>::Zero();
 };
 
-int side_of(Complex from, Complex to, Complex point) { return cross(to - from, point - from) < 0 ? -1 : 1; }
+/// A joint on the line itself counts as left: a dyad's two closures meet there.
+Side dyad_side(Complex from, Complex to, Complex point) {
+  return cross(to - from, point - from) < 0 ? Side::right : Side::left;
+}
 
 Moved fixed(const Point& point) {
   Moved moved;
@@ -85,7 +88,7 @@ using Closed = tl::expected<Moved, ClosureFault>;
 
 /// The joint at distances a from `from` and b from `to`, on the given side.
 ///   |P - from| = a, |P - to| = b;   (P - from).dP = a da + (P - from).dfrom, and likewise at `to`
-Closed dyad(const Moved& from, const Moved& to, const MovedLength& a, const MovedLength& b, int side) {
+Closed dyad(const Moved& from, const Moved& to, const MovedLength& a, const MovedLength& b, Side side) {
   const Complex base = to.at - from.at;
   const double d = std::abs(base);
   if (!(d <= a.value + b.value)) return tl::unexpected(ClosureFault::too_far);
@@ -93,10 +96,10 @@ Closed dyad(const Moved& from, const Moved& to, const MovedLength& a, const Move
   const double sixteen_areas_squared =
       (a.value + b.value - d) * (a.value + b.value + d) * (d - a.value + b.value) * (d + a.value - b.value);
   const double height = std::sqrt(std::max(0.0, sixteen_areas_squared)) / (2 * d);
-  if (!(height > tolerance::flattest * (a.value + b.value))) return tl::unexpected(ClosureFault::flat);
+  if (!(height > slack::flattest * (a.value + b.value))) return tl::unexpected(ClosureFault::flat);
   const double foot = (a.value * a.value - b.value * b.value + d * d) / (2 * d);
   Moved joint;
-  joint.at = from.at + base / d * Complex(foot, side * height);
+  joint.at = from.at + base / d * Complex(foot, sign(side) * height);
   const Complex u = joint.at - from.at, v = joint.at - to.at;
   const double determinant = cross(u, v);
   for (int i = 0; i < measure_count; ++i) {
@@ -219,7 +222,7 @@ Output read_in_frame(const Moved& output, const Measures& measures) {
 
 DyadSides sides_of(const Pose& pose) {
   const auto side = [&](Joint from, Joint to, Joint point) {
-    return side_of(as_complex(pose[from]), as_complex(pose[to]), as_complex(pose[point]));
+    return dyad_side(as_complex(pose[from]), as_complex(pose[to]), as_complex(pose[point]));
   };
   return {.C_of_XY = side(Joint::X, Joint::Y, Joint::C),
           .V_of_AB = side(Joint::A, Joint::B, Joint::V),
@@ -272,7 +275,7 @@ Instrument instrument_of(const CopyingLinkage& linkage) {
   Instrument instrument;
   instrument.mounting = {linkage.pole_joint(), linkage.tracer_joint(), linkage.pen_joint()};
   instrument.ratio = linkage.k();
-  const Pose pose = linkage.pose_at(linkage.assembly_interval().middle(), 0);
+  const Pose pose = linkage.pose_at(linkage.assembly_mode().openings.middle(), 0);
   instrument.sides = sides_of(pose);
   const Complex A = along(as_complex(pose.X), as_complex(pose.C), as_complex(pose.A));
   const Complex B = along(as_complex(pose.C), as_complex(pose.Y), as_complex(pose.B));

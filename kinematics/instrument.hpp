@@ -36,15 +36,15 @@ using Measures = Eigen::Matrix<double, measure_count, 1>;
 /// d(x, y) / d(measures).
 using PlaceSlopes = Eigen::Matrix<double, 2, measure_count>;
 
-/// On which side of each dyad its joint lies, all signs +1 or -1: one assembly mode of an instrument whose bars make no exact
-/// parallelogram, so that CopyingLinkage::Orientation does not say how its loops close.
+/// On which side of each dyad's base its joint lies: the assembly mode of an instrument whose bars make no exact
+/// parallelogram, so that LoopSides does not say how its loops close.
 struct DyadSides {
-  int C_of_XY = 1;  ///< sign of (Y - X) x (C - X)
-  int V_of_AB = 1;
-  int A_of_VX = 1;
-  int B_of_VC = 1;
-  int B_of_VY = 1;
-  int A_of_VC = 1;
+  Side C_of_XY = Side::left;  ///< side of C, seen from X to Y; and so on
+  Side V_of_AB = Side::left;
+  Side A_of_VX = Side::left;
+  Side B_of_VC = Side::left;
+  Side B_of_VY = Side::left;
+  Side A_of_VC = Side::left;
   bool operator==(const DyadSides&) const = default;
 };
 
@@ -65,7 +65,7 @@ struct Instrument {
   DyadSides sides{};
   Complex ratio{1, 0};
 
-  /// The instrument with stylus and pencil exchanged: what was read is set, what was set is read, the ratio
+  /// The instrument with tracer and pen exchanged: what was read is set, what was set is read, the ratio
   /// 1/k.
   Instrument exchanged() const;
   /// The same links pinned, set and read at other joints.
@@ -77,8 +77,8 @@ struct Instrument {
 Instrument instrument_of(const CopyingLinkage& linkage);
 
 /// Knight's variable ratio pantograph set to `ratio` (0 < ratio < 1): arms of length `arm` (mm, > 0) with the
-/// pole at the origin, C on the left of the line from the pole to the stylus (y toward C). In our letters his
-/// pole is X, B is A, D is B, the pencil E is V and the stylus F is Y; his AB = BE = CD = ratio * arm and DE
+/// pole at the origin, C on the left of the line from the pole to the tracer (y toward C). In our letters his
+/// pole is X, B is A, D is B, the pen E is V and the tracer F is Y; his AB = BE = CD = ratio * arm and DE
 /// = (1 - ratio) * arm.
 Instrument variable_ratio_instrument(double arm, double ratio);
 

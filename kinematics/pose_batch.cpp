@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/tolerances.hpp"
+#include "kinematics/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -25,7 +25,7 @@ Shared shared_by(const CopyingLinkage& linkage) {
   const Complex s = linkage.shape();
   const double a = linkage.VA(), b = linkage.VB() / std::abs(s);
   const Complex chain = chain_per_tracer(linkage.k(), linkage.grounding());
-  const double middle = linkage.assembly_interval().middle();
+  const double middle = linkage.assembly_mode().openings.middle();
   const double elbow = std::sin(middle - std::arg(s));
   return {.pole_x = linkage.pole().x(),
           .pole_y = linkage.pole().y(),
@@ -57,7 +57,7 @@ struct Block {
 
 /// The arithmetic of all rows of a block, without a branch.
 void place_rows(const Shared& l, const Block& block, std::size_t count, Margins& margins) {
-  const double square = 1 / (l.outer * l.outer), tiny = tolerance::above_zero_square;
+  const double square = 1 / (l.outer * l.outer), tiny = slack::above_zero_square;
   const double ground = l.ground_at_X ? 1 : 0;
   double *__restrict Vx = block.x[0], *__restrict Vy = block.y[0], *__restrict Ax = block.x[1],
          *__restrict Ay = block.y[1], *__restrict Bx = block.x[2], *__restrict By = block.y[2],
@@ -96,15 +96,15 @@ void place_rows(const Shared& l, const Block& block, std::size_t count, Margins&
   }
 }
 
-constexpr double slack = -tolerance::batch_slack;
+constexpr double least_margin = -slack::batch_slack;
 
 std::uint8_t code(Unreachable why) { return static_cast<std::uint8_t>(1 + static_cast<int>(why)); }
 
 /// The outcome of one row; NaN counts as too near.
 std::uint8_t outcome(const Margins& margins, std::size_t i) {
-  if (margins.outer[i] < slack) return code(Unreachable::too_far);
-  if (!(margins.inner[i] >= slack)) return code(Unreachable::too_near);
-  if (margins.change[i] < slack) return code(Unreachable::beyond_change_point);
+  if (margins.outer[i] < least_margin) return code(Unreachable::too_far);
+  if (!(margins.inner[i] >= least_margin)) return code(Unreachable::too_near);
+  if (margins.change[i] < least_margin) return code(Unreachable::beyond_change_point);
   return 0;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// Every tolerance of the linkages in closed form, each with its unit and its reason. They are roundings: none is a property of a
+// Every slack and threshold of the linkages in closed form, each with its unit and its reason. They are roundings: none is a property of a
 // real instrument.
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 /// rad: plates whose angle differs from a straight line by less are straight bars; sin(pi) in doubles is 1e-16.
 inline constexpr double straight_plates = 1e-12;
@@ -23,4 +23,4 @@ inline constexpr double balanced_bars = 1e-12;
 /// Share of the largest, squared: a coupler shorter than a billionth is none.
 inline constexpr double no_coupler = 1e-18;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

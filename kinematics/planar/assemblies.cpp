@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/chance.hpp"
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -52,13 +52,13 @@ std::vector<bool> free_of_turns(const PlanarLinkage& linkage) {
 }  // namespace
 
 bool same_assembly_mode(const PlanarLinkage& linkage, const PlanarPosition& a, const PlanarPosition& b) {
-  const double near = tolerance::same_position * linkage.size();
+  const double near = slack::same_position * linkage.size();
   for (const auto& [name, constraint] : linkage.constraints()) {
     for (const BodyPoint& point : points_of(constraint))
       if ((place(a, point) - place(b, point)).norm() > near) return false;
     for (const int body : bodies_of(constraint)) {
       const double turn = a[static_cast<std::size_t>(body)].angle - b[static_cast<std::size_t>(body)].angle;
-      if (std::abs(std::remainder(turn, 2 * pi)) > tolerance::same_position) return false;
+      if (std::abs(std::remainder(turn, 2 * pi)) > slack::same_position) return false;
     }
   }
   return true;

@@ -13,7 +13,7 @@
 // that is made from them are the same numbers times a power of the scale, to the last bit for a power of two. A revolute joint is linear in the places and bends only in the angles, which is
 // what the step control lives on.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "kinematics/planar/linkage.hpp"

@@ -7,7 +7,7 @@
 //   J = [P Q; R S]  (rows and columns reordered),  P unit triangular up to signs
 //   T = P^-1 Q,  S' = S - R T,  det J = +-det S'
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "kinematics/planar/equations.hpp"

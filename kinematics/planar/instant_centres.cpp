@@ -6,7 +6,7 @@
 #include <map>
 
 #include "kinematics/planar/rates.hpp"
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -89,7 +89,7 @@ class Centres {
 
   static KnownLine known_line(const Projective& line, CentreLine::From from, int via, int number) {
     const Point along(-line.y(), line.x());
-    const bool finite = along.norm() > tolerance::distinct * line.norm();
+    const bool finite = along.norm() > slack::distinct * line.norm();
     return {line.normalized(), {from, via, number, finite ? along.normalized() : Point::Zero().eval()}};
   }
 
@@ -120,7 +120,7 @@ class Centres {
     for (const auto& [pair, lines] : lines_) {
       if (lines.size() < 2) continue;
       const Projective at = lines[0].line.cross(lines[1].line);
-      if (at.norm() > tolerance::distinct)
+      if (at.norm() > slack::distinct)
         set(pair, at.normalized(), InstantCentre::Source::primary, lines[0].source.constraint);
     }
   }
@@ -163,7 +163,7 @@ class Centres {
       const auto a = known_.find(pair_of(pair.first, via)), b = known_.find(pair_of(via, pair.second));
       if (a == known_.end() || b == known_.end()) continue;
       const Projective line = a->second.at.cross(b->second.at);
-      if (line.norm() > tolerance::distinct)
+      if (line.norm() > slack::distinct)
         result.push_back(known_line(line, CentreLine::From::kennedy, via, -1));
     }
     return result;
@@ -171,7 +171,7 @@ class Centres {
 
   /// Adds the unknown centre whose two lines cross at the largest angle; false if no two lines cross.
   bool add_best_crossing() {
-    double best = tolerance::worthwhile_crossing;
+    double best = slack::worthwhile_crossing;
     std::optional<Pair> found;
     Known centre{Projective::Zero(), InstantCentre::Source::none, -1, std::nullopt};
     for (std::size_t i = 0; i < links_.size(); ++i)
@@ -219,7 +219,7 @@ class Centres {
   /// v + w left(P - middle) = 0 gives P - middle = left(v) / w.
   std::optional<Projective> from_velocity(const Pair& pair) const {
     const Relative motion = relative(pair);
-    if (motion.speed(frame_.size) <= tolerance::standing * fastest()) return std::nullopt;
+    if (motion.speed(frame_.size) <= slack::standing * fastest()) return std::nullopt;
     const Point over = left_of(motion.velocity) / frame_.size;
     return Projective(over.x(), over.y(), motion.spin).normalized();
   }
@@ -248,7 +248,7 @@ class Centres {
     result.constraint = centre.constraint;
     result.lines = centre.lines;
     const Point over = centre.at.head<2>();
-    if (std::abs(centre.at.z()) > tolerance::at_infinity * over.norm()) {
+    if (std::abs(centre.at.z()) > slack::at_infinity * over.norm()) {
       result.kind = InstantCentre::Kind::finite;
       result.at = frame_.middle + frame_.size * over / centre.at.z();
     } else {
@@ -265,7 +265,7 @@ class Centres {
   double velocity_error(const Pair& pair, const Projective& at) const {
     const Relative motion = relative(pair);
     const double speed = motion.speed(frame_.size);
-    if (speed <= tolerance::standing * fastest()) return 0;
+    if (speed <= slack::standing * fastest()) return 0;
     const Point unlike = at.z() * motion.velocity + motion.spin * frame_.size * left_of(at.head<2>());
     return unlike.norm() / speed;
   }

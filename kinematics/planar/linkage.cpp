@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kinematics/overloaded.hpp"
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -20,7 +20,7 @@ double stated_value(const Constraint& constraint) {
       constraint);
 }
 
-bool is_unit(const Point& direction) { return std::abs(direction.norm() - 1) < tolerance::unit_length; }
+bool is_unit(const Point& direction) { return std::abs(direction.norm() - 1) < slack::unit_length; }
 
 std::string fault_of(const Constraint& constraint) {
   if (!std::isfinite(stated_value(constraint))) return "a value that is not finite";

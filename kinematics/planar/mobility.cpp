@@ -1,6 +1,5 @@
 #include "kinematics/planar/mobility.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,8 +8,8 @@
 #include "geometry/chance.hpp"
 #include "geometry/decompositions.hpp"
 #include "kinematics/planar/equations.hpp"
+#include "kinematics/planar/slack.hpp"
 #include "kinematics/planar/solver.hpp"
-#include "kinematics/planar/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -27,7 +26,7 @@ Eigen::MatrixXd scaled_jacobian(const PlanarLinkage& linkage, const Eigen::Vecto
 int rank_of(const Eigen::MatrixXd& matrix) {
   if (matrix.rows() == 0 || matrix.cols() == 0) return 0;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix);
-  svd.setThreshold(tolerance::rank_threshold);
+  svd.setThreshold(slack::rank_threshold);
   return static_cast<int>(svd.rank());
 }
 
@@ -44,7 +43,7 @@ Eigen::VectorXd general_position(const PlanarLinkage& linkage, const Eigen::Vect
   Eigen::VectorXd best = q;
   int best_rank = rank_of(scaled_jacobian(linkage, q));
   for (int i = 0; i < 6; ++i) {
-    const Eigen::VectorXd candidate = near(linkage, q, tolerance::first_motion, chance);
+    const Eigen::VectorXd candidate = near(linkage, q, slack::first_motion, chance);
     const int rank = rank_of(scaled_jacobian(linkage, candidate));
     if (rank > best_rank || (i == 0 && rank == best_rank)) {
       best = candidate;
@@ -60,13 +59,12 @@ int finite_freedoms(const PlanarLinkage& linkage, const Eigen::VectorXd& q, int 
   const int samples = 3 * at_most + 4;
   Eigen::MatrixXd ways(q.size(), samples);
   for (int i = 0; i < samples; ++i) {
-    ways.col(i) = near(linkage, q, tolerance::second_motion, chance) - q;
+    ways.col(i) = near(linkage, q, slack::second_motion, chance) - q;
     for (Eigen::Index unknown = 0; unknown < q.size(); ++unknown)
       if (unknown % 3 != 2) ways(unknown, i) /= linkage.size();
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(ways);
-  const double least =
-      tolerance::followed * tolerance::second_motion * std::sqrt(static_cast<double>(samples) / 3);
+  const double least = slack::followed * slack::second_motion * std::sqrt(static_cast<double>(samples) / 3);
   int freedoms = 0;
   for (const double value : svd.singularValues()) freedoms += value > least ? 1 : 0;
   return std::min(freedoms, at_most);
@@ -98,7 +96,7 @@ class IndependentRows {
       rest -= basis_.leftCols(count_) * more;
       along += more;
     }
-    if (count_ == basis_.cols() || rest.norm() <= tolerance::rank_threshold * row.norm())
+    if (count_ == basis_.cols() || rest.norm() <= slack::rank_threshold * row.norm())
       return weights_.topLeftCorner(count_, count_).triangularView<Eigen::Upper>().solve(along);
     basis_.col(count_) = rest.normalized();
     weights_.col(count_).head(count_) = along;
@@ -128,7 +126,7 @@ std::vector<std::vector<int>> dependent_sets(const Eigen::MatrixXd& jacobian,
     }
     std::set<int> constraints{constraint};
     for (Eigen::Index i = 0; i < weights->size(); ++i)
-      if (std::abs((*weights)[i]) > tolerance::part_of_dependence)
+      if (std::abs((*weights)[i]) > slack::part_of_dependence)
         constraints.insert(taken[static_cast<std::size_t>(i)]);
     result.emplace_back(constraints.begin(), constraints.end());
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -28,7 +28,7 @@ RowChoice choose_rows(const Eigen::MatrixXd& jacobian, const std::vector<int>& d
   for (int row = 0; row < rows; ++row)
     if (std::find(driver_rows.begin(), driver_rows.end(), row) == driver_rows.end()) others.push_back(row);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(tolerance::dependent_row);
+  qr.setThreshold(slack::dependent_row);
   qr.compute(jacobian(others, Eigen::all).transpose());
   const int rank = others.empty() ? 0 : static_cast<int>(qr.rank());
   RowChoice choice;
@@ -253,7 +253,7 @@ double PlanarPath::predict(double share) {
 /// What the last step was off from Newton's first, over the square of the way.
 void PlanarPath::learn_curvature(double share) {
   const double way = share * way_;
-  if (way > tolerance::least_way * equations_.size())
+  if (way > slack::least_way * equations_.size())
     curvature_ = (trial_ - q_ - share * first_) / (way * way);
   else
     curvature_.resize(0);
@@ -276,7 +276,7 @@ bool PlanarPath::correct(const std::vector<double>& values, double share) {
     if (now <= exact || (now > 0.25 * previous && previous <= 64 * exact)) {
       learn_curvature(share);
       step_ = trial_ - q_;
-      return certificate_.length(step_) <= 2 * reach_ + tolerance::rounding_turn;
+      return certificate_.length(step_) <= 2 * reach_ + slack::rounding_turn;
     }
     if (bent && now > 0.1 * previous) {  // the path bends otherwise here
       curvature_.resize(0);
@@ -305,7 +305,7 @@ bool PlanarPath::correct(const std::vector<double>& values, double share) {
 /// What the constraints that are not solved for may be off, mm: looser than Newton's own residual, since they
 /// only follow from the others, and looser the nearer a singular position is.
 double PlanarPath::closing_limit() const {
-  return tolerance::closed_by_others * (1 + std::max(certificate_.bending(), 0.0)) *
+  return slack::closed_by_others * (1 + std::max(certificate_.bending(), 0.0)) *
          magnitude_of(q_, equations_.size());
 }
 
@@ -325,8 +325,8 @@ PathEnd PlanarPath::kind_of_singularity(const std::vector<double>& target) {
     along += null[equations_.driver_row(driver)] * way;
     all += way * way;
   }
-  return std::abs(along) <= tolerance::crossing_share * std::sqrt(all) ? PathEnd::change_point
-                                                                       : PathEnd::dead_point;
+  return std::abs(along) <= slack::crossing_share * std::sqrt(all) ? PathEnd::change_point
+                                                                   : PathEnd::dead_point;
 }
 
 /// Driven distances are measured in what they are now: where one has grown much the factors are made anew.
@@ -355,7 +355,7 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
     return tl::unexpected(PathStop{end, covered, equations_.values()});
   };
   const auto singular = [&] {
-    values_at(std::min(1.0, covered + tolerance::look_ahead), next);
+    values_at(std::min(1.0, covered + slack::look_ahead), next);
     return stopped(kind_of_singularity(next));
   };
   while (covered < 1) {
@@ -369,7 +369,7 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
       share = certified_share(covered);
     }
     share *= trust;
-    if (!(share > 0) || trust < tolerance::least_trust) return singular();
+    if (!(share > 0) || trust < slack::least_trust) return singular();
     const double reached = covered + share >= 1 ? 1 : covered + share;
     if (!(reached > covered)) return singular();
     before = equations_.values();

@@ -4,7 +4,7 @@
 // Each step is certified (step_certificate.hpp): steps that are too long are cut, so a path either arrives on its own
 // assembly mode or stops at a singular position; it cannot jump.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 #include <string_view>
 #include <tl/expected.hpp>

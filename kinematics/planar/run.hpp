@@ -41,8 +41,8 @@ struct RunStop {
 };
 
 struct PlanarRun {
-  std::vector<RunFrame>
-      frames;  ///< at the even steps that were reached; then, if it stopped, the last good position
+  /// At the even steps that were reached; then, if it stopped, the last good position.
+  std::vector<RunFrame> frames;
   std::optional<RunStop> stop;
 };
 

@@ -1,13 +1,12 @@
 #include "kinematics/planar/singularity.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "geometry/decompositions.hpp"
 #include "kinematics/planar/equations.hpp"
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -65,7 +64,7 @@ class Singularity {
 
   bool moves(int body) const {
     if (body == PlanarLinkage::ground || motion_.size() == 0) return false;
-    return motion_.segment<3>(3 * body - 3).norm() > tolerance::takes_part;
+    return motion_.segment<3>(3 * body - 3).norm() > slack::takes_part;
   }
   /// How fast two bodies turn against each other in the free motion.
   double turn(int a, int b) const {
@@ -80,14 +79,14 @@ class Singularity {
   /// Sine of the angle at `corner` between the ways to two points, or 1 if they are too near.
   double sine(const Point& a, const Point& corner, const Point& b) const {
     const Point u = a - corner, v = b - corner;
-    const double least = tolerance::same_point * linkage_.size();
+    const double least = slack::same_point * linkage_.size();
     return u.norm() > least && v.norm() > least ? std::abs(cross(u, v)) / (u.norm() * v.norm()) : 1;
   }
 
   void find_joints_in_line() {
     for (const auto& [name, constraint] : linkage_.constraints()) {
       const auto* joint = std::get_if<Revolute>(&constraint);
-      if (!joint || turn(joint->a.body, joint->b.body) < tolerance::takes_part) continue;
+      if (!joint || turn(joint->a.body, joint->b.body) < slack::takes_part) continue;
       const Point corner = place(position_, joint->a);
       for (const Hold& a : holds_)
         for (const Hold& b : holds_)

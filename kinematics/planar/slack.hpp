@@ -1,9 +1,9 @@
 #pragma once
-// Every tolerance of the planar solver, each with its unit and its reason. Lengths count in sizes of the linkage.
+// Every slack and threshold of the planar solver, each with its unit and its reason. Lengths count in sizes of the linkage.
 
 #include <array>
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // Closing
 
@@ -64,4 +64,4 @@ inline constexpr double followed = 3e-2;
 /// None: weight of a constraint in a dependence below which it has no part in it.
 inline constexpr double part_of_dependence = 1e-5;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

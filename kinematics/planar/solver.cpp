@@ -1,13 +1,13 @@
 #include "kinematics/planar/solver.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
 #include "kinematics/planar/equations.hpp"
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -39,22 +39,22 @@ class Closing {
 
   /// Levenberg-Marquardt with gain control, until Newton's own region (in sizes) is reached or nothing is gained: at a
   /// least error that is not zero the residual stands square to all that the unknowns can do about it.
-  void approach(Eigen::VectorXd& q, double until = tolerance::newtons_region) {
-    double damping = tolerance::damping_at_first, previous = linearise(q);
+  void approach(Eigen::VectorXd& q, double until = slack::newtons_region) {
+    double damping = slack::damping_at_first, previous = linearise(q);
     for (int step = 0; step < most_damped_steps && previous > until * equations_.size();
          ++step, ++iterations) {
       Eigen::MatrixXd normal = jacobian_.transpose() * jacobian_;
       const Eigen::VectorXd slope = jacobian_.transpose() * f_;
-      if (slope.norm() <= tolerance::square_on * previous * jacobian_.norm()) return;
+      if (slope.norm() <= slack::square_on * previous * jacobian_.norm()) return;
       normal.diagonal().array() += damping;
       const Eigen::VectorXd trial = q - scale_.cwiseProduct(normal.ldlt().solve(slope));
       residual(trial, f_);
       const double now = f_.norm();
       if (now < previous) {
-        const bool stuck = now > previous * (1 - tolerance::no_gain) && damping < tolerance::stuck_damping;
+        const bool stuck = now > previous * (1 - slack::no_gain) && damping < slack::stuck_damping;
         q = trial;
         previous = linearise(q);
-        damping = std::max(damping * 0.2, tolerance::least_damping);
+        damping = std::max(damping * 0.2, slack::least_damping);
         if (stuck) return;
       } else {
         damping *= 6;
@@ -71,7 +71,7 @@ class Closing {
     double best = linearise(q);
     for (int step = 0; step < most_newton_steps && best > 0; ++step, ++iterations) {
       bool gained = false;
-      for (const double share : tolerance::left_out) {
+      for (const double share : slack::left_out) {
         const Eigen::VectorXd trial = q - scale_.cwiseProduct(least_squares_step(share));
         residual(trial, trial_f_);
         const double now = trial_f_.norm();
@@ -113,7 +113,7 @@ class Closing {
 }  // namespace
 
 double closing_tolerance(const PlanarLinkage& linkage, const PlanarPosition& position) {
-  return tolerance::closed * magnitude_of(unknowns_of(position), linkage.size());
+  return slack::closed * magnitude_of(unknowns_of(position), linkage.size());
 }
 
 tl::expected<Assembled, NotAssembled> solve_from(const PlanarLinkage& linkage, const PlanarPosition& guess,
@@ -140,7 +140,7 @@ Missing missing_at(const PlanarLinkage& linkage, const NotAssembled& open,
   while (gap(worst, open.nearest).as_length(linkage.size()) < alike * open.closure_error) ++worst;
   Closing closing(linkage, driver_values);
   Eigen::VectorXd q = unknowns_of(open.nearest);
-  for (const double weight : tolerance::weights_of_worst) {
+  for (const double weight : slack::weights_of_worst) {
     closing.weigh(linkage, worst, weight);
     closing.approach(q, 0);
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/planar/tolerances.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -110,7 +110,7 @@ double StepCertificate::allowed(double wanted, double apart) const {
   if (omega < 0) return 0;
   const double by_theorem = omega * longest > kantorovich_limit ? kantorovich_limit / omega : longest;
   const double most = std::min({by_theorem / (1 + omega * apart), 0.5 * (ball - moved_), wanted});
-  return most > std::min(tolerance::singular_turn, 0.5 * wanted) ? most : 0;
+  return most > std::min(slack::singular_turn, 0.5 * wanted) ? most : 0;
 }
 
 }  // namespace kempe

@@ -16,7 +16,7 @@
 //
 // Gains are measured at an anchor and carried over: within |q - anchor| = m, omega grows at most to omega / (1 - omega m).
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "kinematics/planar/equations.hpp"
