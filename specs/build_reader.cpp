@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "specs/hardware.hpp"
+
 namespace kempe {
 namespace {
 
@@ -24,13 +26,14 @@ class LinkChecks {
           fmt::format("a pin of {} mm in a link {} mm wide", links_.style.pin_diameter, links_.style.width),
           "pin_diameter_mm <= width_mm");
     }
+    if (const Hardware* hardware = hardware_named(links_.hardware)) check_hardware(*hardware);
     if (links_.shortest > links_.longest) {
       refuse(table_.has("shortest_mm") ? "shortest_mm" : "longest_mm",
              fmt::format("shortest_mm {} above longest_mm {}", links_.shortest, links_.longest),
              "shortest_mm <= longest_mm");
       return;
     }
-    check_workshop();
+    check_stock_lengths();
   }
 
  private:
@@ -38,34 +41,48 @@ class LinkChecks {
     complaints_.add(table_.line_of_key(key), table_.dotted(key), std::move(found), std::move(allowed));
   }
 
+  void check_hardware(const Hardware& hardware) {
+    if (links_.style.pin_diameter != hardware.pin)
+      refuse("pin_diameter_mm",
+             fmt::format("{} beside hardware = \"{}\"", links_.style.pin_diameter, hardware.name),
+             fmt::format("{}, or left out", hardware.pin));
+    if (hardware.seat >= links_.style.width)
+      refuse("hardware", fmt::format("\"{}\" in links {} mm wide", hardware.name, links_.style.width),
+             fmt::format("links.width_mm above {}", hardware.seat));
+    if (hardware.seat_width > links_.style.thickness)
+      refuse("hardware", fmt::format("\"{}\" in links {} mm thick", hardware.name, links_.style.thickness),
+             fmt::format("links.thickness_mm of at least {}", hardware.seat_width));
+  }
+
   bool fits(double length) const { return links_.shortest <= length && length <= links_.longest; }
   std::string range() const {
     return fmt::format("{} to {} mm (shortest_mm, longest_mm)", links_.shortest, links_.longest);
   }
 
-  void check_workshop() {
-    const WorkshopSpec& workshop = links_.workshop;
-    if (workshop.grid && !workshop.stock.empty())
+  void check_stock_lengths() {
+    const StockLengths& stock_lengths = links_.stock_lengths;
+    if (stock_lengths.grid && !stock_lengths.stock.empty())
       refuse("stock_mm", "it beside grid_mm", "one of grid_mm and stock_mm");
-    if (workshop.grid && !fits(std::floor(links_.longest / *workshop.grid) * *workshop.grid)) {
-      refuse("grid_mm", fmt::format("{}, of which no multiple is a length allowed", *workshop.grid),
+    if (stock_lengths.grid && !fits(std::floor(links_.longest / *stock_lengths.grid) * *stock_lengths.grid)) {
+      refuse("grid_mm", fmt::format("{}, of which no multiple is a length allowed", *stock_lengths.grid),
              "lengths from " + range());
     }
-    if (workshop.grid && links_.longest / *workshop.grid > most_grid_lengths) {
-      refuse("grid_mm", fmt::format("{} beside longest_mm = {}", *workshop.grid, links_.longest),
+    if (stock_lengths.grid && links_.longest / *stock_lengths.grid > most_grid_lengths) {
+      refuse("grid_mm", fmt::format("{} beside longest_mm = {}", *stock_lengths.grid, links_.longest),
              fmt::format("at least longest_mm / {:.0f}", most_grid_lengths));
     }
-    if (!workshop.stock.empty() && std::none_of(workshop.stock.begin(), workshop.stock.end(),
-                                                [&](double length) { return fits(length); })) {
+    if (!stock_lengths.stock.empty() && std::none_of(stock_lengths.stock.begin(), stock_lengths.stock.end(),
+                                                     [&](double length) { return fits(length); })) {
       refuse("stock_mm", "no length that is allowed", "at least one length from " + range());
     }
-    check_locked(workshop);
+    check_locked(stock_lengths);
   }
 
-  void check_locked(const WorkshopSpec& workshop) {
+  void check_locked(const StockLengths& stock_lengths) {
     for (std::size_t i = 0; i < LinkLengths::names.size(); ++i) {
-      if (!workshop.locked[i] || fits(*workshop.locked[i])) continue;
-      refuse(std::string(LinkLengths::names[i]) + "_mm", fmt::format("{}", *workshop.locked[i]), range());
+      if (!stock_lengths.locked[i] || fits(*stock_lengths.locked[i])) continue;
+      refuse(std::string(LinkLengths::names[i]) + "_mm", fmt::format("{}", *stock_lengths.locked[i]),
+             range());
     }
     check_opposite(0, 3);
     check_opposite(1, 2);
@@ -73,7 +90,7 @@ class LinkChecks {
 
   /// Opposite sides of the parallelogram are equal.
   void check_opposite(std::size_t first, std::size_t second) {
-    const auto &one = links_.workshop.locked[first], &other = links_.workshop.locked[second];
+    const auto &one = links_.stock_lengths.locked[first], &other = links_.stock_lengths.locked[second];
     if (!one || !other || *one == *other) return;
     const auto names = LinkLengths::names;
     refuse(std::string(names[second]) + "_mm",
@@ -86,19 +103,26 @@ class LinkChecks {
   Complaints& complaints_;
 };
 
-WorkshopSpec read_workshop(const TableView& table) {
-  WorkshopSpec workshop;
-  table.set("grid_mm", workshop.grid);
-  for (std::size_t i = 0; i < workshop.locked.size(); ++i) {
-    table.set(std::string(LinkLengths::names[i]) + "_mm", workshop.locked[i]);
+StockLengths read_stock_lengths(const TableView& table) {
+  StockLengths stock_lengths;
+  table.set("grid_mm", stock_lengths.grid);
+  for (std::size_t i = 0; i < stock_lengths.locked.size(); ++i) {
+    table.set(std::string(LinkLengths::names[i]) + "_mm", stock_lengths.locked[i]);
   }
   const toml::node* stock = table.find("stock_mm");
-  if (!stock || !stock->is_array()) return workshop;
+  if (!stock || !stock->is_array()) return stock_lengths;
   for (const toml::node& length : *stock->as_array())
-    workshop.stock.push_back(finite_number(length).value_or(0));
-  std::sort(workshop.stock.begin(), workshop.stock.end());
-  workshop.stock.erase(std::unique(workshop.stock.begin(), workshop.stock.end()), workshop.stock.end());
-  return workshop;
+    stock_lengths.stock.push_back(finite_number(length).value_or(0));
+  std::sort(stock_lengths.stock.begin(), stock_lengths.stock.end());
+  stock_lengths.stock.erase(std::unique(stock_lengths.stock.begin(), stock_lengths.stock.end()),
+                            stock_lengths.stock.end());
+  return stock_lengths;
+}
+
+std::optional<Process> process_named(std::string_view word) {
+  for (const Process process : {Process::laser, Process::mill, Process::print, Process::drill})
+    if (name(process) == word) return process;
+  return std::nullopt;
 }
 
 /// A word that names none is complained about with its key.
@@ -141,13 +165,16 @@ LinkSpec read_links(const TableView& table, Complaints& complaints) {
   table.set("width_mm", links.style.width);
   table.set("pin_diameter_mm", links.style.pin_diameter);
   table.set("thickness_mm", links.style.thickness);
+  table.set("hardware", links.hardware);
+  if (const Hardware* hardware = hardware_named(links.hardware); hardware && !table.has("pin_diameter_mm"))
+    links.style.pin_diameter = hardware->pin;
   table.set("plate", plate);
   table.set("layers", links.layers);
   table.set("shortest_mm", links.shortest);
   table.set("longest_mm", links.longest);
   table.set("wall_mm", links.wall);
   links.style.plate = plate == "triangle" ? PlateStyle::triangle : PlateStyle::bent;
-  links.workshop = read_workshop(table);
+  links.stock_lengths = read_stock_lengths(table);
   LinkChecks(links, table, complaints).run();
   return links;
 }
@@ -157,8 +184,9 @@ Limits read_limits(const TableView& table) {
   double transmission_degrees = 30;
   table.set("clearance_mm", limits.clearance);
   table.set("transmission_deg", transmission_degrees);
-  table.set("sheets_gap_mm", limits.sheets_gap);
+  table.set("sheets_gap_mm", limits.copy_gap);
   table.set("copy_error_mm", limits.copy_error);
+  table.set("longest_strip_mm", limits.longest_strip);
   limits.transmission = radians(transmission_degrees);
   return limits;
 }
@@ -222,10 +250,14 @@ std::optional<MechanismSpec> read_mechanism(const TableView& table, const Copy& 
 
 CuttingSpec read_cutting(const TableView& table) {
   CuttingSpec cutting;
+  std::string process;
+  table.set("process", process);
+  cutting.process = process_named(process);
+  if (cutting.process) cutting.hole_fit = usual_fit(*cutting.process);
   table.set("hole_fit_mm", cutting.hole_fit);
   table.set("kerf_mm", cutting.kerf);
   table.set("gap_mm", cutting.gap);
-  if (table.has("sheet_mm")) table.set("sheet_mm", cutting.sheet.emplace(Point::Zero()));
+  if (table.has("sheet_mm")) table.set("sheet_mm", cutting.stock_sheet.emplace(Point::Zero()));
   return cutting;
 }
 

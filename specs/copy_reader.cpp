@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "geometry/similarity_fit.hpp"
+#include "specs/mirror_words.hpp"
 #include "specs/spec_keys.hpp"
+#include "specs/text/ratio.hpp"
 
 namespace kempe {
 namespace {
@@ -49,7 +51,7 @@ std::vector<PointPair> read_pairs(const toml::array& list, Complaints& complaint
 }
 
 struct FaultText {
-  const char *found, *allowed;
+  std::string_view found, allowed;
 };
 FaultText text_of(PairFault fault) {
   switch (fault) {
@@ -57,8 +59,7 @@ FaultText text_of(PairFault fault) {
     case PairFault::one_pen_point:
       return {"all pen points in one place", "at least two different pen points"};
     case PairFault::mirrored:
-      return {"pairs that mirror: a reflection fits them clearly better than any rotation",
-              "pairs of a scaled and turned copy; this linkage cannot mirror"};
+      return {"pairs that mirror: a reflection fits them clearly better than any rotation", no_mirror};
     case PairFault::no_similarity:
       return {"pairs that no scale and rotation carries into each other, even roughly",
               "pairs [tracer, pen] of one similarity"};
@@ -73,16 +74,21 @@ CopyReading read_copy_from_pairs(const TableView& table, Complaints& complaints)
   const auto fit = fit_similarity(pairs);
   if (!fit) {
     const FaultText text = text_of(fit.error());
-    complaints.add(line_of(node), "copy.pairs_mm", text.found, text.allowed);
+    complaints.add(line_of(node), "copy.pairs_mm", std::string(text.found), std::string(text.allowed));
     return {};
   }
   const PairFit quality{pairs.size(), fit->residual_rms, fit->residual_largest, fit->translation};
   return {Copy::fitted(fit->k, quality), fit->fixed_point()};
 }
 
+/// 1.5, or "3:2".
+std::optional<double> scale_of(const toml::node& node) {
+  return node.is_string() ? parse_ratio(node.value_or(std::string())) : finite_number(node);
+}
+
 CopyReading read_copy_given(const TableView& table) {
   double scale = 1, rotation_degrees = 0;
-  table.set("scale", scale);
+  if (const toml::node* node = table.find("scale")) scale = scale_of(*node).value_or(scale);
   table.set("rotation_deg", rotation_degrees);
   return {Copy::of(scale, radians(within_one_turn(rotation_degrees))), std::nullopt};
 }

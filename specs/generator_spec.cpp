@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/point.hpp"
+#include "specs/file_kind.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/text/complaints.hpp"
 #include "specs/text/toml_access.hpp"
@@ -29,7 +30,7 @@ class Reader {
       for (const auto& [key, value] : *table) {
         const std::string dotted = fmt::format("{}.{}", table_name.str(), key.str());
         if (std::find(known.begin(), known.end(), dotted) == known.end())
-          refuse_unknown(line_of(value), dotted, nearest(dotted, known));
+          refuse_unknown(line_of(value), dotted, known);
       }
     }
   }
@@ -116,9 +117,9 @@ class Reader {
     return tables;
   }
 
-  void refuse_unknown(int line, const std::string& dotted, std::string_view meant) {
-    meant_.emplace_back(meant);
-    complaints_.add(line, dotted, "an unknown key", fmt::format("the nearest known key is {}", meant));
+  void refuse_unknown(int line, const std::string& dotted, const std::vector<std::string_view>& known) {
+    if (const auto meant = nearest(dotted, known)) meant_.emplace_back(*meant);
+    complaints_.add(line, dotted, "an unknown key", known_instead(dotted, known));
   }
 
   /// One mistake is told once: not what an unknown key means.
@@ -168,7 +169,7 @@ void read_wanted(Reader& reader, FunctionSpec& spec, Complaints& complaints) {
 
 tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text, const std::string& file) {
   const auto parsed = parse_toml(text, file);
-  if (!parsed) return tl::unexpected(parsed.error());
+  if (!parsed) return tl::unexpected(or_other_kind(parsed.error(), text, FileKind::function));
   Complaints complaints(file);
   Reader reader(*parsed, complaints);
   FunctionSpec spec;
@@ -200,13 +201,13 @@ tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text,
       given == 2)
     complaints.add(0, "function.points", "4 with both starts given",
                    "at most one start_deg: four points decide the other");
-  if (!complaints.none()) return tl::unexpected(complaints.all());
+  if (!complaints.none()) return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::function));
   return spec;
 }
 
 tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text, const std::string& file) {
   const auto parsed = parse_toml(text, file);
-  if (!parsed) return tl::unexpected(parsed.error());
+  if (!parsed) return tl::unexpected(or_other_kind(parsed.error(), text, FileKind::inversor));
   Complaints complaints(file);
   Reader reader(*parsed, complaints);
   InversorSpec spec;
@@ -220,7 +221,7 @@ tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text,
   double longest = 1e6;
   reader.number("links", "longest_mm", longest, 0, 1e6, false, " mm");
   spec.longest = longest;
-  if (!complaints.none()) return tl::unexpected(complaints.all());
+  if (!complaints.none()) return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::inversor));
   return spec;
 }
 

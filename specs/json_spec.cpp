@@ -44,7 +44,7 @@ tl::expected<std::string, InputError> toml_from_json(const std::string& json, co
   const Json object = Json::parse(json, nullptr, false);  // once more, in the order of its keys
   if (!object.is_object())
     return tl::unexpected(
-        InputError{name, 0, "", "JSON that is no object", "a spec's tables, as one JSON object"});
+        InputError{name, 0, "", "JSON that is not an object", "a spec's tables, as one JSON object"});
   std::string text;
   for (const auto& [key, value] : object.items()) {
     text += Json(key).dump(-1, ' ', true) + " = ";

@@ -7,7 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "specs/mirror_words.hpp"
 #include "specs/spec_keys.hpp"
+#include "specs/spec_unit.hpp"
+#include "specs/text/ratio.hpp"
 
 namespace kempe {
 namespace {
@@ -41,10 +44,16 @@ std::string_view stem_of(std::string_view name) {
   return name;
 }
 
-std::string unit_sentence(std::string_view name) {
-  if (name.ends_with("_mm")) return fmt::format("{}: lengths are in millimetres", name);
-  if (name.ends_with("_deg")) return fmt::format("{}: angles are in degrees", name);
-  return fmt::format("{}: it has no unit", name);
+/// How a key that is known is written, of one written with another unit or none.
+std::string unit_sentence(std::string_view known, std::string_view written, SpecUnit unit) {
+  if (known.ends_with("_mm") && unit == SpecUnit::inch)
+    return fmt::format("{}: with units = \"in\" all lengths are in inches", name_in(unit, known));
+  const bool meant_inches = written.ends_with("_in") || written.ends_with("_inch");
+  if (known.ends_with("_mm"))
+    return fmt::format("{}: lengths are in millimetres{}", known,
+                       meant_inches ? ", or all of them in inches with units = \"in\" at the top" : "");
+  if (known.ends_with("_deg")) return fmt::format("{}: angles are in degrees", known);
+  return fmt::format("{}: it has no unit", known);
 }
 
 std::vector<std::string_view> names_in(std::string_view table) {
@@ -66,10 +75,10 @@ std::string_view in_another_unit(std::string_view table, std::string_view name) 
   return {};
 }
 
-/// The key of a table that somebody may have meant by an unknown one.
+/// The key of a table that somebody may have meant by an unknown one; empty if there is none.
 std::string_view key_meant(std::string_view table, std::string_view name) {
   const std::string_view same = in_another_unit(table, name);
-  return same.empty() ? nearest(name.substr(0, longest_name), names_in(table)) : same;
+  return same.empty() ? nearest(name.substr(0, longest_name), names_in(table)).value_or("") : same;
 }
 
 /// "VA_mm", "AC_mm", ...: the keys that lock a length.
@@ -86,25 +95,33 @@ std::string lockable_lengths() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// "scale in [copy]"
+std::string place_of(const SpecKey& key) {
+  return key.table.empty() ? fmt::format("{} at the top of the file", key.name)
+                           : fmt::format("{} in [{}]", key.name, key.table);
+}
+
 /// What somebody who wrote an unknown key may have meant.
-std::string hint_for(std::string_view table, std::string_view name) {
-  if (const auto same = in_another_unit(table, name); !same.empty()) return unit_sentence(same);
+std::string hint_for(std::string_view table, std::string_view name, SpecUnit unit) {
+  if (names_a_mirror(name)) return std::string(no_mirror);
+  if (const auto same = in_another_unit(table, name); !same.empty()) return unit_sentence(same, name, unit);
   if (seems_to_lock_a_length(table, name)) return "a length that can be locked: " + lockable_lengths();
   for (const SpecKey& key : spec_keys()) {
-    if (key.name == name) return fmt::format("{} in [{}]", name, key.table);
+    if (key.name == name) return place_of(key);
   }
-  return fmt::format("{} (the nearest known key)", key_meant(table, name));
+  return known_instead(name.substr(0, longest_name), names_in(table));
 }
 
 /// One value against its rule. Every check adds its complaint and the rule's sentence of what is allowed.
 class ValueCheck {
  public:
-  ValueCheck(const SpecKey& rule, std::string key, Complaints& complaints)
-      : rule_(rule), key_(std::move(key)), complaints_(complaints) {}
+  ValueCheck(const SpecKey& rule, std::string key, SpecUnit unit, Complaints& complaints)
+      : rule_(rule), key_(std::move(key)), unit_(unit), complaints_(complaints) {}
 
   void check(const toml::node& value) {
     switch (rule_.kind) {
       case KeyKind::number: return check_number(value);
+      case KeyKind::ratio: return check_ratio(value);
       case KeyKind::whole_number: return check_whole_number(value);
       case KeyKind::truth: return require(value.is_boolean(), value);
       case KeyKind::choice: return check_choice(value);
@@ -116,22 +133,41 @@ class ValueCheck {
       case KeyKind::link_layers: return check_layers(value, 4);
       case KeyKind::rings:
       case KeyKind::pairs: return require(value.is_array(), value);
-      case KeyKind::rectangle: return check_inner_table(value, "rectangle_mm");
-      case KeyKind::circle: return check_inner_table(value, "circle_mm");
+      case KeyKind::rectangle: return check_figure(value, "rectangle_mm", {"at", "at", "size", "size"});
+      case KeyKind::circle: return check_figure(value, "circle_mm", {"centre", "centre", "radius"});
     }
   }
 
  private:
   void refuse(const toml::node& value, std::string found) {
-    complaints_.add(line_of(value), key_, std::move(found), describe_allowed(rule_));
+    complaints_.add(line_of(value), key_, std::move(found), describe_allowed(rule_, unit_));
+  }
+  void refuse_mirror(const toml::node& value) {
+    complaints_.add(line_of(value), key_, describe(value),
+                    fmt::format("{}; {}", describe_allowed(rule_, unit_), no_mirror));
   }
   void require(bool condition, const toml::node& value) {
     if (!condition) refuse(value, describe(value));
   }
 
-  void check_number(const toml::node& value) {
+  bool in_range(const SpecKey& rule, const toml::node& value) const {
     const auto number = finite_number(value);
-    require(number && rule_.range.contains(*number), value);
+    return number && rule.range.contains(is_length(rule) ? in_mm(unit_) * *number : *number);
+  }
+  void check_number(const toml::node& value) {
+    if (in_range(rule_, value)) return;
+    if (names_a_mirror(value.value_or(std::string()))) return refuse_mirror(value);
+    refuse(value, describe(value));
+  }
+
+  /// A scale below 0, or one for each axis, may be meant to mirror.
+  void check_ratio(const toml::node& value) {
+    const std::string text = value.value_or(std::string());
+    const auto ratio = value.is_string() ? parse_ratio(text) : std::nullopt;
+    if (ratio && rule_.range.contains(*ratio)) return;
+    if (finite_number(value).value_or(0) < 0 || value.is_array() || text.starts_with("-"))
+      return refuse_mirror(value);
+    check_number(value);
   }
 
   bool is_whole_in_range(const toml::node& value) const {
@@ -180,80 +216,109 @@ class ValueCheck {
     if (lowest > highest) refuse(value, fmt::format("[{}, {}]", lowest, highest));
   }
 
-  void check_inner_table(const toml::node& value, std::string_view rules) {
-    if (const toml::table* table = value.as_table()) return check_table(*table, rules, key_, complaints_);
-    refuse(value, describe(value));
+  /// A table by the rules of its own, or the list of its numbers, each by the rule of one of `names`.
+  void check_figure(const toml::node& value, std::string_view rules,
+                    const std::vector<std::string_view>& names) {
+    if (const toml::table* table = value.as_table())
+      return check_table(*table, rules, key_, complaints_, unit_);
+    const toml::array* list = value.as_array();
+    if (!list || list->size() != names.size()) return refuse(value, describe(value));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const SpecKey& rule = *find_spec_key(rules, names[i]);
+      if (in_range(rule, (*list)[i])) continue;
+      const double share = 1 / in_mm(unit_);
+      complaints_.add(
+          line_of((*list)[i]), key_, fmt::format("{} in place {}", describe((*list)[i]), i + 1),
+          fmt::format("{}, the {} {}", describe_allowed(rule_, unit_), names[i], rule.range.describe(share)));
+    }
   }
 
   const SpecKey& rule_;
   std::string key_;
+  SpecUnit unit_;
   Complaints& complaints_;
 };
 
-void check_top_level(const toml::node& value, std::string_view name, Complaints& complaints) {
-  if (name == "obstacles") {
+void check_top_level(const toml::node& value, std::string_view name, SpecUnit unit, Complaints& complaints) {
+  if (const SpecKey* rule = find_spec_key("", name)) {
+    ValueCheck(*rule, std::string(name), unit, complaints).check(value);
+  } else if (name == "obstacles" || name == "bodies") {
     const toml::array* list = value.as_array();
     const bool of_tables =
         list && std::all_of(list->begin(), list->end(), [](const auto& e) { return e.is_table(); });
     if (!of_tables)
-      return complaints.add(line_of(value), "obstacles", describe(value), "tables [[obstacles]]");
-    for (const toml::node& element : *list) check_table(*element.as_table(), name, "obstacles", complaints);
+      return complaints.add(line_of(value), std::string(name), describe(value),
+                            fmt::format("tables [[{}]]", name));
+    for (const toml::node& element : *list)
+      check_table(*element.as_table(), name, std::string(name), complaints, unit);
   } else if (const toml::table* table = value.as_table()) {
-    check_table(*table, name, std::string(name), complaints);
+    check_table(*table, name, std::string(name), complaints, unit);
   } else {
     complaints.add(line_of(value), std::string(name), describe(value), fmt::format("a table [{}]", name));
   }
 }
 
-/// The table that has a key of this name; empty if none has.
-std::string_view table_with(std::string_view key_name) {
+/// The key of this name, whatever its table; null if there is none.
+const SpecKey* key_named(std::string_view name) {
   for (const SpecKey& key : spec_keys()) {
-    if (key.name == key_name) return key.table;
+    if (key.name == name) return &key;
   }
-  return {};
+  return nullptr;
 }
 
-std::string_view nearest_table(std::string_view name) {
+/// The table that somebody may have meant by an unknown one.
+std::optional<std::string_view> nearest_table(std::string_view name) {
   const auto tables = spec_tables();
   return nearest(name.substr(0, longest_name), {tables.begin(), tables.end()});
 }
 
 /// A key without a table, or a table that is not known.
 std::string hint_for_top_level(std::string_view name) {
-  if (const auto table = table_with(name); !table.empty()) return fmt::format("{} in [{}]", name, table);
-  return fmt::format("[{}] (the nearest known table)", nearest_table(name));
+  if (names_a_mirror(name)) return std::string(no_mirror);
+  if (const SpecKey* key = key_named(name)) return place_of(*key);
+  if (const auto table = nearest_table(name)) return fmt::format("[{}] (the nearest known table)", *table);
+  if (const auto key = nearest(name.substr(0, longest_name), names_in("")))
+    return fmt::format("{} (the nearest known key)", *key);
+  return fmt::format("one of the tables [{}]", fmt::join(spec_tables(), "], ["));
 }
 
-bool is_known_table(std::string_view name) {
+/// A table, or a key at the top.
+bool is_known(std::string_view name) {
   const auto tables = spec_tables();
-  return std::find(tables.begin(), tables.end(), name) != tables.end();
+  return std::find(tables.begin(), tables.end(), name) != tables.end() || find_spec_key("", name) != nullptr;
 }
 
 }  // namespace
 
 void check_table(const toml::table& table, std::string_view rules, const std::string& path,
-                 Complaints& complaints) {
+                 Complaints& complaints, SpecUnit unit) {
   std::set<std::string_view> meant;  // by keys that are unknown: one mistake is told once
   for (const auto& [key, value] : table) {
     const std::string dotted = path + "." + printable(key.str(), longest_name);
-    if (const SpecKey* rule = find_spec_key(rules, key.str())) {
-      ValueCheck(*rule, dotted, complaints).check(value);
+    const SpecKey* rule = find_spec_key(rules, name_in_mm(key.str(), unit));
+    const bool in_unit = rule != nullptr && (unit == SpecUnit::mm || !key.str().ends_with("_mm"));
+    if (in_unit) {
+      ValueCheck(*rule, dotted, unit, complaints).check(value);
+      meant.insert(rule->name);
     } else {
-      complaints.add(static_cast<int>(key.source().begin.line), dotted, "an unknown key",
-                     hint_for(rules, key.str()));
+      complaints.add(static_cast<int>(key.source().begin.line), dotted,
+                     rule != nullptr ? "millimetres in a spec in inches" : "an unknown key",
+                     hint_for(rules, key.str(), unit));
       meant.insert(key_meant(rules, key.str()));
     }
   }
   for (const SpecKey& key : spec_keys()) {
-    if (key.table != rules || !key.required || table.contains(key.name) || meant.contains(key.name)) continue;
-    complaints.add(line_of(table), path + "." + std::string(key.name), "nothing", describe_allowed(key));
+    if (key.table != rules || !key.required || meant.contains(key.name)) continue;
+    complaints.add(line_of(table), name_in(unit, path + "." + std::string(key.name)), "nothing",
+                   describe_allowed(key, unit));
   }
 }
 
 void check_keys(const toml::table& spec, Complaints& complaints) {
+  const SpecUnit unit = spec_unit_of(spec);
   for (const auto& [key, value] : spec) {
-    if (is_known_table(key.str())) {
-      check_top_level(value, key.str(), complaints);
+    if (is_known(key.str())) {
+      check_top_level(value, key.str(), unit, complaints);
     } else {
       complaints.add(static_cast<int>(key.source().begin.line), printable(key.str(), longest_name),
                      value.is_table() ? "an unknown table" : "an unknown key", hint_for_top_level(key.str()));
@@ -263,17 +328,33 @@ void check_keys(const toml::table& spec, Complaints& complaints) {
 
 bool is_meant(const toml::table& spec, std::string_view table) {
   for (const auto& [key, value] : spec) {
-    if (is_known_table(key.str())) continue;
-    const std::string_view holder = table_with(key.str());
-    if ((holder.empty() ? nearest_table(key.str()) : holder) == table) return true;
+    if (is_known(key.str())) continue;
+    const SpecKey* known = key_named(key.str());
+    if ((known ? known->table : nearest_table(key.str()).value_or("")) == table) return true;
   }
   return false;
 }
 
-std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
-  return *std::min_element(candidates.begin(), candidates.end(), [&](std::string_view a, std::string_view b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  });
+std::optional<std::string_view> nearest(std::string_view word,
+                                        const std::vector<std::string_view>& candidates) {
+  constexpr std::size_t most_edits = 2;
+  std::optional<std::string_view> best;
+  std::size_t fewest = most_edits + 1;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t edits = edit_distance(word, candidate);
+    if (edits >= fewest || 2 * edits > std::max(word.size(), candidate.size())) continue;
+    best = candidate;
+    fewest = edits;
+  }
+  return best;
+}
+
+std::string known_instead(std::string_view word, const std::vector<std::string_view>& candidates,
+                          std::string_view kind) {
+  if (candidates.empty()) return fmt::format("no {}", kind);
+  const auto meant = nearest(word, candidates);
+  return meant ? fmt::format("{} (the nearest known {})", *meant, kind)
+               : fmt::format("one of the {}s {}", kind, fmt::join(candidates, ", "));
 }
 
 }  // namespace kempe

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "specs/file_kind.hpp"
 #include "specs/measurements_table.hpp"
 #include "specs/text/complaints.hpp"
+#include "specs/text/ratio.hpp"
 
 namespace kempe {
 namespace {
@@ -291,24 +292,9 @@ const std::vector<std::string_view>& error_names(bool variable_ratio) {
   return variable_ratio ? of_instrument : of_design;
 }
 
-std::optional<double> parse_ratio(std::string_view text) {
-  const auto number = [](std::string_view part) -> std::optional<double> {
-    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
-    while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    const bool whole = error == std::errc() && end == part.data() + part.size();
-    return whole && std::isfinite(value) && value > 0 ? std::optional(value) : std::nullopt;
-  };
-  const std::size_t bar = text.find_first_of(":/");
-  if (bar == std::string_view::npos) return number(text);
-  const auto over = number(text.substr(0, bar)), under = number(text.substr(bar + 1));
-  return over && under ? std::optional(*over / *under) : std::nullopt;
-}
-
 tl::expected<Measurements, InputError> read_measurements(std::string_view text, const std::string& file) {
   const auto parsed = parse_toml(text, file);
-  if (!parsed) return tl::unexpected(parsed.error());
+  if (!parsed) return tl::unexpected(or_other_kind(parsed.error(), text, FileKind::measurements));
   Complaints complaints(file);
   Measurements measurements;
   check_known_keys(*parsed, "",
@@ -325,7 +311,8 @@ tl::expected<Measurements, InputError> read_measurements(std::string_view text, 
   read_use(*parsed, measurements, complaints);
   read_plan(*parsed, measurements, complaints);
   read_simulation(*parsed, measurements, complaints);
-  if (!complaints.none()) return tl::unexpected(complaints.all());
+  if (!complaints.none())
+    return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::measurements));
   return measurements;
 }
 

@@ -31,7 +31,7 @@ struct ReadingSpec {
   Point tracer = Point::Zero();     ///< mm, without
   Point pen = Point::Zero();        ///< mm, without
   std::optional<double> ratio;      ///< the scales' setting, where it is not the instrument's
-  bool exchanged = false;           ///< stylus and pencil exchanged
+  bool exchanged = false;           ///< tracer and pen exchanged
 };
 
 /// A length taken on the instrument itself.
@@ -70,7 +70,7 @@ struct ArmAngles {
 
 struct PlanSpec {
   int readings = 10;
-  bool exchange = true;  ///< readings with stylus and pencil exchanged may be proposed
+  bool exchange = true;  ///< readings with tracer and pen exchanged may be proposed
 };
 
 struct SimulationSpec {
@@ -104,9 +104,6 @@ const std::vector<std::string_view>& free_groups(bool variable_ratio);
 /// Names of the lengths that [lengths_mm] and [simulate] errors_mm may give.
 const std::vector<std::string_view>& measurable_lengths(bool variable_ratio);
 const std::vector<std::string_view>& error_names(bool variable_ratio);
-
-/// "1:3", "2/5" or "0.4" as a number > 0; nothing if it is none of these.
-std::optional<double> parse_ratio(std::string_view text);
 
 /// Reads and checks a file's text; `file` is its name for messages. The error names line and key, what was
 /// found and what is allowed.

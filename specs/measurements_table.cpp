@@ -17,9 +17,8 @@ bool check_known_keys(const toml::table& table, const std::string& path,
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
     all_known = false;
     const std::string word = printable(key.str(), longest_shown);
-    complaints.add(
-        static_cast<int>(key.source().begin.line), path.empty() ? word : path + "." + word, "an unknown key",
-        fmt::format("{} (the nearest known key)", nearest(key.str().substr(0, longest_shown), known)));
+    complaints.add(static_cast<int>(key.source().begin.line), path.empty() ? word : path + "." + word,
+                   "an unknown key", known_instead(key.str().substr(0, longest_shown), known));
   }
   return all_known;
 }

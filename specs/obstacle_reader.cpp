@@ -1,4 +1,4 @@
-// read_obstacles() of region_reader.hpp.
+// read_obstacles(), read_bodies() and read_table_edge() of region_reader.hpp.
 
 #include <fmt/format.h>
 
@@ -12,61 +12,91 @@
 namespace kempe {
 namespace {
 
-/// One [[obstacles]] table.
-class ObstacleReader {
+/// One table with an outline and layers: of [[obstacles]] or of [[bodies]].
+class OutlineReader {
  public:
-  ObstacleReader(const TableView& table, std::size_t number, Complaints& complaints)
-      : table_(table), complaints_(complaints) {
-    common_.name = fmt::format("obstacle {}", number);
-    table_.set("name", common_.name);
-    common_.name = printable(common_.name);  // it stands in sentences
-    read_layers();
-  }
-
-  std::vector<Obstacle> read() {
-    const auto key = exactly_one_of(table_, {"polygon_mm", "rectangle_mm", "circle_mm"}, complaints_);
-    if (!key) return {};
-    key_ = *key;
-    if (*key != "polygon_mm") {
-      add_ring(read_figure(table_, *key));
-    } else if (const auto rings = read_rings(table_, *key, complaints_)) {
-      for (const Ring& ring : *rings) add_ring(ring);
-    }
-    return std::move(obstacles_);
-  }
-
- private:
-  void read_layers() {
-    common_.highest_layer = most_layers;
+  /// `name` is that of an outline that has none, for messages too.
+  OutlineReader(const TableView& table, std::string name, Complaints& complaints)
+      : table_(table), complaints_(complaints), name_(std::move(name)) {
+    table_.set("name", name_);
+    name_ = printable(name_);  // it stands in sentences
     const toml::node* value = table_.find("layers");
     const toml::array* list = value ? value->as_array() : nullptr;
     if (!list || list->size() != 2) return;
-    common_.lowest_layer = (*list)[0].value_or(common_.lowest_layer);
-    common_.highest_layer = (*list)[1].value_or(common_.highest_layer);
+    lowest_layer_ = (*list)[0].value_or(lowest_layer_);
+    highest_layer_ = (*list)[1].value_or(highest_layer_);
+  }
+
+  const std::string& name() const { return name_; }
+
+  /// The key of the shape; a complaint and nothing unless there is exactly one.
+  std::optional<std::string_view> shape_key() {
+    const auto key = exactly_one_of(table_, {"polygon_mm", "rectangle_mm", "circle_mm"}, complaints_);
+    if (key) key_ = *key;
+    return key;
+  }
+
+  /// Simple rings that cover what the key's rings wind around.
+  std::vector<Ring> rings() {
+    std::vector<Ring> result;
+    if (key_ != "polygon_mm") {
+      add_loops(read_figure(table_, key_), result);
+    } else if (const auto given = read_rings(table_, key_, complaints_)) {
+      for (const Ring& ring : *given) add_loops(ring, result);
+    }
+    return result;
   }
 
   void refuse(const std::string& found, std::string allowed) {
-    complaints_.add(table_.line_of_key(key_), table_.dotted(key_), common_.name + ": " + found,
-                    std::move(allowed));
+    complaints_.add(table_.line_of_key(key_), table_.dotted(key_), name_ + ": " + found, std::move(allowed));
   }
 
-  void add_ring(const Ring& given) {
+  /// Obstacle or body with this table's name and layers.
+  template <typename Thing>
+  Thing thing() const {
+    Thing one;
+    one.lowest_layer = lowest_layer_;
+    one.highest_layer = highest_layer_;
+    one.name = name_;
+    return one;
+  }
+
+ private:
+  void add_loops(const Ring& given, std::vector<Ring>& result) {
     const Ring ring = without_repeated_corners(given);
     if (const auto fault = shape_fault(ring)) return refuse(fault->found, fault->allowed);
     const auto loops = simple_loops(ring);
     if (!loops) return refuse("a ring that crosses itself too often to be repaired", "simple rings");
-    for (const Ring& loop : *loops) {
-      obstacles_.push_back(common_);
-      obstacles_.back().shape.outer = loop;
-    }
+    result.insert(result.end(), loops->begin(), loops->end());
   }
 
   const TableView& table_;
   Complaints& complaints_;
+  std::string name_;
   std::string_view key_;
-  Obstacle common_;
-  std::vector<Obstacle> obstacles_;
+  int lowest_layer_ = 1, highest_layer_ = most_layers;
 };
+
+std::vector<Body> read_body(const TableView& table, std::size_t number, Complaints& complaints) {
+  OutlineReader reader(table, fmt::format("body {}", number), complaints);
+  const auto key = reader.shape_key();
+  if (!key) return {};
+  Body body = reader.thing<Body>();
+  std::string carrier;
+  table.set("at", carrier);
+  body.at = carrier == "tracer" ? Carrier::tracer : Carrier::pen;
+  std::vector<Body> bodies;
+  if (*key == "circle_mm") {
+    body.shape = read_disc(table);
+    bodies.push_back(body);
+    return bodies;
+  }
+  for (Ring& ring : reader.rings()) {
+    body.shape = Polygon{std::move(ring), {}};
+    bodies.push_back(body);
+  }
+  return bodies;
+}
 
 }  // namespace
 
@@ -74,10 +104,33 @@ std::vector<Obstacle> read_obstacles(const toml::array& tables, Complaints& comp
   std::vector<Obstacle> obstacles;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const TableView table(*tables[i].as_table(), "obstacles");
-    for (Obstacle& part : ObstacleReader(table, i + 1, complaints).read())
-      obstacles.push_back(std::move(part));
+    OutlineReader reader(table, fmt::format("obstacle {}", i + 1), complaints);
+    if (!reader.shape_key()) continue;
+    for (Ring& ring : reader.rings()) {
+      obstacles.push_back(reader.thing<Obstacle>());
+      obstacles.back().shape.outer = std::move(ring);
+    }
   }
   return obstacles;
+}
+
+std::vector<Body> read_bodies(const toml::array& tables, Complaints& complaints) {
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const TableView table(*tables[i].as_table(), "bodies");
+    for (Body& body : read_body(table, i + 1, complaints)) bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+std::optional<Polygon> read_table_edge(const TableView& table, Complaints& complaints) {
+  OutlineReader reader(table, "the table", complaints);
+  if (!reader.shape_key()) return std::nullopt;
+  std::vector<Ring> rings = reader.rings();
+  if (rings.size() == 1) return Polygon{std::move(rings.front()), {}};
+  if (!rings.empty())
+    reader.refuse("several rings, or one that crosses itself", "one ring that does not cross itself");
+  return std::nullopt;
 }
 
 }  // namespace kempe

@@ -1,5 +1,5 @@
 #pragma once
-// The tables about places: [region], [pole] and [[obstacles]].
+// The tables about places: [region], [pole], [[obstacles]], [[bodies]] and [table].
 
 #include <filesystem>
 #include <optional>
@@ -22,5 +22,11 @@ PoleSpec read_pole(const TableView& table, const Point& natural, Complaints& com
 /// obstacle a ring; one that crosses itself falls apart into simple rings, which cover all that it winds
 /// around (ring_loops.hpp) and may overlap. Zero area is refused.
 std::vector<Obstacle> read_obstacles(const toml::array& tables, Complaints& complaints);
+
+/// Reads the [[bodies]] tables in the same way; a circle stays one.
+std::vector<Body> read_bodies(const toml::array& tables, Complaints& complaints);
+
+/// Reads a [table] table whose keys have been checked: one ring that does not cross itself.
+std::optional<Polygon> read_table_edge(const TableView& table, Complaints& complaints);
 
 }  // namespace kempe

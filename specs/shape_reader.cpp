@@ -73,19 +73,32 @@ class RingsReader {
   Complaints& complaints_;
 };
 
+/// The numbers of a short form, [x, y, width, height] or [x, y, radius].
+std::vector<double> numbers_of(const toml::array& list) {
+  std::vector<double> numbers;
+  for (const toml::node& node : list) numbers.push_back(finite_number(node).value_or(0));
+  return numbers;
+}
+
+Ring ring_of_rectangle(const Point& at, const Point& size) {
+  return Region::rectangle(at, size).polygons.front().outer;
+}
+
+Ring ring_of_circle(const Point& centre, double radius) {
+  return Region::circle(centre, radius).polygons.front().outer;
+}
+
 Ring read_rectangle(const TableView& table) {
   Point at = Point::Zero(), size = Point::Zero();
   table.set("at", at);
   table.set("size", size);
-  return Region::rectangle(at, size).polygons.front().outer;
+  return ring_of_rectangle(at, size);
 }
 
-Ring read_circle(const TableView& table) {
-  Point centre = Point::Zero();
-  double radius = 0;
-  table.set("centre", centre);
-  table.set("radius", radius);
-  return Region::circle(centre, radius).polygons.front().outer;
+Ring read_short_rectangle(const toml::array& list) {
+  const std::vector<double> numbers = numbers_of(list);
+  if (numbers.size() != 4) return {};
+  return ring_of_rectangle({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
 }
 
 /// Where a ring of a key stands: the element of the list of rings, or the whole value.
@@ -121,11 +134,29 @@ std::optional<std::string_view> exactly_one_of(const TableView& table,
   return std::nullopt;
 }
 
+Disc read_disc(const TableView& table) {
+  Disc disc;
+  const toml::node* value = table.find("circle_mm");
+  if (const toml::array* list = value ? value->as_array() : nullptr) {
+    if (const std::vector<double> numbers = numbers_of(*list); numbers.size() == 3)
+      disc = {{numbers[0], numbers[1]}, numbers[2]};
+  } else if (value && value->is_table()) {
+    const TableView figure(*value->as_table(), table.dotted("circle_mm"));
+    figure.set("centre", disc.centre);
+    figure.set("radius", disc.radius);
+  }
+  return disc;
+}
+
 Ring read_figure(const TableView& table, std::string_view key) {
+  if (key == "circle_mm") {
+    const Disc disc = read_disc(table);
+    return disc.radius > 0 ? ring_of_circle(disc.centre, disc.radius) : Ring{};
+  }
   const toml::node* value = table.find(key);
+  if (value && value->is_array()) return read_short_rectangle(*value->as_array());
   if (!value || !value->is_table()) return {};
-  const TableView figure(*value->as_table(), table.dotted(key));
-  return key == "circle_mm" ? read_circle(figure) : read_rectangle(figure);
+  return read_rectangle(TableView(*value->as_table(), table.dotted(key)));
 }
 
 std::optional<Region> read_shape(const TableView& table, std::string_view key, Complaints& complaints) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/region.hpp"
+#include "kempe/body.hpp"
 #include "specs/text/complaints.hpp"
 #include "specs/text/toml_access.hpp"
 
@@ -20,6 +21,9 @@ std::optional<std::vector<Ring>> read_rings(const TableView& table, std::string_
 std::optional<std::string_view> exactly_one_of(const TableView& table,
                                                const std::vector<std::string_view>& keys,
                                                Complaints& complaints);
+
+/// The disc of circle_mm, in either of its forms; a radius of 0 if the key is not there.
+Disc read_disc(const TableView& table);
 
 /// The ring of rectangle_mm or circle_mm, whichever `key` is.
 Ring read_figure(const TableView& table, std::string_view key);

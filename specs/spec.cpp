@@ -2,14 +2,19 @@
 
 #include <algorithm>
 
+#include "specs/hardware.hpp"
+
 namespace kempe {
 namespace {
 
 /// Of the pin's diameter: what keeps two holes of a link apart where the spec does not say it.
 constexpr double wall_per_pin = 0.1;
 
-/// What a hole is wider than its pin, mm; a press fit's pin is as wide as ever.
-double widening(const Spec& spec) { return std::max(0.0, spec.cutting.hole_fit); }
+/// What a hole is wider than its pin, mm: by a bearing or bush, or by the fit; a press fit's pin is as wide as ever.
+double widening(const Spec& spec) {
+  const LinkStyle& style = spec.links.style;
+  return std::max(0.0, hole_diameter(style, spec.links.hardware, spec.cutting) - style.pin_diameter);
+}
 
 }  // namespace
 
@@ -35,7 +40,27 @@ std::string_view name(Objective objective) {
 
 bool is_maximized(Objective objective) { return objective == Objective::transmission; }
 
-bool WorkshopSpec::any() const {
+std::string_view name(Process process) {
+  switch (process) {
+    case Process::laser: return "laser";
+    case Process::mill: return "mill";
+    case Process::print: return "print";
+    case Process::drill: break;
+  }
+  return "drill";
+}
+
+double usual_fit(Process process) {
+  switch (process) {
+    case Process::laser: return 0.1;
+    case Process::mill: return 0.05;
+    case Process::print: return 0.3;
+    case Process::drill: break;
+  }
+  return 0.1;
+}
+
+bool StockLengths::any() const {
   return grid.has_value() || !stock.empty() ||
          std::any_of(locked.begin(), locked.end(), [](const auto& length) { return length.has_value(); });
 }
@@ -49,6 +74,13 @@ double joint_width(const Spec& spec) { return spec.links.style.pin_diameter + wi
 double hole_distance(const Spec& spec) { return joint_width(spec) + least_wall(spec); }
 
 double least_joint_distance(const Spec& spec) { return std::max(spec.links.shortest, hole_distance(spec)); }
+
+double largest_joint_distance(const Spec& spec) {
+  if (!spec.limits.longest_strip) return spec.links.longest;
+  return std::min(spec.links.longest, *spec.limits.longest_strip - spec.links.style.width);
+}
+
+bool strip_is_shorter(const Spec& spec) { return largest_joint_distance(spec) < spec.links.longest; }
 
 double pin_for_hole_distance(const Spec& spec, double distance) {
   const double pin_and_wall = distance - widening(spec);

@@ -16,6 +16,11 @@ double hole_distance(const Spec& spec);
 /// The least distance of two joints of a link, mm: `links.shortest`, or hole_distance() if that is more. All eight lengths
 /// of a linkage keep it: they are the distances of all pairs of joints that share a link.
 double least_joint_distance(const Spec& spec);
+/// The largest distance of two joints of a link, mm: `links.longest`, or what `limits.longest_strip` leaves between the two
+/// half widths at a link's ends, if that is less; 0 or less if the strip is no longer than the links are wide.
+double largest_joint_distance(const Spec& spec);
+/// True if the strip leaves less than `links.longest`.
+bool strip_is_shorter(const Spec& spec);
 /// The thickest pin with which hole_distance() is `distance` (mm); 0 or less if there is none.
 double pin_for_hole_distance(const Spec& spec, double distance);
 

@@ -7,6 +7,7 @@
 #include "geometry/stated_angle.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "kinematics/grounding.hpp"
+#include "kinematics/overloaded.hpp"
 #include "specs/spec_table.hpp"
 #include "specs/text/toml_access.hpp"
 
@@ -74,15 +75,16 @@ toml::table links_table(const LinkSpec& links) {
   put(table, "width_mm", links.style.width, usual.style.width);
   put(table, "pin_diameter_mm", links.style.pin_diameter, usual.style.pin_diameter);
   put(table, "thickness_mm", links.style.thickness, usual.style.thickness);
+  if (!links.hardware.empty()) table.insert("hardware", links.hardware);
   if (links.style.plate == PlateStyle::triangle) table.insert("plate", "triangle");
   put(table, "layers", links.layers, usual.layers);
   put(table, "shortest_mm", links.shortest, usual.shortest);
   put(table, "longest_mm", links.longest, usual.longest);
   put(table, "wall_mm", links.wall);
-  put(table, "grid_mm", links.workshop.grid);
-  if (!links.workshop.stock.empty()) table.insert("stock_mm", toml_array(links.workshop.stock));
+  put(table, "grid_mm", links.stock_lengths.grid);
+  if (!links.stock_lengths.stock.empty()) table.insert("stock_mm", toml_array(links.stock_lengths.stock));
   for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
-    put(table, std::string(LinkLengths::names[i]) + "_mm", links.workshop.locked[i]);
+    put(table, std::string(LinkLengths::names[i]) + "_mm", links.stock_lengths.locked[i]);
   return table;
 }
 
@@ -91,8 +93,9 @@ toml::table limits_table(const Limits& limits) {
   toml::table table;
   put(table, "clearance_mm", limits.clearance, usual.clearance);
   put(table, "transmission_deg", stated_degrees(limits.transmission), stated_degrees(usual.transmission));
-  put(table, "sheets_gap_mm", limits.sheets_gap);
+  put(table, "sheets_gap_mm", limits.copy_gap);
   put(table, "copy_error_mm", limits.copy_error);
+  put(table, "longest_strip_mm", limits.longest_strip);
   return table;
 }
 
@@ -113,6 +116,27 @@ toml::table obstacle_table(const Obstacle& obstacle) {
 toml::array obstacle_tables(const std::vector<Obstacle>& obstacles) {
   toml::array tables;
   for (const Obstacle& obstacle : obstacles) tables.push_back(obstacle_table(obstacle));
+  return tables;
+}
+
+/// Of one ring; a disc is the circle that it is.
+toml::table body_table(const Body& body) {
+  toml::table table{{"at", body.at == Carrier::tracer ? "tracer" : "pen"},
+                    {"layers", toml::array{body.lowest_layer, body.highest_layer}}};
+  std::visit(
+      Overloaded{
+          [&](const Disc& disc) {
+            table.insert("circle_mm", toml::table{{"centre", list_of(disc.centre)}, {"radius", disc.radius}});
+          },
+          [&](const Polygon& polygon) { table.insert("polygon_mm", list_of(polygon.outer)); }},
+      body.shape);
+  if (!body.name.empty()) table.insert("name", body.name);
+  return table;
+}
+
+toml::array body_tables(const std::vector<Body>& bodies) {
+  toml::array tables;
+  for (const Body& body : bodies) tables.push_back(body_table(body));
   return tables;
 }
 
@@ -146,10 +170,11 @@ toml::table tolerance_table(const Tolerance& tolerance) {
 toml::table cutting_table(const CuttingSpec& cutting) {
   const CuttingSpec usual;
   toml::table table;
-  put(table, "hole_fit_mm", cutting.hole_fit, usual.hole_fit);
+  if (cutting.process) table.insert("process", std::string(name(*cutting.process)));
+  put(table, "hole_fit_mm", cutting.hole_fit, cutting.process ? usual_fit(*cutting.process) : usual.hole_fit);
   put(table, "kerf_mm", cutting.kerf, usual.kerf);
   put(table, "gap_mm", cutting.gap, usual.gap);
-  if (cutting.sheet) table.insert("sheet_mm", list_of(*cutting.sheet));
+  if (cutting.stock_sheet) table.insert("sheet_mm", list_of(*cutting.stock_sheet));
   return table;
 }
 
@@ -159,12 +184,15 @@ void put_if_any(toml::table& root, std::string_view key, toml::table table) {
 
 toml::table table_of(const Spec& spec) {
   toml::table root{{"copy", copy_table(spec.copy)}, {"pole", pole_table(spec.pole)}};
+  put(root, "title", spec.title, std::string());
   if (!spec.region.empty()) root.insert("region", region_table(spec.region));
   put_if_any(root, "links", links_table(spec.links));
   put_if_any(root, "limits", limits_table(spec.limits));
   if (spec.tolerance) root.insert("tolerance", tolerance_table(*spec.tolerance));
   put_if_any(root, "tool", tool_table(spec.tool));
   if (!spec.obstacles.empty()) root.insert("obstacles", obstacle_tables(spec.obstacles));
+  if (!spec.bodies.empty()) root.insert("bodies", body_tables(spec.bodies));
+  if (spec.table) root.insert("table", toml::table{{"polygon_mm", list_of(spec.table->outer)}});
   put_if_any(root, "objective", objective_table(spec.objective));
   if (spec.mechanism) root.insert("mechanism", mechanism_table(*spec.mechanism));
   put_if_any(root, "cutting", cutting_table(spec.cutting));
@@ -184,6 +212,10 @@ std::optional<InputError> unspeakable(const Spec& spec) {
   }
   for (const Obstacle& obstacle : spec.obstacles)
     if (has_holes(obstacle.shape)) return refused("obstacles.polygon_mm");
+  for (const Body& body : spec.bodies)
+    if (const auto* polygon = std::get_if<Polygon>(&body.shape); polygon && has_holes(*polygon))
+      return refused("bodies.polygon_mm");
+  if (spec.table && has_holes(*spec.table)) return refused("table.polygon_mm");
   return std::nullopt;
 }
 
@@ -196,7 +228,10 @@ tl::expected<Spec, InputError> check_spec(const Spec& spec) {
   Spec checked = spec;
   checked.region = std::move(read->region);
   checked.obstacles = std::move(read->obstacles);
-  checked.links.workshop.stock = std::move(read->links.workshop.stock);  // sorted, each once
+  checked.bodies = std::move(read->bodies);
+  checked.table = std::move(read->table);
+  checked.links.stock_lengths.stock = std::move(read->links.stock_lengths.stock);  // sorted, each once
+  checked.links.style.pin_diameter = read->links.style.pin_diameter;               // its hardware's
   if (!spec.pole.is_fixed()) checked.pole = std::move(read->pole);
   return checked;
 }

@@ -23,7 +23,12 @@ constexpr bool required = true, optional = false;
 using enum KeyKind;
 
 constexpr SpecKey keys[] = {
-    {"copy", "scale", number, above(0, 1e4), "", optional, "1", "1.4",
+    {"", "title", text, any, "", optional, "", "\"Router for the shop sign\"",
+     "heads report and drawings: one line of at most 200 bytes"},
+    {"", "units", choice, any, "mm|in", optional, "\"mm\"", "\"in\"",
+     "the unit of all lengths: with \"in\" every key that ends in _mm ends in _in instead"},
+
+    {"copy", "scale", ratio, above(0, 1e4), "", optional, "1", "1.4",
      "pen-side length over tracer-side length"},
     {"copy", "rotation_deg", number, from(-3600, 3600), "", optional, "0", "90",
      "the copy's turn against the original, counter-clockwise"},
@@ -56,6 +61,15 @@ constexpr SpecKey keys[] = {
     {"links", "pin_diameter_mm", number, above(0, 1000), "", optional, "6", "8",
      "diameter of pins and posts, at most the width"},
     {"links", "thickness_mm", number, above(0, 1000), "", optional, "4", "5", "thickness of every link"},
+    {"links", "hardware", choice, any,
+     "M3 bolt|M4 bolt|M5 bolt|M6 bolt|M8 bolt|M10 bolt|M12 bolt|M6 shoulder bolt|"
+     "M8 shoulder bolt|M12 shoulder bolt|623 bearing|624 bearing|625 bearing|"
+     "626 bearing|608 bearing|6000 bearing|3 mm dowel|4 mm dowel|5 mm dowel|"
+     "6 mm dowel|8 mm dowel|10 mm dowel|3 mm dowel and bush|4 mm dowel and bush|"
+     "5 mm dowel and bush|6 mm dowel and bush|8 mm dowel and bush|10 mm dowel and bush",
+     optional, "", "\"M6 shoulder bolt\"",
+     "what the joints are made of: gives the pin's diameter, the holes and the shopping list; left out: "
+     "plain pins"},
     {"links", "plate", choice, any, "bent|triangle", optional, "\"bent\"", "\"triangle\"",
      "shape of the two links with three joints"},
     {"links", "layers", whole_number, from(2, most_layers), "", optional, "2", "4",
@@ -83,10 +97,12 @@ constexpr SpecKey keys[] = {
     {"limits", "transmission_deg", number, from_to_below(0, 90), "", optional, "30", "25",
      "least transmission angle over the region"},
     {"limits", "sheets_gap_mm", number, from(0, 1e5), "", optional, "", "5",
-     "least distance of the original from its copy; 0: they may touch, not overlap; left out: they may "
+     "least distance of the original from its copy; 0: they may touch but not overlap; left out: they may "
      "overlap"},
     {"limits", "copy_error_mm", number, above(0, 1000), "", optional, "", "0.3",
      "largest copy error under [tolerance], worst case; left out: not limited"},
+    {"limits", "longest_strip_mm", number, length, "", optional, "", "415",
+     "largest length of a link over its ends: the strip that is at hand; left out: not limited"},
 
     {"tolerance", "length_mm", number, from(0, 10), "", optional, "0", "0.05",
      "tolerance of every length, plus or minus"},
@@ -110,6 +126,26 @@ constexpr SpecKey keys[] = {
     {"obstacles", "layers", layer_range, layer, "", optional, "[1, 8]", "[1, 4]",
      "the layers it stands in, lowest and highest; 1 is next to the table"},
 
+    {"bodies", "name", text, any, "", optional, "", "\"router\"",
+     "what the report calls it; left out: body 1, 2, ..."},
+    {"bodies", "at", choice, any, "tracer|pen", required, "", "\"pen\"",
+     "the point that carries it; it keeps its direction"},
+    {"bodies", "polygon_mm", rings, coordinate, "", optional, "",
+     "[[-40, -30], [40, -30], [40, 30], [-40, 30]]", "its outline seen from that point: a ring, or several"},
+    {"bodies", "rectangle_mm", rectangle, any, "", optional, "", "{at = [-40, -30], size = [80, 60]}",
+     "an upright rectangle instead"},
+    {"bodies", "circle_mm", circle, any, "", optional, "", "{centre = [0, 0], radius = 60}",
+     "a circle instead"},
+    {"bodies", "layers", layer_range, layer, "", optional, "[1, 8]", "[3, 8]",
+     "the layers it takes, lowest and highest; 1 is next to the table"},
+
+    {"table", "polygon_mm", rings, coordinate, "", optional, "", "[[0, 0], [600, 0], [600, 400], [0, 400]]",
+     "the table's edge, a ring: links, pins, posts and bodies stay on it"},
+    {"table", "rectangle_mm", rectangle, any, "", optional, "", "{at = [0, 0], size = [600, 400]}",
+     "an upright rectangle instead"},
+    {"table", "circle_mm", circle, any, "", optional, "", "{centre = [0, 0], radius = 500}",
+     "a circle instead"},
+
     {"objective", "minimize", choice, any, "size|copy_error|footprint", optional, "\"size\"", "\"footprint\"",
      "what is made small"},
     {"objective", "maximize", choice, any, "transmission", optional, "", "\"transmission\"",
@@ -126,8 +162,10 @@ constexpr SpecKey keys[] = {
     {"mechanism", "layers", link_layers, layer, "", optional, "", "[1, 2, 2, 1]",
      "layers of VA, VB, ACX, BCY; left out: the best are sought"},
 
-    {"cutting", "hole_fit_mm", number, from(-1, 10), "", optional, "0", "0.1",
-     "a hole's diameter less the pin's"},
+    {"cutting", "process", choice, any, "laser|mill|print|drill", optional, "", "\"laser\"",
+     "how holes are made: its usual fit stands in for hole_fit_mm"},
+    {"cutting", "hole_fit_mm", number, from(-1, 10), "", optional, "", "0.1",
+     "a hole's diameter less the pin's; left out: that of the process, or 0"},
     {"cutting", "kerf_mm", number, from(0, 10), "", optional, "0", "0.2", "width that the cut takes away"},
     {"cutting", "sheet_mm", point, above(0, 1e5), "", optional, "", "[600, 300]",
      "width and height of the sheet to nest the parts on; left out: not nested"},
@@ -141,18 +179,15 @@ constexpr SpecKey keys[] = {
     {"circle_mm", "radius", number, above(0, largest_coordinate), "", required, "", "10", "the radius"},
 };
 
-constexpr std::array<std::string_view, 11> tables{"copy",      "region",    "pole",   "links",
-                                                  "limits",    "tolerance", "tool",   "obstacles",
+constexpr std::array<std::string_view, 13> tables{"copy",      "region",    "pole",      "links",  "limits",
+                                                  "tolerance", "tool",      "obstacles", "bodies", "table",
                                                   "objective", "mechanism", "cutting"};
 
-/// What people try instead, and how it is said.
-std::string_view remark_on(const SpecKey& key) {
-  return key.name == "scale" ? "; scale -c is scale c with 180 degrees more rotation" : "";
-}
+constexpr double mm_per_inch = 25.4;
 
 /// " mm", " degrees" or nothing.
-std::string_view unit_of(const SpecKey& key) {
-  if (key.name.ends_with("_mm") || key.table == "rectangle_mm" || key.table == "circle_mm") return " mm";
+std::string unit_words(const SpecKey& key, SpecUnit unit) {
+  if (is_length(key)) return fmt::format(" {}", name(unit));
   return key.name.ends_with("_deg") ? " degrees" : "";
 }
 
@@ -162,8 +197,19 @@ bool KeyRange::contains(double value) const {
   return (without_lower ? value > lower : value >= lower) && (without_upper ? value < upper : value <= upper);
 }
 
-std::string KeyRange::describe() const {
-  return fmt::format("{} {} and {} {}", without_lower ? ">" : ">=", lower, without_upper ? "<" : "<=", upper);
+std::string KeyRange::describe(double share) const {
+  const auto end = [share](double value) {
+    return share == 1 ? fmt::format("{}", value) : fmt::format("{:.6g}", share * value);
+  };
+  return fmt::format("{} {} and {} {}", without_lower ? ">" : ">=", end(lower),
+                     without_upper ? "<" : "<=", end(upper));
+}
+
+double in_mm(SpecUnit unit) { return unit == SpecUnit::inch ? mm_per_inch : 1; }
+std::string_view name(SpecUnit unit) { return unit == SpecUnit::inch ? "in" : "mm"; }
+
+bool is_length(const SpecKey& key) {
+  return key.name.ends_with("_mm") || key.table == "rectangle_mm" || key.table == "circle_mm";
 }
 
 std::span<const SpecKey> spec_keys() { return keys; }
@@ -186,12 +232,15 @@ std::vector<std::string_view> words_of(const SpecKey& key) {
   return words;
 }
 
-std::string describe_allowed(const SpecKey& key) {
-  const std::string range = key.range.describe();
+std::string describe_allowed(const SpecKey& key, SpecUnit in_unit) {
+  const std::string range = key.range.describe(is_length(key) ? 1 / in_mm(in_unit) : 1);
   const std::string words = fmt::format("\"{}\"", fmt::join(words_of(key), "\", \""));
-  const std::string_view unit = unit_of(key);
+  const std::string unit = unit_words(key, in_unit);
   switch (key.kind) {
-    case number: return fmt::format("a number {}{}{}", range, unit, remark_on(key));
+    case number: return fmt::format("a number {}{}", range, unit);
+    case ratio:
+      return fmt::format(
+          "a number {}, or two as text: \"1:3\"; scale -c is scale c with 180 degrees more rotation", range);
     case whole_number: return fmt::format("a whole number {}", range);
     case truth: return "true or false";
     case choice: return "one of " + words;
@@ -204,10 +253,13 @@ std::string describe_allowed(const SpecKey& key) {
     case rings:
       return fmt::format("a ring [[x, y], [x, y], [x, y], ...] or a list of rings, numbers {}{}", range,
                          unit);
-    case rectangle: return "{at = [x, y], size = [width, height]}, mm";
-    case circle: return "{centre = [x, y], radius = r}, mm";
+    case rectangle:
+      return fmt::format("{{at = [x, y], size = [width, height]}} or [x, y, width, height], {}",
+                         name(in_unit));
+    case circle: return fmt::format("{{centre = [x, y], radius = r}} or [x, y, radius], {}", name(in_unit));
     case pairs:
-      return "[[[x, y], [x, y]], ...]: tracer and pen, at least two pairs, numbers " + range + " mm";
+      return fmt::format("[[[x, y], [x, y]], ...]: tracer and pen, at least two pairs, numbers {}{}", range,
+                         unit);
   }
   return "";
 }

@@ -10,9 +10,18 @@
 
 namespace kempe {
 
+/// What the keys of a spec's lengths end in: "_mm", or with units = "in" at its top "_in".
+enum class SpecUnit { mm, inch };
+
+/// mm a unit.
+double in_mm(SpecUnit unit);
+/// "mm" or "in".
+std::string_view name(SpecUnit unit);
+
 /// What may stand after a key.
 enum class KeyKind {
   number,        ///< a finite number within the range
+  ratio,         ///< the same, or as text "a:b" (text/ratio.hpp)
   whole_number,  ///< an integer within the range
   truth,         ///< true or false
   choice,        ///< one of the words
@@ -23,8 +32,8 @@ enum class KeyKind {
   layer_range,   ///< [lowest, highest], whole numbers within the range, lowest <= highest
   link_layers,   ///< four whole numbers within the range, of VA, VB, ACX, BCY
   rings,         ///< a ring [[x, y], ...] or a list of rings
-  rectangle,     ///< a table with the keys of "rectangle_mm"
-  circle,        ///< a table with the keys of "circle_mm"
+  rectangle,     ///< a table with the keys of "rectangle_mm", or [x, y, width, height]
+  circle,        ///< a table with the keys of "circle_mm", or [x, y, radius]
   pairs          ///< [[[x, y], [x, y]], ...]: tracer, pen
 };
 
@@ -35,13 +44,14 @@ struct KeyRange {
   bool without_lower = false, without_upper = false;
 
   bool contains(double value) const;
-  /// "> 0 and <= 1000"
-  std::string describe() const;
+  /// "> 0 and <= 1000"; with `share` of both ends.
+  std::string describe(double share = 1) const;
 };
 
 struct SpecKey {
-  std::string_view table;  ///< "copy"; the inline tables count as "rectangle_mm" and "circle_mm"
-  std::string_view name;   ///< "scale"; a length's ends in _mm, an angle's in _deg
+  /// "copy"; empty for the keys at the top; the inline tables count as "rectangle_mm" and "circle_mm"
+  std::string_view table;
+  std::string_view name;  ///< "scale"; a length's ends in _mm, an angle's in _deg
   KeyKind kind;
   KeyRange range;
   std::string_view words;     ///< of choice and choices, separated by '|'
@@ -62,8 +72,10 @@ std::span<const std::string_view> spec_tables();
 
 std::vector<std::string_view> words_of(const SpecKey& key);
 
-/// What may stand there, for a person: "a number > 0 and <= 1000 mm".
-std::string describe_allowed(const SpecKey& key);
+/// What may stand there, for a person: "a number > 0 and <= 1000 mm", of a spec in inches "a number > 0 and <= 39.3701 in".
+std::string describe_allowed(const SpecKey& key, SpecUnit unit = SpecUnit::mm);
+/// True of lengths and lists of them: the key's values are in the spec's unit.
+bool is_length(const SpecKey& key);
 
 /// Most layers a linkage may have.
 inline constexpr int most_layers = 8;

@@ -1,11 +1,16 @@
 #include "specs/spec_reader.hpp"
 
+#include <fmt/format.h>
+
 #include "specs/build_reader.hpp"
 #include "specs/copy_reader.hpp"
+#include "specs/file_kind.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/region_reader.hpp"
 #include "specs/spec_table.hpp"
+#include "specs/spec_unit.hpp"
 #include "specs/text/complaints.hpp"
+#include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 #include "specs/text/toml_access.hpp"
 
@@ -21,6 +26,18 @@ TableView table_in(const toml::table& root, std::string_view name) {
 /// True if the spec asks for the copy error, by objective or limit.
 bool needs_tolerance(const Spec& spec) {
   return spec.objective.objective == Objective::copy_error || spec.limits.copy_error.has_value();
+}
+
+/// The strip must leave some distance of joints that shortest_mm allows.
+void check_strip(const Spec& spec, const toml::table& root, Complaints& complaints) {
+  if (!spec.limits.longest_strip || !complaints.none_about("limits") || !complaints.none_about("links"))
+    return;
+  if (largest_joint_distance(spec) >= spec.links.shortest) return;
+  const TableView limits = table_in(root, "limits");
+  complaints.add(limits.line_of_key("longest_strip_mm"), limits.dotted("longest_strip_mm"),
+                 fmt::format("{}", *spec.limits.longest_strip),
+                 fmt::format("at least {} mm: links.shortest_mm and links.width_mm",
+                             spec.links.shortest + spec.links.style.width));
 }
 
 void check_tolerance(const Spec& spec, const toml::table& root, Complaints& complaints) {
@@ -47,6 +64,29 @@ void check_robust(const Spec& spec, const toml::table& root, Complaints& complai
                  "length_mm or play_mm above 0 beside it");
 }
 
+/// The title, if it is a line that a page and a drawing can show.
+std::string read_title(const toml::table& root, Complaints& complaints) {
+  const toml::node* value = root.get("title");
+  if (!value || !complaints.none_about("title")) return {};
+  std::string title = value->value_or(std::string());
+  if (title.size() > most_title_bytes)
+    complaints.add(line_of(*value), "title", fmt::format("{} bytes", title.size()),
+                   fmt::format("at most {}", most_title_bytes));
+  else if (printable(title) != title)
+    complaints.add(line_of(*value), "title", printable(title, 60),
+                   "one line of UTF-8 without control characters");
+  return title;
+}
+
+/// Robust designs know of links and obstacles alone.
+void check_robust_surroundings(const Spec& spec, const toml::table& root, Complaints& complaints) {
+  if (!spec.tolerance || !spec.tolerance->robust || (spec.bodies.empty() && !spec.table)) return;
+  const TableView table = table_in(root, "tolerance");
+  complaints.add(table.line_of_key("robust"), table.dotted("robust"),
+                 spec.table ? "true beside [table]" : "true beside [[bodies]]",
+                 "false there: robust designs are sought without bodies and without a table's edge");
+}
+
 void require_tables(const toml::table& root, Complaints& complaints) {
   if (!root.contains("copy") && !is_meant(root, "copy")) {
     complaints.add(0, "copy", "nothing", "a table [copy] with scale and rotation_deg, or pairs_mm");
@@ -60,6 +100,7 @@ void require_tables(const toml::table& root, Complaints& complaints) {
 /// Reads every table whose keys are without complaint; whatever is wrong is in `complaints`.
 Spec read_tables(const toml::table& root, const std::filesystem::path& folder, Complaints& complaints) {
   Spec spec;
+  spec.title = read_title(root, complaints);
   const auto table = [&root](std::string_view name) { return table_in(root, name); };
   const auto sound = [&](std::string_view name) {
     return root.contains(name) && complaints.none_about(name);
@@ -75,20 +116,32 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
   if (sound("mechanism") && sound("copy") && complaints.none_about("links"))
     spec.mechanism = read_mechanism(table("mechanism"), spec.copy, spec.links.layers, complaints);
   spec.cutting = read_cutting(table("cutting"));
+  check_strip(spec, root, complaints);
   check_tolerance(spec, root, complaints);
   check_robust(spec, root, complaints);
   if (complaints.none_about("pole"))
     spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
   if (sound("obstacles")) spec.obstacles = read_obstacles(*root.get_as<toml::array>("obstacles"), complaints);
+  if (sound("bodies")) spec.bodies = read_bodies(*root.get_as<toml::array>("bodies"), complaints);
+  if (sound("table")) spec.table = read_table_edge(table("table"), complaints);
+  check_robust_surroundings(spec, root, complaints);
   if (sound("region")) spec.region = read_region(table("region"), folder, complaints).value_or(Region{});
   return spec;
 }
 
-tl::expected<Spec, InputError> read_root(const toml::table& root, const std::string& file_name,
+/// From here on all lengths are in mm; what is wrong with them is told by the keys of the file.
+void convert(toml::table& root, SpecUnit unit, Complaints& complaints) {
+  if (unit == SpecUnit::mm) return;
+  to_millimetres(root);
+  complaints.rename_keys([unit](const std::string& key) { return name_in(unit, key); });
+}
+
+tl::expected<Spec, InputError> read_root(toml::table root, const std::string& file_name,
                                          const std::filesystem::path& folder) {
   Complaints complaints(file_name);
   check_keys(root, complaints);
   require_tables(root, complaints);
+  convert(root, spec_unit_of(root), complaints);
   Spec spec = read_tables(root, folder, complaints);
   if (!complaints.none()) return tl::unexpected(complaints.all());
   return spec;
@@ -96,13 +149,17 @@ tl::expected<Spec, InputError> read_root(const toml::table& root, const std::str
 
 }  // namespace
 
-tl::expected<Spec, InputError> read_spec_table(const toml::table& root) { return read_root(root, "", ""); }
+tl::expected<Spec, InputError> read_spec_table(toml::table root) {
+  return read_root(std::move(root), "", "");
+}
 
 tl::expected<Spec, InputError> read_spec(std::string_view text, const std::string& file_name,
                                          const std::filesystem::path& folder) {
-  const auto root = parse_toml(text, file_name);
-  if (!root) return tl::unexpected(root.error());
-  return read_root(*root, file_name, folder);
+  auto root = parse_toml(text, file_name);
+  if (!root) return tl::unexpected(or_other_kind(root.error(), text, FileKind::spec));
+  return read_root(std::move(*root), file_name, folder).map_error([&](const InputError& faults) {
+    return or_other_kind(faults, text, FileKind::spec);
+  });
 }
 
 tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path) {
@@ -112,6 +169,8 @@ tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path)
 }
 
 std::optional<std::filesystem::path> region_file_of(std::string_view text) {
+  // Hundred thousand corners take long to read again. A key without its letters can only be spelt with a backslash.
+  if (text.find("file") == text.npos && text.find('\\') == text.npos) return std::nullopt;
   const auto root = parse_toml(text, "");
   const auto name = root ? (*root)["region"]["file"].value<std::string>() : std::nullopt;
   return name ? std::optional(std::filesystem::path(*name)) : std::nullopt;

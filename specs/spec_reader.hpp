@@ -24,7 +24,7 @@ tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path)
 tl::expected<Spec, InputError> read_spec(std::string_view text, const std::string& file_name,
                                          const std::filesystem::path& folder);
 
-/// The drawing that a spec's text names as region.file; nothing if it names none, or is no TOML.
+/// The drawing that a spec's text names as region.file; nothing if it names none, or is not TOML.
 std::optional<std::filesystem::path> region_file_of(std::string_view text);
 
 }  // namespace kempe

@@ -9,6 +9,6 @@
 namespace kempe {
 
 /// The same checks and values as read_spec() (spec_reader.hpp), of tables that stand in no file.
-tl::expected<Spec, InputError> read_spec_table(const toml::table& root);
+tl::expected<Spec, InputError> read_spec_table(toml::table root);
 
 }  // namespace kempe

@@ -13,8 +13,7 @@ namespace kempe {
 
 /// The region of a drawing's strokes:
 ///  - hull: the convex hull of all strokes, grown by the margin (a drawing on one line needs a margin);
-///  - outline: what closed strokes enclose by the even-odd rule (an O has its hole); if outlines meet or
-///  cross, all
+///  - outline: what closed strokes enclose by the even-odd rule (an O has its hole); if outlines meet or cross, all
 ///    that any of them encloses, holes filled. Grown by the margin;
 ///  - strokes: all that is within the margin (> 0) of a stroke.
 /// Open strokes whose ends meet to 1e-3 mm are joined before outlines are looked for. `remark` says what else

@@ -230,7 +230,7 @@ std::optional<InputError> group_fault(std::string_view text, const std::string& 
         !code.empty() && code.size() <= 5 && code.find_first_not_of("0123456789-") == std::string_view::npos;
     if (!is_code)
       return any ? fault(line - 1, "no group code", "DXF's pairs of group code and value")
-                 : fault(0, "text that is no DXF", "a DXF drawing");
+                 : fault(0, "text that is not DXF", "a DXF drawing");
     if (code == "0" && value == "EOF") return std::nullopt;
     if (code.find_first_not_of('0') == std::string_view::npos) entity = value;
     if (const auto count = announced_count(entity, code, value); count && *count > groups)
@@ -277,7 +277,7 @@ tl::expected<DxfDrawing, InputError> read_dxf(std::string_view text, const std::
   const ClassicLocale classic;
   DL_Dxf dxf;
   if (!dxf.in(stream, &collector))
-    return tl::unexpected(InputError{file_name, 0, "", "text that is no DXF", "a DXF drawing"});
+    return tl::unexpected(InputError{file_name, 0, "", "text that is not DXF", "a DXF drawing"});
   return collector.take();
 }
 

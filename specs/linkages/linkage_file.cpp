@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "specs/file_kind.hpp"
 #include "specs/linkages/drivers.hpp"
 #include "specs/linkages/names.hpp"
 #include "specs/linkages/reader.hpp"
@@ -481,8 +482,10 @@ int LinkageFile::most_steps() const {
 tl::expected<LinkageFile, InputError> parse_linkage_file(std::string_view text,
                                                          const std::string& file_name) {
   const auto root = parse_toml(text, file_name);
-  if (!root) return tl::unexpected(root.error());
-  return LinkageReader(*root, file_name).read();
+  if (!root) return tl::unexpected(or_other_kind(root.error(), text, FileKind::linkage));
+  return LinkageReader(*root, file_name).read().map_error([&](const InputError& faults) {
+    return or_other_kind(faults, text, FileKind::linkage);
+  });
 }
 
 tl::expected<LinkageFile, InputError> read_linkage_file(const std::string& path) {

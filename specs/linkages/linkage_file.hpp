@@ -110,8 +110,8 @@ struct OutputWishes {
   std::vector<std::string> points;  ///< empty in the file: every point that is not on the ground
   bool velocities = false, accelerations = false;
   std::vector<std::string> angles;  ///< links whose angle (and rates) are wanted
-  std::vector<std::array<std::string, 3>>
-      transmission;                ///< a, b, c: angle between ba and bc, folded to 0..90 degrees
+  /// Points a, b, c: the angle between ba and bc, folded to 0..90 degrees.
+  std::vector<std::array<std::string, 3>> transmission;
   std::vector<std::string> trace;  ///< points whose curve is drawn
 };
 

@@ -48,8 +48,8 @@ PlanarPosition guessed_position(const LinkageFile& file, const LinkageModel& mod
 
 /// Why no assembly mode was taken.
 struct NoAssembly {
-  std::optional<Missing>
-      missing;  ///< what remained open, if nothing closes; nothing if the search was stopped
+  /// What remained open, if nothing closes; nothing if the search was stopped.
+  std::optional<Missing> missing;
   std::vector<std::string> unmet;  ///< bounds that no closing meets, as sentences; empty if nothing closes
 };
 

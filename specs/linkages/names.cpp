@@ -26,8 +26,15 @@ std::string nearest_of(const std::string& name, const Names& names) {
     else
       candidates.push_back(each);
   }
-  return candidates.empty() ? std::string("none is defined")
-                            : fmt::format("the nearest defined one is {}", nearest(name, candidates));
+  if (candidates.empty()) return "none is defined";
+  if (const auto meant = nearest(name, candidates))
+    return fmt::format("the nearest defined one is {}", *meant);
+  constexpr std::size_t most_shown = 12;
+  const std::size_t shown = std::min(most_shown, candidates.size());
+  return fmt::format(
+      "defined: {}{}",
+      fmt::join(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+      shown < candidates.size() ? ", ..." : "");
 }
 
 }  // namespace

@@ -43,9 +43,8 @@ LinkageTable::LinkageTable(const toml::table& table, std::string rules, std::str
 void LinkageTable::check_keys() const {
   for (const auto& [key, value] : table_) {
     if (find_linkage_key(rules_, key.str()) || is_measure(rules_, key.str())) continue;
-    complaints_.add(
-        static_cast<int>(key.source().begin.line), dotted(key.str()), "an unknown key",
-        fmt::format("the nearest known key is {}", nearest(key.str(), linkage_key_names(rules_))));
+    complaints_.add(static_cast<int>(key.source().begin.line), dotted(key.str()), "an unknown key",
+                    known_instead(key.str(), linkage_key_names(rules_)));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "geometry/side.hpp"
 
 namespace kempe {
 
@@ -20,8 +21,6 @@ struct JointAngle {
   std::size_t from, at, to;
   double angle;  ///< rad
 };
-
-enum class Side { left, right };
 
 struct RigidLinkTask {
   std::vector<std::string> joints;  ///< names, at least two

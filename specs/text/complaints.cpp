@@ -15,7 +15,8 @@ int rank(const InputError& complaint, const std::string& file) {
 }  // namespace
 
 void Complaints::add(int line, std::string key, std::string found, std::string allowed) {
-  add(InputError{file_, line, std::move(key), std::move(found), std::move(allowed)});
+  add(InputError{file_, line, as_in_file_ ? as_in_file_(key) : std::move(key), std::move(found),
+                 std::move(allowed)});
 }
 
 /// A place between those that stand there, so that of too many the topmost stay.

@@ -1,8 +1,10 @@
 #pragma once
 // What a reader found wrong, collected while it reads on.
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "kempe/input_error.hpp"
@@ -18,6 +20,10 @@ class Complaints {
   explicit Complaints(std::string file) : file_(std::move(file)) {}
 
   void add(int line, std::string key, std::string found, std::string allowed);
+  /// From now on add() takes keys as a reader calls them, and notes them as the file does.
+  void rename_keys(std::function<std::string(const std::string&)> as_in_file) {
+    as_in_file_ = std::move(as_in_file);
+  }
   /// A complaint about another file that this one names.
   void add(InputError about_other_file);
 
@@ -30,6 +36,7 @@ class Complaints {
 
  private:
   std::string file_;
+  std::function<std::string(const std::string&)> as_in_file_;  ///< empty: as they are
   std::vector<InputError> made_;
 };
 

@@ -1,0 +1,62 @@
+#pragma once
+// What can be bought for a joint, by the name that a spec gives it: pins, screws, bearings, bushes, with their standard sizes.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "kempe/spec.hpp"
+
+namespace kempe {
+
+/// How a joint is made.
+enum class HardwareKind {
+  bolt,  ///< socket head cap screw ISO 4762, a washer ISO 7089 at each end, nut ISO 4032; links turn on the screw
+  shoulder_screw,  ///< ISO 7379: links turn on the ground shoulder, whose end the nut ISO 4032 and its washer are drawn against
+  bearing,  ///< a deep groove ball bearing (ISO 15) in every link, on a bolt as above
+  dowel,    ///< parallel pin ISO 8734; links turn on it
+  bush      ///< a wrapped bush (ISO 3547) in every link, on a parallel pin ISO 8734
+};
+
+/// A metric thread with what stands on it; mm.
+struct ThreadSizes {
+  std::string_view name;                  ///< "M6"
+  double diameter, pitch;                 ///< ISO 261
+  double nut_height, nut_corners;         ///< ISO 4032: m max, e min
+  double washer_height, washer_diameter;  ///< ISO 7089: h nominal, d2
+  double screw_head_height, screw_head;   ///< ISO 4762: k max, d_k max of the plain head
+  double screw_shortest, screw_longest;   ///< ISO 4762: commercial lengths
+};
+
+/// One kind of joint in one size; mm.
+struct Hardware {
+  std::string_view name;  ///< "M6 bolt", "608 bearing"
+  HardwareKind kind;
+  double pin;             ///< diameter of what passes the layers: contact is certified for it
+  double seat = 0;        ///< outer diameter of the bearing or bush that is pressed into the link; 0: none
+  double seat_width = 0;  ///< of a bearing, along its axis: a link is at least as thick; 0: no such need
+  std::string_view thread = {};      ///< of the screw; empty: none
+  double head_height = 0, head = 0;  ///< of a shoulder screw: k, d_k
+  double shortest = 0, longest = 0;  ///< of a shoulder or a pin: commercial lengths
+};
+
+/// All of them, those that a spec can name, in the order of the documentation.
+std::span<const Hardware> all_hardware();
+/// The one of this name, or null.
+const Hardware* hardware_named(std::string_view name);
+/// Its thread's sizes; null if it has none.
+const ThreadSizes* thread_of(const Hardware& hardware);
+/// The standards that its pieces are made by: "ISO 7379, ISO 7089, ISO 4032".
+std::string_view standards_of(HardwareKind kind);
+
+/// What the links of a spec or design are bored for, mm: the pin's diameter, or that of the bearing or bush around it.
+double bored_for(const LinkStyle& style, const std::string& hardware);
+/// Diameter of a hole as it is to be, kerf apart, mm. A bearing or bush is pressed in: the fit widens holes for pins alone.
+double hole_diameter(const LinkStyle& style, const std::string& hardware, const CuttingSpec& cutting);
+
+/// The least commercial length of a screw's shank, a shoulder or a pin that is at least `needed`, mm; nothing if none is made.
+std::optional<double> screw_length(const ThreadSizes& thread, double needed);
+std::optional<double> shoulder_or_pin_length(const Hardware& hardware, double needed);
+
+}  // namespace kempe
