@@ -8,7 +8,7 @@
 #include "library/workings.hpp"
 #include "specs/spec_check.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/search.hpp"
 
 namespace kempe {
@@ -42,8 +42,8 @@ Outcome design_checked(const Spec& spec, const Options& options) {
   const SearchOutcome found = synthesize(spec, search_options(options, deadline));
   if (const auto* stopped = std::get_if<Stopped>(&found)) return Workings::outcome(*stopped);
   if (const auto* none = std::get_if<NoDesign>(&found)) return Workings::outcome(*none);
-  auto design = certified_design(spec, std::get<FoundDesign>(found),
-                                 map_options(options, deadline.flag(wish_to_stop(options), 1, time_to_map)));
+  const StopFlag to_map = deadline.flag(wish_to_stop(options), 1, time_to_map(deadline.limit()));
+  auto design = certified_design(spec, std::get<FoundDesign>(found), map_options(options, to_map));
   if (!design) return Workings::uncertified(std::move(design.error()));
   return Workings::outcome(Workings::finished(std::move(*design), toml_text(spec)));
 }
@@ -52,8 +52,7 @@ Outcome map_checked(const Spec& spec, const Options& options) {
   const Deadline deadline = deadline_of(options);
   const auto linkage = given_linkage(spec, "");
   if (!linkage) return Workings::outcome(linkage.error());
-  if (const auto none = plainly_impossible(spec); none && none->requirement == "obstacles")
-    return Workings::outcome(*none);
+  if (const auto none = pole_blocked(spec)) return Workings::outcome(*none);
   Design design = assemble_given(spec, *linkage, map_options(options, deadline.flag(wish_to_stop(options))));
   return Workings::outcome(Workings::finished(std::move(design), toml_text(spec)));
 }

@@ -15,7 +15,7 @@ Copy FinishedDesign::copy() const {
 }
 
 Grounding FinishedDesign::grounding() const { return inside_->linkage.grounding(); }
-int FinishedDesign::assembly_mode() const { return inside_->linkage.assembly_mode(); }
+int FinishedDesign::assembly_mode() const { return inside_->linkage.assembly_mode().number; }
 Point FinishedDesign::pole() const { return inside_->linkage.pole(); }
 LinkLengths FinishedDesign::lengths() const { return inside_->linkage.lengths(); }
 std::array<int, 4> FinishedDesign::layers() const { return inside_->layers.of; }

@@ -33,7 +33,7 @@ Sketch::Sketch(const FinishedDesign& design)
 
 Sketch::operator bool() const { return inside_->design.has_value(); }
 Grounding Sketch::grounding() const { return inside_->design->linkage.grounding(); }
-int Sketch::assembly_mode() const { return inside_->design->linkage.assembly_mode(); }
+int Sketch::assembly_mode() const { return inside_->design->linkage.assembly_mode().number; }
 Point Sketch::pole() const { return inside_->design->linkage.pole(); }
 LinkLengths Sketch::lengths() const { return inside_->design->linkage.lengths(); }
 std::array<int, 4> Sketch::layers() const { return inside_->design->layers.of; }

@@ -19,7 +19,7 @@ std::variant<Audit, InputError> verify(const std::filesystem::path& design_file)
                          .and_then([&](const std::string& text) { return read_design(text, name); })
                          .and_then([&](const StoredDesign& design) { return audit(design, name); });
   if (!found) return found.error();
-  return Audit{found->certified(), found->broken};
+  return Audit{found->holds(), found->broken};
 }
 
 }  // namespace kempe

@@ -26,12 +26,14 @@ class KEMPE_EXPORT Copy {
   /// Scale 1 without rotation: a translation, which has no pole, until a ratio is given.
   Copy() = default;
 
-  /// From a scale (> 0) and a rotation, rad, counter-clockwise. Both are kept as they are; k is exact at whole quarter
-  /// turns, where sine and cosine round.
+  /// From a scale (> 0) and a rotation, rad, counter-clockwise. Both are kept as they are, 0, negative numbers and NaN too:
+  /// validate() and design() refuse them, under copy.scale or copy.rotation_deg. k is exact at whole quarter turns, where sine
+  /// and cosine round.
   static Copy of(double scale, double rotation);
-  /// From the ratio itself: scale |k|, rotation arg k in (-pi, pi]. k is kept as it is.
+  /// From the ratio itself: scale |k|, rotation arg k in (-pi, pi]. k is kept as it is, 0 and NaN too: validate() and design()
+  /// refuse them.
   static Copy of(Complex k);
-  /// The same, of a ratio that pairs of points determined.
+  /// The same, of a ratio that pairs of points determined; `fit` is kept for the report, its translation in the table's frame.
   static Copy fitted(Complex k, const PairFit& fit);
 
   double scale() const { return scale_; }                     ///< |k|

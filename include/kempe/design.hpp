@@ -25,7 +25,7 @@ namespace kempe {
 /// `Design`, the library's own record from which the reports are written, and shows of it what a program needs.
 class KEMPE_EXPORT FinishedDesign {
  public:
-  Copy copy() const;            ///< the ratio attained; with workshop lengths it may differ from the spec's
+  Copy copy() const;            ///< the ratio attained; with stock lengths it may differ from the spec's
   Grounding grounding() const;  ///< what stands at V
   int assembly_mode() const;    ///< which usable interval of the opening, from 0
   Point pole() const;           ///< mm
@@ -47,13 +47,13 @@ class KEMPE_EXPORT FinishedDesign {
   Objective objective() const;  ///< what was made small or large; size for a given mechanism
   /// The objective's value: mm, rad (transmission) or mm^2 (footprint); absent for a given mechanism.
   std::optional<double> value() const;
-  /// No design for the spec can be better than this, in the same unit: proven with directed rounding. Absent where nothing
-  /// is proven.
+  /// No design for the spec can be better than this, mm (size) or rad (transmission): proven, rounded outwards with the slack
+  /// that docs/proven-bound.md states. Absent for other objectives, and where nothing is proven.
   std::optional<double> proven_bound() const;
   bool complete() const;  ///< false: the search was stopped early, a better design may exist
 
-  /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached. Contact plays no part:
-  /// see Map::at().
+  /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached (on the pole: too near). In
+  /// closed form (docs/notation.md). Contact plays no part: see Map::at().
   std::variant<Pose, Unreachable> pose_with_tracer_at(const Point& tracer) const;
 
   /// Where the tracer can stand.
@@ -91,9 +91,9 @@ class Outcome {
   Kind kind() const { return kind_; }
   /// True if there is a design.
   explicit operator bool() const { return design_.has_value(); }
-  /// There must be a design.
+  /// The design. Undefined without one, as of an empty std::optional: ask first.
   const FinishedDesign& operator*() const { return *design_; }
-  /// The same.
+  /// The design's members; undefined without one.
   const FinishedDesign* operator->() const { return &*design_; }
 
   /// Why there is no design, a sentence for a person; empty if there is one.
@@ -102,7 +102,8 @@ class Outcome {
   bool proven() const { return proven_; }
   /// Without a design: what would make one possible, the least change first.
   const std::vector<PossibleChange>& changes() const { return changes_; }
-  /// What no design for the spec can beat, in the objective's unit (mm, rad), as far as proven.
+  /// What no design for the spec can beat: mm for size, rad for transmission; absent for other objectives, and where nothing is
+  /// proven. With a design FinishedDesign::proven_bound() says the same.
   const std::optional<double>& proven_bound() const { return proven_bound_; }
   /// What is wrong with the spec; present exactly for bad_spec.
   const std::optional<InputError>& fault() const { return fault_; }
@@ -118,13 +119,14 @@ class Outcome {
   std::optional<InputError> fault_;
 };
 
-/// The best design for a spec. The spec is checked first (validate()). Guarantees:
+/// The best design for a spec, as docs/search.md says. The spec is checked first (validate()): its faults are the only errors.
+/// Guarantees:
 ///  1. a design keeps every limit of the spec, evaluated anew, its contact certified, and its map covers the region;
 ///  2. the same spec and seed give the same outcome, bit for bit, for any number of threads (unless stopped early);
 ///  3. nothing is shared between calls: they may run in several threads at once.
 KEMPE_EXPORT Outcome design(const Spec& spec, const Options& options = {});
 
-/// The map of the mechanism that Spec::mechanism gives, among the spec's obstacles. The limits are not required of it: the
+/// The map of the mechanism that Spec::mechanism gives, among the spec's obstacles (docs/workspace-map.md). The limits are not required of it: the
 /// map says where they are kept. Of the options seed, threads, progress and diagnose play no part. Where the spec gives no
 /// mechanism, or an area for its pole, fault() says so.
 KEMPE_EXPORT Outcome map(const Spec& spec, const Options& options = {});

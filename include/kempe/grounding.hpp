@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "kempe/export.hpp"
+#include "kempe/joint.hpp"
 
 namespace kempe {
-
-/// The six named points of the drawing.
-enum class Joint { V, A, B, C, X, Y };
 
 /// A grounding, named after what stands at the parallelogram's vertex V.
 enum class Grounding {
@@ -17,6 +15,7 @@ enum class Grounding {
   tracer,  ///< pole X, tracer V, pen Y; s = 1 - k    (drawing pantograph)
   pen      ///< pole X, tracer Y, pen V; s = 1 - 1/k  (variable ratio pantograph)
 };
+/// The three, in the order in which they are looked at and told.
 inline constexpr std::array<Grounding, 3> all_groundings{Grounding::pole, Grounding::tracer, Grounding::pen};
 
 /// "pole", "tracer" or "pen".

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "kempe/export.hpp"
 
 namespace kempe {
 
+/// How the material of a link with three joints runs between them.
 enum class PlateStyle {
   bent,     ///< two arms: C-A-X with its corner at A, C-B-Y with its corner at B
   triangle  ///< the hull of the three joints
@@ -23,8 +25,8 @@ struct LinkStyle {
   bool operator==(const LinkStyle&) const = default;
 };
 
-/// Lengths that the workshop dictates.
-struct KEMPE_EXPORT WorkshopSpec {
+/// Stock lengths: those that a shop has, or that a part at hand gives.
+struct KEMPE_EXPORT StockLengths {
   std::optional<double> grid;                   ///< mm: lengths are multiples of this
   std::vector<double> stock;                    ///< mm: lengths are from this list; empty: any
   std::array<std::optional<double>, 8> locked;  ///< mm, in the order of LinkLengths::names
@@ -40,7 +42,10 @@ struct LinkSpec {
   double longest = 400;  ///< mm
   /// mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
   std::optional<double> wall{};
-  WorkshopSpec workshop;  ///< any lengths unless given
+  StockLengths stock_lengths;  ///< any lengths unless given
+  /// What every joint is made of, one of the names in docs/hardware.md, "M6 shoulder bolt"; its pin is style.pin_diameter
+  /// then. Empty: plain pins of that diameter.
+  std::string hardware{};
 };
 
 }  // namespace kempe

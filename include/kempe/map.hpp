@@ -51,9 +51,11 @@ class KEMPE_EXPORT Map {
   double collision_free_area() const;  ///< mm^2, of that, certainly without contact
   double uncertain_area() const;       ///< mm^2, neither proven free nor proven in contact
 
-  /// What is within reach, with straight edges around the true set, within `tolerance` (mm, > 0) of its arcs.
+  /// What is within reach, with straight edges around the true set, within `tolerance` (mm, > 0, not NaN) of its arcs. A full
+  /// circle has about 2.2 (radius / tolerance)^(1/2) edges; 3e7 (half a gigabyte) at a tolerance of 5e-15 of the radius, and no
+  /// more at any finer one, 0 and negative ones included.
   Region reachable(double tolerance) const;
-  /// What is certainly free, with straight edges inside the true set, within `tolerance` (mm, > 0) of its arcs.
+  /// What is certainly free, with straight edges inside the true set, within `tolerance` of its arcs, as above.
   Region collision_free(double tolerance) const;
 
   /// What is lost of the disc of the outer reach, and to what.
@@ -65,7 +67,8 @@ class KEMPE_EXPORT Map {
   /// none.
   OpeningInterval certified_opening() const;
 
-  /// Whether the tracer can stand there, mm, and why not.
+  /// Whether the tracer can stand there, mm, and why not: each limit in turn, in closed form (docs/workspace-map.md). A place
+  /// that is not finite is not free; on the pole the posts of pole and tracer would be in one place.
   PointVerdict at(const Point& tracer) const;
 
   /// False: stopped early. What is called free or lost is, but more is uncertain than asked for.

@@ -12,15 +12,15 @@ namespace kempe {
 /// How to work, for design() and map().
 struct Options {
   std::uint64_t seed = 1;  ///< same spec and seed, same design, bit for bit
-  int threads = 1;         ///< >= 1; the design does not depend on it
-  /// s of wall clock, > 0; at its end the best so far comes back; absent: none
+  int threads = 1;         ///< 0 and less count as 1; the design does not depend on it
+  /// s of wall clock; at its end the best so far comes back, at once if it is 0 or less; absent: no limit
   std::optional<double> time_limit{};
   /// Asked often, perhaps from several threads; once true it must stay true. The best so far then comes back.
   std::function<bool()> stop{};
   /// Told the share of the work done, 0..1, and what is being done; called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
   bool diagnose = true;  ///< look for the least relaxations where there is no design
-  /// Share of the free workspace that may stay uncertain; kept within 1e-5 to 0.5
+  /// Share of the free workspace that may stay uncertain, not NaN; 1e-5 or 0.5 where it is less or more
   double map_tolerance = 0.005;
   /// Look for the largest rectangles that fit the workspace: the slowest part of a map
   bool largest_sheets = true;

@@ -16,8 +16,11 @@ using Complex = std::complex<double>;
 /// Straight edges from point to point, mm.
 using Polyline = std::vector<Point>;
 
+/// Half a turn, rad.
 inline constexpr double pi = 3.14159265358979323846;
+/// The library's own unit of angles: 0.5 * rad.
 inline constexpr double rad = 1;
+/// A degree in rad: 30 * degree.
 inline constexpr double degree = pi / 180;
 /// An angle in degrees as radians.
 inline constexpr double radians(double degrees) { return degrees * degree; }

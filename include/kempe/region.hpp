@@ -23,12 +23,14 @@ struct Polygon {
 struct KEMPE_EXPORT Region {
   std::vector<Polygon> polygons;  ///< in any order
 
-  /// The upright rectangle with this lower left corner, width and height, mm.
+  /// The upright rectangle with this lower left corner, width and height, mm. Nothing is refused here, nor in circle() and
+  /// polygon(): a width, height or radius that is not > 0, or a ring without an area, makes a region that validate() and
+  /// design() refuse.
   static Region rectangle(const Point& lower_left, const Point& size);
   /// A circle, mm, as a region must hold it to be covered: the regular polygon around it with 1440 corners, which exceeds
   /// the radius by 2.4e-6 of it at most.
   static Region circle(const Point& centre, double radius);
-  /// What a ring encloses, mm; it may run either way.
+  /// What a ring of at least three corners encloses, less its holes, mm; rings may run either way.
   static Region polygon(Ring outer, std::vector<Ring> holes = {});
 
   /// True if it has no polygon.

@@ -23,7 +23,7 @@ class KEMPE_EXPORT Sketch {
   /// Where a drag begins: the sketch that a searched design is.
   explicit Sketch(const FinishedDesign& design);
 
-  /// True if there is a design: the functions below, up to pose_with_tracer_at(), ask for one.
+  /// True if there is a design. Without one the functions below, up to pose_with_tracer_at(), are undefined: ask first.
   explicit operator bool() const;
 
   Grounding grounding() const;        ///< what stands at V
@@ -35,11 +35,11 @@ class KEMPE_EXPORT Sketch {
   double size() const;                ///< mm, half the perimeters of the links' hulls, summed
   double transmission_min() const;    ///< rad, smallest over the region
   double value() const;               ///< of the spec's objective: mm, rad (transmission) or mm^2 (footprint)
-  /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached.
+  /// Where the six points are when the tracer stands at a place, mm; or why it cannot be reached (on the pole: too near).
   std::variant<Pose, Unreachable> pose_with_tracer_at(const Point& tracer) const;
 
-  /// No design can be better than this, in the unit of value(): proven with directed rounding, obstacles and the linkage's
-  /// contact with itself left out. Absent for objectives other than size and transmission.
+  /// No design can be better than this, in the unit of value(): proven, rounded outwards with the slack that
+  /// docs/proven-bound.md states, obstacles and the linkage's contact with itself left out. Absent for objectives other than size and transmission.
   std::optional<double> proven_bound() const;
   /// True if it is proven that no design exists. Without a design and without this none was found near the last one.
   bool proven_none() const;
@@ -54,9 +54,10 @@ class KEMPE_EXPORT Sketch {
 };
 
 /// The sketch of a spec from that of one that differs a little. Where nothing is found the next call goes on from the last design
-/// that was, and looks at one more choice of grounding, assembly mode and layers each time. Lengths of a grid or a stock, and
-/// robust designs, are not sketched. Of the options only time limit and stop play a part. The same arguments give the same
-/// sketch, unless stopped.
+/// that was, and looks at one more choice of grounding, assembly mode and layers each time. Lengths of a grid or a stock, locked
+/// lengths and robust designs are not sketched: the answer is then without a design, without a proof that there is none, and
+/// without a fault. Of the options only time limit and stop play a part. The same arguments give the same sketch, unless
+/// stopped. Source: docs/search.md, "Sketches".
 KEMPE_EXPORT Sketch sketch(const Spec& spec, const Sketch& previous, const Options& options = {});
 
 }  // namespace kempe

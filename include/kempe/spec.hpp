@@ -9,10 +9,13 @@
 #include <variant>
 #include <vector>
 
+#include "kempe/body.hpp"
 #include "kempe/copy.hpp"
+#include "kempe/cutting.hpp"
 #include "kempe/export.hpp"
 #include "kempe/grounding.hpp"
 #include "kempe/links.hpp"
+#include "kempe/obstacle.hpp"
 #include "kempe/region.hpp"
 
 namespace kempe {
@@ -29,8 +32,10 @@ struct PoleSpec {
 struct Limits {
   double clearance = 0.5;             ///< mm, >= 0
   double transmission = 30 * degree;  ///< rad, 0 <= . < pi/2
-  std::optional<double> sheets_gap;   ///< mm; absent: original and copy may overlap
+  std::optional<double> copy_gap;     ///< mm; absent: original and copy may overlap
   std::optional<double> copy_error;   ///< mm, worst case under Tolerance; absent: not required
+  /// mm, > 0, at most: of every link over its ends, its farthest joints and half a width beyond each; absent: any
+  std::optional<double> longest_strip{};
 };
 
 /// How far an instrument as made may be off, plus or minus.
@@ -47,16 +52,13 @@ struct ToolSpec {
   std::optional<double> cutter_radius;    ///< of the pen
 };
 
-/// Something in the way of links, pins and posts, in some of the layers.
-struct Obstacle {
-  Polygon shape;          ///< mm, without holes
-  int lowest_layer = 1;   ///< 1 is next to the table
-  int highest_layer = 1;  ///< >= lowest_layer, at most 8
-  std::string name = {};  ///< for people: "obstacle 2" unless the spec names it; empty if not from a spec
-};
-
 /// What is made small or, of the transmission, large.
-enum class Objective { size, transmission, copy_error, footprint };
+enum class Objective {
+  size,          ///< mm, half the perimeters round the links' joints, summed; made small
+  transmission,  ///< rad, the smallest transmission angle over the region; made large
+  copy_error,    ///< mm, the worst case over the region under Spec::tolerance; made small
+  footprint      ///< mm^2, the area swept while the tracer covers the region; made small
+};
 /// "size", "transmission", "copy_error" or "footprint".
 KEMPE_EXPORT std::string_view name(Objective objective);
 /// True for transmission only: larger is better.
@@ -78,16 +80,13 @@ struct MechanismSpec {
   std::optional<std::array<int, 4>> layers{};  ///< of VA, VB, ACX, BCY; absent: the best assignment is sought
 };
 
-/// How the parts are cut: what their drawings allow for.
-struct CuttingSpec {
-  double hole_fit = 0;  ///< mm, a hole's diameter less the pin's; negative for a press fit
-  double kerf = 0;  ///< mm, >= 0, the width that the cut takes away; drawings compensate half on each side
-  std::optional<Point> sheet{};  ///< mm, width and height of a sheet; absent: parts are not nested
-  double gap = 5;                ///< mm, >= 0, between parts on a sheet and to its edge
-};
+/// Most bytes of Spec::title.
+inline constexpr std::size_t most_title_bytes = 200;
 
 /// A task: how to copy, what to cover, where to stand, what to build of.
 struct Spec {
+  /// Heads report and drawings: one line without control characters, at most most_title_bytes bytes; empty: none.
+  std::string title;
   Copy copy;                           ///< the ratio wanted
   Region region;                       ///< what the tracer must cover, mm; may be empty beside a mechanism
   PoleSpec pole;                       ///< the origin unless given
@@ -96,7 +95,10 @@ struct Spec {
   std::optional<Tolerance> tolerance;  ///< needed where the copy error, or robust designs, are asked for
   ToolSpec tool;                       ///< for advice on the template
   std::vector<Obstacle> obstacles;     ///< what is in the way
-  ObjectiveSpec objective;             ///< what is sought
+  std::vector<Body> bodies;            ///< what tracer and pen carry along
+  std::optional<Polygon>
+      table;                ///< mm, without holes: links, pins, posts and bodies stay on it; absent: no edge
+  ObjectiveSpec objective;  ///< what is sought
   std::optional<MechanismSpec> mechanism;  ///< for map() alone
   CuttingSpec cutting;                     ///< how the parts are cut
 };

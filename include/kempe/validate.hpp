@@ -20,7 +20,8 @@ KEMPE_EXPORT std::optional<InputError> validate(const Spec& spec);
 /// line.
 KEMPE_EXPORT std::variant<Spec, InputError> load(const std::filesystem::path& file);
 
-/// The spec as a file would say it (TOML, docs/spec.md), without what is as it would be unsaid. load() reads it back.
+/// The spec as a file would say it (TOML, docs/spec.md). Keys with their default value are left out. load() reads it back; the text
+/// of a spec that validate() refuses may be one that load() refuses.
 KEMPE_EXPORT std::string toml_text(const Spec& spec);
 
 }  // namespace kempe

@@ -28,10 +28,10 @@ struct Verification {
   double scale = 0;              ///< of the similarity fitted to the driven pairs
   double rotation = 0;           ///< of the same, rad
   int flips = 0;                 ///< changes of assembly mode seen
-  bool certified = false;        ///< everything holds
+  bool holds = false;            ///< everything that was looked at, at the places visited
   /// Driven over the free workspace: there is no region, or none of it within reach
   bool over_workspace = false;
-  std::string failure{};              ///< a sentence; empty if certified
+  std::string failure{};              ///< a sentence; empty if it holds
   std::vector<BrokenLimit> broken{};  ///< the first breach of each limit
 };
 
