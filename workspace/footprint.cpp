@@ -76,7 +76,7 @@ double farthest_place(const Sweep& sweep, const LinkageMotion& motion) {
 }
 
 std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkStyle& style,
-                                    const Region& region, const FootprintGrid& grid) {
+                                    const Region& region, const FootprintGrid& grid, const StopFlag& stop) {
   const OpeningInterval openings = openings_met(linkage, region);
   if (openings.empty()) return std::nullopt;
   const Sweep sweep{linkage, style, openings, true};
@@ -85,7 +85,7 @@ std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkSty
   const RegionBearings region_bearings(region, linkage.pole());
   const double half_slab = openings.width() / grid.slabs / 2;
   const double one_bin = 2 * pi / grid.bins;  // what lies between is swept to within the grid anyway
-  for (int slab = 0; slab < grid.slabs; ++slab) {
+  for (int slab = 0; slab < grid.slabs && !stop(); ++slab) {
     const double opening = openings.lower + (2 * slab + 1) * half_slab;
     const double a = linkage.radius_at(opening - half_slab), b = linkage.radius_at(opening + half_slab);
     const auto bearings = region_bearings.between(std::min(a, b), std::max(a, b), one_bin);
@@ -101,9 +101,16 @@ std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkSty
 
 Footprint footprint(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
                     const FootprintGrid& grid) {
-  const auto bins = swept_bins(linkage, style, region, grid);
-  if (!bins) return {};
-  return {bins->area(), outline_in_the_plane(*bins, linkage.pole())};
+  return footprint_unless({}, linkage, style, region, grid).value_or(Footprint{});
+}
+
+std::optional<Footprint> footprint_unless(const StopFlag& stop, const CopyingLinkage& linkage,
+                                          const LinkStyle& style, const Region& region,
+                                          const FootprintGrid& grid) {
+  const auto bins = stop() ? std::nullopt : swept_bins(linkage, style, region, grid, stop);
+  if (stop()) return std::nullopt;
+  if (!bins) return Footprint{};
+  return Footprint{bins->area(), outline_in_the_plane(*bins, linkage.pole())};
 }
 
 double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,

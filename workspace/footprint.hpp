@@ -11,7 +11,10 @@
 // rounded outwards: the result contains all that is swept. Without the growing the area is an estimate,
 // smooth enough to be searched with.
 
+#include <optional>
+
 #include "kinematics/copying_linkage.hpp"
+#include "kinematics/stop_flag.hpp"
 #include "specs/spec.hpp"
 
 namespace kempe {
@@ -31,6 +34,10 @@ struct Footprint {
 /// is left out; an empty result if it reaches none.
 Footprint footprint(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,
                     const FootprintGrid& grid = {});
+/// The same; nothing if it was stopped before all was swept.
+std::optional<Footprint> footprint_unless(const StopFlag& stop, const CopyingLinkage& linkage,
+                                          const LinkStyle& style, const Region& region,
+                                          const FootprintGrid& grid = {});
 
 /// The area alone, estimated without growing: exact in the limit of a fine grid, mm^2.
 double footprint_estimate(const CopyingLinkage& linkage, const LinkStyle& style, const Region& region,

@@ -22,20 +22,23 @@ double size_of(Complex z) { return std::sqrt(std::norm(z)); }
 
 }  // namespace
 
-LinkageMotion::LinkageMotion(const CopyingLinkage& linkage)
+LinkageMotion::LinkageMotion(const CopyingLinkage& linkage) : LinkageMotion(linkage, linkage.pole_joint()) {}
+
+LinkageMotion::LinkageMotion(const CopyingLinkage& linkage, Joint seen_from)
     : VA_(linkage.VA()), VB_(linkage.VB()), chain_end_(linkage.VB() / std::abs(linkage.shape())),
       per_shape_(1.0 / linkage.shape()) {
   const auto of = multiples(linkage.shape());
+  const auto origin = static_cast<std::size_t>(seen_from);
   const auto pole = static_cast<std::size_t>(linkage.pole_joint());
   const auto tracer = static_cast<std::size_t>(linkage.tracer_joint());
   for (std::size_t joint = 0; joint < 6; ++joint) {
-    a_[joint] = of[joint][0] - of[pole][0];
-    b_[joint] = of[joint][1] - of[pole][1];
+    a_[joint] = of[joint][0] - of[origin][0];
+    b_[joint] = of[joint][1] - of[origin][1];
     p_size_[joint] = std::abs(a_[joint]) * VA_;
     q_size_[joint] = std::abs(b_[joint]) * VB_;
   }
-  // The tracer is a fixed multiple of the chain p + q/s: its multiple of p.
-  tracer_per_chain_ = a_[tracer];
+  // The tracer, seen from the pole, is a fixed multiple of the chain p + q/s: its multiple of p.
+  tracer_per_chain_ = of[tracer][0] - of[pole][0];
 }
 
 OpeningJoints LinkageMotion::over_openings(double opening, double half_opening) const {

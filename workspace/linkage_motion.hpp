@@ -19,7 +19,7 @@
 
 namespace kempe {
 
-/// A joint, seen from the pole, in the middle of a rectangle of openings and bearings.
+/// A joint, seen from the pole or another joint, in the middle of a rectangle of openings and bearings.
 struct MovingJoint {
   Point at;          ///< mm
   Point by_opening;  ///< d at / d opening, mm/rad; d at / d bearing is `at` turned left by a right angle
@@ -29,7 +29,7 @@ struct MovingJoint {
   double reach;  ///< mm: how far it may stray from `at` within the rectangle
 };
 
-/// All six joints; the pole's own is at rest at the origin.
+/// All six joints; the one that they are seen from is at rest at the origin.
 using MovingJoints = std::array<MovingJoint, 6>;
 
 /// A joint over an interval of openings with the tracer at bearing 0: what does not depend on the bearing.
@@ -46,7 +46,11 @@ struct OpeningJoints {
 
 class LinkageMotion {
  public:
+  /// Seen from the pole.
   explicit LinkageMotion(const CopyingLinkage& linkage);
+  /// Seen from a joint, in a frame that travels with it and keeps its direction: a joint stands there at the difference of the
+  /// two places, whose a and b are the differences of theirs.
+  LinkageMotion(const CopyingLinkage& linkage, Joint seen_from);
 
   /// The joints in the middle of the rectangle opening +- half_opening, bearing +- half_bearing (rad), with
   /// bounds that hold all over it. The rectangle's openings must lie in the assembly mode's interval.
@@ -58,7 +62,7 @@ class LinkageMotion {
   OpeningJoints over_openings(double opening, double half_opening) const;
   static MovingJoints turned(const OpeningJoints& joints, Complex turn, double half_bearing);
 
-  /// An upper bound of the distance of a joint from the pole over all openings of the assembly mode, mm.
+  /// An upper bound of the distance of a joint from where it is seen over all openings of the assembly mode, mm.
   double farthest(Joint joint) const;
 
  private:

@@ -2,16 +2,21 @@
 
 namespace kempe {
 
-MapTask map_task(const CopyingLinkage& linkage, const LinkStyle& style, const LayerAssignment& layers,
-                 const Limits& limits, const std::vector<Obstacle>& obstacles, const Region& region) {
+bool has_obstructions(const MapTask& task) {
+  return !task.obstacles.empty() || !task.bodies.empty() || task.table.has_value();
+}
+
+MapTask map_task(const CopyingLinkage& linkage, const LayerAssignment& layers, const Spec& spec) {
   return {.linkage = linkage,
-          .style = style,
+          .style = spec.links.style,
           .layers = layers,
-          .clearance = limits.clearance,
-          .transmission = limits.transmission,
-          .obstacles = obstacles,
-          .region = region,
-          .sheets_gap = limits.sheets_gap};
+          .clearance = spec.limits.clearance,
+          .transmission = spec.limits.transmission,
+          .obstacles = spec.obstacles,
+          .bodies = spec.bodies,
+          .table = spec.table,
+          .region = spec.region,
+          .copy_gap = spec.limits.copy_gap};
 }
 
 }  // namespace kempe

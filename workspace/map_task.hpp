@@ -17,12 +17,16 @@ struct MapTask {
   double clearance = 0;     ///< mm
   double transmission = 0;  ///< rad
   std::vector<Obstacle> obstacles{};
-  Region region{};                     ///< what must be covered; may be empty
-  std::optional<double> sheets_gap{};  ///< mm
+  std::vector<Body> bodies{};
+  std::optional<Polygon> table{};
+  Region region{};                   ///< what must be covered; may be empty
+  std::optional<double> copy_gap{};  ///< mm
 };
 
-/// Of the limits those that a map respects.
-MapTask map_task(const CopyingLinkage& linkage, const LinkStyle& style, const LayerAssignment& layers,
-                 const Limits& limits, const std::vector<Obstacle>& obstacles, const Region& region);
+/// True if anything but the linkage itself can be in its way.
+bool has_obstructions(const MapTask& task);
+
+/// Of a spec what a map respects, for a linkage in the given layers.
+MapTask map_task(const CopyingLinkage& linkage, const LayerAssignment& layers, const Spec& spec);
 
 }  // namespace kempe

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/slack.hpp"
+
 namespace kempe {
 
 namespace {
 
-/// Inner circles smaller than this share of the outer are the pole itself: equal arms fold onto it up to
-/// rounding.
-constexpr double rounding = 1e-12;
-
 /// The opening at a distance within the reach; at an end of the reach, which rounding may put outside, that of the end.
 double opening_within(const CopyingLinkage& linkage, double distance) {
   if (const auto opening = linkage.opening_at(distance)) return *opening;
-  const OpeningInterval& all = linkage.assembly_interval();
+  const OpeningInterval& all = linkage.assembly_mode().openings;
   const double lower = linkage.radius_at(all.lower), upper = linkage.radius_at(all.upper);
   return std::abs(lower - distance) < std::abs(upper - distance) ? all.lower : all.upper;
 }
@@ -33,7 +31,7 @@ Annulus annulus_over(const CopyingLinkage& linkage, const OpeningInterval& openi
 }
 
 Annulus reachable_annulus(const CopyingLinkage& linkage) {
-  return annulus_over(linkage, linkage.assembly_interval());
+  return annulus_over(linkage, linkage.assembly_mode().openings);
 }
 
 Annulus usable_annulus(const CopyingLinkage& linkage, double transmission) {
@@ -44,7 +42,7 @@ Annulus chain_annulus(const CopyingLinkage& linkage) {
   // Folded and stretched: the chain's directions differ by pi and by 0 at openings arg s + pi and arg s.
   const double stretched = std::arg(linkage.shape());
   const double folded = linkage.radius_at(stretched + pi), outer = linkage.radius_at(stretched);
-  return {linkage.pole(), folded > rounding * outer ? folded : 0, outer};
+  return {linkage.pole(), folded > slack::rounding * outer ? folded : 0, outer};
 }
 
 double area(const Annulus& annulus) {
@@ -54,7 +52,7 @@ double area(const Annulus& annulus) {
 ArcRegion as_region(const Annulus& annulus) {
   if (annulus.empty() || !(annulus.outer > annulus.inner)) return {};
   ArcPolygon polygon{circle(annulus.centre, annulus.outer), {}};
-  if (annulus.inner > rounding * annulus.outer)
+  if (annulus.inner > slack::rounding * annulus.outer)
     polygon.holes.push_back(reversed(circle(annulus.centre, annulus.inner)));
   return {polygon};
 }

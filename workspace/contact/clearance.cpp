@@ -55,8 +55,8 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
 constexpr double as_tight = 1e-7;
 
 /// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
-void improve(ClearanceFigure& best, double& named, const MapTask& task, const ContactScene& scene,
-             const Subdivision& cells, const StopFlag& stop) {
+void improve(ClearanceFigure& best, double& named, const ContactScene& scene, const Subdivision& cells,
+             const StopFlag& stop) {
   const CopyingLinkage& linkage = cells.grid().linkage();
   const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
   for (std::size_t i = 0; i < cells.open().size() && !stop(); i += stride) {
@@ -67,8 +67,7 @@ void improve(ClearanceFigure& best, double& named, const MapTask& task, const Co
     if (!opening) continue;
     const ObstacleGap here = tightest_obstacle(scene, *opening, std::atan2(reach.y(), reach.x()));
     if (here.gap < named - as_tight * certain_to(linkage)) {
-      best.parts = name(scene.pieces[here.between.piece].part) + " and " +
-                   obstacle_name(task.obstacles, scene.obstacles[here.between.obstacle].number);
+      best.parts = scene.piece_name(here.between) + " and " + scene.obstacle_name(here.between);
       best.at = *point;
       named = here.gap;
     }
@@ -86,7 +85,7 @@ ClearanceFigure with_obstacles(const MapTask& task, ClearanceFigure best, const 
                     {.contacts_stay_open = true, .region_only = true});
   double named = best.gap;
   while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
-    improve(best, named, task, scene, cells, stop);
+    improve(best, named, scene, cells, stop);
     cells.lower_clearance(best.gap - certain_to(task.linkage));
     if (!cells.split(unless(stop))) break;
   }
@@ -106,7 +105,7 @@ std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const Sto
       place_at_distance(task.region, task.linkage.pole(), task.linkage.radius_at(own.opening)), true};
   if (const auto post = tightest_at_pole(task); post && post->gap < best.gap) {
     best.gap = post->gap;
-    best.parts = post->post + " and " + obstacle_name(task.obstacles, post->obstacle);
+    best.parts = post->post + " and " + post->obstacle;
   }
   return with_obstacles(task, best, openings, stop);
 }

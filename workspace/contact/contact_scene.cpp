@@ -32,29 +32,76 @@ double direction_rounding(const MapTask& task) {
 /// Distance from the origin to a box: nothing inside can be nearer.
 double distance_from_origin(const Box& box) { return distance(box, {Point::Zero(), Point::Zero()}); }
 
+SceneFrame frame_of(const std::optional<Carrier>& carrier) {
+  if (!carrier) return SceneFrame::table;
+  return *carrier == Carrier::tracer ? SceneFrame::tracer : SceneFrame::pen;
+}
+
+/// Pieces of the linkage's parts.
+std::vector<ScenePiece> pieces_of(const MapTask& task) {
+  std::vector<ScenePiece> pieces;
+  for (const Part& part : parts_of(task.linkage, task.layers)) {
+    if (part.lowest_layer > part.highest_layer) continue;
+    for (const JointHull& hull : axis_of(part, task.linkage.shape(), task.style.plate))
+      pieces.push_back({part, hull, half_width(part, task.style), name(part)});
+  }
+  return pieces;
+}
+
+/// A body's point.
+ScenePiece point_of(const Obstruction::Met& body, const CopyingLinkage& linkage) {
+  const Joint joint = joint_of(body.by, linkage);
+  const Part::Kind kind = body.by == Carrier::tracer ? Part::Kind::tracer_post : Part::Kind::pen_post;
+  return {{kind, {}, joint, 1, most_layers}, {{joint, joint, joint}, 1}, 0, body.name};
+}
+
 }  // namespace
 
-ContactScene::ContactScene(const MapTask& task, double within) : motion(task.linkage) {
-  for (const Part& part : parts_of(task.linkage, task.layers)) {
-    if (part.kind == Part::Kind::pole_post || part.lowest_layer > part.highest_layer) continue;
-    for (const JointHull& hull : axis_of(part, task.linkage.shape(), task.style.plate))
-      pieces.push_back({part, hull, half_width(part, task.style), farthest_of(motion, hull)});
-  }
+ContactScene::ContactScene(const MapTask& task, double within)
+    : motion(task.linkage), carried{LinkageMotion(task.linkage, task.linkage.tracer_joint()),
+                                    LinkageMotion(task.linkage, task.linkage.pen_joint())},
+      pieces(pieces_of(task)) {
+  const std::size_t of_linkage = pieces.size();
+  const std::vector<Obstruction> obstructions = obstructions_of(task.obstacles, task.bodies, task.table);
   double size = 0;
-  for (const ScenePiece& piece : pieces) size = std::max(size, piece.farthest + piece.half_width);
+  for (const Obstruction& obstruction : obstructions)
+    for (const ScenePiece& piece : pieces)
+      size =
+          std::max(size, farthest_of(motion_in(frame_of(obstruction.frame)), piece.hull) + piece.half_width);
   const double turned = direction_rounding(task) * size;
-  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
-    const Obstacle& given = task.obstacles[number];
-    SceneObstacle obstacle{EdgeTree(given.shape, task.linkage.pole()), number, 0};
+  for (std::size_t number = 0; number < obstructions.size(); ++number) {
+    const Obstruction& obstruction = obstructions[number];
+    const SceneFrame frame = frame_of(obstruction.frame);
+    const bool at_rest = frame == SceneFrame::table;
+    SceneObstacle obstacle{EdgeTree(obstruction.shape, at_rest ? task.linkage.pole() : Point::Zero()),
+                           frame,
+                           obstruction.grown,
+                           number,
+                           obstruction.name,
+                           0};
     if (obstacle.edges.empty()) continue;
     obstacle.slack = turned + distance_rounding * (size + task.clearance + obstacle.edges.magnitude() +
-                                                   task.linkage.pole().norm());
+                                                   (at_rest ? task.linkage.pole().norm() : 0.0));
     const std::size_t before = encounters.size();
-    const double nearest = distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (share_layer(pieces[i].part, given) && nearest < pieces[i].farthest + pieces[i].half_width + within)
-        encounters.push_back({static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(obstacles.size())});
-    if (encounters.size() > before) obstacles.push_back(std::move(obstacle));
+    const double nearest =
+        distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack - obstruction.grown;
+    const auto meet = [&](std::size_t piece) {
+      const ScenePiece& one = pieces[piece];
+      if (nearest < farthest_of(motion_in(frame), one.hull) + one.half_width + within)
+        encounters.push_back(
+            {static_cast<std::uint16_t>(piece), static_cast<std::uint16_t>(obstacles.size())});
+    };
+    for (std::size_t i = 0; i < of_linkage; ++i) {
+      const bool moves = !at_rest || pieces[i].part.kind != Part::Kind::pole_post;
+      if (moves && may_meet(pieces[i].part, obstruction, task.linkage)) meet(i);
+    }
+    if (obstruction.met) {
+      pieces.push_back(point_of(*obstruction.met, task.linkage));
+      meet(pieces.size() - 1);
+    }
+    if (encounters.size() == before) continue;
+    obstacles.push_back(std::move(obstacle));
+    if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
   }
 }
 
@@ -73,12 +120,17 @@ double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double
 
 ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing) {
   ObstacleGap tightest{std::numeric_limits<double>::infinity()};
-  const MovingJoints joints = scene.motion.over(opening, 0, bearing, 0);
+  FramedJoints joints{};
+  for (const SceneFrame frame : scene.frames)
+    joints[static_cast<std::size_t>(frame)] = scene.motion_in(frame).over(opening, 0, bearing, 0);
   for (const Encounter& pair : scene.encounters) {
     const ScenePiece& piece = scene.pieces[pair.piece];
-    const double gap = distance_to(scene.obstacles[pair.obstacle], {joints, piece.hull, {}},
-                                   tightest.gap + piece.half_width) -
-                       piece.half_width;
+    const SceneObstacle& obstacle = scene.obstacles[pair.obstacle];
+    const double around = piece.half_width + obstacle.grown;
+    const double gap =
+        distance_to(obstacle, {joints[static_cast<std::size_t>(obstacle.frame)], piece.hull, {}},
+                    tightest.gap + around) -
+        around;
     if (gap < tightest.gap) tightest = {gap, pair};
   }
   return tightest;
@@ -100,16 +152,15 @@ std::vector<PoleGap> gaps_at_pole(const MapTask& task) {
   // A pole in the lowest layer's link stands in its layer too: the joint itself must be clear.
   const int highest = std::max(post.highest_layer, 1);
   std::vector<PoleGap> gaps;
-  for (std::size_t number = 0; number < task.obstacles.size(); ++number) {
-    const Obstacle& obstacle = task.obstacles[number];
-    if (obstacle.lowest_layer > highest) continue;
-    const double away = distance(Region{{obstacle.shape}}, task.linkage.pole());
-    gaps.push_back({name(post), number, away - half_width(post, task.style)});
+  for (const Obstruction& obstruction : obstructions_of(task.obstacles, {}, task.table)) {
+    if (obstruction.lowest_layer > highest) continue;
+    const double away = distance(obstruction.shape, task.linkage.pole());
+    gaps.push_back({name(post), obstruction.name, away - half_width(post, task.style)});
   }
   return gaps;
 }
 
-std::optional<std::size_t> obstacle_at_pole(const MapTask& task) {
+std::optional<std::string> obstacle_at_pole(const MapTask& task) {
   for (const PoleGap& at : gaps_at_pole(task))
     if (at.gap < task.clearance) return at.obstacle;
   return std::nullopt;

@@ -1,32 +1,43 @@
 #pragma once
-// The moving parts of a linkage and the obstacles that they can meet, seen from the pole.
+// The moving parts of a linkage and the obstructions that they can meet (obstructions.hpp), each in the obstruction's frame.
 
+#include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "workspace/contact/gap_bounds.hpp"
 #include "workspace/map_task.hpp"
-#include "workspace/obstacles.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 
-/// A convex piece of a part's axis.
+/// The frames in which obstructions are at rest. Bearing and opening move the joints in each of them alike: by turning them about its
+/// origin, and as the linkage opens.
+enum class SceneFrame : std::uint8_t { table, tracer, pen };
+/// The joints over a rectangle of openings and bearings, in each frame that has an obstruction; else as they were.
+using FramedJoints = std::array<MovingJoints, 3>;
+
+/// A convex piece of a part's axis, or the point of a body.
 struct ScenePiece {
-  Part part;
+  Part part;  ///< of a body a post at its point
   JointHull hull;
   double half_width;  ///< mm
-  double farthest;    ///< mm, upper bound of the axis's distance from the pole
+  std::string name;   ///< "link VA", "router"
 };
 
-/// An obstacle as the map asks it: the distance of its edges, exact up to `slack`. (The search asks for derivatives instead, of
+/// An obstruction as the map asks it: the distance of its edges, exact up to `slack`. (The search asks for derivatives instead, of
 /// its convex parts: ObstacleShape in synthesis/problem.)
 struct SceneObstacle {
-  EdgeTree edges;      ///< the pole at the origin
-  std::size_t number;  ///< index in MapTask::obstacles
+  EdgeTree edges;      ///< the frame's origin at the origin: the pole of the table's frame
+  SceneFrame frame;    ///< where it is at rest
+  double grown;        ///< mm: it is what lies within this of the edges, or inside
+  std::size_t number;  ///< in the order of obstructions_of()
+  std::string name;    ///< "vice", "router", "the table's edge"
   double slack;        ///< mm: rounding of distances to it
 };
 
-/// A piece that shares a layer with an obstacle and may come near it.
+/// A piece that shares a layer with an obstruction and may come near it.
 struct Encounter {
   std::uint16_t piece, obstacle;
 };
@@ -37,30 +48,42 @@ struct ContactScene {
   /// For gaps: with those that anything comes nearer to than `within`, mm.
   ContactScene(const MapTask& task, double within);
 
-  LinkageMotion motion;
-  std::vector<ScenePiece> pieces;        ///< all but the pole post, which does not move
+  LinkageMotion motion;                  ///< seen from the pole: in the table's frame
+  std::array<LinkageMotion, 2> carried;  ///< seen from tracer and pen: in their frames
+  std::vector<ScenePiece> pieces;        ///< links, pins, posts, and the points of bodies
   std::vector<SceneObstacle> obstacles;  ///< the others can be nowhere so near
-  std::vector<Encounter> encounters;
+  std::vector<Encounter>
+      encounters;                  ///< none of the pole post and what is at rest on the table: neither moves
+  std::vector<SceneFrame> frames;  ///< those of the obstacles, each once
+
+  const LinkageMotion& motion_in(SceneFrame frame) const {
+    return frame == SceneFrame::table ? motion : carried[frame == SceneFrame::tracer ? 0 : 1];
+  }
+  /// The parts that meet, for a person: "link VA", "vice".
+  const std::string& piece_name(const Encounter& between) const { return pieces[between.piece].name; }
+  const std::string& obstacle_name(const Encounter& between) const {
+    return obstacles[between.obstacle].name;
+  }
 };
 
-/// The smallest gap to any obstacle with the mechanism in one pose, mm; +infinity without obstacles. A piece
-/// inside an obstacle has the gap of a piece at its edge: minus its half width.
+/// The smallest gap to any obstruction with the mechanism in one pose, mm; +infinity without obstructions. A piece inside an obstruction has the
+/// gap of a piece at its edge: minus its half width, and minus what the obstruction is grown by.
 struct ObstacleGap {
   double gap;
   Encounter between{};
 };
 ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing);
 
-/// The gap between the pole post, which does not move, and an obstacle in its layers.
+/// The gap between the pole post, which does not move, and an obstacle in its layers or the table's edge.
 struct PoleGap {
   std::string post;
-  std::size_t obstacle;  ///< index in MapTask::obstacles
+  std::string obstacle;  ///< its name
   double gap;            ///< mm
 };
 std::vector<PoleGap> gaps_at_pole(const MapTask& task);
 /// The smallest of them, the first of equals; nothing without an obstacle in its layers.
 std::optional<PoleGap> tightest_at_pole(const MapTask& task);
-/// The first obstacle within `clearance` of the pole post; nothing if there is none.
-std::optional<std::size_t> obstacle_at_pole(const MapTask& task);
+/// The name of the first obstacle within `clearance` of the pole post; nothing if there is none.
+std::optional<std::string> obstacle_at_pole(const MapTask& task);
 
 }  // namespace kempe

@@ -9,26 +9,26 @@ namespace {
 
 constexpr std::size_t first_joint = all_links.size();
 
-std::size_t body_of(const Part& part) {
+std::size_t member_of(const Part& part) {
   return part.kind == Part::Kind::link ? static_cast<std::size_t>(part.link)
                                        : first_joint + static_cast<std::size_t>(part.joint);
 }
 
-/// The body and, of a link, the joints' pins and posts that its outline holds.
-std::vector<std::size_t> held_by(std::size_t body) {
-  std::vector<std::size_t> held{body};
-  if (body >= first_joint) return held;
-  const LinkJoints joints = joints_of(all_links[body]);
+/// The member and, of a link, the joints' pins and posts that its outline holds.
+std::vector<std::size_t> held_by(std::size_t member) {
+  std::vector<std::size_t> held{member};
+  if (member >= first_joint) return held;
+  const LinkJoints joints = joints_of(all_links[member]);
   for (int i = 0; i < joints.count; ++i)
     held.push_back(first_joint + static_cast<std::size_t>(joints.joints[static_cast<std::size_t>(i)]));
   return held;
 }
 
-/// Links hold their joints and share joints with their neighbours: such bodies are never kept apart.
+/// Links hold their joints and share joints with their neighbours: they are never kept apart.
 bool are_joined(std::size_t one, std::size_t other) {
   const auto of_one = held_by(one), of_other = held_by(other);
-  return std::any_of(of_one.begin(), of_one.end(), [&](std::size_t body) {
-    return std::find(of_other.begin(), of_other.end(), body) != of_other.end();
+  return std::any_of(of_one.begin(), of_one.end(), [&](std::size_t member) {
+    return std::find(of_other.begin(), of_other.end(), member) != of_other.end();
   });
 }
 
@@ -38,10 +38,10 @@ struct Candidate {
 };
 
 std::vector<Candidate> candidates(const CopyingLinkage& linkage, int layers,
-                                  const std::vector<Obstacle>& obstacles) {
-  const ObstacleLayers of_obstacles(obstacles, layers);
+                                  const std::vector<Obstacle>& obstacles, const std::vector<Body>& bodies) {
+  const ObstacleLayers of_obstacles(obstacles, bodies, layers);
   std::vector<Candidate> result;
-  // Without obstacles links above an empty layer may move down: what shared no layer before shares none then.
+  // Without obstacles and bodies links above an empty layer may move down: what shared no layer before shares none then.
   const bool are_alike = of_obstacles.ranges.empty();
   for (const LayerAssignment& each : layer_assignments(are_alike ? std::min(layers, 4) : layers)) {
     if (are_alike && !each.is_stacked()) continue;
@@ -68,34 +68,38 @@ std::vector<LayerAssignment> unbeaten(const std::vector<Candidate>& all, const B
 
 }  // namespace
 
-ObstacleLayers::ObstacleLayers(const std::vector<Obstacle>& obstacles, int layers) {
-  for (const Obstacle& obstacle : obstacles) {
-    const LayerRange range{obstacle.lowest_layer, std::min(obstacle.highest_layer, layers)};
+ObstacleLayers::ObstacleLayers(const std::vector<Obstacle>& obstacles, const std::vector<Body>& bodies,
+                               int layers) {
+  const auto add = [&](int lowest, int highest, std::optional<Carrier> carrier) {
+    const LayerRange range{lowest, std::min(highest, layers), carrier};
     if (range.lowest <= range.highest && std::find(ranges.begin(), ranges.end(), range) == ranges.end())
       ranges.push_back(range);
-  }
+  };
+  for (const Obstacle& obstacle : obstacles) add(obstacle.lowest_layer, obstacle.highest_layer, {});
+  for (const Body& body : bodies) add(body.lowest_layer, body.highest_layer, body.at);
 }
 
 LayerDemands::LayerDemands(const CopyingLinkage& linkage, const LayerAssignment& layers,
                            const ObstacleLayers& obstacles) {
   for (const ContactPair& pair : contact_pairs(linkage, layers)) {
-    const std::size_t first = body_of(pair.first), second = body_of(pair.second);
+    const std::size_t first = member_of(pair.first), second = member_of(pair.second);
     pairs_[first] = static_cast<std::uint16_t>(pairs_[first] | 1u << second);
     pairs_[second] = static_cast<std::uint16_t>(pairs_[second] | 1u << first);
   }
   for (const Part& part : parts_of(linkage, layers))
-    for (std::size_t i = 0; i < obstacles.ranges.size(); ++i)
-      if (std::max(part.lowest_layer, obstacles.ranges[i].lowest) <=
-          std::min(part.highest_layer, obstacles.ranges[i].highest))
-        obstacles_[body_of(part)] |= std::uint64_t{1} << i;
+    for (std::size_t i = 0; i < obstacles.ranges.size(); ++i) {
+      const auto& [lowest, highest, carrier] = obstacles.ranges[i];
+      const Obstruction any{.frame = carrier, .lowest_layer = lowest, .highest_layer = highest};
+      if (may_meet(part, any, linkage)) obstacles_[member_of(part)].set(i);
+    }
 }
 
 LayerDemands LayerDemands::implied() const {
   LayerDemands all;
-  for (std::size_t one = 0; one < bodies; ++one)
+  for (std::size_t one = 0; one < members; ++one)
     for (const std::size_t held : held_by(one)) {
       all.obstacles_[held] |= obstacles_[one];
-      for (std::size_t other = 0; other < bodies; ++other)
+      for (std::size_t other = 0; other < members; ++other)
         if (pairs_[one] >> other & 1)
           for (const std::size_t of_other : held_by(other))
             if (!are_joined(held, of_other))
@@ -105,23 +109,26 @@ LayerDemands LayerDemands::implied() const {
 }
 
 bool LayerDemands::within(const LayerDemands& other) const {
-  for (std::size_t i = 0; i < bodies; ++i)
-    if ((pairs_[i] & ~other.pairs_[i]) != 0 || (obstacles_[i] & ~other.obstacles_[i]) != 0) return false;
+  for (std::size_t i = 0; i < members; ++i)
+    if ((pairs_[i] & ~other.pairs_[i]) != 0 || (obstacles_[i] & ~other.obstacles_[i]).any()) return false;
   return true;
 }
 
 std::vector<LayerAssignment> least_demanding_assignments(const CopyingLinkage& linkage, int layers,
-                                                         const std::vector<Obstacle>& obstacles) {
-  return unbeaten(candidates(linkage, layers, obstacles), [](const Candidate& less, const Candidate& more) {
-    return less.implied.within(more.implied);
-  });
+                                                         const std::vector<Obstacle>& obstacles,
+                                                         const std::vector<Body>& bodies) {
+  return unbeaten(
+      candidates(linkage, layers, obstacles, bodies),
+      [](const Candidate& less, const Candidate& more) { return less.implied.within(more.implied); });
 }
 
 std::vector<LayerAssignment> assignments_worth_trying(const CopyingLinkage& linkage, int layers,
-                                                      const std::vector<Obstacle>& obstacles) {
-  return unbeaten(candidates(linkage, layers, obstacles), [](const Candidate& less, const Candidate& more) {
-    return less.layers.highest() <= more.layers.highest() && less.implied.within(more.implied);
-  });
+                                                      const std::vector<Obstacle>& obstacles,
+                                                      const std::vector<Body>& bodies) {
+  return unbeaten(
+      candidates(linkage, layers, obstacles, bodies), [](const Candidate& less, const Candidate& more) {
+        return less.layers.highest() <= more.layers.highest() && less.implied.within(more.implied);
+      });
 }
 
 }  // namespace kempe

@@ -7,24 +7,29 @@
 // a link), so that what stays clear of the link stays clear of them.
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
-#include "workspace/parts.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 
-/// The layers of obstacles, each range once, without layers above `layers`: obstacles of one range demand alike.
+/// The layers of obstacles and of bodies, each range once, without layers above `layers`: obstacles of one range demand alike, and
+/// so do bodies of one range and one carrier. The table's edge demands the same in all layers.
 struct ObstacleLayers {
-  ObstacleLayers(const std::vector<Obstacle>& obstacles, int layers);
+  ObstacleLayers(const std::vector<Obstacle>& obstacles, const std::vector<Body>& bodies, int layers);
   struct LayerRange {
     int lowest, highest;
+    std::optional<Carrier> carrier;
     bool operator==(const LayerRange&) const = default;
   };
-  std::vector<LayerRange> ranges;  ///< at most 36, for there are at most most_layers layers
+  /// Of obstacles, tracer's bodies and pen's bodies 36 each, for there are at most most_layers layers.
+  static constexpr std::size_t most = 3 * (most_layers * (most_layers + 1)) / 2;
+  std::vector<LayerRange> ranges;
 };
 
-/// What must keep its clearance, as sets. A body is a link, or the pin or post at a joint (both have one diameter).
+/// What must keep its clearance, as sets. A member is a link, or the pin or post at a joint (both have one diameter).
 class LayerDemands {
  public:
   LayerDemands(const CopyingLinkage& linkage, const LayerAssignment& layers, const ObstacleLayers& obstacles);
@@ -36,20 +41,22 @@ class LayerDemands {
   bool operator==(const LayerDemands&) const = default;
 
  private:
-  static constexpr std::size_t bodies = 10;  // four links, six joints
+  static constexpr std::size_t members = 10;  // four links, six joints
   LayerDemands() = default;
-  std::array<std::uint16_t, bodies> pairs_{};      // of each body: bit j stands for body j
-  std::array<std::uint64_t, bodies> obstacles_{};  // of each body: bit i stands for range i
+  std::array<std::uint16_t, members> pairs_{};                          // of each: bit j stands for member j
+  std::array<std::bitset<ObstacleLayers::most>, members> obstacles_{};  // of each: bit i stands for range i
 };
 
 /// Assignments of layer_assignments(layers) of which none implies the demands of another, in that order: if no design
 /// keeps the demands of one of these, none does in any assignment.
 std::vector<LayerAssignment> least_demanding_assignments(const CopyingLinkage& linkage, int layers,
-                                                         const std::vector<Obstacle>& obstacles);
+                                                         const std::vector<Obstacle>& obstacles,
+                                                         const std::vector<Body>& bodies = {});
 
 /// The same where of two linkages as good as each other the lower one is wanted: no assignment is left out for one that
 /// is higher.
 std::vector<LayerAssignment> assignments_worth_trying(const CopyingLinkage& linkage, int layers,
-                                                      const std::vector<Obstacle>& obstacles);
+                                                      const std::vector<Obstacle>& obstacles,
+                                                      const std::vector<Body>& bodies = {});
 
 }  // namespace kempe

@@ -7,6 +7,7 @@
 
 #include "geometry/sector.hpp"
 #include "geometry/segment_distance.hpp"
+#include "geometry/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -122,14 +123,33 @@ bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
   return any;
 }
 
+FramedOpenings Subdivision::over_openings(double opening, double half_opening) const {
+  FramedOpenings over;
+  over[0] = scene_.motion.over_openings(opening, half_opening);
+  for (const SceneFrame frame : scene_.frames)
+    if (frame != SceneFrame::table)
+      over[static_cast<std::size_t>(frame)] = scene_.motion_in(frame).over_openings(opening, half_opening);
+  return over;
+}
+
+FramedJoints Subdivision::joints_over(const FramedOpenings& over, Complex turn, double half_bearing) const {
+  FramedJoints joints;
+  joints[0] = LinkageMotion::turned(over[0], turn, half_bearing);
+  for (const SceneFrame frame : scene_.frames)
+    if (frame != SceneFrame::table) {
+      const auto i = static_cast<std::size_t>(frame);
+      joints[i] = LinkageMotion::turned(over[i], turn, half_bearing);
+    }
+  return joints;
+}
+
 const Subdivision::Row& Subdivision::row_of(const GridCell& cell) {
   const auto [x, y, width, height] = cell;
   // Rows of one height are y / height = 0, 1, ..: neighbours have places of their own.
   const int level = std::countr_zero(height);
   Row& row = rows_[((y >> level) + 29 * static_cast<std::size_t>(level)) % rows_remembered];
   if (row.y != y || row.height != height)
-    row = {y, height,
-           scene_.motion.over_openings(grid_.opening(y + 0.5 * height), half_sides(grid_, cell).opening),
+    row = {y, height, over_openings(grid_.opening(y + 0.5 * height), half_sides(grid_, cell).opening),
            grid_.area_per_bearing(y, height)};
   return row;
 }
@@ -149,9 +169,9 @@ void Subdivision::classify(const GridCell& cell, const OpenCell& parent, const C
   const HalfSides half = half_sides(grid_, cell);
   const Row& row = row_of(cell);
   const double cell_area = row.area_per_bearing * AngleGrid::bearing(cell.width);
-  const MovingJoints joints = LinkageMotion::turned(row.over, turn_of(cell), half.bearing);
+  const FramedJoints joints = joints_over(row.over, turn_of(cell), half.bearing);
   if (side == RegionSide::crossing) {
-    const MovingJoint& tracer = joints[static_cast<std::size_t>(grid_.linkage().tracer_joint())];
+    const MovingJoint& tracer = joints[0][static_cast<std::size_t>(grid_.linkage().tracer_joint())];
     side = side_of(tracer, region_items, parent.region_count, next);
   }
   if (side == RegionSide::outside && mode_.region_only) return;
@@ -167,7 +187,7 @@ void Subdivision::classify(const GridCell& cell, const OpenCell& parent, const C
   if (next.items.size() > first && !decision.in_contact) {
     const std::size_t kept = next.items.size() - first, region_kept = next.region_items.size() - region_first;
     next.open.push_back({cell, side,
-                         should_split_opening(joints, half, decision.by_opening, decision.by_bearing),
+                         should_split_opening(joints[0], half, decision.by_opening, decision.by_bearing),
                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(kept),
                          static_cast<std::uint32_t>(decision.tightest - first), !tightest_only,
                          static_cast<std::uint32_t>(region_first), static_cast<std::uint32_t>(region_kept)});
@@ -187,20 +207,24 @@ void Subdivision::classify(const GridCell& cell, const OpenCell& parent, const C
   }
 }
 
-Subdivision::Meeting Subdivision::meeting_of(const Encounter& between, const MovingJoints& joints,
+Subdivision::Meeting Subdivision::meeting_of(const Encounter& between, const FramedJoints& joints,
                                              const HalfSides& half) const {
   const SceneObstacle& obstacle = scene_.obstacles[between.obstacle];
   const ScenePiece& piece = scene_.pieces[between.piece];
-  const double needed = piece.half_width + clearance_;
+  const double needed = piece.half_width + obstacle.grown + clearance_;
   const double contact_below = mode_.contacts_stay_open ? 0 : needed - obstacle.slack;
-  return {between, {joints, piece.hull, half}, obstacle, needed, {contact_below, needed + obstacle.slack}};
+  return {between,
+          {joints[static_cast<std::size_t>(obstacle.frame)], piece.hull, half},
+          obstacle,
+          needed,
+          {contact_below, needed + obstacle.slack}};
 }
 
 /// Decides the item that was tightest in the parent: true if that is enough, because it is in contact all over
 /// the cell or leaves it open. Others that end in contact here are seen a cut later; what is gained is that
 /// most cells along a boundary look at one item only.
 bool Subdivision::decide_tightest(const OpenCell& parent, const ContactItem* items,
-                                  const MovingJoints& joints, const HalfSides& half, Decision& decision,
+                                  const FramedJoints& joints, const HalfSides& half, Decision& decision,
                                   Lists& next) const {
   const ContactItem* tightest = items + parent.tightest;
   const std::size_t first = next.items.size(), before = first + parent.tightest;
@@ -218,7 +242,7 @@ bool Subdivision::decide_tightest(const OpenCell& parent, const ContactItem* ite
 
 /// Decides the items of one piece and obstacle and moves `item` past them, or stops at one that is in contact
 /// all over the cell: true then.
-bool Subdivision::decide_group(const ContactItem*& item, const ContactItem* end, const MovingJoints& joints,
+bool Subdivision::decide_group(const ContactItem*& item, const ContactItem* end, const FramedJoints& joints,
                                const HalfSides& half, Decision& decision, Lists& next) const {
   const Encounter between = item->between;
   const Meeting meeting = meeting_of(between, joints, half);
@@ -277,7 +301,7 @@ void Subdivision::decide_node(std::uint32_t node, const Meeting& meeting, Decisi
 RegionSide Subdivision::side_of(const MovingJoint& tracer, const std::uint32_t* items, std::size_t count,
                                 Lists& next) const {
   const std::size_t first = next.region_items.size();
-  const double reach = tracer.reach * (1 + 1e-12);
+  const double reach = tracer.reach * (1 + slack::rounding);
   const Box around{tracer.at - Point::Constant(reach), tracer.at + Point::Constant(reach)};
   std::array<std::uint32_t, 40> stack;
   for (std::size_t i = 0; i < count; ++i) {

@@ -45,6 +45,9 @@ inline auto unless(const StopFlag& stop) {
   return [&stop](const OpenCell&) { return !stop(); };
 }
 
+/// The joints over openings in each frame, as FramedJoints has them over rectangles.
+using FramedOpenings = std::array<OpeningJoints, 3>;
+
 struct SubdivisionMode {
   bool contacts_stay_open = false;  ///< cells in contact are cut further instead of decided
   bool region_only = false;         ///< cells that do not meet the region are dropped
@@ -93,7 +96,7 @@ class Subdivision {
   /// What cells with the same openings share.
   struct Row {
     std::uint32_t y, height;  ///< 0 high: none yet
-    OpeningJoints over;
+    FramedOpenings over;
     double area_per_bearing;  ///< mm^2/rad
   };
   /// What cells with the same bearings share.
@@ -103,14 +106,16 @@ class Subdivision {
   };
 
   void add_roots();
+  FramedOpenings over_openings(double opening, double half_opening) const;
+  FramedJoints joints_over(const FramedOpenings& over, Complex turn, double half_bearing) const;
   const Row& row_of(const GridCell& cell);
   Complex turn_of(const GridCell& cell);
   void classify(const GridCell& cell, const OpenCell& parent, const ContactItem* items,
                 const std::uint32_t* region_items, Lists& next);
-  Meeting meeting_of(const Encounter& between, const MovingJoints& joints, const HalfSides& half) const;
-  bool decide_tightest(const OpenCell& parent, const ContactItem* items, const MovingJoints& joints,
+  Meeting meeting_of(const Encounter& between, const FramedJoints& joints, const HalfSides& half) const;
+  bool decide_tightest(const OpenCell& parent, const ContactItem* items, const FramedJoints& joints,
                        const HalfSides& half, Decision& decision, Lists& next) const;
-  bool decide_group(const ContactItem*& item, const ContactItem* end, const MovingJoints& joints,
+  bool decide_group(const ContactItem*& item, const ContactItem* end, const FramedJoints& joints,
                     const HalfSides& half, Decision& decision, Lists& next) const;
   void decide_node(std::uint32_t node, const Meeting& meeting, Decision& decision, Lists& next) const;
   RegionSide side_of(const MovingJoint& tracer, const std::uint32_t* items, std::size_t count,

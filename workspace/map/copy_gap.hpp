@@ -5,14 +5,14 @@
 
 namespace kempe {
 
-/// What is wrong if the region and its copy are nearer than the task's sheets_gap; nothing if they keep it or
+/// What is wrong if the region and its copy are nearer than the task's copy_gap; nothing if they keep it or
 /// none is asked for. Exact for the corners as doubles; it depends on the ratio, the pole and the region
 /// alone.
-struct SheetOverlap {
+struct CopyOverlap {
   std::string sentence;  ///< with figures
   Point at;              ///< the region's place nearest to the copy, or in it
   ArcRegion area;  ///< the part of the region nearer to the copy than the gap; empty for very large regions
 };
-std::optional<SheetOverlap> sheet_overlap(const MapTask& task);
+std::optional<CopyOverlap> copy_overlap(const MapTask& task);
 
 }  // namespace kempe

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
 #include "geometry/sector.hpp"
 #include "geometry/segment_distance.hpp"
 #include "workspace/grid_outline.hpp"
@@ -22,7 +23,9 @@ constexpr int connecting_cuts = 6;
 
 Coverage covered() { return {true, false, {}, std::nullopt, std::nullopt, {}}; }
 
-std::string at_text(const Point& point) { return fmt::format("({:.2f}, {:.2f})", point.x(), point.y()); }
+std::string at_text(const Point& point) {
+  return fmt::format("({}, {})", fixed_text(point.x(), 2), fixed_text(point.y(), 2));
+}
 
 /// Not covered at a point, with what stands in the way there.
 Coverage not_covered_at(const MapTask& task, const Point& witness) {
@@ -33,6 +36,17 @@ Coverage not_covered_at(const MapTask& task, const Point& witness) {
           witness,
           verdict.cause,
           verdict.parts};
+}
+
+/// Not decided at a point: for want of time, or because it is too near to the limit.
+Coverage undecided_at(const Point& open, bool stopped) {
+  return {false,
+          true,
+          fmt::format("It cannot be decided whether the region is covered at {}: {}.", at_text(open),
+                      stopped ? "stopped early" : "the gap there equals the clearance up to the resolution"),
+          open,
+          std::nullopt,
+          {}};
 }
 
 /// A point of the region at a distance strictly between `inner` and `outer` from the pole; pole at the
@@ -211,17 +225,7 @@ Coverage coverage_of(const MapTask& task, const std::vector<Subdivision>& charts
     if (decided.back().in_contact) return not_covered_at(task, *decided.back().in_contact);
     if (decided.back().open) open = decided.back().open;
   }
-  if (open)
-    return {
-        false,
-        true,
-        fmt::format(
-            "It cannot be decided whether the region is covered at {}: the gap there equals the clearance up "
-            "to the resolution.",
-            at_text(*open)),
-        open,
-        std::nullopt,
-        {}};
+  if (open) return undecided_at(*open, stop());
   std::optional<Point> first;
   std::optional<Coverage> result;
   for (std::size_t i = 0; i < charts.size(); ++i) {

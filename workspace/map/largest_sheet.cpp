@@ -101,11 +101,13 @@ class SheetFinder {
       return square_distance(squared_up(edge.from - centre, cosine, sine),
                              squared_up(edge.to - centre, cosine, sine));
     };
-    for (std::size_t i = 0; i < in_the_way.count; ++i)
-      if (room_beside(in_the_way.edges[i]) <= than) return 0;
+    double least = at_most;
+    for (std::size_t i = 0; i < in_the_way.count; ++i) {
+      least = std::min(least, room_beside(in_the_way.edges[i]));
+      if (least <= than) return 0;
+    }
     if (!tree_.winds_around(centre)) return 0;
     const double corner = std::hypot(1, proportion_);  // of half a height of 1
-    double least = at_most;
     for_each_edge(
         tree_,
         [&](const Box& box) {

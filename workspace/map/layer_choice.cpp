@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/fixed_text.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/contact/layer_demands.hpp"
 #include "workspace/contact/self_contact.hpp"
@@ -24,7 +25,7 @@ struct Compared {
 Compared compared_openings(const MapTask& task) {
   const OpeningInterval usable = task.linkage.openings_with_transmission(task.transmission);
   if (const auto needed = openings_over(task.linkage, task.region)) return {*needed, true};
-  return {usable.empty() ? task.linkage.assembly_interval() : usable, false};
+  return {usable.empty() ? task.linkage.assembly_mode().openings : usable, false};
 }
 
 double widest_free(const MapTask& task) {
@@ -43,7 +44,7 @@ LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compa
   LayerFinding finding{
       layers, own.gap, name(*own.pair), task.linkage.tracer_at(own.opening, 0), false, widest_free(task),
       true};
-  if (by.of_region && own.gap < best_gap && !task.obstacles.empty()) {
+  if (by.of_region && own.gap < best_gap && has_obstructions(task)) {
     finding.compared = false;
   } else if (const auto figure = by.of_region ? smallest_clearance(task, stop) : std::nullopt) {
     finding.gap = figure->gap;
@@ -60,22 +61,22 @@ constexpr double same_gap = 1e-9;
 /// Larger is better; the last digits do not count.
 double rank_of(double figure) { return -std::round(figure / same_gap); }
 
-std::string why_not(const LayerFinding& finding, const LayerFinding& best, double clearance) {
-  const int count = finding.layers.highest();
+/// `layers` begins the sentence: "2 layers".
+std::string why_not(const std::string& layers, const LayerFinding& finding, const LayerFinding& best,
+                    double clearance) {
   if (finding.keeps_clearance)
-    return fmt::format("{} layers would do with {:.2f} mm ({}); {} layers keep {:.2f} mm.", count,
+    return fmt::format("{} would do with {:.2f} mm of clearance ({}); {} layers keep {:.2f} mm.", layers,
                        finding.gap, finding.parts, best.layers.highest(), best.gap);
   return fmt::format(
-      "{} layers fail: {} {} with the tracer at ({:.1f}, {:.1f}); {:.2f} mm are required.", count,
-      finding.parts,
-      finding.gap > 0 ? fmt::format("come within {:.2f} mm", finding.gap) : std::string("overlap"),
-      finding.at.x(), finding.at.y(), clearance);
+      "{} are not enough: with the tracer at ({}, {}) {} {} ({:.2f} mm of clearance required).", layers,
+      fixed_text(finding.at.x(), 1), fixed_text(finding.at.y(), 1), finding.parts,
+      finding.gap > 0 ? fmt::format("come within {:.2f} mm", finding.gap) : "overlap", clearance);
 }
 
 /// All that leave no layer empty, for a person asks about each number of layers; of the others those that may be better.
 std::vector<LayerAssignment> compared_assignments(const MapTask& task, int layers) {
   std::vector<LayerAssignment> all = layer_assignments(layers);
-  const auto worth_trying = assignments_worth_trying(task.linkage, layers, task.obstacles);
+  const auto worth_trying = assignments_worth_trying(task.linkage, layers, task.obstacles, task.bodies);
   std::erase_if(all, [&](const LayerAssignment& one) {
     return !one.is_stacked() &&
            std::find(worth_trying.begin(), worth_trying.end(), one) == worth_trying.end();
@@ -105,7 +106,8 @@ LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop)
   for (int fewer = 2; fewer < best.layers.highest(); ++fewer)
     for (const LayerFinding& finding : choice.findings)
       if (finding.layers.highest() == fewer) {
-        choice.why_not_fewer.push_back(why_not(finding, best, task.clearance));
+        choice.why_not_fewer.push_back(
+            why_not(fmt::format("{} layers", fewer), finding, best, task.clearance));
         break;
       }
   if (!best.layers.is_stacked())
@@ -115,7 +117,9 @@ LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop)
                                                    finding.layers.highest() == best.layers.highest();
                                           });
         stacked != choice.findings.end())
-      choice.why_not_fewer.push_back("With links in each of them " + why_not(*stacked, best, task.clearance));
+      choice.why_not_fewer.push_back(
+          why_not(fmt::format("{} layers, none of them empty,", best.layers.highest()), *stacked, best,
+                  task.clearance));
   return choice;
 }
 

@@ -24,8 +24,8 @@ struct LayerFinding {
 
 struct LayerChoice {
   LayerAssignment best;
-  std::vector<LayerFinding>
-      findings;  ///< of the assignments looked at, the best first: largest gap, then fewer layers
+  /// Of the assignments looked at, the best first: largest gap, then fewer layers.
+  std::vector<LayerFinding> findings;
   /// Sentences for a person, one for each number of layers below the best's: what two parts would do there. One more
   /// where the best leaves a layer empty: what they would do with as many layers and links in all. Empty if the best
   /// has two layers.

@@ -1,4 +1,4 @@
-#include "workspace/map/region_losses.hpp"
+#include "workspace/map/losses.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +25,18 @@ std::size_t corners_of(const ArcRegion& region) {
 
 }  // namespace
 
+std::string_view name(Cause cause) {
+  switch (cause) {
+    case Cause::out_of_reach: return "out of reach";
+    case Cause::beyond_change_point: return "beyond the change point";
+    case Cause::transmission_below_limit: return "transmission below the limit";
+    case Cause::self_contact:
+    case Cause::obstacle_contact: return "contact";
+    case Cause::copy_overlap: break;
+  }
+  return "sheet overlap";
+}
+
 std::vector<RegionLoss> region_losses(const std::vector<LostArea>& lost, const Region& region) {
   const double whole = area(region);
   const ArcRegion arcs = as_arcs(region);
@@ -49,7 +61,7 @@ std::string losses_sentence(const std::vector<RegionLoss>& losses) {
   std::string to(name(most.cause));
   if (most.parts.size() == 2) to += " of " + most.parts[0] + " and " + most.parts[1];
   if (losses.size() == 1) return fmt::format("{:.1f} % of the region is lost to this: {}.", 100 * sum, to);
-  return fmt::format("{:.1f} % of the region is lost, most of it ({:.1f} %) to: {}.", 100 * sum,
+  return fmt::format("{:.1f} % of the region is lost, the largest share ({:.1f} %) to: {}.", 100 * sum,
                      100 * most.share, to);
 }
 

@@ -12,18 +12,6 @@
 
 namespace kempe {
 
-std::string_view name(Cause cause) {
-  switch (cause) {
-    case Cause::out_of_reach: return "out of reach";
-    case Cause::beyond_change_point: return "beyond the change point";
-    case Cause::transmission_below_limit: return "transmission below the limit";
-    case Cause::self_contact:
-    case Cause::obstacle_contact: return "contact";
-    case Cause::sheet_overlap: break;
-  }
-  return "sheet overlap";
-}
-
 namespace {
 
 /// Gaps within this share of the mechanism's size of the clearance are not decided.
@@ -75,11 +63,10 @@ SmallestGap smallest_gap(const MapTask& task, double opening, double bearing) {
   const ContactScene scene(task, own.gap);
   const ObstacleGap obstacle = tightest_obstacle(scene, opening, bearing);
   if (obstacle.gap < smallest.gap)
-    smallest = {obstacle.gap, Cause::obstacle_contact, name(scene.pieces[obstacle.between.piece].part),
-                obstacle_name(task.obstacles, scene.obstacles[obstacle.between.obstacle].number)};
+    smallest = {obstacle.gap, Cause::obstacle_contact, scene.piece_name(obstacle.between),
+                scene.obstacle_name(obstacle.between)};
   if (const auto post = tightest_at_pole(task); post && post->gap < smallest.gap)
-    smallest = {post->gap, Cause::obstacle_contact, post->post,
-                obstacle_name(task.obstacles, post->obstacle)};
+    smallest = {post->gap, Cause::obstacle_contact, post->post, post->obstacle};
   return smallest;
 }
 
@@ -96,12 +83,11 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
     return lost(Cause::transmission_below_limit,
                 fmt::format("transmission below the limit: {:.4g} degrees here, the limit is {:.4g}",
                             degrees(transmission), degrees(limit)));
-  if (const auto number = obstacle_at_pole(task))
-    return lost(
-        Cause::obstacle_contact,
-        fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
-                    obstacle_name(task.obstacles, *number)),
-        {std::string("pole post ") + letter(linkage.pole_joint()), obstacle_name(task.obstacles, *number)});
+  if (const auto obstacle = obstacle_at_pole(task))
+    return lost(Cause::obstacle_contact,
+                fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
+                            *obstacle),
+                {std::string("pole post ") + letter(linkage.pole_joint()), *obstacle});
   const Point reach = tracer - linkage.pole();
   const SmallestGap smallest = smallest_gap(task, *opening, std::atan2(reach.y(), reach.x()));
   const double slack = undecided * (linkage.size() + task.clearance);

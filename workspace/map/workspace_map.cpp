@@ -8,10 +8,10 @@
 #include "workspace/cell_polygons.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/contact/self_contact.hpp"
+#include "workspace/map/copy_gap.hpp"
 #include "workspace/map/coverage.hpp"
 #include "workspace/map/largest_sheet.hpp"
-#include "workspace/map/region_losses.hpp"
-#include "workspace/map/sheets_gap.hpp"
+#include "workspace/map/losses.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -48,20 +48,18 @@ void refine(std::vector<Subdivision>& charts, double tolerance, const StopFlag& 
   }
 }
 
-void add_cells(WorkspaceMap& map, const MapTask& task, const ContactScene& scene, const Subdivision& chart) {
+void add_cells(WorkspaceMap& map, const ContactScene& scene, const Subdivision& chart) {
   std::vector<GridCell> free, open;
   for (const FreeCell& one : chart.free()) free.push_back(one.cell);
   for (const OpenCell& one : chart.open()) open.push_back(one.cell);
   append(map.collision_free, polygons_of(chart.grid(), free, Corners::part));
   append(map.uncertain, polygons_of(chart.grid(), open, Corners::join));
-  std::vector<std::string> names;
-  for (const ScenePiece& piece : scene.pieces) names.push_back(name(piece.part));
   std::map<std::pair<std::size_t, std::string_view>, std::vector<GridCell>> lost;
   for (const ContactCell& one : chart.contact())
-    lost[{scene.obstacles[one.between.obstacle].number, names[one.between.piece]}].push_back(one.cell);
+    lost[{one.between.obstacle, scene.piece_name(one.between)}].push_back(one.cell);
   for (const auto& [between, cells] : lost)
     map.lost.push_back({Cause::obstacle_contact,
-                        {std::string(between.second), obstacle_name(task.obstacles, between.first)},
+                        {std::string(between.second), scene.obstacles[between.first].name},
                         polygons_of(chart.grid(), cells, Corners::join)});
 }
 
@@ -155,17 +153,17 @@ OpeningInterval certified(const MapTask& task, const std::vector<FreeOpenings>& 
 }
 
 /// Nothing is free while an obstacle stands at the pole post.
-void lose_all_to(WorkspaceMap& map, const MapTask& task, std::size_t obstacle) {
+void lose_all_to(WorkspaceMap& map, const MapTask& task, const std::string& obstacle) {
   const std::string post = std::string("pole post ") + letter(task.linkage.pole_joint());
   ArcRegion area = as_region(annulus_over(task.linkage, map.certified_opening));
-  add_lost(map, Cause::obstacle_contact, {post, obstacle_name(task.obstacles, obstacle)}, std::move(area));
+  add_lost(map, Cause::obstacle_contact, {post, obstacle}, std::move(area));
   map.coverage = {false,
                   false,
-                  "The " + post + " stands in " + obstacle_name(task.obstacles, obstacle) +
+                  "The " + post + " stands in " + obstacle +
                       " or within its clearance: no position of the linkage is free.",
                   task.linkage.pole(),
                   Cause::obstacle_contact,
-                  {post, obstacle_name(task.obstacles, obstacle)}};
+                  {post, obstacle}};
 }
 
 void add_losses(WorkspaceMap& map, const Region& region) {
@@ -175,16 +173,16 @@ void add_losses(WorkspaceMap& map, const Region& region) {
 }
 
 /// Sheets that overlap are a fault of the region and the pole, wherever the linkage can go.
-void add_sheet_overlap(WorkspaceMap& map, const MapTask& task) {
-  auto overlap = sheet_overlap(task);
+void add_copy_overlap(WorkspaceMap& map, const MapTask& task) {
+  auto overlap = copy_overlap(task);
   if (!overlap) return;
-  add_lost(map, Cause::sheet_overlap, {}, std::move(overlap->area));
+  add_lost(map, Cause::copy_overlap, {}, std::move(overlap->area));
   if (map.coverage.covered)
     map.coverage = {false,
                     false,
                     "The region cannot be copied on this table: " + overlap->sentence + ".",
                     overlap->at,
-                    Cause::sheet_overlap,
+                    Cause::copy_overlap,
                     {}};
 }
 
@@ -200,7 +198,8 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
   map.clearance_min = HUGE_VAL;
-  if (const auto clearance = smallest_clearance(task)) {
+  const auto clearance = smallest_clearance(task, options.stop);
+  if (clearance && (clearance->certified || !options.stop())) {
     map.clearance_min = clearance->gap;
     map.clearance_min_parts = clearance->parts;
     map.clearance_min_at = clearance->at;
@@ -215,10 +214,10 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   for (const FreeOpenings& one : free)
     charts.emplace_back(scene, region, AngleGrid(task.linkage, one.interval), task.clearance);
   refine(charts, options.map_tolerance, options.stop);
-  for (const Subdivision& chart : charts) add_cells(map, task, scene, chart);
-  map.coverage = coverage_of(task, charts, region);
-  if (!map.coverage.covered) add_losses(map, task.region);
-  add_sheet_overlap(map, task);
+  for (const Subdivision& chart : charts) add_cells(map, scene, chart);
+  map.coverage = coverage_of(task, charts, region, options.stop);
+  if (!map.coverage.covered && !options.stop()) add_losses(map, task.region);
+  add_copy_overlap(map, task);
   map.complete = !options.stop();
   if (options.largest_sheets && map.complete)
     map.largest_sheets = largest_sheets(map.collision_free, task.region);

@@ -6,29 +6,10 @@
 #include <vector>
 
 #include "kinematics/stop_flag.hpp"
+#include "workspace/map/losses.hpp"
 #include "workspace/map_task.hpp"
 
 namespace kempe {
-
-/// Why a part of the plane is lost.
-enum class Cause {
-  out_of_reach,
-  beyond_change_point,
-  transmission_below_limit,
-  self_contact,
-  obstacle_contact,
-  sheet_overlap
-};
-/// "out of reach", "beyond the change point", "transmission below the limit", "contact", "contact", "sheet
-/// overlap".
-std::string_view name(Cause cause);
-
-/// A lost part of the plane with its cause.
-struct LostArea {
-  Cause cause;
-  std::vector<std::string> parts;  ///< the two parts in contact ("link ACX", "obstacle 2"); else empty
-  ArcRegion area;
-};
 
 struct MapOptions {
   /// Refinement stops when the uncertain band takes less than this share of the collision-free area.
@@ -43,13 +24,6 @@ struct FittingSheet {
   double width = 0, height = 0;  ///< mm
   Point centre = Point::Zero();
   double turn = 0;  ///< rad, of the width's direction against the x axis
-};
-
-/// A share of the region that is lost, and to what.
-struct RegionLoss {
-  Cause cause;
-  std::vector<std::string> parts;
-  double share;  ///< of the region's area
 };
 
 /// Is the region covered by one component of the collision-free workspace? Limits and clearances are taken as
@@ -78,16 +52,16 @@ struct WorkspaceMap {
   std::vector<LostArea> lost;
   Coverage coverage;
   std::vector<FittingSheet> largest_sheets;
-  double clearance_min = 0;                ///< mm, smallest gap while the tracer covers the region
+  double clearance_min = 0;  ///< mm, smallest gap while the tracer covers the region; infinite: not known
   std::string clearance_min_parts;         ///< "link VA and link BCY"
   Point clearance_min_at = Point::Zero();  ///< tracer's place
   double map_tolerance = 0.005;            ///< of the options it was made with
-  /// False: stopped early. What is called free or lost is, but more is uncertain than the tolerance allows, and sheets were
-  /// not looked for.
+  /// False: stopped early. What is called free or lost is, but more is uncertain than the tolerance allows, sheets were not
+  /// looked for, and the smallest gap and what covers the region may not be known.
   bool complete = true;
 };
 
-/// Maps a linkage. Deterministic unless stopped. Whether the region is covered is decided even then.
+/// Maps a linkage. Deterministic unless stopped. Whether the region is covered may then be uncertain.
 WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options);
 
 /// Why the tracer cannot stand at a point, or nothing if it can. One sentence's worth.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "workspace/sweep/tolerances.hpp"
+#include "workspace/sweep/slack.hpp"
 
 namespace kempe::sweep {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "workspace/sweep/tolerances.hpp"
+#include "workspace/sweep/slack.hpp"
 
 namespace kempe::sweep {
 namespace {

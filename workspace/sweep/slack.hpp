@@ -1,5 +1,5 @@
 #pragma once
-// The tolerances of the sweep, each with its reason.
+// The slack of the sweep, each with its reason.
 
 namespace kempe::sweep {
 
