@@ -20,16 +20,15 @@ struct Range {
   bool empty() const { return !(lower <= upper); }
 };
 
-/// What a grounding and an assembly mode fix.
-struct AssemblyMode {
+/// What a grounding and an assembly mode fix for the bound.
+struct ModeFacts {
   Grounding grounding = Grounding::pole;
-  int number = 0;
+  AssemblyMode assembly_mode;
   Complex s;
   double chain = 1;  ///< c: distance V-X per distance pole-tracer
   double bend = 1;   ///< sign of psi
-  double far_end = 0,
-         near_end =
-             0;  ///< |psi| at the dead or change points, rounded outwards: 0 <= far_end < near_end <= pi
+  /// |psi| at the dead or change points, rounded outwards: 0 <= far_end < near_end <= pi.
+  double far_end = 0, near_end = 0;
   Range allowed{0, 0};  ///< |psi| that the copy error's limit leaves (all: [0, pi])
   double size_per_a = 0, size_per_b = 0;
   Range a, b;  ///< mm, from the limits of the eight lengths
@@ -53,24 +52,21 @@ struct LengthBox {
 
 /// Shrinks the lengths to those that may reach all distances with a transmission angle of at least
 /// `transmission`; false if none can.
-bool contract(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
-              LengthBox& lengths);
+bool contract(const ModeFacts& mode, const PoleDistances& distances, double transmission, LengthBox& lengths);
 
 /// No design of the box that reaches the distances is smaller, mm.
-double size_at_least(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
+double size_at_least(const ModeFacts& mode, const PoleDistances& distances, double transmission,
                      const LengthBox& lengths);
 
 /// Lengths of designs that are not surely larger than `size` (mm); false if there are none.
-bool contract_by_size(const AssemblyMode& assembly_mode, double size, LengthBox& lengths);
+bool contract_by_size(const ModeFacts& mode, double size, LengthBox& lengths);
 
 /// No design of the box has a larger transmission angle over the distances, rad; negative if none has any.
-double transmission_at_most(const AssemblyMode& assembly_mode, const PoleDistances& distances,
-                            const LengthBox& lengths);
+double transmission_at_most(const ModeFacts& mode, const PoleDistances& distances, const LengthBox& lengths);
 
 /// The |psi| that every design of the box passes on its way over the distances; empty if there are none in
 /// common.
-Range passed_by_all(const AssemblyMode& assembly_mode, const PoleDistances& distances,
-                    const LengthBox& lengths);
+Range passed_by_all(const ModeFacts& mode, const PoleDistances& distances, const LengthBox& lengths);
 
 /// A point of a part: z = of_a a + of_b b exp(i psi), in the frame with V at the origin and p along x.
 struct MaterialPoint {
@@ -78,8 +74,8 @@ struct MaterialPoint {
 };
 
 /// True if at `psi` (|psi|) the two points are nearer than `needed` (mm) in every design of the box.
-bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, double psi,
-                   const MaterialPoint& first, const MaterialPoint& second, double needed);
+bool always_nearer(const ModeFacts& mode, const LengthBox& lengths, double psi, const MaterialPoint& first,
+                   const MaterialPoint& second, double needed);
 
 /// A circle about the middle of a box of poles that holds the box, mm.
 struct PoleDisc {

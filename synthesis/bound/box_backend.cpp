@@ -5,6 +5,7 @@
 
 #include "synthesis/bound/box.hpp"
 #include "synthesis/bound/reach_intervals.hpp"
+#include "synthesis/bound/slack.hpp"
 
 namespace kempe::bounding {
 namespace {
@@ -22,8 +23,8 @@ struct Cosines {
   double far_at_most, near_at_least;
 };
 /// Largest cosine that the far end may have and smallest of the near end.
-Cosines cosines(const AssemblyMode& assembly_mode, double transmission) {
-  const Range psi = assembly_mode.usable(transmission);
+Cosines cosines(const ModeFacts& mode, double transmission) {
+  const Range psi = mode.usable(transmission);
   return {cosine(Interval(psi.lower)).sup(), cosine(Interval(psi.upper)).inf()};
 }
 
@@ -52,8 +53,8 @@ void keep_t_with_H_at_most(Range& t, double limit) {
   keep_at_least(t, (1.0 / Interval(largest.sup())).inf());
 }
 
-void keep_lengths_in_limits(const AssemblyMode& assembly_mode, LengthBox& lengths) {
-  const Interval a2 = CGAL::square(whole(assembly_mode.a)), b2 = CGAL::square(whole(assembly_mode.b));
+void keep_lengths_in_limits(const ModeFacts& mode, LengthBox& lengths) {
+  const Interval a2 = CGAL::square(whole(mode.a)), b2 = CGAL::square(whole(mode.b));
   keep(lengths.w, 2.0 * whole(lengths.t) * a2);
   if (lengths.w.empty()) return;
   keep(lengths.w, 2.0 * b2 / whole(lengths.t));
@@ -63,41 +64,39 @@ void keep_lengths_in_limits(const AssemblyMode& assembly_mode, LengthBox& length
   keep(lengths.t, 2.0 * b2 / whole(lengths.w));
 }
 
-void keep_reach(const AssemblyMode& assembly_mode, const PoleDistances& distances, const Cosines& limit,
+void keep_reach(const ModeFacts& mode, const PoleDistances& distances, const Cosines& limit,
                 LengthBox& lengths) {
   const Interval H = H_over(lengths.t);
   const Interval far = Interval(H.sup()) + Interval(limit.far_at_most);
   if (far.sup() > 0)
-    keep_at_least(
-        lengths.w,
-        (chain_squared(assembly_mode, Interval(distances.farthest_at_least)) / Interval(far.sup())).inf());
+    keep_at_least(lengths.w,
+                  (chain_squared(mode, Interval(distances.farthest_at_least)) / Interval(far.sup())).inf());
   const Interval between = Interval(limit.far_at_most) - Interval(limit.near_at_least);
   if (between.sup() > 0 && distances.squares_at_least > 0)
-    keep_at_least(lengths.w, (CGAL::square(widened(assembly_mode.chain)) *
-                              Interval(distances.squares_at_least) / Interval(between.sup()))
+    keep_at_least(lengths.w, (CGAL::square(widened(mode.chain)) * Interval(distances.squares_at_least) /
+                              Interval(between.sup()))
                                  .inf());
   const Interval near = Interval(H.inf()) + Interval(limit.near_at_least);
   if (near.inf() > 0)
-    keep_at_most(
-        lengths.w,
-        (chain_squared(assembly_mode, Interval(distances.nearest_at_most)) / Interval(near.inf())).sup());
+    keep_at_most(lengths.w,
+                 (chain_squared(mode, Interval(distances.nearest_at_most)) / Interval(near.inf())).sup());
 }
 
 /// Size of the smallest linkage with this t that reaches the farthest place:
 /// c r (A + B t) / sqrt(t^2 + 2 t cos far + 1). Along t it has no minimum but at the ends of a range.
-double size_on_far_limit(const AssemblyMode& assembly_mode, const PoleDistances& distances,
-                         const Cosines& limit, double t) {
+double size_on_far_limit(const ModeFacts& mode, const PoleDistances& distances, const Cosines& limit,
+                         double t) {
   const Interval T(t);
   const Interval under = CGAL::square(T) + 2.0 * T * Interval(limit.far_at_most) + 1.0;
   if (!(under.sup() > 0)) return infinity;
-  const Interval reach = widened(assembly_mode.chain) * Interval(distances.farthest_at_least);
-  const Interval weight = widened(assembly_mode.size_per_a) + widened(assembly_mode.size_per_b) * T;
+  const Interval reach = widened(mode.chain) * Interval(distances.farthest_at_least);
+  const Interval weight = widened(mode.size_per_a) + widened(mode.size_per_b) * T;
   return (reach * weight / CGAL::sqrt(Interval(under.sup()))).inf();
 }
 
 /// (A / sqrt t + B sqrt t) / sqrt 2, least over the range: size = sqrt(w) times this.
-double size_per_root_w(const AssemblyMode& assembly_mode, const Range& t) {
-  const Interval A = widened(assembly_mode.size_per_a), B = widened(assembly_mode.size_per_b);
+double size_per_root_w(const ModeFacts& mode, const Range& t) {
+  const Interval A = widened(mode.size_per_a), B = widened(mode.size_per_b);
   const auto at = [&](const Interval& T) { return ((A + B * T) / CGAL::sqrt(2.0 * T)).inf(); };
   const Interval best = A / B;  // where the sum is least: sqrt(2 A B)
   if (best.sup() >= t.lower && best.inf() <= t.upper) return CGAL::sqrt(2.0 * A * B).inf();
@@ -105,15 +104,15 @@ double size_per_root_w(const AssemblyMode& assembly_mode, const Range& t) {
 }
 
 /// No opening of the assembly mode has a larger transmission angle, rad.
-double widest_transmission(const AssemblyMode& assembly_mode) {
-  return ((Interval(assembly_mode.near_end) - assembly_mode.far_end) / 2.0).sup();
+double widest_transmission(const ModeFacts& mode) {
+  return ((Interval(mode.near_end) - mode.far_end) / 2.0).sup();
 }
 
 /// About the angle mu at which cos(far_end + mu) - weight cos(near_end - mu) falls to `needed`, rad; nothing proven.
-double transmission_near(const AssemblyMode& assembly_mode, double weight, double needed) {
+double transmission_near(const ModeFacts& mode, double weight, double needed) {
   const NearestRounding nearest;
-  const double along = std::cos(assembly_mode.far_end) - weight * std::cos(assembly_mode.near_end);
-  const double across = std::sin(assembly_mode.far_end) + weight * std::sin(assembly_mode.near_end);
+  const double along = std::cos(mode.far_end) - weight * std::cos(mode.near_end);
+  const double across = std::sin(mode.far_end) + weight * std::sin(mode.near_end);
   const double size = std::hypot(along, across);
   if (!(size > 0)) return infinity;
   return std::acos(std::clamp(needed / size, -1.0, 1.0)) - std::atan2(across, along);
@@ -121,16 +120,16 @@ double transmission_near(const AssemblyMode& assembly_mode, double weight, doubl
 
 /// Largest transmission angle at which cos(far_end + mu) - weight cos(near_end - mu) >= needed: the left side
 /// falls.
-double transmission_with(const AssemblyMode& assembly_mode, double weight, double needed) {
-  const double widest = widest_transmission(assembly_mode);
-  const double guess = transmission_near(assembly_mode, weight, needed);
+double transmission_with(const ModeFacts& mode, double weight, double needed) {
+  const double widest = widest_transmission(mode);
+  const double guess = transmission_near(mode, weight, needed);
   const auto impossible = [&](double mu) {
-    const Interval far = Interval(assembly_mode.far_end) + mu, near = Interval(assembly_mode.near_end) - mu;
+    const Interval far = Interval(mode.far_end) + mu, near = Interval(mode.near_end) - mu;
     return (cosine(far) - Interval(weight) * cosine(near)).sup() < needed;
   };
   if (impossible(0)) return -1;
-  for (double slack = 1e-14; slack < 1; slack *= 10) {
-    const double mu = std::max(0.0, guess) + slack;
+  for (double above = slack::first_above_guess; above < 1; above *= 10) {
+    const double mu = std::max(0.0, guess) + above;
     if (!(mu < widest)) break;
     if (impossible(mu)) return mu;
   }
@@ -167,95 +166,89 @@ Interval H_over(const Range& t) {
   return Interval(least, std::max(at_lower.sup(), at_upper.sup()));
 }
 
-Range AssemblyMode::usable(double transmission) const {
+Range ModeFacts::usable(double transmission) const {
   const OutwardRounding rounding;
   return {std::max((Interval(far_end) + transmission).inf(), allowed.lower),
           std::min((Interval(near_end) - transmission).sup(), allowed.upper)};
 }
 
-bool contract(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
+bool contract(const ModeFacts& mode, const PoleDistances& distances, double transmission,
               LengthBox& lengths) {
   const OutwardRounding rounding;
-  if (assembly_mode.usable(transmission).empty()) return false;
-  const Cosines limit = cosines(assembly_mode, transmission);
+  if (mode.usable(transmission).empty()) return false;
+  const Cosines limit = cosines(mode, transmission);
   const double H_most = H_limit(distances, limit);
   if (H_most < 1) return false;
   keep_t_with_H_at_most(lengths.t, H_most);
   for (int round = 0; round < 2; ++round) {
     if (lengths.t.empty() || lengths.w.empty()) return false;
-    keep_lengths_in_limits(assembly_mode, lengths);
+    keep_lengths_in_limits(mode, lengths);
     if (lengths.t.empty() || lengths.w.empty()) return false;
-    keep_reach(assembly_mode, distances, limit, lengths);
+    keep_reach(mode, distances, limit, lengths);
   }
   return !lengths.t.empty() && !lengths.w.empty();
 }
 
-double size_at_least(const AssemblyMode& assembly_mode, const PoleDistances& distances, double transmission,
+double size_at_least(const ModeFacts& mode, const PoleDistances& distances, double transmission,
                      const LengthBox& lengths) {
   const OutwardRounding rounding;
-  const Cosines limit = cosines(assembly_mode, transmission);
-  const double by_reach = std::min(size_on_far_limit(assembly_mode, distances, limit, lengths.t.lower),
-                                   size_on_far_limit(assembly_mode, distances, limit, lengths.t.upper));
+  const Cosines limit = cosines(mode, transmission);
+  const double by_reach = std::min(size_on_far_limit(mode, distances, limit, lengths.t.lower),
+                                   size_on_far_limit(mode, distances, limit, lengths.t.upper));
   const Interval by_lengths =
-      CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(assembly_mode, lengths.t));
+      CGAL::sqrt(Interval(lengths.w.lower)) * Interval(size_per_root_w(mode, lengths.t));
   return std::max(by_reach, by_lengths.inf());
 }
 
-bool contract_by_size(const AssemblyMode& assembly_mode, double size, LengthBox& lengths) {
+bool contract_by_size(const ModeFacts& mode, double size, LengthBox& lengths) {
   const OutwardRounding rounding;
   if (size < infinity)
-    keep_at_most(lengths.w,
-                 CGAL::square(Interval(size) / Interval(size_per_root_w(assembly_mode, lengths.t))).sup());
+    keep_at_most(lengths.w, CGAL::square(Interval(size) / Interval(size_per_root_w(mode, lengths.t))).sup());
   return !lengths.w.empty();
 }
 
-double transmission_at_most(const AssemblyMode& assembly_mode, const PoleDistances& distances,
-                            const LengthBox& lengths) {
+double transmission_at_most(const ModeFacts& mode, const PoleDistances& distances, const LengthBox& lengths) {
   const OutwardRounding rounding;
   const Interval H = H_over(lengths.t);
-  double most = widest_transmission(assembly_mode);
+  double most = widest_transmission(mode);
   if (distances.nearest_at_most > 0) {  // w eliminated
     const double q2 = ratio_squared(distances).inf();
     if (q2 > 1)
-      most = std::min(most,
-                      transmission_with(assembly_mode, q2, ((Interval(q2) - 1.0) * Interval(H.inf())).inf()));
+      most = std::min(most, transmission_with(mode, q2, ((Interval(q2) - 1.0) * Interval(H.inf())).inf()));
   }
   if (distances.squares_at_least > 0)  // H eliminated
-    most = std::min(most, transmission_with(assembly_mode, 1,
-                                            (CGAL::square(widened(assembly_mode.chain)) *
+    most = std::min(most, transmission_with(mode, 1,
+                                            (CGAL::square(widened(mode.chain)) *
                                              Interval(distances.squares_at_least) / Interval(lengths.w.upper))
                                                 .inf()));
   const Interval far =
-      chain_squared(assembly_mode, Interval(distances.farthest_at_least)) / Interval(lengths.w.upper) -
+      chain_squared(mode, Interval(distances.farthest_at_least)) / Interval(lengths.w.upper) -
       Interval(H.sup());
-  const Interval near =
-      chain_squared(assembly_mode, Interval(distances.nearest_at_most)) / Interval(lengths.w.lower) -
-      Interval(H.inf());
-  most = std::min(most, (Interval(arc_at_most(far.inf())) - assembly_mode.far_end).sup());
-  most = std::min(most, (Interval(assembly_mode.near_end) - arc_at_least(near.sup())).sup());
+  const Interval near = chain_squared(mode, Interval(distances.nearest_at_most)) / Interval(lengths.w.lower) -
+                        Interval(H.inf());
+  most = std::min(most, (Interval(arc_at_most(far.inf())) - mode.far_end).sup());
+  most = std::min(most, (Interval(mode.near_end) - arc_at_least(near.sup())).sup());
   return most;
 }
 
-Range passed_by_all(const AssemblyMode& assembly_mode, const PoleDistances& distances,
-                    const LengthBox& lengths) {
+Range passed_by_all(const ModeFacts& mode, const PoleDistances& distances, const LengthBox& lengths) {
   const OutwardRounding rounding;
   const Interval H = H_over(lengths.t);
-  const Interval near =
-      chain_squared(assembly_mode, Interval(distances.nearest_at_most)) / Interval(lengths.w.lower) -
-      Interval(H.inf());
+  const Interval near = chain_squared(mode, Interval(distances.nearest_at_most)) / Interval(lengths.w.lower) -
+                        Interval(H.inf());
   const Interval far =
-      chain_squared(assembly_mode, Interval(distances.farthest_at_least)) / Interval(lengths.w.upper) -
+      chain_squared(mode, Interval(distances.farthest_at_least)) / Interval(lengths.w.upper) -
       Interval(H.sup());
   if (!(near.sup() < far.inf()) || far.inf() < -1 || near.sup() > 1) return {};
   return {arc_at_most(far.inf()), arc_at_least(near.sup())};
 }
 
-bool always_nearer(const AssemblyMode& assembly_mode, const LengthBox& lengths, double psi,
-                   const MaterialPoint& first, const MaterialPoint& second, double needed) {
+bool always_nearer(const ModeFacts& mode, const LengthBox& lengths, double psi, const MaterialPoint& first,
+                   const MaterialPoint& second, double needed) {
   const OutwardRounding rounding;
   const IntervalComplex by_a = widened(first.of_a) - widened(second.of_a);
   const IntervalComplex by_b =
-      (widened(first.of_b) - widened(second.of_b)) * direction_at(Interval(assembly_mode.bend * psi));
+      (widened(first.of_b) - widened(second.of_b)) * direction_at(Interval(mode.bend * psi));
   const Interval limit = CGAL::square(Interval(needed));
   // The distance is a convex function of (a, b): its largest value over a hull is at a corner.
   for (const Lengths& corner : hull_of(lengths)) {

@@ -47,8 +47,7 @@ void approach(const Piece& piece, const Piece& other, bool swapped, Nearest& bes
   for (std::size_t i = 0; i < piece.count; ++i)
     for (std::size_t j = 0; j < std::max<std::size_t>(1, other.edges()); ++j) {
       const Complex from = other.at[j], edge = other.at[other.next(j)] - from;
-      const double length2 = std::norm(edge);
-      const double share = length2 > 0 ? std::clamp(dot(edge, piece.at[i] - from) / length2, 0.0, 1.0) : 0;
+      const double share = nearest_share(piece.at[i], from, other.at[other.next(j)]);
       const double distance = std::abs(piece.at[i] - from - share * edge);
       if (distance >= best.distance) continue;
       const MaterialPoint on_edge = between(other.corner[j], other.corner[other.next(j)], share);

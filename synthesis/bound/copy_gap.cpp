@@ -1,18 +1,13 @@
-#include "synthesis/bound/sheets.hpp"
+#include "synthesis/bound/copy_gap.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/bound/slack.hpp"
+
 namespace kempe::bounding {
-namespace {
-
-/// A gap is a difference of coordinates, off by less than this share of the largest of them.
-constexpr double sheet_rounding_share = 1e-12;
-
-}  // namespace
-
-SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
-    : region_(region), k_(spec.copy.k()), gap_(spec.limits.sheets_gap),
+CopyGap::CopyGap(const Spec& spec, const RegionReach& region)
+    : region_(region), k_(spec.copy.k()), gap_(spec.limits.copy_gap),
       extent_(region.farthest(Point::Zero()).distance) {
   if (!gap_) return;
   constexpr std::size_t most = 24;
@@ -22,10 +17,10 @@ SheetsGap::SheetsGap(const Spec& spec, const RegionReach& region)
                  region.hull().begin() + static_cast<std::ptrdiff_t>(std::min(most, region.hull().size())));
 }
 
-SheetsGap::Verdict SheetsGap::verdict(const Point& pole, double radius) const {
+CopyGap::Verdict CopyGap::verdict(const Point& pole, double radius) const {
   if (!gap_) return Verdict::far_enough;
   const double coordinates = extent_ + pole.norm() + radius;
-  const double rounding = sheet_rounding_share * (*gap_ + (1 + std::abs(k_)) * coordinates);
+  const double rounding = slack::rounding * (*gap_ + (1 + std::abs(k_)) * coordinates);
   const double slack = std::abs(1.0 - k_) * radius + rounding;
   bool far_enough = true;
   for (const Point& place : places_) {

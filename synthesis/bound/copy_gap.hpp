@@ -9,12 +9,12 @@
 
 namespace kempe::bounding {
 
-/// Where the sheets are looked at: some places of the region. The copy's distance from the region at a pole
+/// Where the gap is looked at: some places of the region. The copy's distance from the region at a pole
 /// is at most the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
 /// `region` must outlive it.
-class SheetsGap {
+class CopyGap {
  public:
-  SheetsGap(const Spec& spec, const RegionReach& region);
+  CopyGap(const Spec& spec, const RegionReach& region);
 
   enum class Verdict { too_near, undecided, far_enough };
 

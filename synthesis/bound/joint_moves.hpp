@@ -34,7 +34,7 @@ using JointMoves = std::array<double, 6>;
 /// No joint of any design of the box that has its tracer at `place` is farther than its figure from its place in `joints`;
 /// nothing if the middle design does not reach the place, or the box is too large for a statement. `joints`: about where
 /// the middle design's are, in the order of Joint, table's frame, mm; an error there only makes the figure larger.
-std::optional<JointMoves> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
-                                              const Point& place, const std::array<Complex, 6>& joints);
+std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
+                                              const std::array<Complex, 6>& joints);
 
 }  // namespace kempe::bounding

@@ -15,15 +15,14 @@ struct Turn {
   double away;    ///< no other is farther from it
 };
 
-std::optional<Turn> turn_at(const AssemblyMode& assembly_mode, const DesignBox& box,
-                            const Interval& distance) {
-  const Interval at_middle = chain_squared(assembly_mode, distance) / Interval(box.w()) - H_at(box.t());
+std::optional<Turn> turn_at(const ModeFacts& mode, const DesignBox& box, const Interval& distance) {
+  const Interval at_middle = chain_squared(mode, distance) / Interval(box.w()) - H_at(box.t());
   if (!(at_middle.inf() > -1 && at_middle.sup() < 1)) return std::nullopt;
   const double middle = arc_cosine(at_middle).inf();
   const Interval over_poles(std::max(0.0, (Interval(distance.inf()) - box.radius).inf()),
                             (Interval(distance.sup()) + box.radius).sup());
   const Interval w(box.lengths.w.lower, box.lengths.w.upper);
-  const Interval all = arc_cosine(chain_squared(assembly_mode, over_poles) / w - H_over(box.lengths.t));
+  const Interval all = arc_cosine(chain_squared(mode, over_poles) / w - H_over(box.lengths.t));
   return Turn{middle, std::max((Interval(all.sup()) - middle).sup(), (Interval(middle) - all.inf()).sup())};
 }
 
@@ -44,31 +43,33 @@ struct FromPole {
 double DesignBox::t() const { return std::sqrt(lengths.t.lower * lengths.t.upper); }
 double DesignBox::w() const { return std::sqrt(lengths.w.lower * lengths.w.upper); }
 
-std::optional<JointMoves> joints_move_at_most(const AssemblyMode& assembly_mode, const DesignBox& box,
-                                              const Point& place, const std::array<Complex, 6>& joints) {
+std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
+                                              const std::array<Complex, 6>& joints) {
   const OutwardRounding rounding;
   const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
   const Interval distance = length(arm);
-  const auto turn = turn_at(assembly_mode, box, distance);
+  const auto turn = turn_at(mode, box, distance);
   if (!turn) return std::nullopt;
   const Interval delta(rho_away(box, *turn));
-  const IntervalComplex rho = Interval(box.t()) * direction_at(Interval(assembly_mode.bend * turn->middle));
+  const IntervalComplex rho = Interval(box.t()) * direction_at(Interval(mode.bend * turn->middle));
 
-  const JointRoles roles = roles_of(assembly_mode.grounding);
-  const MaterialPoint ground = material_point(roles.pole, assembly_mode.s);
+  const JointRoles roles = roles_of(mode.grounding);
+  const MaterialPoint ground = material_point(roles.pole, mode.s);
   const auto from_pole = [&](Joint joint) {
-    const MaterialPoint at = material_point(joint, assembly_mode.s);
+    const MaterialPoint at = material_point(joint, mode.s);
     return FromPole{widened(at.of_a) - widened(ground.of_a), widened(at.of_b) - widened(ground.of_b)};
   };
   const FromPole tracer = from_pole(roles.tracer);
   const IntervalComplex D = tracer.P + tracer.Q * rho;
   const Interval D_length = length(D), least = D_length - length(tracer.Q) * delta;
   if (!(least.inf() > 0.05 * D_length.sup())) return std::nullopt;
+  const IntervalComplex per_D = exactly(1.0) / D;
+  const Interval spread = delta / (D_length * least);
   JointMoves moves;
   for (const Joint joint : all_joints) {
     const FromPole at = from_pole(joint);
-    const IntervalComplex M = (at.P + at.Q * rho) / D;
-    const Interval map_moves = length(at.Q * tracer.P - at.P * tracer.Q) * delta / (D_length * least);
+    const IntervalComplex M = (at.P + at.Q * rho) * per_D;
+    const Interval map_moves = length(at.Q * tracer.P - at.P * tracer.Q) * spread;
     const Interval beside = length(exactly(1.0) - M) + map_moves;
     const Interval off = length(pole + arm * M - exactly(joints[static_cast<std::size_t>(joint)]));
     moves[static_cast<std::size_t>(joint)] =

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "synthesis/bound/slack.hpp"
+
 namespace kempe::bounding {
 namespace {
 
@@ -14,9 +16,6 @@ namespace {
 constexpr int first_places = 60;
 constexpr std::size_t most_places = 240;
 constexpr int many_places = 2000;
-/// A gap is a difference of coordinates, off by less than this share of the largest of them: some 450 units in the last place,
-/// for a formula of a few dozen operations.
-constexpr double rounding_share = 1e-13;
 /// Factor: at no place do joints move farther than this times what they do at others, more or less.
 constexpr double moves_of_others = 3;
 
@@ -29,18 +28,25 @@ TermKey key_of(const ObstacleTerm& term) {
 
 }  // namespace
 
-ObstacleTest::ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
+ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
                            const std::vector<LayerAssignment>& layers, StopFlag stop)
-    : assembly_mode_(assembly_mode), reach_(spec.copy.k(), assembly_mode.grounding, assembly_mode.number),
-      roles_(roles_of(assembly_mode.grounding)), clearance_(spec.limits.clearance),
-      shapes_(obstacle_shapes(spec.obstacles)), many_places_(tracer_places(spec.region, many_places)),
-      stop_(std::move(stop)) {
+    : ObstacleTest(spec, mode, layers,
+                   std::make_shared<const std::vector<ObstacleShape>>(
+                       obstacle_shapes(obstructions_of(spec.obstacles, {}, {}))),
+                   std::move(stop)) {}
+
+ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
+                           const std::vector<LayerAssignment>& layers, KnownShapes shapes, StopFlag stop)
+    : mode_(mode), reach_(spec.copy.k(), mode.grounding, mode.assembly_mode.number),
+      roles_(roles_of(mode.grounding)), clearance_(spec.limits.clearance), shapes_(std::move(shapes)),
+      many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
   for (const Point& place : tracer_places(spec.region, first_places)) places_.push_back({place});
-  const auto any =
-      CopyingLinkage::make(spec.copy.k(), assembly_mode.grounding, 100, 100, assembly_mode.number);
+  const auto any = CopyingLinkage::make(spec.copy.k(), mode.grounding, 100, 100, mode.assembly_mode.number);
+  // Bodies and the table's edge are left out: what is proven without them holds with them.
+  const std::vector<Obstruction> obstructions = obstructions_of(spec.obstacles, {}, {});
   std::map<TermKey, std::size_t> known;
   for (std::size_t i = 0; any && i < layers.size() && !stop_(); ++i)
-    for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec)) {
+    for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec.links.style, obstructions)) {
       const auto at = known.emplace(key_of(what), terms_.size()).first;
       if (at->second == terms_.size()) terms_.push_back(Term{what});
       terms_[at->second].layers.add(i);
@@ -51,8 +57,8 @@ ObstacleTest::ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
 double ObstacleTest::gap_rounding(const Term& term, const PlacedJoints& joints) const {
   double largest = 0;
   for (const Joint joint : all_joints) largest = std::max(largest, std::abs(joints[joint]));
-  const ObstacleShape& obstacle = shapes_[term.what.obstacle];
-  return rounding_share *
+  const ObstacleShape& obstacle = (*shapes_)[term.what.obstacle];
+  return slack::obstacle_gap_rounding *
          (largest + std::abs(obstacle.centre) + obstacle.radius + term.what.piece.half_width + clearance_);
 }
 
@@ -68,8 +74,7 @@ struct ObstacleTest::Look {
 
   Look(const ObstacleTest& of, const DesignBox& all, LayerSet& left) : test(of), box(all), alive(left) {
     const double t = box.t(), w = box.w();
-    middle = {std::log(std::sqrt(w / t / 2)),
-              std::log(std::sqrt(w * t / 2) * std::abs(test.assembly_mode_.s))};
+    middle = {std::log(std::sqrt(w / t / 2)), std::log(std::sqrt(w * t / 2) * std::abs(test.mode_.s))};
   }
 
   PlacedJoints joints_at(std::size_t place) const {
@@ -77,7 +82,7 @@ struct ObstacleTest::Look {
   }
 
   std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints) {
-    const auto moves = joints_move_at_most(test.assembly_mode_, box, test.places_[place].at, joints.all());
+    const auto moves = joints_move_at_most(test.mode_, box, test.places_[place].at, joints.all());
     moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end()))
                   : std::numeric_limits<double>::infinity();
     return moves;
@@ -104,7 +109,7 @@ struct ObstacleTest::Look {
       if (of_one ? !term.layers.has(*of_one) : !term.layers.meets(alive)) continue;
       const double clearance = test.clearance_;
       const double gap =
-          obstacle_gap(term.what, test.shapes_[term.what.obstacle], joints, clearance);  // exact below it
+          obstacle_gap(term.what, (*test.shapes_)[term.what.obstacle], joints, clearance);  // exact below it
       least = std::min(least, gap - clearance);
       if (gap >= clearance) continue;
       if (!moves) moves = moved_at(place, joints);
@@ -165,7 +170,7 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
     const PlacedJoints joints(reach_, roles_, lengths, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
       return term.layers.has(layers) &&
-             obstacle_gap(term.what, shapes_[term.what.obstacle], joints, clearance_) < clearance_;
+             obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints, clearance_) < clearance_;
     });
   };
   const auto is_kept = [&](const Place& place) {

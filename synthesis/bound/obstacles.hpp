@@ -30,12 +30,18 @@ struct Sight {
   std::size_t judged = 0;
 };
 
+/// Many tests share them: to divide outlines of many corners into convex parts takes long.
+using KnownShapes = std::shared_ptr<const std::vector<ObstacleShape>>;
+
 /// The obstacles of a spec, seen by one grounding and assembly.
 class ObstacleTest {
  public:
   /// Assignments are known by their place in `layers`. Once `stop` is set, no more is ruled out and no design is found clear.
-  ObstacleTest(const Spec& spec, const AssemblyMode& assembly_mode,
-               const std::vector<LayerAssignment>& layers, StopFlag stop = {});
+  ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
+               StopFlag stop = {});
+  /// With shapes that are known: those of the spec's obstacles.
+  ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
+               KnownShapes shapes, StopFlag stop);
 
   /// The assignments of `alive` in which no obstacle is surely hit. `sight`: of the box this one was split from; becomes its
   /// own. With `only_hit` nothing but the hit is looked at.
@@ -70,11 +76,11 @@ class ObstacleTest {
   struct Look;
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 
-  AssemblyMode assembly_mode_;
+  ModeFacts mode_;
   Reach reach_;
   JointRoles roles_;
   double clearance_;
-  std::vector<ObstacleShape> shapes_;
+  KnownShapes shapes_;
   std::vector<Place> places_;       ///< looked at in every box
   std::vector<Point> many_places_;  ///< looked at for single designs
   std::vector<Term> terms_;

@@ -3,8 +3,8 @@
 // over every permitted grounding, assembly mode, layer assignment, pair of lengths and place of the pole.
 //
 // Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission
-// limit, the lengths' limits, the copy error, the gap between the sheets and the linkage's contact with
-// itself and with obstacles (at places of the tracer) are kept; the workshop's grid and stock are not. Steps and
+// limit, the lengths' limits, the copy error, the gap between original and copy and the linkage's contact with
+// itself and with obstacles (at places of the tracer) are kept; the stock lengths are not. Steps and
 // proof: docs/proven-bound.md.
 
 #include <array>
@@ -30,10 +30,10 @@ struct RelaxedDesign {
 
 /// What a search makes of a design of the tree.
 struct Trial {
-  std::optional<double>
-      best{};  ///< value of the best design that is certain by now: mm of size, rad of transmission
-  std::vector<Point>
-      in_the_way;  ///< places of the tracer where an obstacle was met, for this design's layers
+  /// Value of the best design that is certain by now: mm of size, rad of transmission.
+  std::optional<double> best{};
+  /// Places of the tracer where an obstacle was met, for this design's layers.
+  std::vector<Point> in_the_way;
 };
 
 /// The tree as a search. First it is a bound, but only what the trials made certain counts as known; then it goes on with the

@@ -13,8 +13,8 @@ inline Interval H_at(double t) { return (Interval(t) + 1.0 / Interval(t)) / 2.0;
 Interval H_over(const Range& t);
 
 /// (c r)^2 for a range of distances r, mm^2.
-inline Interval chain_squared(const AssemblyMode& assembly_mode, const Interval& distance) {
-  return CGAL::square(widened(assembly_mode.chain) * distance);
+inline Interval chain_squared(const ModeFacts& mode, const Interval& distance) {
+  return CGAL::square(widened(mode.chain) * distance);
 }
 
 }  // namespace kempe::bounding

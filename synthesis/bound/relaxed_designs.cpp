@@ -1,0 +1,99 @@
+#include "synthesis/bound/relaxed_designs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/bound/slack.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+
+namespace kempe::bounding {
+
+struct RelaxedDesigns::Box {
+  const TreeNode& node;
+  const Branch& branch;
+  ObstacleTest* obstacles;
+  DistanceRange range;  ///< of the region from the middle of the pole's places
+};
+
+RelaxedDesigns::RelaxedDesigns(const Spec& spec, bool by_size, const BoundOptions& options,
+                               const Trials* trials, const PolePlaces& places)
+    : spec_(spec), options_(options), trials_(trials), places_(places), by_size_(by_size) {
+  if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
+}
+
+void RelaxedDesigns::try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles) {
+  const auto range = places_.distances_from(node.pole());
+  if (!range) return;
+  const PoleDistances exact{range->nearest, range->farthest, 1,
+                            range->farthest * range->farthest - range->nearest * range->nearest};
+  const Box box{node, branch, obstacles, *range};
+  const ModeFacts& a = branch.mode;
+  LengthBox lengths = node.lengths;
+  if (!contract(a, exact, transmission(), lengths)) return;
+  const double middle = std::sqrt(lengths.t.lower * lengths.t.upper);
+  for (const double t :
+       {lengths.t.lower, lengths.t.upper, std::clamp(1.0, lengths.t.lower, lengths.t.upper), middle}) {
+    LengthBox line{{t, t}, lengths.w};
+    if (options_.stop()) return;
+    if (!contract(a, exact, transmission(), line)) continue;
+    if (!by_size_) try_freest(box, exact, line);
+    try_design(box, t, std::min(line.w.lower * slack::surely_more, line.w.upper));
+    try_design(box, t, std::sqrt(line.w.lower * line.w.upper));
+    try_design(box, t, line.w.upper);
+  }
+}
+
+/// Of all lengths with one t, those with the largest transmission angle.
+void RelaxedDesigns::try_freest(const Box& box, const PoleDistances& exact, LengthBox line) {
+  const double aim = transmission_at_most(box.branch.mode, exact, line) - slack::relaxed_transmission;
+  if (aim <= transmission() || !contract(box.branch.mode, exact, aim, line)) return;
+  try_design(box, line.t.lower, std::sqrt(line.w.lower * line.w.upper));
+}
+
+void RelaxedDesigns::try_design(const Box& box, double t, double w) {
+  const TreeNode& node = box.node;
+  const Branch& branch = box.branch;
+  const auto linkage = linkage_of(spec_, branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), node.pole());
+  if (!linkage) return;
+  const auto near = linkage->opening_at(box.range.nearest), far = linkage->opening_at(box.range.farthest);
+  if (!near || !far) return;
+  const double transmission = std::min(linkage->transmission_angle(*near), linkage->transmission_angle(*far));
+  if (transmission < spec_.limits.transmission - slack::relaxed_transmission) return;
+  const double value = by_size_ ? linkage->size() : -transmission;
+  if (value >= (trials_ ? enough(trials_->tolerance) : best_)) return;
+  const OpeningInterval openings{std::min(*near, *far), std::max(*near, *far)};
+  if (spec_.limits.copy_error && spec_.tolerance) {
+    const CopyErrorProfile profile = copy_error_profile(*linkage, CopyTolerance::uniform(*spec_.tolerance));
+    if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
+  }
+  const auto free = [&](const LayerChoice& choice) {
+    return !options_.self_contact ||
+           (smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
+                spec_.limits.clearance &&
+            (box.obstacles == nullptr ||
+             box.obstacles->is_clear(linkage->VA(), linkage->VB(), node.pole(),
+                                     static_cast<std::size_t>(&choice - branch.layers.data()),
+                                     node.sight.hit)));
+  };
+  const auto layers = std::find_if(branch.layers.begin(), branch.layers.end(), free);
+  if (layers == branch.layers.end()) return;
+  const RelaxedDesign design{linkage->grounding(), linkage->assembly_mode().number,
+                             linkage->VA(),        linkage->VB(),
+                             node.pole(),          layers->layers};
+  if (trials_)
+    return try_out(box.obstacles, static_cast<std::size_t>(layers - branch.layers.begin()), design);
+  design_ = design;
+  best_ = value;
+}
+
+/// Tries a design out in the search: what it leads to is known, and where it fails is looked at from now on.
+void RelaxedDesigns::try_out(ObstacleTest* obstacles, std::size_t layers, const RelaxedDesign& design) {
+  if (tried_out_ >= trials_->most) return;
+  ++tried_out_;
+  const Trial trial = trials_->run(design);
+  if (trial.best) best_ = std::min(best_, by_size_ ? *trial.best : -*trial.best);
+  if (obstacles != nullptr)
+    for (const Point& place : trial.in_the_way) obstacles->add_place(place, layers);
+}
+
+}  // namespace kempe::bounding

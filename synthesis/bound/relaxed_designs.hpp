@@ -1,0 +1,50 @@
+#pragma once
+// Designs of the relaxation that the bound's tree meets: the best of them is what a box must be able to beat.
+
+#include <optional>
+
+#include "synthesis/bound/pole_places.hpp"
+#include "synthesis/bound/proven_bound.hpp"
+
+namespace kempe::bounding {
+
+/// The best design known, and the way to better ones. What the arguments refer to must outlive it.
+class RelaxedDesigns {
+ public:
+  /// `trials`: null if designs of the relaxation are as good as any.
+  RelaxedDesigns(const Spec& spec, bool by_size, const BoundOptions& options, const Trials* trials,
+                 const PolePlaces& places);
+
+  /// Value of the best design met, or the incumbent, as TreeNode::bound: size, or minus the transmission angle; infinity if
+  /// there is none.
+  double best() const { return best_; }
+  /// Bounds at least this good end the search.
+  double enough(double tolerance) const {
+    return best_ < infinity ? best_ - tolerance * std::abs(best_) : infinity;
+  }
+  /// The transmission angle that designs of interest have at least, rad.
+  double transmission() const {
+    return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_);
+  }
+  const std::optional<RelaxedDesign>& design() const { return design_; }
+
+  /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`: null if there are none to be seen.
+  void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles);
+
+ private:
+  struct Box;
+  void try_freest(const Box& box, const PoleDistances& exact, LengthBox line);
+  void try_design(const Box& box, double t, double w);
+  void try_out(ObstacleTest* obstacles, std::size_t layers, const RelaxedDesign& design);
+
+  const Spec& spec_;
+  const BoundOptions& options_;
+  const Trials* trials_;
+  const PolePlaces& places_;
+  bool by_size_;
+  double best_ = infinity;
+  std::optional<RelaxedDesign> design_;
+  int tried_out_ = 0;
+};
+
+}  // namespace kempe::bounding
