@@ -11,9 +11,10 @@ std::optional<Step> ContactCuts::step(const Node& node) const {
   if (!small_enough(node.cell)) return std::nullopt;
   const bounding::Range range = passed(node.cell);
   if (range.empty()) return std::nullopt;
-  const auto linkage = CopyingLinkage::make(
-      task_.spec.copy.k(), task_.root.mode.grounding, node.cell.middle(Variable::a),
-      node.cell.middle(Variable::b) * std::abs(task_.root.mode.s), task_.number, node.cell.pole());
+  const auto linkage =
+      CopyingLinkage::make(task_.spec.copy.k(), task_.root.mode.grounding, node.cell.middle(Variable::a),
+                           node.cell.middle(Variable::b) * std::abs(task_.root.mode.s),
+                           task_.root.mode.assembly_mode.number, node.cell.pole());
   if (!linkage) return std::nullopt;
   const double one = task_.branch.opening_of(range.lower), other = task_.branch.opening_of(range.upper);
   const OpeningInterval openings{std::min(one, other), std::max(one, other)};
@@ -64,7 +65,7 @@ std::optional<ContactCut> ContactCuts::cut_at(const ContactPair& pair, const Des
   const auto one = material_point(cut.one, task_.root.mode.s),
              other = material_point(cut.other, task_.root.mode.s);
   const Complex turn = std::polar(1.0, task_.root.mode.bend * 2 * std::atan(cut.u));
-  const double allowed = (nearest.needed + task_.spec.limits.clearance) * (1 - in_hand);
+  const double allowed = (nearest.needed + task_.spec.limits.clearance) * (1 - slack::in_hand);
   for (const double corner_a : {cell[Variable::a].lower, cell[Variable::a].upper})
     for (const double corner_b : {cell[Variable::b].lower, cell[Variable::b].upper})
       if (!(std::abs((one.of_a - other.of_a) * corner_a + (one.of_b - other.of_b) * corner_b * turn) <

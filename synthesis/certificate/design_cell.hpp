@@ -25,7 +25,7 @@ inline constexpr std::array<Variable, 4> all_variables{Variable::a, Variable::b,
 
 /// What a grounding and an assembly mode fix: w = g z turns the tracer's way from the pole z into X - V.
 struct Root {
-  bounding::AssemblyMode mode;
+  bounding::ModeFacts mode;
   Complex g;
 };
 

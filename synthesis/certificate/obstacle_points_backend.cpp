@@ -8,6 +8,7 @@
 
 #include "geometry/interval.hpp"
 #include "synthesis/certificate/obstacle_points.hpp"
+#include "synthesis/certificate/slack.hpp"
 
 namespace kempe::certificate {
 namespace {
@@ -79,7 +80,7 @@ std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, c
 
   Interval away = Interval((at.re.sup() - at.re.inf()) + (at.im.sup() - at.im.inf()));
   const auto add = [&](Variable variable, const IntervalComplex& slope) {
-    if (cell.half(variable) > 0) away += length(slope) * (Interval(cell.half(variable)) * (1 + 1e-12));
+    if (cell.half(variable) > 0) away += length(slope) * (Interval(cell.half(variable)) * slack::whole_half);
   };
   add(Variable::a, by_length(whole.a, whole.b, 1));
   add(Variable::b, by_length(whole.b, whole.a, -1));

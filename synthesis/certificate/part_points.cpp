@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
+#include "synthesis/certificate/slack.hpp"
+
 namespace kempe::certificate {
 namespace {
 
@@ -28,16 +31,16 @@ PartPoint on_plate(PartName part, Complex from_first, Complex side, Complex othe
   const auto miss = [&](const PartPoint& point) {
     return std::abs(point.t * side + point.u * other - from_first);
   };
-  const double turn = side.real() * other.imag() - side.imag() * other.real();
-  if (plate == PlateStyle::bent || std::abs(turn) < 1e-9 * std::abs(side) * std::abs(other) ||
-      std::min(off, off_other) < 1e-12)
+  const double turn = cross(side, other);
+  if (plate == PlateStyle::bent || std::abs(turn) < slack::flat_plate * std::abs(side) * std::abs(other) ||
+      std::min(off, off_other) < slack::on_side)
     return miss(on_side) <= miss(on_other) ? on_side : on_other;
-  const double t = (from_first.real() * other.imag() - from_first.imag() * other.real()) / turn;
-  const double u = (side.real() * from_first.imag() - side.imag() * from_first.real()) / turn;
+  const double t = cross(from_first, other) / turn;
+  const double u = cross(side, from_first) / turn;
   PartPoint point{part, std::max(0.0, t), std::max(0.0, u)};
-  constexpr double inside = 1 - 1e-15;  // the sum of the shares may not pass 1 by rounding
   const double sum = point.t + point.u;
-  if (sum > inside) point = {part, point.t / sum * inside, point.u / sum * inside};
+  if (sum > slack::inside_plate)
+    point = {part, point.t / sum * slack::inside_plate, point.u / sum * slack::inside_plate};
   return point;
 }
 

@@ -53,6 +53,11 @@ struct ContactCut {
   PartPoint one, other;
   double u = 0;
 };
+/// The cosines of |psi| between which the limit on the copy error may be kept; all other openings exceed it (with 1 or -1 there are
+/// no others at that end). None are left if the first is no larger.
+struct CopyErrorCut {
+  double far_cosine = 0, near_cosine = 0;
+};
 
 /// What every design of the tree keeps, >= 0, with a weight.
 struct Requirement {
@@ -67,7 +72,7 @@ struct SumLeaf {
 /// The pole may stand nowhere in the box.
 struct PoleLeaf {};
 /// The copy of the first place is nearer to the second than the gap between original and copy.
-struct SheetsLeaf {
+struct CopyGapLeaf {
   Place one, other;
 };
 /// With the tracer at the place, the point is too near to an edge of the obstacle's outline, or to all of a convex one.
@@ -82,8 +87,8 @@ struct LayersLeaf {};
 /// Of a root: no lengths are permitted.
 struct LengthsLeaf {};
 
-using Line = std::variant<Split, Share, ContactCut, SumLeaf, PoleLeaf, SheetsLeaf, ObstacleLeaf, LayersLeaf,
-                          LengthsLeaf>;
+using Line = std::variant<Split, Share, ContactCut, CopyErrorCut, SumLeaf, PoleLeaf, CopyGapLeaf,
+                          ObstacleLeaf, LayersLeaf, LengthsLeaf>;
 
 /// Trees of all permitted groundings and assembly modes in their order, each depth first.
 struct ProofLog {

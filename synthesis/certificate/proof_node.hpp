@@ -13,11 +13,9 @@
 #include "synthesis/certificate/proof_log.hpp"
 #include "synthesis/certificate/region_places.hpp"
 #include "synthesis/certificate/requirement_sum.hpp"
+#include "synthesis/certificate/slack.hpp"
 
 namespace kempe::certificate {
-
-/// What a guess in doubles keeps in hand, so that the checker's own rounding does not decide otherwise.
-inline constexpr double in_hand = 1e-9;
 
 /// A set of layer assignments by their numbers, rising.
 using Assignments = std::vector<std::uint32_t>;
@@ -45,7 +43,6 @@ struct Step {
 struct RootTask {
   const Spec& spec;
   const RegionPlaces& places;
-  int number;  ///< of the assembly mode
   bounding::Branch branch;
   Root root{};
   SumTask sums{};

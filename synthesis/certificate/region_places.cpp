@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "geometry/segment_distance.hpp"
+#include "synthesis/certificate/slack.hpp"
 #include "synthesis/problem/obstacle_gap.hpp"
 
 namespace kempe::certificate {
@@ -13,12 +17,6 @@ void append_starts(std::size_t polygon, std::size_t ring, std::size_t corners,
   for (std::size_t corner = 0; corner < corners; ++corner) starts.push_back({polygon, ring, corner, 0});
 }
 
-double share_along(const BoundaryEdge& edge, const Point& at) {
-  const Point along = edge.to - edge.from;
-  const double length2 = along.squaredNorm();
-  return length2 > 0 ? std::clamp((at - edge.from).dot(along) / length2, 0.0, 1.0) : 0;
-}
-
 }  // namespace
 
 RegionPlaces::RegionPlaces(const Region& region) : reach_(region) {
@@ -27,11 +25,13 @@ RegionPlaces::RegionPlaces(const Region& region) : reach_(region) {
     for (std::size_t j = 0; j < region.polygons[i].holes.size(); ++j)
       append_starts(i, j + 1, region.polygons[i].holes[j].size(), start_of_);
   }
-  for (const Point& corner : reach_.hull()) {
-    const auto edge = std::find_if(reach_.edges().begin(), reach_.edges().end(),
-                                   [&](const BoundaryEdge& one) { return one.from == corner; });
-    corner_of_.push_back(static_cast<std::size_t>(edge - reach_.edges().begin()));
+  std::map<std::pair<double, double>, std::size_t> first_from;
+  for (std::size_t i = 0; i < reach_.edges().size(); ++i) {
+    const Point& from = reach_.edges()[i].from;
+    first_from.emplace(std::pair(from.x(), from.y()), i);
   }
+  for (const Point& corner : reach_.hull())
+    corner_of_.push_back(first_from.at(std::pair(corner.x(), corner.y())));
   constexpr int about = 60;
   spread_out(region, about);
 }
@@ -44,8 +44,9 @@ EdgePlace RegionPlaces::edge_place(std::size_t edge, double share) const {
 
 KnownPlace RegionPlaces::nearest(const Point& to) const {
   const RegionReach::Nearest found = reach_.nearest(to);
-  if (found.distance < -1e-9 * (reach_.diagonal() + to.norm())) return {to, to};
-  return {edge_place(found.edge, share_along(reach_.edges()[found.edge], found.place)), found.place};
+  if (found.distance < -slack::inside_region * (reach_.diagonal() + to.norm())) return {to, to};
+  const BoundaryEdge& edge = reach_.edges()[found.edge];
+  return {edge_place(found.edge, nearest_share(found.place, edge.from, edge.to)), found.place};
 }
 
 KnownPlace RegionPlaces::farthest(const Point& from) const {

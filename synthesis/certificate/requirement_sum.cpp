@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "synthesis/certificate/slack.hpp"
+
 namespace kempe::certificate {
 namespace {
 
@@ -132,7 +134,7 @@ void relax_weights(const std::vector<double>& q, const std::vector<std::vector<d
       if (weights[i] > 0 && (from == n || slope[i] > slope[from])) from = i;
     }
     const double gain = slope[from] - slope[to];
-    if (!(gain > 1e-12 * (std::abs(slope[from]) + std::abs(slope[to])))) return;
+    if (!(gain > slack::rounding * (std::abs(slope[from]) + std::abs(slope[to])))) return;
     const double bend = (G[to][to] + G[from][from] - 2 * G[to][from]) / soft;
     const double share = bend > 0 ? std::min(weights[from], gain / bend) : weights[from];
     weights[to] += share;
@@ -183,12 +185,11 @@ Weighted best_weights(const std::vector<Candidate>& all, const std::array<double
 BestSum best_sum(const SumTask& task, const DesignCell& cell) {
   std::array<double, 4> half{};
   for (const Variable variable : all_variables)
-    half[static_cast<std::size_t>(variable)] = cell.half(variable) * (1 + 1e-12);
+    half[static_cast<std::size_t>(variable)] = cell.half(variable) * slack::whole_half;
   const std::vector<Candidate> all = candidates(task, cell);
   const Weighted best = best_weights(all, half);
   BestSum result;
-  constexpr double rounding = 1e-12;  // of the terms: many times what they can be off
-  result.refutes = best.most < -rounding * best.sum.size;
+  result.refutes = best.most < -slack::rounding * best.sum.size;
   constexpr double soon = 0.2;
   result.refutes_soon = best.sum.value < -soon * (best.most - best.sum.value);
   for (std::size_t i = 0; i < 4; ++i) result.share[i] = std::max(0.0, best.sum.growth(i, half[i]));

@@ -6,7 +6,7 @@
 
 #include "geometry/chance.hpp"
 #include "kinematics/instrument.hpp"
-#include "synthesis/verification/tolerances.hpp"
+#include "synthesis/verification/slack.hpp"
 
 namespace kempe {
 
@@ -111,10 +111,10 @@ class Tracing {
     const CopyingLinkage& linkage = task_.mechanism.linkage;
     const auto opening = linkage.opening_at((tracer - linkage.pole()).norm());
     if (!opening) return tl::unexpected(cause_of(opening.error()));
-    if (*opening < task_.opening.lower - tolerance::traced_slack ||
-        *opening > task_.opening.upper + tolerance::traced_slack)
+    if (*opening < task_.opening.lower - slack::traced_slack ||
+        *opening > task_.opening.upper + slack::traced_slack)
       return tl::unexpected(NotReached::outside_the_opening);
-    if (!task_.mechanism.obstacles.empty()) {
+    if (has_obstructions(task_.mechanism)) {
       const Verdict verdict = verdict_at(task_.mechanism, tracer);
       if (!verdict.free && !verdict.uncertain) return tl::unexpected(NotReached::obstacle);
     }
@@ -218,9 +218,9 @@ class Tracing {
     (there ? trace_.drawn_length : trace_.missing_length) += (to - edge).norm();
   }
 
-  /// The last place reached and the first one not, nearer to each other than tolerance::cut_precision.
+  /// The last place reached and the first one not, nearer to each other than slack::cut_precision.
   std::pair<Point, Point> boundary(Point reached, Point beyond) const {
-    const double near_enough = tolerance::cut_precision * std::min(1.0, task_.mechanism.linkage.size());
+    const double near_enough = slack::cut_precision * std::min(1.0, task_.mechanism.linkage.size());
     while ((beyond - reached).norm() > near_enough) {
       const Point middle = 0.5 * (reached + beyond);
       if (middle == reached || middle == beyond) break;

@@ -35,7 +35,7 @@ std::string_view name(NotReached why);
 
 /// What draws.
 struct TraceTask {
-  MapTask mechanism;        ///< linkage, parts and obstacles; region and sheets_gap play no part
+  MapTask mechanism;        ///< linkage, parts and obstacles; region and copy_gap play no part
   OpeningInterval opening;  ///< certified: poses must stay inside
 };
 
@@ -68,8 +68,8 @@ struct Trace {
   std::vector<TracedLine> drawn, missing;  ///< in the original's order and direction
   std::vector<TracedPose> poses;
   std::size_t poses_tried = 0, poses_missed = 0;
-  std::array<std::size_t, all_not_reached.size()>
-      missed_by_cause{};                        ///< poses, in the order of all_not_reached
+  /// Poses, in the order of all_not_reached.
+  std::array<std::size_t, all_not_reached.size()> missed_by_cause{};
   double drawn_length = 0, missing_length = 0;  ///< mm of the original
   double departure = 0;  ///< mm, largest distance of the pen from the similar image at any pose
 };
@@ -77,8 +77,7 @@ struct Trace {
 /// Copies the strokes (mm, table frame).
 ///  1. Every point of a drawn line is the pen's place in a pose whose loops close and whose opening lies in
 ///     `task.opening`; the corners of the original are among the poses.
-///  2. Order and direction of the strokes are kept; where the tracer cannot follow, the line is cut to 1e-9
-///  mm of the
+///  2. Order and direction of the strokes are kept; where the tracer cannot follow, the line is cut to 1e-9 mm of the
 ///     last place that it reaches.
 ///  3. The same task, strokes and options give the same trace.
 Trace trace_drawing(const TraceTask& task, const std::vector<DrawnStroke>& strokes,

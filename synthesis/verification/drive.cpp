@@ -8,17 +8,17 @@
 #include <cmath>
 #include <optional>
 
-#include "synthesis/verification/tolerances.hpp"
+#include "synthesis/verification/slack.hpp"
 
 namespace kempe {
 namespace {
 
-/// One plate as its drawing gives it: the first side, the sides from its two ends, the turn (0: in line), and the angle
-/// at the first side's beginning, which only a nearly flat plate needs.
+/// One plate as its drawing gives it: the first side, the sides from its two ends, the side of the third joint, and the
+/// angle at the first side's beginning, which only a nearly flat plate needs.
 struct DrawnPlate {
   const char* name;
   double base, from_first, from_second;
-  int turn;
+  Side turn;
   std::optional<double> angle;
 };
 
@@ -30,12 +30,12 @@ Point by_angle(const DrawnPlate& plate) {
 tl::expected<Point, std::string> corner_by_angle(const DrawnPlate& plate) {
   const Point corner = by_angle(plate);
   const double third = (corner - Point(plate.base, 0)).norm();
-  if (!(std::abs(third - plate.from_second) <= tolerance::in_line * (plate.base + plate.from_first)))
+  if (!(std::abs(third - plate.from_second) <= slack::in_line * (plate.base + plate.from_first)))
     return tl::unexpected(
         fmt::format("the three lengths of plate {} do not close a triangle of its shape", plate.name));
-  if (plate.turn == 0 && std::abs(corner.y()) > tolerance::in_line * plate.from_first)
+  if (plate.turn == Side::on_line && std::abs(corner.y()) > slack::in_line * plate.from_first)
     return tl::unexpected(fmt::format("the three joints of plate {} are not in line", plate.name));
-  if (plate.turn * corner.y() < 0)
+  if (sign(plate.turn) * corner.y() < 0)
     return tl::unexpected(fmt::format("plate {} is turned to the other side than its shape", plate.name));
   return corner;
 }
@@ -45,14 +45,14 @@ tl::expected<Point, std::string> third_corner(const DrawnPlate& plate) {
   const double f = plate.from_first, g = plate.from_second;
   const double along = 0.5 * plate.base + (f - g) * (f + g) / (2 * plate.base);
   const double height_squared = (f - along) * (f + along);
-  if (height_squared < -tolerance::in_line * f * f)
+  if (height_squared < -slack::in_line * f * f)
     return tl::unexpected(fmt::format("the three lengths of plate {} do not close a triangle", plate.name));
-  if (plate.angle && height_squared < tolerance::lengths_suffice * tolerance::lengths_suffice * f * f)
+  if (plate.angle && height_squared < slack::lengths_suffice * slack::lengths_suffice * f * f)
     return corner_by_angle(plate);
-  if (plate.turn == 0 && height_squared > tolerance::in_line * f * f)
+  if (plate.turn == Side::on_line && height_squared > slack::in_line * f * f)
     return tl::unexpected(fmt::format("the three joints of plate {} are not in line", plate.name));
-  const Point corner(along, plate.turn * std::sqrt(std::max(0.0, height_squared)));
-  if (plate.angle && !((corner - by_angle(plate)).norm() <= tolerance::in_line * (plate.base + f)))
+  const Point corner(along, sign(plate.turn) * std::sqrt(std::max(0.0, height_squared)));
+  if (plate.angle && !((corner - by_angle(plate)).norm() <= slack::in_line * (plate.base + f)))
     return tl::unexpected(
         fmt::format("the three lengths of plate {} do not close a triangle of its shape", plate.name));
   return corner;
@@ -68,21 +68,21 @@ tl::expected<Plates, std::string> plates_of(const DrawnMechanism& m) {
     if (!std::isfinite(length) || length <= 0) return tl::unexpected(std::string("a length is not positive"));
   const std::optional<double> bend = m.shape ? std::optional(std::arg(*m.shape)) : std::nullopt;
   const std::optional<double> back = bend ? std::optional(-*bend) : std::nullopt;
-  const auto X = third_corner({"ACX", l.AC, l.AX, l.CX, m.orientation.plate_ACX, back});
+  const auto X = third_corner({"ACX", l.AC, l.AX, l.CX, m.sides.plate_ACX, back});
   if (!X) return tl::unexpected(X.error());
-  const auto Y = third_corner({"BCY", l.BC, l.BY, l.CY, m.orientation.plate_BCY, bend});
+  const auto Y = third_corner({"BCY", l.BC, l.BY, l.CY, m.sides.plate_BCY, bend});
   if (!Y) return tl::unexpected(Y.error());
   return Plates{*X, *Y};
 }
 
 /// Where two circles about A and B meet, on the side of the line A-B that `turn` names; the nearest place if they miss.
-Point corner_C(const Point& A, const Point& B, double AC, double BC, int turn) {
+Point corner_C(const Point& A, const Point& B, double AC, double BC, Side turn) {
   const Point across = B - A;
   const double apart = across.norm();
   const double along = (AC * AC - BC * BC + apart * apart) / (2 * apart);
   const double height = std::sqrt(std::max(0.0, AC * AC - along * along));
   const Point normal(-across.y(), across.x());
-  return A + across / apart * along + normal / apart * (height * turn);
+  return A + across / apart * along + normal / apart * (height * sign(turn));
 }
 
 double direction(const Point& from, const Point& to) {
@@ -123,7 +123,7 @@ tl::expected<Drive, std::string> Drive::make(const DrawnMechanism& m, const Poin
   // A first position by compass: V at the origin, VA along x, C on the far side of A-B.
   const double opening = m.opening.middle();
   const Point A(l.VA, 0), B = l.VB * Point(std::cos(opening), std::sin(opening));
-  const Point C = corner_C(A, B, l.AC, l.BC, cross(B - A, -A) > 0 ? -1 : 1);
+  const Point C = corner_C(A, B, l.AC, l.BC, cross(B - A, -A) > 0 ? Side::right : Side::left);
   PlanarPosition guess{{}, {origin, 0}, {origin, opening}, {A, direction(A, C)}, {B, direction(B, C)}};
   const Point pole = place(guess, joint(m.pole)), tracer = place(guess, joint(m.tracer));
   const double turn = direction(origin, towards) - direction(pole, tracer);

@@ -1,5 +1,5 @@
 #pragma once
-// The moving part of the verification: the mechanism as bodies and joints, and where the tracer is driven.
+// The moving part of the verification: the mechanism as bodies and joints.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -9,10 +9,6 @@
 #include "synthesis/verification/verification.hpp"
 
 namespace kempe {
-
-/// Places that the tracer visits, in order, as seen from the pole: the corners and long edges of every ring, the
-/// nearest and the farthest place, then a hatch of the inside in two directions.
-std::vector<Point> stations_over(const Region& region, const Point& pole, const VerificationOptions& options);
 
 /// A drawn mechanism in the general solver: four bodies, four joints, the pole pinned at the origin, the tracer driven.
 /// It moves in certified steps from where it stands and never jumps. All places are as seen from the pole.

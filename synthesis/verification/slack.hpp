@@ -1,8 +1,8 @@
 #pragma once
-// Every tolerance of the verification, each with its unit and its reason: what rounding may do to a design that is right, and
+// Every slack and threshold of the verification, each with its unit and its reason: what rounding may do to a design that is right, and
 // far less than any workshop could make.
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // What is compared
 
@@ -31,4 +31,4 @@ inline constexpr double traced_slack = 1e-9;
 /// mm, or for linkages of few millimetres this share of their size: where a line that cannot be followed is cut.
 inline constexpr double cut_precision = 1e-9;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

@@ -1,9 +1,9 @@
-// Where the verification drives the tracer: along every ring, then over a hatch of the inside.
+// Along every ring, then over a hatch of the inside.
+
+#include "synthesis/verification/stations.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "synthesis/verification/drive.hpp"
 
 namespace kempe {
 namespace {

@@ -9,10 +9,13 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/verification/bodies.hpp"
 #include "synthesis/verification/drive.hpp"
 #include "synthesis/verification/obstacles.hpp"
-#include "synthesis/verification/tolerances.hpp"
+#include "synthesis/verification/slack.hpp"
+#include "synthesis/verification/stations.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
@@ -56,6 +59,7 @@ class Checks {
       pairs_ = contact_pairs(*linkage, task.layers);
       shape_ = linkage->shape();
       watch_.emplace(*linkage, task);
+      bodies_.emplace(*linkage, task);
     }
     check_lengths();
   }
@@ -70,8 +74,8 @@ class Checks {
     result_.copy_error_max = std::max(result_.copy_error_max, copy_error);
     result_.loop_residual_max = std::max(result_.loop_residual_max, residual);
     fit_.add(reach, as_complex(pen));
-    if (!(residual <= tolerance::loop_residual_share * size_))
-      fail({"mechanism.lengths_mm", residual, tolerance::loop_residual_share * size_, tracer,
+    if (!(residual <= slack::loop_residual_share * size_))
+      fail({"mechanism.lengths_mm", residual, slack::loop_residual_share * size_, tracer,
             fmt::format("the loop residual is {:.3g} mm", residual)});
     if (!(copy_error <= copy_error_allowed_))
       fail({"copy", copy_error, copy_error_allowed_, tracer,
@@ -80,6 +84,7 @@ class Checks {
     check_transmission(pose, tracer);
     check_clearance(pose, tracer);
     check_obstacles(pose, tracer);
+    check_bodies(pose, tracer);
   }
 
   /// Remembers the first breach of each limit, and the first of all as the failure.
@@ -104,14 +109,14 @@ class Checks {
     result_.scale = std::abs(ratio);
     result_.rotation = std::arg(ratio);
     if (result_.samples < 3) fail({.limit = "region", .sentence = "the tracer could not be driven anywhere"});
-    const double ratio_allowed = tolerance::ratio_share * (1 + std::abs(task_.k));
+    const double ratio_allowed = slack::ratio_share * (1 + std::abs(task_.k));
     if (result_.samples >= 3 && std::abs(ratio - task_.k) > ratio_allowed)
       fail({.limit = "copy",
             .attained = std::abs(ratio - task_.k),
             .allowed = ratio_allowed,
             .sentence = fmt::format("the driven pairs give scale {:.9g} and rotation {:.9g} degrees",
                                     result_.scale, degrees(result_.rotation))});
-    result_.certified = result_.failure.empty();
+    result_.holds = result_.failure.empty();
     return result_;
   }
 
@@ -119,8 +124,8 @@ class Checks {
   void check_lengths() {
     const auto values = task_.mechanism.lengths.values();
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (const bool short_ = values[i] < task_.shortest * (1 - tolerance::length_slack);
-          short_ || values[i] > task_.longest * (1 + tolerance::length_slack))
+      if (const bool short_ = values[i] < task_.shortest * (1 - slack::length_slack);
+          short_ || values[i] > task_.longest * (1 + slack::length_slack))
         fail({.limit = short_ ? "links.shortest_mm" : "links.longest_mm",
               .attained = values[i],
               .allowed = short_ ? task_.shortest : task_.longest,
@@ -129,9 +134,8 @@ class Checks {
   }
 
   void check_assembly_mode(const Pose& pose, const Point& tracer) {
-    const auto side = [](const Point& a, const Point& b) { return (cross(a, b) > 0) - (cross(a, b) < 0); };
-    const std::array<int, 2> sides{side(pose.A - pose.V, pose.B - pose.V),
-                                   side(pose.A - pose.V, pose.X - pose.A)};
+    const std::array<Side, 2> sides{side_of(cross(pose.A - pose.V, pose.B - pose.V)),
+                                    side_of(cross(pose.A - pose.V, pose.X - pose.A))};
     if (result_.samples > 1 && sides != sides_) {
       ++result_.flips;
       fail({"mechanism.assembly", std::nullopt, std::nullopt, tracer,
@@ -141,12 +145,11 @@ class Checks {
     const OpeningInterval& allowed = task_.mechanism.opening;
     double opening = std::arg(as_complex(pose.B - pose.V) / as_complex(pose.A - pose.V));
     opening -= 2 * pi * std::round((opening - allowed.middle()) / (2 * pi));
-    if (opening < allowed.lower - tolerance::opening_slack ||
-        opening > allowed.upper + tolerance::opening_slack)
+    if (opening < allowed.lower - slack::opening_slack || opening > allowed.upper + slack::opening_slack)
       fail({"mechanism.opening_deg", degrees(opening),
             degrees(opening < allowed.lower ? allowed.lower : allowed.upper), tracer,
-            fmt::format("the opening {:.6f} degrees leaves {:.6f} .. {:.6f}", degrees(opening),
-                        degrees(allowed.lower), degrees(allowed.upper))});
+            fmt::format("the opening {} degrees leaves {} .. {}", fixed_text(degrees(opening), 6),
+                        fixed_text(degrees(allowed.lower), 6), fixed_text(degrees(allowed.upper), 6))});
   }
 
   void check_transmission(const Pose& pose, const Point& tracer) {
@@ -155,7 +158,7 @@ class Checks {
     };
     const double seen =
         std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
-    if (seen < task_.transmission - tolerance::transmission_slack)
+    if (seen < task_.transmission - slack::transmission_slack)
       fail({"limits.transmission_deg", degrees(seen), degrees(task_.transmission), tracer,
             fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
                         degrees(task_.transmission))});
@@ -165,7 +168,7 @@ class Checks {
     if (!task_.clearance) return;
     for (const ContactPair& pair : pairs_) {
       const double free = gap(pair, pose, shape_, task_.style);
-      if (free < *task_.clearance - tolerance::clearance_share * size_)
+      if (free < *task_.clearance - slack::clearance_share * size_)
         fail({"limits.clearance_mm", free, *task_.clearance, tracer,
               fmt::format("{} are {:.6g} mm apart, less than {:.6g}", name(pair), free, *task_.clearance)});
     }
@@ -173,19 +176,30 @@ class Checks {
 
   void check_obstacles(const Pose& pose, const Point& tracer) {
     if (!task_.clearance || !watch_) return;
-    const auto near = watch_->nearest(pose, *task_.clearance - tolerance::clearance_share * size_);
+    const auto near = watch_->nearest(pose, *task_.clearance - slack::clearance_share * size_);
     if (near)
       fail({"obstacles", near->gap, *task_.clearance, tracer,
             fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near->part, near->obstacle,
                         near->gap, *task_.clearance)});
   }
 
+  void check_bodies(const Pose& pose, const Point& tracer) {
+    if (!task_.clearance || !bodies_) return;
+    bodies_->for_each_near(pose, *task_.clearance - slack::clearance_share * size_,
+                           [&](const BodyWatch::Near& near) {
+                             fail({near.key, near.gap, *task_.clearance, tracer,
+                                   fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near.one,
+                                               near.other, near.gap, *task_.clearance)});
+                           });
+  }
+
   const VerificationTask& task_;
   double size_, copy_error_allowed_;
   std::vector<ContactPair> pairs_;
   Complex shape_{};
-  std::array<int, 2> sides_{};
+  std::array<Side, 2> sides_{};
   std::optional<ObstacleWatch> watch_;
+  std::optional<BodyWatch> bodies_;
   SimilarityFit fit_;
   Verification result_;
 };
@@ -196,34 +210,62 @@ double sum_of_lengths(const LinkLengths& lengths) {
   return sum;
 }
 
-/// Drives over all stations: of the region all must be reached, of the workspace those that rounding lets it reach.
-void drive_over(const std::vector<Point>& stations, const VerificationTask& task, Checks& checks) {
+/// Of the stations that are left when it is stopped so many are driven to, evenly spread.
+constexpr std::size_t last_stations = 16;
+
+/// Drives over all stations, until it is stopped: of the region all must be reached, of the workspace those that rounding
+/// lets it reach. True if none was left out.
+bool drive_over(const std::vector<Point>& stations, const VerificationTask& task, const StopFlag& stop,
+                Checks& checks) {
   auto drive = Drive::make(task.mechanism, stations.front());
-  if (!drive) return checks.fail({.limit = "mechanism.lengths_mm", .sentence = drive.error()});
-  for (const Point& station : stations) {
-    if (const auto arrived = drive->go_to(station))
-      checks.see(drive->pose(), drive->residual());
-    else if (task.region_covered)
-      return checks.fail({"region", std::nullopt, std::nullopt, station, arrived.error()});
+  if (!drive) {
+    checks.fail({.limit = "mechanism.lengths_mm", .sentence = drive.error()});
+    return true;
   }
+  std::size_t step = 1;
+  for (std::size_t i = 0; i < stations.size(); i += step) {
+    if (step == 1 && stop()) step = 1 + (stations.size() - i) / last_stations;
+    if (const auto arrived = drive->go_to(stations[i]))
+      checks.see(drive->pose(), drive->residual());
+    else if (task.region_covered) {
+      checks.fail({"region", std::nullopt, std::nullopt, stations[i], arrived.error()});
+      break;
+    }
+  }
+  return step == 1;
+}
+
+/// What is free at the certified opening; else all of that opening, or what is usable where none is certified.
+ArcRegion parts_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
+  if (map.certified_opening.empty()) return map.collision_free.empty() ? map.usable : map.collision_free;
+  const Annulus held = annulus_over(task.linkage, map.certified_opening);
+  const double rounding = slack::length_slack * held.outer;
+  ArcRegion free = map.collision_free;
+  std::erase_if(free, [&](const ArcPolygon& part) {
+    return std::any_of(part.outer.begin(), part.outer.end(), [&](const ArcVertex& vertex) {
+      const double radius = (vertex.at - held.centre).norm();
+      return radius < held.inner - rounding || radius > held.outer + rounding;
+    });
+  });
+  return free.empty() ? as_region(held) : free;
 }
 
 }  // namespace
 
 Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
-  const ArcRegion& parts = map.collision_free.empty() ? map.usable : map.collision_free;
+  const ArcRegion parts = parts_to_drive_over(task, map);
   const auto largest = std::max_element(
       parts.begin(), parts.end(), [](const ArcPolygon& a, const ArcPolygon& b) { return area(a) < area(b); });
   if (largest == parts.end()) return {};
-  const double tolerance = tolerance::fine_outline * chain_annulus(task.linkage).outer;
+  const double tolerance = slack::fine_outline * chain_annulus(task.linkage).outer;
   return {{flattened(*largest, tolerance, Flatten::shrinks)}};
 }
 
 VerificationTask verification_task(const Design& design) {
   const CopyingLinkage& l = design.linkage;
   VerificationTask task;
-  task.mechanism = {l.lengths(),   l.orientation(), l.pole_joint(), l.tracer_joint(),
-                    l.pen_joint(), l.pole(),        design.opening, l.shape()};
+  task.mechanism = {l.lengths(), l.assembly_mode().sides, l.pole_joint(), l.tracer_joint(), l.pen_joint(),
+                    l.pole(),    design.opening,          l.shape()};
   task.k = l.k();
   task.region = design.region;
   task.region_covered = design.map.coverage.covered;
@@ -240,21 +282,28 @@ VerificationTask verification_task(const Design& design) {
     task.transmission = design.limits.transmission;
     task.clearance = design.limits.clearance;
     task.obstacles = design.obstacles;
+    task.bodies = design.bodies;
+    task.table = design.table;
   }
   return task;
 }
 
 Verification verify(const VerificationTask& task, const VerificationOptions& options) {
+  return run_verification(task, options).found;
+}
+
+VerificationRun run_verification(const VerificationTask& task, const VerificationOptions& options) {
   const double size = sum_of_lengths(task.mechanism.lengths);
   Checks checks(task, size, options.copy_error_share * size);
   const Point& pole = task.mechanism.pole_position;
   // A region that is not covered asks for positions beyond the certified opening.
+  bool complete = true;
   if (!task.region.empty() && (task.region_covered || task.workspace.empty()))
-    drive_over(stations_over(task.region, pole, options), task, checks);
-  if (checks.has_driven() || task.workspace.empty()) return checks.result();
+    complete = drive_over(stations_over(task.region, pole, options), task, options.stop, checks);
+  if (checks.has_driven() || task.workspace.empty()) return {checks.result(), complete};
   checks.is_over_workspace();
-  drive_over(stations_over(task.workspace, pole, options), task, checks);
-  return checks.result();
+  complete = drive_over(stations_over(task.workspace, pole, options), task, options.stop, checks);
+  return {checks.result(), complete};
 }
 
 }  // namespace kempe

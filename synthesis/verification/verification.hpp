@@ -7,14 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "kinematics/stop_flag.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {
 
 /// A mechanism as its drawing gives it: eight lengths, how the triangles are turned, which joint does what.
 struct DrawnMechanism {
-  LinkLengths lengths;                      ///< mm
-  CopyingLinkage::Orientation orientation;  ///< signs that pick the assembly mode
+  LinkLengths lengths;  ///< mm
+  LoopSides sides;      ///< how the loops are put together
   Joint pole = Joint::V, tracer = Joint::X, pen = Joint::Y;
   Point pole_position = Point::Zero();  ///< mm
   OpeningInterval opening;              ///< certified usable opening, rad: poses must stay inside
@@ -36,6 +37,8 @@ struct VerificationTask {
   double transmission = 0;          ///< rad, limit kept over the region; 0: not checked
   std::optional<double> clearance;  ///< mm, limit kept between parts, and to obstacles; absent: not checked
   std::vector<Obstacle> obstacles{};
+  std::vector<Body> bodies{};
+  std::optional<Polygon> table{};
   double shortest = 0, longest = 1e300;  ///< mm, limits of every length
 };
 
@@ -43,22 +46,31 @@ struct VerificationOptions {
   std::size_t outline_samples = 600;  ///< about this many places along the region's rings, corners preferred
   int hatch_lines = 12;               ///< inside, each direction
   double copy_error_share = 1e-9;     ///< copy error allowed, as a share of the mechanism's size
+  /// Set: of the places that are left only some are driven to, all over the region.
+  StopFlag stop{};
 };
 
-/// Where the tracer is driven if there is no region to drive over: the largest part of the free workspace, or of the
-/// usable one where nothing is free. Empty if the linkage has no position at all.
+/// What was seen, and whether at all places.
+struct VerificationRun {
+  Verification found;
+  bool complete = true;  ///< false: stopped early
+};
+
+/// Where the tracer is driven if there is no region to drive over: the largest part of the free workspace at the certified opening;
+/// where nothing is free there, all of that opening; without one, of the usable workspace. Empty if the linkage has no position.
 Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map);
 
 /// The task of checking a finished design.
 VerificationTask verification_task(const Design& design);
 
 /// Drives the mechanism over the region's outline and inside, in a frame whose origin is the pole: coordinates far
-/// from the table's origin cost no digits. `certified` is true only if
+/// from the table's origin cost no digits. `holds` is true only if
 ///  1. the loops close at every place, to 1e-12 of the mechanism's size;
 ///  2. the pen is where k puts it, to copy_error_share of the size, and the similarity fitted to all pairs is k;
 ///  3. the assembly mode never changes and the opening never leaves its certified interval;
 ///  4. every limit of the task holds at every place.
-/// Otherwise `failure` says what failed first and where. Deterministic; takes well under a second.
+/// Otherwise `failure` says what failed first and where. Deterministic unless stopped.
 Verification verify(const VerificationTask& task, const VerificationOptions& options = {});
+VerificationRun run_verification(const VerificationTask& task, const VerificationOptions& options);
 
 }  // namespace kempe

@@ -1,0 +1,33 @@
+#pragma once
+// Every slack and threshold of the proof log, each with its unit and its reason. What is guessed here in doubles the checker
+// decides in intervals: slack that is too small costs lines of the log, never its truth.
+
+#include "geometry/slack.hpp"
+
+namespace kempe::slack {
+
+/// Share, and mm: what a guess in doubles keeps in hand, so that the checker's own rounding does not decide otherwise.
+inline constexpr double in_hand = 1e-9;
+/// Share of a variable's size, or of the distances, below which nothing is cut: what is not refuted there is the design that the
+/// bound belongs to.
+inline constexpr double narrowest_cut = 1e-9;
+/// None: weight of a variable's width beside its share in what a sum lacks, so that one without a share is cut last.
+inline constexpr double width_weight = 1e-9;
+/// Shares by which the bound is given way, tried in this order until a proof comes out.
+inline constexpr double given_way[] = {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+/// The least of these shares that is worth another try where a proof was too long.
+inline constexpr double much_shorter = 1e-3;
+/// Sine: the sides of a plate nearer to one line than this span no triangle.
+inline constexpr double flat_plate = 1e-9;
+/// mm: a point so near to a side lies on it.
+inline constexpr double on_side = 1e-12;
+/// None: the shares of a point of a plate add up to no more; their sum may not pass 1 by rounding.
+inline constexpr double inside_plate = 1 - 1e-15;
+/// Share of the region's diagonal and of the place's distance: a place deeper in the region is inside it.
+inline constexpr double inside_region = 1e-9;
+/// Factor: half of a cell's width, surely.
+inline constexpr double whole_half = 1 + rounding;
+/// rad: how far beyond the openings that the copy error leaves a log cuts, so that the error there is surely above its limit.
+inline constexpr double beyond_copy_error = 1e-8;
+
+}  // namespace kempe::slack
