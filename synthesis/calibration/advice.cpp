@@ -185,9 +185,9 @@ PlanRecord plan_for(const Measurements& measurements, const std::optional<DrawnD
                            .input = one.input,
                            .wanted = wanted_output(setup, one.input)};
     if (measurements.instrument) {
-      const double stylus_to_pole = std::max(reading.input.norm(), reading.wanted.norm());
+      const double tracer_to_pole = std::max(reading.input.norm(), reading.wanted.norm());
       reading.arm_angle =
-          std::acos(std::clamp(stylus_to_pole / (2 * measurements.instrument->arm), -1.0, 1.0));
+          std::acos(std::clamp(tracer_to_pole / (2 * measurements.instrument->arm), -1.0, 1.0));
     }
     plan.readings.push_back(reading);
   }

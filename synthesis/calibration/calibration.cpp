@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "geometry/decompositions.hpp"
-#include "synthesis/calibration/fit.hpp"
+#include "synthesis/calibration/outliers.hpp"
+#include "synthesis/calibration/slack.hpp"
 #include "synthesis/calibration/statistics.hpp"
-#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe {
 namespace detail = calibration_detail;
@@ -118,7 +118,7 @@ class Fitting {
       const auto estimate = detail::estimated_noise(weighted(noise), fitted.outcome);
       fitted.freedom = estimate.freedom;
       fitted.noise = choose_noise(estimate, fitted.source);
-      const bool settled = std::abs(fitted.noise - noise) <= tolerance::noise_settled * noise;
+      const bool settled = std::abs(fitted.noise - noise) <= slack::noise_settled * noise;
       if (settled || weighs_all_alike()) {
         weigh_anew(fitted.outcome, noise / fitted.noise);
         break;
@@ -140,12 +140,11 @@ class Fitting {
   static bool beyond_chance(const detail::NoiseEstimate& estimate, double known) {
     const double squares = estimate.freedom * std::pow(estimate.noise / known, 2);
     return chi_squared_upper_probability(squares, static_cast<int>(std::lround(estimate.freedom))) <
-           tolerance::named_by_chance;
+           slack::named_by_chance;
   }
 
   double choose_noise(const detail::NoiseEstimate& estimate, NoiseSource& source) const {
-    const double least =
-        std::max(task_.rounding, tolerance::noise_rounding / units_[index_of(Measure::turn)]);
+    const double least = std::max(task_.rounding, slack::noise_rounding / units_[index_of(Measure::turn)]);
     const bool estimable = estimate.freedom >= 1.5;
     source = task_.reading_uncertainty ? NoiseSource::stated
              : estimable               ? NoiseSource::residuals
@@ -419,6 +418,6 @@ tl::expected<Calibration, CalibrationFault> calibrate(const CalibrationTask& tas
   return result;
 }
 
-bool FitCheck::contradicts() const { return probability < tolerance::named_by_chance; }
+bool FitCheck::contradicts() const { return probability < slack::named_by_chance; }
 
 }  // namespace kempe

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/calibration/fit.hpp"
-#include "synthesis/calibration/tolerances.hpp"
+#include "synthesis/calibration/slack.hpp"
+#include "synthesis/calibration/weighted_fit.hpp"
 
 namespace kempe::calibration_detail {
 namespace {
@@ -107,7 +107,7 @@ Fault fault_of_spread(const CalibrationTask& task) {
     lowest = std::min(lowest, (reading.input - pole).norm());
     highest = std::max(highest, (reading.input - pole).norm());
   }
-  if (highest - lowest > tolerance::one_opening * highest) return {};
+  if (highest - lowest > slack::one_opening * highest) return {};
   return CalibrationFault{
       {},
       fmt::format("all readings {:.4g} mm from the pole, at one opening of the linkage", highest),

@@ -7,8 +7,8 @@
 
 #include "synthesis/calibration/advice.hpp"
 #include "synthesis/calibration/settings.hpp"
+#include "synthesis/calibration/slack.hpp"
 #include "synthesis/calibration/task.hpp"
-#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -179,7 +179,7 @@ std::string words_of(const FitCheck& check, bool outliers_named) {
         outliers_named ? "The outliers contribute if they are kept"
                        : "No single reading explains it: all are less accurate than stated, or there are too "
                          "few to find the wrong one, or a measure that is not free is wrong");
-  if (check.probability > 1 - tolerance::rare)
+  if (check.probability > 1 - slack::rare)
     return "the residuals are smaller than the stated uncertainty explains: it is stated too large";
   return "the residuals agree with the stated uncertainty";
 }

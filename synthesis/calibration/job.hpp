@@ -59,7 +59,7 @@ struct ReadingRecord {
 struct SettingRow {
   std::string ratio;  ///< as wanted
   bool reversed = false;
-  Joint pole = Joint::X, stylus = Joint::Y, pencil = Joint::V;
+  Joint pole = Joint::X, tracer = Joint::Y, pen = Joint::V;
   double setting = 0;       ///< AB / AC
   ScaleErrors corrections;  ///< to each scale's reading
   ScaleErrors scales;       ///< what to set on each scale, mm: setting * arm + correction

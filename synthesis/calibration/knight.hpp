@@ -20,10 +20,10 @@
 
 namespace kempe {
 
-/// Departure of the pencil E from its true place, with the arm AC at `arm_angle` from the line A-F.
+/// Departure of the pen E from its true place, with the arm AC at `arm_angle` from the line A-F.
 struct KnightReading {
   double arm_angle = 0;         ///< rad
-  Point error = Point::Zero();  ///< mm: x toward the stylus F, y toward C
+  Point error = Point::Zero();  ///< mm: x toward the tracer F, y toward C
 };
 
 /// Errors of the four scales in Knight's signs, mm. Corrections are their negatives.

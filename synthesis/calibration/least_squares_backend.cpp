@@ -7,7 +7,7 @@
 
 #include "geometry/decompositions.hpp"
 #include "synthesis/calibration/least_squares.hpp"
-#include "synthesis/calibration/tolerances.hpp"
+#include "synthesis/calibration/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -45,10 +45,10 @@ Eigen::VectorXd levenberg_marquardt(Call& call, const Eigen::VectorXd& start, in
   std::vector<double> qtf(size(n)), work1(size(n)), work2(size(n)), work3(size(n)), work4(size(m));
   std::vector<int> pivots(size(n));
   int function_calls = 0, jacobian_calls = 0;
-  __cminpack_func__(lmder)(evaluate, &call, m, n, x.data(), values.data(), slopes.data(), m,
-                           tolerance::tightest, tolerance::tightest, 0, most_evaluations, scale.data(), 2,
-                           1.0, 0, &function_calls, &jacobian_calls, pivots.data(), qtf.data(), work1.data(),
-                           work2.data(), work3.data(), work4.data());
+  __cminpack_func__(lmder)(evaluate, &call, m, n, x.data(), values.data(), slopes.data(), m, slack::tightest,
+                           slack::tightest, 0, most_evaluations, scale.data(), 2, 1.0, 0, &function_calls,
+                           &jacobian_calls, pivots.data(), qtf.data(), work1.data(), work2.data(),
+                           work3.data(), work4.data());
   return Eigen::Map<const Eigen::VectorXd>(x.data(), n);
 }
 
@@ -66,8 +66,7 @@ void polish(Call& call, LeastSquaresSolution& solution, Eigen::Index rows, doubl
     solution.converged = length <= settled;
     if (!(length < 0.9 * last_step) || length == 0) return;
     if (!call.residuals(solution.x + step, trial, nullptr)) return;
-    if (!(trial.squaredNorm() <= residuals.squaredNorm() * (1 + tolerance::squares_rounding)) &&
-        length > settled)
+    if (!(trial.squaredNorm() <= residuals.squaredNorm() * (1 + slack::squares_rounding)) && length > settled)
       return;
     solution.x += step;
     solution.square_sum = trial.squaredNorm();

@@ -11,15 +11,16 @@
 // The yardstick is the stated noise; only where those that agree best already contradict it, or where none is stated, it is
 // what they leave themselves (then q_i / 2 over their mean square has Fisher's distribution).
 
+#include "synthesis/calibration/outliers.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
-#include "synthesis/calibration/fit.hpp"
+#include "synthesis/calibration/slack.hpp"
 #include "synthesis/calibration/statistics.hpp"
-#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe::calibration_detail {
 namespace {
@@ -71,7 +72,7 @@ class Linear {
     }
     // A few readings alone need not tell all: a trace of the drawn instrument keeps the rest near it.
     const double most = normal.diagonal().maxCoeff();
-    normal.diagonal().array() += tolerance::trace_of_drawn * (most > 0 ? most : 1);
+    normal.diagonal().array() += slack::trace_of_drawn * (most > 0 ? most : 1);
     const Eigen::LDLT<Small> solver(normal);
     result.step = -solver.solve(right);
     result.spread = solver.solve(Small::Identity(p, p));
@@ -174,7 +175,7 @@ class Search {
 
   Rows outliers() const {
     Rows inside = core();
-    const double single = tolerance::named_by_chance / static_cast<double>(count_);
+    const double single = slack::named_by_chance / static_cast<double>(count_);
     while (inside.size() < count_) {
       const auto fit = linear_.agreed(inside);
       Rows outside = without(all_, inside);
@@ -286,7 +287,7 @@ class Search {
     for (std::size_t k = 0; k < outside.size(); ++k)
       sets *= static_cast<double>(count_ - k) / static_cast<double>(k + 1);
     const auto by = judge_.yardstick(rest, linear_.freedom(inside.size()));
-    return Judge::chance(drop, outside.size(), by) * sets < tolerance::named_by_chance;
+    return Judge::chance(drop, outside.size(), by) * sets < slack::named_by_chance;
   }
 
   /// False if another reading in place of one of these would explain nearly as much: which is wrong cannot be told.
@@ -312,7 +313,7 @@ class Search {
 
 /// Rounding, and what the model itself may leave, as a weighted square: readings without noise have no outliers.
 double floor_of(const WeightedTask& weighted) {
-  const double rounding = tolerance::outlier_rounding / weighted.units[index_of(Measure::turn)];
+  const double rounding = slack::outlier_rounding / weighted.units[index_of(Measure::turn)];
   return std::pow(std::max(rounding, weighted.model_error) / weighted.noise, 2);
 }
 
@@ -346,7 +347,7 @@ std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const LinearFit
     const Eigen::Matrix2d hat = linear.own_spread(fit, i), own = Eigen::Matrix2d::Identity() - hat;
     all[i].leverage = 0.5 * hat.trace();
     const Eigen::LDLT<Eigen::Matrix2d> solver(own);
-    if (!(solver.vectorD().minCoeff() > tolerance::decides_alone)) continue;
+    if (!(solver.vectorD().minCoeff() > slack::decides_alone)) continue;
     const Eigen::Vector2d e = linear.left(fit, i);
     const double drop = e.dot(solver.solve(e));
     const int freedom = linear.freedom(inside.size()) - 2;

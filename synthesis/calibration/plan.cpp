@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/calibration/fit.hpp"
+#include "synthesis/calibration/weighted_fit.hpp"
 
 namespace kempe {
 namespace detail = calibration_detail;
@@ -161,7 +161,7 @@ Point DrawnDesign::place(double share_of_openings, double share_of_bearings) con
 
 DrawnDesign drawn_design(const CopyingLinkage& linkage, const OpeningInterval& certified,
                          const Region& region) {
-  DrawnDesign design{linkage, intersect(certified, linkage.assembly_interval())};
+  DrawnDesign design{linkage, intersect(certified, linkage.assembly_mode().openings)};
   constexpr double least_transmission = radians(20), around = radians(30);
   if (!(design.usable.width() > 0)) design.usable = linkage.openings_with_transmission(least_transmission);
   const Point middle = middle_of(region) - linkage.pole();

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "synthesis/calibration/job.hpp"
-#include "synthesis/calibration/tolerances.hpp"
+#include "synthesis/calibration/slack.hpp"
 
 namespace kempe {
 
@@ -37,7 +37,7 @@ class QuantityMaking {
     for (const Indistinct& one : calibration_.indistinct) {
       double moves = 0;
       for (const Indistinct::Part& part : one.parts) moves += by[index_of(part.measure)] * part.factor;
-      if (std::abs(moves) > tolerance::hardly_moves) quantity.determined = false;
+      if (std::abs(moves) > slack::hardly_moves) quantity.determined = false;
     }
     table_.quantities.push_back(std::move(quantity));
     rows_.push_back(by);

@@ -7,7 +7,7 @@
 
 #include "geometry/decompositions.hpp"
 #include "synthesis/calibration/plan.hpp"
-#include "synthesis/calibration/tolerances.hpp"
+#include "synthesis/calibration/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -89,7 +89,7 @@ bool correct(const Fan& fan, Measures& corrections, Eigen::VectorXd& values) {
     const Eigen::Vector4d move = solution_of(slopes.colPivHouseholderQr(), -values);
     for (std::size_t j = 0; j < 4; ++j)
       corrections[index_of(scales[j].measure)] += move[static_cast<Eigen::Index>(j)];
-    if (move.norm() < tolerance::corrections_at_rest) break;
+    if (move.norm() < slack::corrections_at_rest) break;
   }
   return fan.departures(corrections, values, slopes);
 }
@@ -101,8 +101,8 @@ SettingRow setting_for(const SettingTask& task, const WantedRatio& wanted, bool 
   SettingRow row{.ratio = wanted.text,
                  .reversed = reversed,
                  .pole = arrangement.mounting.pole,
-                 .stylus = arrangement.mounting.input,
-                 .pencil = arrangement.mounting.output,
+                 .tracer = arrangement.mounting.input,
+                 .pen = arrangement.mounting.output,
                  .setting = arrangement.setting,
                  .corrections = {},
                  .scales = {},

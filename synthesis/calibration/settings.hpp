@@ -1,10 +1,10 @@
 #pragma once
 // What to set on the four scales of a calibrated variable ratio instrument for any ratio, erect or reversed.
 //
-//   erect, smaller:   pole A, stylus F, pencil E, setting k = ratio
-//   erect, larger:    pole A, stylus E, pencil F, setting k = 1 / ratio
-//   reversed, smaller: pole E, stylus F, pencil A, setting k = ratio / (1 + ratio)
-//   reversed, larger:  pole E, stylus A, pencil F, setting k = 1 / (1 + ratio)
+//   erect, smaller:   pole A, tracer F, pen E, setting k = ratio
+//   erect, larger:    pole A, tracer E, pen F, setting k = 1 / ratio
+//   reversed, smaller: pole E, tracer F, pen A, setting k = ratio / (1 + ratio)
+//   reversed, larger:  pole E, tracer A, pen F, setting k = 1 / (1 + ratio)
 //
 // A scale's error found by calibration is taken as the same along the whole scale, as Knight takes it: its
 // index is off. Arms that are not equal and bearings out of line make the corrections change with the

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/chance.hpp"
+#include "synthesis/calibration/slack.hpp"
 #include "synthesis/calibration/task.hpp"
-#include "synthesis/calibration/tolerances.hpp"
 
 namespace kempe {
 namespace {
@@ -134,7 +134,7 @@ class Simulation {
     }
     CalibrationTask task = making.task();
     if (method_ == CalibrationMethod::knight && !task.reading_uncertainty)
-      task.reading_uncertainty = std::max(tolerance::least_simulated_noise,
+      task.reading_uncertainty = std::max(slack::least_simulated_noise,
                                           std::hypot(wanted_.noise, wanted_.resolution / std::sqrt(12.0)));
     const auto found =
         method_ == CalibrationMethod::knight ? calibrate_by_knight(task, file, all) : calibrate(task);

@@ -1,8 +1,8 @@
 #pragma once
-// Every tolerance of the calibration, each with its unit and its reason. (Uncertainties are stated or estimated, and no
-// tolerances.)
+// Every slack and threshold of the calibration, each with its unit and its reason. (Uncertainties are stated or estimated, and no
+// slack.)
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // Least squares
 
@@ -53,4 +53,4 @@ inline constexpr double is_multiple = 1e-6;
 /// Chance below which a fit is told as "hardly ever".
 inline constexpr double rare = 1e-3;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

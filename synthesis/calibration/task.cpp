@@ -6,7 +6,7 @@
 #include <map>
 
 #include "synthesis/calibration/knight.hpp"
-#include "synthesis/calibration/tolerances.hpp"
+#include "synthesis/calibration/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -39,7 +39,7 @@ double rounding_of(const Measurements& measurements) {
   for (int decimals = 0; decimals <= most; ++decimals, step /= 10) {
     if (decimals < fewest) continue;
     const auto is_multiple = [step](double value) {
-      return std::abs(value / step - std::round(value / step)) < tolerance::is_multiple;
+      return std::abs(value / step - std::round(value / step)) < slack::is_multiple;
     };
     const bool all = std::all_of(measurements.readings.begin(), measurements.readings.end(),
                                  [&](const ReadingSpec& reading) {

@@ -1,11 +1,11 @@
-#include "synthesis/calibration/fit.hpp"
+#include "synthesis/calibration/weighted_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/decompositions.hpp"
-#include "synthesis/calibration/tolerances.hpp"
+#include "synthesis/calibration/slack.hpp"
 
 namespace kempe::calibration_detail {
 
@@ -65,7 +65,7 @@ std::optional<FitOutcome> fit(const WeightedTask& weighted, const std::vector<Me
   outcome.residuals.resize(weighted.rows());
   outcome.slopes.resize(weighted.rows(), count);
   const LeastSquaresSolution solution =
-      least_squares(residuals, Eigen::VectorXd::Zero(count), weighted.rows(), tolerance::settled);
+      least_squares(residuals, Eigen::VectorXd::Zero(count), weighted.rows(), slack::settled);
   outcome.deviations = deviations(solution.x);
   outcome.converged = solution.converged;
   if (!weighted.evaluate(outcome.deviations, free, outcome.residuals, &outcome.slopes)) return std::nullopt;
@@ -78,7 +78,7 @@ Eigen::MatrixXd inverse_normal(const Eigen::MatrixXd& slopes) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinV | Eigen::ComputeThinU);
   const Eigen::VectorXd& values = svd.singularValues();
   const Eigen::VectorXd inverse = values.unaryExpr(
-      [&](double value) { return value > tolerance::no_weight * values[0] ? 1 / (value * value) : 0.0; });
+      [&](double value) { return value > slack::no_weight * values[0] ? 1 / (value * value) : 0.0; });
   return svd.matrixV() * inverse.asDiagonal() * svd.matrixV().transpose();
 }
 
@@ -92,7 +92,7 @@ Indistinct combination(const Eigen::VectorXd& factors, std::size_t held, const s
   };
   found.parts.push_back({free[held], 1});
   for (std::size_t j = 0; j < free.size(); ++j)
-    if (j != held && std::abs(factors[static_cast<Eigen::Index>(j)]) > tolerance::too_small_to_name)
+    if (j != held && std::abs(factors[static_cast<Eigen::Index>(j)]) > slack::too_small_to_name)
       found.parts.push_back({free[j], factor(j)});
   return found;
 }
@@ -109,7 +109,7 @@ std::vector<Indistinct> indistinct_combinations(const Eigen::MatrixXd& slopes,
   values.head(svd.singularValues().size()) = svd.singularValues();
   Eigen::Index known = columns;
   while (known > 0 &&
-         !(values[known - 1] * plausible >= 1 && values[known - 1] > tolerance::rounding_share * values[0]))
+         !(values[known - 1] * plausible >= 1 && values[known - 1] > slack::rounding_share * values[0]))
     --known;
   const Eigen::Index unknown = columns - known;
   if (unknown == 0) return {};
@@ -128,7 +128,7 @@ std::vector<Indistinct> indistinct_combinations(const Eigen::MatrixXd& slopes,
   for (Eigen::Index i = 0; i < unknown; ++i) {
     found.push_back(combination(factors.col(i), held[static_cast<std::size_t>(i)], free, units));
     const Eigen::ArrayXd shares = at_held.row(i).transpose().array() / values.tail(unknown).array();
-    const bool tells_something = (values.tail(unknown).array() > tolerance::rounding_share * values[0]).all();
+    const bool tells_something = (values.tail(unknown).array() > slack::rounding_share * values[0]).all();
     if (tells_something)
       found.back().uncertainty = shares.matrix().norm() * units[index_of(found.back().parts.front().measure)];
   }
@@ -152,9 +152,8 @@ NoiseEstimate estimated_noise(const WeightedTask& weighted, const FitOutcome& fi
     known_part +=
         (deviation * deviation - weighted.noise * weighted.noise) / static_cast<double>(weighted.used.size());
   }
-  return {
-      std::sqrt(std::max(squares / freedom - known_part, tolerance::least_unexplained * squares / freedom)),
-      freedom};
+  return {std::sqrt(std::max(squares / freedom - known_part, slack::least_unexplained * squares / freedom)),
+          freedom};
 }
 
 }  // namespace kempe::calibration_detail

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "specs/hardware.hpp"
+#include "synthesis/design/allowed.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/footprint.hpp"
@@ -13,14 +15,6 @@
 
 namespace kempe {
 namespace {
-
-/// A point of a front was searched for another objective than the spec's.
-std::optional<Objective> objective_of(Goal goal) {
-  for (const Objective objective :
-       {Objective::size, Objective::transmission, Objective::copy_error, Objective::footprint})
-    if (goal_of(objective) == goal) return objective;
-  return std::nullopt;
-}
 
 /// Over the region, or without one over the certified opening; where the region is not reached 0.
 double smallest_transmission(const CopyingLinkage& linkage, const Region& region,
@@ -50,7 +44,7 @@ void measure_robustness(Design& design) {
                  .clearance_loss = design.quality.clearance_min - check.clearance};
 }
 
-/// With workshop lengths k may be off: the design then states what it attains, and what was wanted beside it.
+/// With stock lengths k may be off: the design then states what it attains, and what was wanted beside it.
 void note_ratio(Design& design, const Copy& copy) {
   const double error = std::abs(design.linkage.k() - copy.k());
   if (error <= 1e-12 * std::abs(copy.k())) return;
@@ -59,9 +53,26 @@ void note_ratio(Design& design, const Copy& copy) {
   design.rotation = std::arg(design.linkage.k());
 }
 
+/// The search's certificate holds where the map's was stopped.
+void cover_as_searched(Design& design, const StopFlag& stop) {
+  if (!stop() || !design.map.coverage.uncertain) return;
+  design.map.coverage = {};
+  design.map.coverage.covered = true;
+}
+
+/// An infinite area where it was stopped.
+void measure_footprint(Design& design, const StopFlag& stop) {
+  auto swept = footprint_unless(stop, design.linkage, design.style, design.region);
+  design.quality.footprint = swept ? swept->area : HUGE_VAL;
+  if (swept) design.footprint = std::move(swept->outline);
+}
+
+enum class From { search, spec };
+
 Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
-                 const MapOptions& options, Detail detail) {
+                 const MapOptions& options, Detail detail, From from) {
   Design design{.linkage = linkage,
+                .title = spec.title,
                 .scale = spec.copy.scale(),
                 .rotation = spec.copy.rotation(),
                 .region = spec.region,
@@ -70,16 +81,16 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
                 .limits = spec.limits,
                 .tolerance = spec.tolerance,
                 .obstacles = spec.obstacles,
+                .bodies = spec.bodies,
+                .table = spec.table,
                 .tool = tool_advice(spec.tool, std::abs(linkage.k())),
-                .cutting = spec.cutting};
+                .cutting = spec.cutting,
+                .hardware = spec.links.hardware};
   note_ratio(design, spec.copy);
   design.map = map_workspace(map_task(design), options);
+  if (from == From::search) cover_as_searched(design, options.stop);
   design.opening = design.map.certified_opening;
-  if (detail == Detail::full) {
-    Footprint swept = footprint(linkage, design.style, design.region);
-    design.footprint = std::move(swept.outline);
-    design.quality.footprint = swept.area;
-  }
+  if (detail == Detail::full) measure_footprint(design, options.stop);
   design.quality.size = linkage.size();
   design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
@@ -91,8 +102,7 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
 /// Every assignment compared by its gap over the region, obstacles included.
 LayerChoice layer_choice(const Spec& spec, const CopyingLinkage& linkage, int most_layers,
                          const StopFlag& stop) {
-  const MapTask task = map_task(linkage, spec.links.style, {}, spec.limits, spec.obstacles, spec.region);
-  return choose_layers(task, most_layers, stop);
+  return choose_layers(map_task(linkage, {}, spec), most_layers, stop);
 }
 
 InputError no_mechanism(const std::string& file) {
@@ -117,12 +127,30 @@ tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const s
 }
 
 Allowed allowed_by(const Spec& spec) {
-  return {spec.pole,           spec.links.layers,         spec.links.shortest, spec.links.longest,
-          spec.links.workshop, spec.objective.groundings, least_wall(spec)};
+  const double bore = bored_for(spec.links.style, spec.links.hardware);
+  return {spec.pole,
+          spec.links.layers,
+          spec.links.shortest,
+          spec.links.longest,
+          spec.links.stock_lengths,
+          spec.objective.groundings,
+          least_wall(spec),
+          bore > spec.links.style.pin_diameter ? std::optional(bore) : std::nullopt};
 }
 
-Spec task_of(const Design& design) {
+void allow(Spec& spec, const Allowed& allowed) {
+  spec.pole = allowed.pole;
+  spec.links.layers = allowed.layers;
+  spec.links.shortest = allowed.shortest;
+  spec.links.longest = allowed.longest;
+  spec.links.stock_lengths = allowed.stock_lengths;
+  spec.links.wall = allowed.wall;
+  spec.objective.groundings = allowed.groundings;
+}
+
+Spec spec_of(const Design& design) {
   Spec spec;
+  spec.title = design.title;
   spec.copy = design.wanted ? Copy::of(design.wanted->scale, design.wanted->rotation)
                             : Copy::of(design.scale, design.rotation);
   spec.region = design.region;
@@ -130,27 +158,35 @@ Spec task_of(const Design& design) {
   spec.limits = design.limits;
   spec.tolerance = design.tolerance;
   spec.obstacles = design.obstacles;
+  spec.bodies = design.bodies;
+  spec.table = design.table;
   spec.cutting = design.cutting;
+  spec.links.hardware = design.hardware;
   if (design.search) spec.objective.objective = design.search->objective;
-  if (!design.allowed) return spec;
-  const Allowed& allowed = *design.allowed;
-  spec.pole = allowed.pole;
-  spec.links.layers = allowed.layers;
-  spec.links.shortest = allowed.shortest;
-  spec.links.longest = allowed.longest;
-  spec.links.workshop = allowed.workshop;
-  spec.links.wall = allowed.wall;
-  spec.objective.groundings = allowed.groundings;
+  if (design.allowed) allow(spec, *design.allowed);
   return spec;
 }
 
 MapTask map_task(const Design& design) {
-  return map_task(design.linkage, design.style, design.layers, design.limits, design.obstacles,
-                  design.region);
+  return {.linkage = design.linkage,
+          .style = design.style,
+          .layers = design.layers,
+          .clearance = design.limits.clearance,
+          .transmission = design.limits.transmission,
+          .obstacles = design.obstacles,
+          .bodies = design.bodies,
+          .table = design.table,
+          .region = design.region,
+          .copy_gap = design.limits.copy_gap};
+}
+
+std::string left_out_of_bound(const Design& design) {
+  if (design.bodies.empty()) return design.table ? "the table's edge" : "";
+  return design.table ? "bodies and the table's edge" : "bodies";
 }
 
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options, Detail detail) {
-  Design design = assembled(spec, found.linkage, found.layers, options, detail);
+  Design design = assembled(spec, found.linkage, found.layers, options, detail, From::search);
   if (detail == Detail::full && found.layers.highest() > 2 && !options.stop()) {
     LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
     if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
@@ -180,9 +216,10 @@ tl::expected<Design, std::string> certified_design(const Spec& spec, const Found
 
 Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const MapOptions& options) {
   if (spec.mechanism && spec.mechanism->layers)
-    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options, Detail::full);
+    return assembled(spec, linkage, LayerAssignment{*spec.mechanism->layers}, options, Detail::full,
+                     From::spec);
   const LayerChoice choice = layer_choice(spec, linkage, spec.links.layers, options.stop);
-  Design design = assembled(spec, linkage, choice.best, options, Detail::full);
+  Design design = assembled(spec, linkage, choice.best, options, Detail::full, From::spec);
   design.why_not_fewer_layers = choice.why_not_fewer;
   return design;
 }

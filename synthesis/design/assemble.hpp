@@ -2,6 +2,7 @@
 // From a linkage to a finished design: opening certified, workspace mapped, quality measured. Verification is
 // not part of it (verification.hpp).
 
+#include <algorithm>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -25,8 +26,12 @@ Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOpti
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
                                                    const MapOptions& options, Detail detail = Detail::full);
 
-/// A design found when a time limit was over is mapped for so much longer, s; then the map stays as coarse as it is.
-inline constexpr double time_to_map = 0.4;
+/// By how much commands may exceed a time limit (s).
+inline double grace_after(double limit) { return std::max(0.1, 0.1 * limit); }
+/// A design found when the limit was over is mapped, verified and proven for so much longer, s; then all that stays as it is.
+inline double time_to_map(double limit) { return 0.5 * grace_after(limit); }
+/// And its files are written for so much longer.
+inline double time_to_write(double limit) { return 0.8 * grace_after(limit); }
 
 /// The linkage that the spec's mechanism gives; `file` is for the error.
 tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const std::string& file);
@@ -38,5 +43,8 @@ Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const Map
 
 /// What map_workspace() and verdict_at() need to know about a design. The task's region is the design's.
 MapTask map_task(const Design& design);
+
+/// What the proven bound does not see, for a person: "bodies and the table's edge"; empty if nothing.
+std::string left_out_of_bound(const Design& design);
 
 }  // namespace kempe

@@ -19,7 +19,7 @@ bool copy_overlaps_original(const Design& design) {
 }
 
 std::string overlap_note(const Design& design) {
-  if (design.limits.sheets_gap || !copy_overlaps_original(design)) return "";
+  if (design.limits.copy_gap || !copy_overlaps_original(design)) return "";
   return "the copy overlaps the original; limits.sheets_gap_mm keeps them apart";
 }
 

@@ -20,7 +20,7 @@ struct Quality {
   double clearance_min = 0;     ///< mm, smallest over the region
   /// mm; absent without [tolerance]
   std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;
-  double footprint = 0;  ///< mm^2, outer bound of the area swept while the tracer covers the region
+  double footprint = 0;  ///< mm^2, outer bound of the area swept over the region; infinite: stopped early
   /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
   std::optional<double> proven_bound;
   std::optional<Robustness> robust{};  ///< absent unless it was asked for
@@ -37,7 +37,7 @@ struct SearchRecord {
   std::vector<std::string> obstacles_out_of_reach{};
 };
 
-/// The ratio that the spec wants where the workshop's lengths do not allow it.
+/// The ratio that the spec wants where the stock lengths do not allow it.
 struct WantedCopy {
   double scale = 1, rotation = 0;  ///< rotation rad
   double error = 0;                ///< |k attained - k wanted|: mm of error per mm of distance from the pole
@@ -48,19 +48,22 @@ struct Allowed {
   PoleSpec pole{};
   int layers = 2;                    ///< at most
   double shortest = 0, longest = 0;  ///< mm, of every length
-  WorkshopSpec workshop{};
+  StockLengths stock_lengths{};
   std::vector<Grounding> groundings{};
   /// mm, least between two holes of a link; absent: an older file does not say it
   std::optional<double> wall{};
+  /// mm, of the bearing or bush that links are bored for; absent: holes are those of the pins
+  std::optional<double> seat{};
 };
 Allowed allowed_by(const Spec& spec);
 
 struct Design;
-/// The task of a searched design, as its file states it: allowed_by() and all else back in a spec.
-Spec task_of(const Design& design);
+/// The spec of a searched design, as its file states it: allowed_by() and all else back in place.
+Spec spec_of(const Design& design);
 
 struct Design {
   CopyingLinkage linkage;
+  std::string title{};  ///< the spec's; empty: it has none
   /// That the lengths give: as the spec gave them unless `wanted`; rotation rad.
   double scale = 1, rotation = 0;
   std::optional<WantedCopy> wanted{};
@@ -71,6 +74,8 @@ struct Design {
   Limits limits{};
   std::optional<Tolerance> tolerance{};
   std::vector<Obstacle> obstacles{};
+  std::vector<Body> bodies{};
+  std::optional<Polygon> table{};
   std::optional<ToolAdvice> tool{};
   OpeningInterval opening{};  ///< certified
   Quality quality{};
@@ -80,6 +85,12 @@ struct Design {
   std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
   std::optional<Allowed> allowed{};      ///< absent for `kempe workspace`, whose mechanism is given
   CuttingSpec cutting{};
+  std::string hardware{};  ///< LinkSpec::hardware
 };
+
+/// The openings at which a picture may show the linkage: the certified ones; if there are none, all of its assembly mode.
+inline OpeningInterval openings_to_show(const Design& design) {
+  return design.opening.empty() ? design.linkage.assembly_mode().openings : design.opening;
+}
 
 }  // namespace kempe

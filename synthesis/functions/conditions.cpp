@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
@@ -73,7 +73,7 @@ GeneratorLimit retreat_limit(const GeneratorError& error, const GeneratorVector&
 
 std::vector<GeneratorLimit> limits_of(const GeneratorError& error, const GeneratorVector& u) {
   const double cosine = std::cos(kept_transmission(error.task()));
-  const double ratio = std::log(error.task().longest_ratio) - tolerance::inside_ratio;
+  const double ratio = std::log(error.task().longest_ratio) - slack::inside_ratio;
   const std::string transmission = error.task().transmission > 0 ? "transmission_deg" : "dead point";
   const Sloped largest = error.largest_cosine(u), smallest = error.smallest_cosine(u);
   std::vector<GeneratorLimit> limits{{transmission, {largest.value - cosine, largest.slope}},

@@ -19,8 +19,8 @@ std::vector<ErrorRipple> ripples_of(const GeneratorError& error, const Generator
 
 /// A limit on a design.
 struct GeneratorLimit {
-  std::string
-      name;       ///< the spec's key; "dead point" where no transmission angle is asked for; "turning back"
+  /// The spec's key; "dead point" where no transmission angle is asked for; "turning back".
+  std::string name;
   Sloped excess;  ///< at most 0
 };
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "synthesis/functions/refinement.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 
 namespace kempe {
 
@@ -19,19 +19,6 @@ std::string_view name(FunctionMethod method) {
     case FunctionMethod::precision_points: return "precision_points";
     case FunctionMethod::least_squares: return "least_squares";
     case FunctionMethod::minimax: return "minimax";
-  }
-  return "";
-}
-
-std::string_view name(FunctionDefect defect) {
-  switch (defect) {
-    case FunctionDefect::none: return "none";
-    case FunctionDefect::does_not_assemble: return "the loop does not close over the whole range";
-    case FunctionDefect::branch: return "the precision points lie on both branches";
-    case FunctionDefect::order: return "the output crank turns back within the range";
-    case FunctionDefect::transmission: return "the transmission angle falls below the limit";
-    case FunctionDefect::lengths: return "a link vanishes or grows too long";
-    case FunctionDefect::start: return "a crank would have to start half a turn from the start given";
   }
   return "";
 }
@@ -47,7 +34,7 @@ std::optional<FreudensteinCoefficients> freudenstein_three_points(const std::vec
     right[i] = std::cos(phi[j] - psi[j]);
   }
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(rows);
-  if (lu.rcond() < tolerance::least_condition) return std::nullopt;
+  if (lu.rcond() < slack::least_condition) return std::nullopt;
   const Eigen::Vector3d k = lu.solve(right);
   return FreudensteinCoefficients{k[0], k[1], k[2]};
 }

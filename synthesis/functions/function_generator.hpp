@@ -6,10 +6,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "kinematics/four_bar.hpp"
-#include "tl/expected.hpp"
+#include "synthesis/functions/defects.hpp"
+#include "synthesis/functions/structural_error.hpp"
 
 namespace kempe {
 
@@ -37,32 +39,12 @@ struct FunctionTask {
   double longest_ratio = 20;  ///< longest over shortest link, at most
 };
 
-/// What stands against a candidate.
-enum class FunctionDefect {
-  none,
-  does_not_assemble,  ///< the loop does not close over the whole range
-  branch,             ///< the precision points lie on both branches
-  order,         ///< the output crank passes the points in another order (it turns back within the range)
-  transmission,  ///< the transmission angle falls below the limit
-  lengths,       ///< a link vanishes or outgrows longest_ratio
-  start          ///< a crank would have to start half a turn from the start given
-};
-inline constexpr std::size_t defect_kinds = 7;
-std::string_view name(FunctionDefect defect);
-
-/// One place of the structural error's curve.
-struct StructuralErrorSample {
-  double x, y_wanted, y_generated;
-  double input_angle, output_angle;  ///< rad
-  double error;                      ///< rad at the output crank: generated - wanted
-};
-
 /// What is known of a minimax design beyond its error: the conditions that hold it.
 struct MinimaxOptimum {
   int ripples = 0;   ///< as high as the largest error
   int unknowns = 0;  ///< lengths and free starts that were varied
-  std::vector<std::string>
-      limits;  ///< that stop the error from falling further: "transmission_deg", "longest_ratio", "turning back"
+  /// That stop the error from falling further: "transmission_deg", "longest_ratio", "turning back".
+  std::vector<std::string> limits;
   /// True if first- or second-order conditions prove that every near linkage within the limits has a larger
   /// error.
   bool proven = false;

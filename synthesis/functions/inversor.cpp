@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -137,7 +137,7 @@ InversorAnswer peaucellier(const InversorTask& task) {
                         std::max(task.magnification_upper - 1 / task.magnification_upper,
                                  1 / task.magnification_lower - task.magnification_lower);
   const auto side =
-      smallest_where(std::max({widest, task.shortest, tolerance::shortest_side * f}), 100 * f + 10 * widest,
+      smallest_where(std::max({widest, task.shortest, slack::shortest_side * f}), 100 * f + 10 * widest,
                      [&](double l) { return kept(l) >= task.transmission && kept(l) > 0; });
   if (!side) return {InversorKind::peaucellier, std::nullopt, no_transmission(task, best_seen)};
   const double arm = std::hypot(f, *side), shortest_x = f / task.magnification_upper;
@@ -169,15 +169,14 @@ InversorAnswer hart(const InversorTask& task) {
   };
   std::optional<std::array<double, 2>> best;  // short bar, share
   const auto look = [&](double u) {
-    const auto bar =
-        smallest_where(std::max(task.shortest, tolerance::shortest_bar * f), 100 * f, [&](double b) {
-          const double angle = kept(b, u);
-          return angle > 0 && angle >= task.transmission;
-        });
+    const auto bar = smallest_where(std::max(task.shortest, slack::shortest_bar * f), 100 * f, [&](double b) {
+      const double angle = kept(b, u);
+      return angle > 0 && angle >= task.transmission;
+    });
     if (bar && (!best || beats(*bar, u, *best))) best = {*bar, u};
   };
   for (int i = 1; i < 40; ++i) look(i / 40.0);
-  for (double step = 1.0 / 80; best && step > tolerance::share_precision; step /= 2) {
+  for (double step = 1.0 / 80; best && step > slack::share_precision; step /= 2) {
     const double centre = (*best)[1];
     for (const double u : {centre - step, centre + step})
       if (u > 0.01 && u < 0.99) look(u);

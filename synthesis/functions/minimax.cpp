@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "synthesis/functions/conditions.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 #include "synthesis/solvers/minimax_step.hpp"
 
 namespace kempe {
@@ -35,7 +35,7 @@ MinimaxProgram program_at(const GeneratorError& error, const Standing& standing,
                           const std::vector<WantedPlace>& places, double box) {
   const FunctionTask& task = error.task();
   std::vector<Sloped> figures;
-  const double near = tolerance::same_place_of_x * (task.x_upper - task.x_lower);
+  const double near = slack::same_place_of_x * (task.x_upper - task.x_lower);
   std::vector<double> watched;
   const auto watch = [&](double x) {
     for (const double other : watched)
@@ -72,7 +72,7 @@ std::optional<FunctionDesign> minimax_fit(const FunctionTask& task, const Wanted
   const std::vector<WantedPlace> places = wanted.some_places(own_places);
   Standing now(error, error.unknowns_of(start));
   double box = 0.05, weight = 1;
-  for (int i = 0; i < most_steps && box > tolerance::least_box; ++i) {
+  for (int i = 0; i < most_steps && box > slack::least_box; ++i) {
     const auto step = solve_minimax_step(program_at(error, now, places, box));
     if (!step) {
       box *= now.broken() > 0 ? 2 : 0.25;
@@ -81,7 +81,7 @@ std::optional<FunctionDesign> minimax_fit(const FunctionTask& task, const Wanted
     }
     if (step->limit_multipliers.size() > 0) weight = std::max(weight, 2 * step->limit_multipliers.maxCoeff());
     const double predicted = now.merit(weight) - step->t;
-    if (!(predicted > tolerance::least_gain * now.largest())) break;
+    if (!(predicted > slack::least_gain * now.largest())) break;
     const Standing next(error, now.u + step->d);
     const double gained = now.merit(weight) - next.merit(weight);
     if (gained > 0.05 * predicted) now = next;

@@ -3,8 +3,7 @@
 // At a minimum of E = max |e(x; u)| within limits h_j(u) <= 0 there are multipliers, none negative, with
 //   sum_i lambda_i s_i grad e(x_i) + sum_j mu_j grad h_j = 0,   sum_i lambda_i = 1
 // over the ripples (s_i e(x_i) = E) and the limits at work (h_j = 0).
-//   - n + 1 conditions for n unknowns, all multipliers positive, slopes of full rank: no direction lowers E
-//   to first
+//   - n + 1 conditions for n unknowns, all multipliers positive, slopes of full rank: no direction lowers E to first
 //     order, a strict local minimum with as many equal ripples as Chebyshev's theorem asks for (a limit takes
 //     the place of a ripple each).
 //   - Fewer conditions: along the directions that change none of them the second derivative of
@@ -17,7 +16,7 @@
 
 #include "geometry/decompositions.hpp"
 #include "synthesis/functions/conditions.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -37,7 +36,7 @@ ActiveSet near_at(const GeneratorError& error, const GeneratorVector& u, double 
     if (ripple.height >= (1 - tolerance) * ripples.front().height) active.ripples.push_back(ripple);
   const auto limits = limits_of(error, u);
   for (std::size_t i = 0; i < limits.size(); ++i)
-    if (limits[i].excess.value > -tolerance::holding_limit) active.limits.push_back(i);
+    if (limits[i].excess.value > -slack::holding_limit) active.limits.push_back(i);
   return active;
 }
 
@@ -80,7 +79,7 @@ std::optional<Eigen::VectorXd> pull_at(const GeneratorError& error, const Genera
 /// Derivative of the pull: the Hessian of the Lagrangian, by central differences of exact slopes.
 std::optional<Eigen::MatrixXd> curvature_at(const GeneratorError& error, const GeneratorVector& u,
                                             const ActiveSet& active, const Eigen::VectorXd& multipliers) {
-  constexpr double h = tolerance::curvature_step;
+  constexpr double h = slack::curvature_step;
   Eigen::MatrixXd hessian(u.size(), u.size());
   for (Eigen::Index j = 0; j < u.size(); ++j) {
     GeneratorVector up = u, down = u;
@@ -141,8 +140,8 @@ std::optional<Balanced> balanced(const GeneratorError& error, GeneratorVector u,
     if (!conditions) return std::nullopt;
     const double uneven = (conditions->values.head(k).array() - E).abs().maxCoeff();
     const double pull = (conditions->slopes.transpose() * multipliers).cwiseAbs().maxCoeff();
-    if (uneven <= tolerance::level * E && pull <= tolerance::no_pull &&
-        step.head(n).cwiseAbs().maxCoeff() < tolerance::no_pull)
+    if (uneven <= slack::level * E && pull <= slack::no_pull &&
+        step.head(n).cwiseAbs().maxCoeff() < slack::no_pull)
       return Balanced{u, active, multipliers};
   }
   return std::nullopt;
@@ -161,7 +160,7 @@ bool curves_up(const GeneratorError& error, const Balanced& at) {
   rows.col(rows.cols() - 1).head(k).setConstant(-1);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
   const double largest = svd.singularValues()[0];
-  const auto rank = (svd.singularValues().array() > tolerance::rank_of_conditions * largest).count();
+  const auto rank = (svd.singularValues().array() > slack::rank_of_conditions * largest).count();
   if (rank < rows.rows() - 1) return false;
   const Eigen::MatrixXd free = svd.matrixV().rightCols(rows.cols() - rank).topRows(at.u.size());
   if (free.cols() == 0) return true;
@@ -201,14 +200,14 @@ void settle_optimum(const FunctionTask& task, const WantedAngles& wanted, Functi
   const GeneratorError error(task, wanted, design.linkage.branch);
   const GeneratorVector u = error.unknowns_of(design);
   MinimaxOptimum optimum;
-  optimum.limits = names_of(error, u, near_at(error, u, tolerance::told_ripples).limits);
-  for (const double share : tolerance::holding_ripples) {
+  optimum.limits = names_of(error, u, near_at(error, u, slack::told_ripples).limits);
+  for (const double share : slack::holding_ripples) {
     const auto found = held(error, u, near_at(error, u, share));
     if (!found) continue;
     FunctionDesign level = with_unknowns(error, design, found->u);
     if (measure_design(task, wanted, level) != FunctionDefect::none) continue;
     if (level.error_largest >
-        (1 + tolerance::no_worse) * std::min(design.error_largest, ripples_of(error, u).front().height))
+        (1 + slack::no_worse) * std::min(design.error_largest, ripples_of(error, u).front().height))
       continue;
     design = level;
     optimum.limits = names_of(error, found->u, found->active.limits);
@@ -219,7 +218,7 @@ void settle_optimum(const FunctionTask& task, const WantedAngles& wanted, Functi
   optimum.unknowns = static_cast<int>(error.size());
   optimum.ripples =
       static_cast<int>(std::count_if(ripples.begin(), ripples.end(), [&](const ErrorRipple& ripple) {
-        return ripple.height > (1 - tolerance::told_ripples) * ripples.front().height;
+        return ripple.height > (1 - slack::told_ripples) * ripples.front().height;
       }));
   design.optimum = optimum;
 }

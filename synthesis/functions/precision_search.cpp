@@ -19,7 +19,7 @@
 #include <cmath>
 
 #include "synthesis/functions/refinement.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
@@ -74,7 +74,7 @@ std::optional<Starts> polished_five_point_starts(const WantedAngles& wanted, Sta
   };
   for (int i = 0; i < 40; ++i) {
     const Eigen::Vector2d f = residual(starts);
-    constexpr double h = tolerance::difference_step;
+    constexpr double h = slack::difference_step;
     Eigen::Matrix2d slope;
     slope.col(0) =
         (residual({starts.input + h, starts.output}) - residual({starts.input - h, starts.output})) / (2 * h);
@@ -86,7 +86,7 @@ std::optional<Starts> polished_five_point_starts(const WantedAngles& wanted, Sta
     if (!step.allFinite() || step.norm() > 1) return std::nullopt;
     starts.input -= step[0];
     starts.output -= step[1];
-    if (step.norm() < tolerance::newton_at_rest) return starts;
+    if (step.norm() < slack::newton_at_rest) return starts;
   }
   return std::nullopt;
 }
@@ -135,7 +135,7 @@ FunctionCandidate judged(const FunctionTask& task, const WantedAngles& wanted, c
   if (!design) return candidate;
   candidate.design = *design;
   const auto moved = [](const std::optional<double>& given, double start) {
-    return given && std::abs(least_turn(start - *given)) > tolerance::start_moved;
+    return given && std::abs(least_turn(start - *given)) > slack::start_moved;
   };
   if (moved(task.input_start, design->input_start) || moved(task.output_start, design->output_start)) {
     candidate.defect = FunctionDefect::start;
@@ -252,7 +252,7 @@ class Search {
       if (!starts) return;
       const bool known = std::any_of(found.begin(), found.end(), [&](const Starts& other) {
         return std::hypot(std::remainder(other.input - starts->input, pi),
-                          std::remainder(other.output - starts->output, pi)) < tolerance::same_start;
+                          std::remainder(other.output - starts->output, pi)) < slack::same_start;
       });
       if (!known) found.push_back(*starts);
     };

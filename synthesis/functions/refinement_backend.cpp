@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "synthesis/functions/conditions.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -57,10 +57,10 @@ void run(Program& program, GeneratorVector& u) {
   const auto n = static_cast<unsigned>(all.size());
   const Solver solver(nlopt_create(NLOPT_LD_SLSQP, n), &nlopt_destroy);
   nlopt_set_min_objective(solver.get(), objective, &program);
-  const std::vector<double> slack(limits_of(program.error, u).size(), tolerance::solver_slack);
+  const std::vector<double> slack(limits_of(program.error, u).size(), slack::solver_slack);
   nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(slack.size()), constraints, &program,
                                    slack.data());
-  nlopt_set_xtol_rel(solver.get(), tolerance::variables_at_rest);
+  nlopt_set_xtol_rel(solver.get(), slack::variables_at_rest);
   nlopt_set_maxeval(solver.get(), 300);
   double value = 0;
   nlopt_optimize(solver.get(), all.data(), &value);
@@ -90,7 +90,7 @@ double cost_of_starts(unsigned, const double* u, double*, void* data) {
 }  // namespace
 
 double kept_transmission(const FunctionTask& task) {
-  return std::max(task.transmission + tolerance::above_rounding, tolerance::away_from_dead_points);
+  return std::max(task.transmission + slack::above_rounding, slack::away_from_dead_points);
 }
 
 Starts refined_starts(const FunctionTask& task, const WantedAngles& wanted, const Starts& starts,
@@ -104,7 +104,7 @@ Starts refined_starts(const FunctionTask& task, const WantedAngles& wanted, cons
     const Solver solver(nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(u.size())), &nlopt_destroy);
     nlopt_set_min_objective(solver.get(), cost_of_starts, &search);
     nlopt_set_initial_step1(solver.get(), first_step);
-    nlopt_set_xtol_rel(solver.get(), tolerance::starts_at_rest);
+    nlopt_set_xtol_rel(solver.get(), slack::starts_at_rest);
     nlopt_set_maxeval(solver.get(), 200);
     double value = 0;
     nlopt_optimize(solver.get(), u.data(), &value);
@@ -128,7 +128,7 @@ std::optional<FunctionDesign> least_squares_fit(const FunctionTask& task, const 
   double least = 0;
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {
-    double unit = tolerance::least_unit;
+    double unit = slack::least_unit;
     for (const WantedPlace& place : program.places)
       unit = std::max(unit, std::abs(program.error.at(u, place).value));
     program.unit = unit;

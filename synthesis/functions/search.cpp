@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "synthesis/functions/error.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -190,7 +190,7 @@ class Found {
 
   /// The best that stand apart from each other.
   std::vector<FunctionDesign> best(std::size_t count) const {
-    return chosen(all_, count, tolerance::designs_apart);
+    return chosen(all_, count, slack::designs_apart);
   }
 
  private:

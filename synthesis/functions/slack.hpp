@@ -1,7 +1,7 @@
 #pragma once
-// Every tolerance of the function generators and inversors, each with its unit and its reason.
+// Every slack and threshold of the function generators and inversors, each with its unit and its reason.
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // Search
 
@@ -83,4 +83,4 @@ inline constexpr double shortest_side = 1e-3, shortest_bar = 1e-2;
 /// None: the share at which Hart's bar is divided is found to this.
 inline constexpr double share_precision = 1e-6;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

@@ -6,7 +6,7 @@
 #include "geometry/decompositions.hpp"
 #include "geometry/point.hpp"
 #include "synthesis/functions/precision_points.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
@@ -196,12 +196,12 @@ tl::expected<StructuralFit, NoFit> fit_through_points(const StructuralErrorTask&
     const double before = rows->value.norm();
     double share = 1;
     std::optional<Rows> next;
-    for (; share > tolerance::least_newton_share; share *= 0.5) {
+    for (; share > slack::least_newton_share; share *= 0.5) {
       next = rows_at(task, points, p + share * step);
       if (next && next->value.norm() <= before) break;
     }
-    if (!next || !(next->value.norm() < before) || before <= tolerance::residual_rounding * scale) {
-      if (before > tolerance::residual_converged * scale) return tl::unexpected(NoFit::not_converged);
+    if (!next || !(next->value.norm() < before) || before <= slack::residual_rounding * scale) {
+      if (before > slack::residual_converged * scale) return tl::unexpected(NoFit::not_converged);
       return described(task, places, p, FitVerdict::exact_at_points, iteration);
     }
     p += share * step;
@@ -236,13 +236,13 @@ tl::expected<StructuralFit, NoFit> fit_least_squares(const StructuralErrorTask& 
     const auto next = rows_at(task, places.x, p + step);
     const double next_cost = next ? sum_of_squares(places, next->value) : 0;
     if (next && next_cost < cost) {
-      const bool at_rest = cost - next_cost <= tolerance::cost_at_rest * cost;
+      const bool at_rest = cost - next_cost <= slack::cost_at_rest * cost;
       p += step, rows = next, cost = next_cost, damping *= 0.1;
-      if (damping < tolerance::damping_none) damping = 0;
+      if (damping < slack::damping_none) damping = 0;
       if (at_rest) break;
     } else {
-      if (damping > tolerance::damping_most || step.norm() <= tolerance::cost_at_rest * (1 + p.norm())) break;
-      damping = std::max(10 * damping, tolerance::damping_first);
+      if (damping > slack::damping_most || step.norm() <= slack::cost_at_rest * (1 + p.norm())) break;
+      damping = std::max(10 * damping, slack::damping_first);
     }
   }
   return described(task, places, p, FitVerdict::least_squares, std::min(iteration, most_iterations));
@@ -257,7 +257,7 @@ tl::expected<StructuralFit, NoFit> fit_minimax(const StructuralErrorTask& task) 
   for (int iteration = best->iterations + 1; iteration <= most_iterations; ++iteration) {
     if (best->ripples.size() < wanted) return best;
     const std::vector<Ripple> chosen = alternation(best->ripples, wanted);
-    if (spread(chosen) < tolerance::equal_ripples) {
+    if (spread(chosen) < slack::equal_ripples) {
       best->verdict = FitVerdict::equal_ripples;
       return best;
     }
@@ -265,12 +265,12 @@ tl::expected<StructuralFit, NoFit> fit_minimax(const StructuralErrorTask& task) 
     if (!step) return best;
     // Far from the solution of a nonlinear family a whole step may overshoot.
     tl::expected<StructuralFit, NoFit> next = tl::unexpected(NoFit::not_defined);
-    for (double share = 1; share > tolerance::least_levelling_share; share *= 0.5) {
+    for (double share = 1; share > slack::least_levelling_share; share *= 0.5) {
       next = described(task, places, best->parameters + share * *step, FitVerdict::fewer_ripples, iteration);
       if (next && next->largest < best->largest) break;
     }
     if (!next || !(next->largest < best->largest)) {  // round-off ends it: equal up to that, or not at all
-      if (spread(chosen) < tolerance::equal_after_rounding) best->verdict = FitVerdict::equal_ripples;
+      if (spread(chosen) < slack::equal_after_rounding) best->verdict = FitVerdict::equal_ripples;
       return best;
     }
     best = std::move(next);

@@ -27,6 +27,13 @@ struct StructuralErrorTask {
   int places = 241;              ///< where the error is watched; Chebyshev's spacing, denser towards the ends
 };
 
+/// One place of the structural error's curve.
+struct StructuralErrorSample {
+  double x, y_wanted, y_generated;
+  double input_angle, output_angle;  ///< rad
+  double error;                      ///< rad at the output crank: generated - wanted
+};
+
 /// A largest or smallest value of the residual between two of its zeros, or at an end of the range.
 struct Ripple {
   double x = 0, error = 0;

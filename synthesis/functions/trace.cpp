@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "synthesis/functions/refinement.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
@@ -173,8 +173,8 @@ void complete_design(const FunctionTask& task, const WantedAngles& wanted, Funct
     design.curve.push_back({x, task.wanted(x), wanted.value_at(turn + error), phi, psi, error});
   }
   const double rms = design.error_rms,
-               tolerance = tolerance::integral_share * rms * rms + tolerance::integral_rounding * rms +
-                           tolerance::integral_floor;  // rounding's share
+               tolerance = slack::integral_share * rms * rms + slack::integral_rounding * rms +
+                           slack::integral_floor;  // rounding's share
   const SquareIntegral square(wanted, design, tolerance);
   double sum = 0;
   for (std::size_t i = 2; i < wanted.places().size(); i += 2)

@@ -6,7 +6,7 @@
 
 #include "synthesis/functions/precision_points.hpp"
 #include "synthesis/functions/refinement.hpp"
-#include "synthesis/functions/tolerances.hpp"
+#include "synthesis/functions/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -66,7 +66,7 @@ void WantedAngles::lay_out_places() {
              place_at(i + 1 == first_cells ? task_.x_upper : task_.x_lower + width * (i + 1) / first_cells)));
   const auto bends = [&](const Cell& c) {
     const double off = c.middle.output_turn - 0.5 * (c.left.output_turn + c.right.output_turn);
-    return std::abs(off) > tolerance::nearly_straight * std::abs(task_.output_range);
+    return std::abs(off) > slack::nearly_straight * std::abs(task_.output_range);
   };
   for (int halving = 0; halving < most_halvings; ++halving) {
     std::vector<Cell> next;
@@ -107,7 +107,7 @@ std::vector<WantedPlace> WantedAngles::some_places(int count) const {
     way += std::abs(places_[i].output_turn - places_[i - 1].output_turn);
     const double share =
         ((places_[i].x - task_.x_lower) / width + way / whole_way + towards_ends(places_[i].x)) / 3;
-    if (share * (count - 1) >= static_cast<double>(chosen.size()) - tolerance::place_due ||
+    if (share * (count - 1) >= static_cast<double>(chosen.size()) - slack::place_due ||
         i + 1 == places_.size())
       chosen.push_back(places_[i]);
   }

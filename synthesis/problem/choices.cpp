@@ -6,21 +6,21 @@ namespace kempe {
 
 std::vector<ContactChoice> choices_of(const Spec& spec) {
   std::vector<ContactChoice> choices;
+  const std::vector<Obstruction> obstructions = obstructions_of(spec.obstacles, spec.bodies, spec.table);
   for (const Grounding grounding : spec.objective.groundings) {
     const Complex shape = shape_of(spec.copy.k(), grounding);
-    const bool mirrored = is_straight(shape) && spec.obstacles.empty();
+    const bool mirrored = is_straight(shape) && obstructions.empty();
     std::vector<LayerAssignment> assignments;  // those of one assembly mode are those of all
-    for (int assembly_mode = 0; assembly_mode < static_cast<int>(assembly_modes(shape).size());
-         ++assembly_mode) {
-      const auto linkage = CopyingLinkage::make(spec.copy.k(), grounding, 1, 1, assembly_mode);
+    for (const AssemblyMode& mode : assembly_modes(shape)) {
+      const auto linkage = CopyingLinkage::make(spec.copy.k(), grounding, 1, 1, mode.number);
       if (!linkage) continue;
       if (assignments.empty())
-        assignments = assignments_worth_trying(*linkage, spec.links.layers, spec.obstacles);
+        assignments = assignments_worth_trying(*linkage, spec.links.layers, spec.obstacles, spec.bodies);
       for (const LayerAssignment& layers : assignments)
-        choices.push_back(
-            {{grounding, assembly_mode, layers},
-             {gap_terms(*linkage, layers, spec.links.style), obstacle_terms(*linkage, layers, spec)},
-             mirrored && assembly_mode > 0});
+        choices.push_back({{grounding, mode.number, layers},
+                           {gap_terms(*linkage, layers, spec.links.style),
+                            obstacle_terms(*linkage, layers, spec.links.style, obstructions)},
+                           mirrored && mode.number > 0});
     }
   }
   return choices;

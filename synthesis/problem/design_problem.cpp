@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 #include "workspace/footprint.hpp"
 
 namespace kempe {
@@ -38,7 +38,7 @@ DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, con
     : space_(space), choice_(choice), limits_(limits), goal_(goal), allowed_(allowed),
       terms_(std::move(terms)), roles_(roles_of(choice.grounding)),
       reach_(space.k(), choice.grounding, choice.assembly_mode),
-      box_(length_box(reach_, limits, space.spec().links.workshop)), layout_(space.layout()) {
+      box_(length_box(reach_, limits, space.spec().links.stock_lengths)), layout_(space.layout()) {
   layout_.pole_is_free = space.pole_is_free(limits) || goal == Goal::pole_margin;
   layout_.has_goal = goal_is_variable(goal);
   if (!terms_.obstacles.empty()) places_ = space.tracer_places();
@@ -47,7 +47,7 @@ DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, con
 }
 
 OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
-  return shrink(reach.interval(), std::max(transmission, least_usable_angle) + tolerance::inward_opening);
+  return shrink(reach.interval(), std::max(transmission, least_usable_angle) + slack::inward_opening);
 }
 
 bool DesignProblem::possible() const { return !box_.u.empty() && !box_.v.empty() && !allowed_.empty(); }
@@ -73,7 +73,7 @@ LogLengths DesignProblem::unit_lengths(const Point& pole, double of_lambda, doub
   if (lengths_are_locked()) return {box_.u.lower, box_.v.lower};
   const DistanceRange distances = space_.distances(pole);
   const double r_max = distances.farthest,
-               r_min = std::max(distances.nearest, tolerance::least_distance_share * r_max);
+               r_min = std::max(distances.nearest, slack::least_distance_share * r_max);
   const double limit = reach_.lambda_limit(r_min, r_max, allowed_).value_or(0);
   const double lambda = at_share(overlap({-limit, limit}, reach_.lambda_range(box_)), of_lambda);
   const LogRange log_m =
@@ -115,14 +115,14 @@ double DesignProblem::footprint_at(const DesignPoint& point) const {
 }
 
 bool DesignProblem::tighten(Goal limit, double shortfall) {
-  const double more = tolerance::tightening_factor * shortfall;
+  const double more = slack::tightening_factor * shortfall;
   switch (limit) {
-    case Goal::clearance: limits_.clearance += more + tolerance::least_tightening * layout_.unit; return true;
+    case Goal::clearance: limits_.clearance += more + slack::least_tightening * layout_.unit; return true;
     case Goal::transmission:
-      allowed_ = shrink(allowed_, more + tolerance::least_tightening);
+      allowed_ = shrink(allowed_, more + slack::least_tightening);
       return !allowed_.empty();
-    case Goal::sheets_gap:
-      limits_.sheets_gap = *limits_.sheets_gap + more + tolerance::least_tightening * layout_.unit;
+    case Goal::copy_gap:
+      limits_.copy_gap = *limits_.copy_gap + more + slack::least_tightening * layout_.unit;
       return true;
     default: return false;
   }
@@ -134,7 +134,7 @@ double DesignProblem::goal_scale() const {
     case Goal::footprint: return layout_.unit * layout_.unit;
     case Goal::copy_error:
       return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play,
-                      tolerance::least_error_scale);
+                      slack::least_error_scale);
     default: return layout_.unit;
   }
 }
@@ -143,12 +143,12 @@ double DesignProblem::violation_of(const Attained& has) const {
   const double unit = layout_.unit;
   double sum = missing(limits_.transmission, has.transmission);
   sum += missing(limits_.clearance, has.clearance) / unit;
-  sum += missing(limits_.shortest * (1 - tolerance::limit_rounding), has.shortest) / unit;
-  sum += missing(has.longest * (1 - tolerance::limit_rounding), limits_.longest) / unit;
-  sum += missing(has.pole_margin, limits_.pole_margin + tolerance::limit_rounding * unit) / unit;
+  sum += missing(limits_.shortest * (1 - slack::limit_rounding), has.shortest) / unit;
+  sum += missing(has.longest * (1 - slack::limit_rounding), limits_.longest) / unit;
+  sum += missing(has.pole_margin, limits_.pole_margin + slack::limit_rounding * unit) / unit;
   if (limits_.size) sum += missing(has.size, *limits_.size) / unit;
   if (limits_.footprint) sum += missing(has.footprint, *limits_.footprint) / (unit * unit);
-  if (limits_.sheets_gap) sum += missing(*limits_.sheets_gap, has.sheets_gap) / unit;
+  if (limits_.copy_gap) sum += missing(*limits_.copy_gap, has.copy_gap) / unit;
   return sum;
 }
 
@@ -171,17 +171,16 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   if (!terms_.obstacles.empty())
     has.clearance = smallest_obstacle_gap(point, std::min(has.clearance, far_apart * unit));
   if (goal_ == Goal::footprint || limits_.footprint) has.footprint = footprint_at(point);
-  if (limits_.sheets_gap || goal_ == Goal::sheets_gap)
-    has.sheets_gap = space_.smallest_sheet_gap(point.pole).distance;
+  if (limits_.copy_gap || goal_ == Goal::copy_gap)
+    has.copy_gap = space_.smallest_copy_gap(point.pole).distance;
   if (copy_error_)
     has.copy_error =
         std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
-  const double too_near =
-      missing(reach_.radius_value(lengths, result.near_opening) - tolerance::reach_rounding * unit,
-              distances.nearest);
-  const double too_far = missing(distances.farthest, reach_.radius_value(lengths, result.far_opening) +
-                                                         tolerance::reach_rounding * unit);
+  const double too_near = missing(
+      reach_.radius_value(lengths, result.near_opening) - slack::reach_rounding * unit, distances.nearest);
+  const double too_far = missing(
+      distances.farthest, reach_.radius_value(lengths, result.far_opening) + slack::reach_rounding * unit);
   result.violation = (too_near + too_far) / unit + violation_of(has);
   result.feasible = result.violation == 0;
   result.cost = cost_of(has);

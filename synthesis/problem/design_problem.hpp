@@ -6,10 +6,13 @@
 // unit L:
 //
 //   reach, near    dist(pole, edge i) - r(u, v, d_near) >= 0      for every edge i of the region
-//   reach, far     r(u, v, d_far) - |pole - corner j| >= 0        for every corner j of the region's convex
-//   hull transmission   d_near and d_far at least mu inside the assembly mode's interval: bounds, or with the goal
-//   t = mu rows contact        gap_m(u, v, d_near + h (d_far - d_near)) - clearance >= 0     for every pair
-//   m, every 0 <= h <= 1 sheets         dist of an edge of the region and an edge of its image - gap >= 0
+//   reach, far     r(u, v, d_far) - |pole - corner j| >= 0        for every corner j of the region's convex hull
+//   transmission   d_near and d_far at least mu inside the assembly mode's interval:
+//                  bounds, or with the goal t = mu rows
+//   contact        gap_m(u, v, d_near + h (d_far - d_near)) - clearance >= 0
+//                                                                 for every pair m and every 0 <= h <= 1
+//   copy_gap       dist of an edge of the region and an edge of its image - gap >= 0
+//                                                                 for every two edges
 //   pole           half planes around the start (search_space.hpp)
 //   lengths        bounds of u and v, or with the goal t = log longest, log shortest rows
 //
@@ -59,7 +62,7 @@ struct Row {
     far_end,
     contact,
     obstacle,
-    sheets,
+    copy_gap,
     half_plane,
     pole_margin,
     longest,
@@ -67,7 +70,8 @@ struct Row {
     copy_error,
     size
   } kind;
-  std::size_t index = 0;  ///< edge, corner, gap or obstacle term, sheet corner, half plane; 0: VA, 1: VB
+  std::size_t index =
+      0;  ///< edge, corner, gap or obstacle term, corner of region or copy, half plane; 0: VA, 1: VB
   double share = 0;       ///< h of a contact or of a copy error
   std::size_t place = 0;  ///< of the tracer, for an obstacle
   bool operator==(const Row&) const = default;
@@ -106,7 +110,7 @@ class DesignProblem {
   /// Every requirement at a point; contact looked at in `openings` places between the region's two openings.
   Assessment assess(const DesignPoint& point, int openings) const;
 
-  /// True if the workshop dictates both VA and VB: only the pole can be free.
+  /// True if both VA and VB are locked: only the pole can be free.
   bool lengths_are_locked() const { return box_.u.width() == 0 && box_.v.width() == 0; }
   /// Dimensions of the unit cube that unit_point() maps onto the designs: 2 for lengths unless they are locked, 2 more for
   /// a free pole.
@@ -154,11 +158,11 @@ class DesignProblem {
   RowJet contact_row(std::size_t term, double share, const DesignVector& x) const;
   RowJet obstacle_row(const Row& row, const DesignVector& x, Derivatives wanted) const;
   RowJet obstacle_row_values(const Row& row, const DesignVector& x) const;
-  RowJet sheets_row(std::size_t corner, const DesignVector& x) const;
+  RowJet copy_gap_row(std::size_t corner, const DesignVector& x) const;
   RowJet copy_error_row(double share, const DesignVector& x) const;
   RowJet size_row(const DesignVector& x) const;
   void add_obstacles(std::vector<Row>& rows, const DesignVector& x, double band) const;
-  void add_sheets(std::vector<Row>& rows, const DesignVector& x) const;
+  void add_copy_gap(std::vector<Row>& rows, const DesignVector& x) const;
   void add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const;
   double smallest_obstacle_gap(const DesignPoint& point, double enough) const;
   RowJet half_plane_row(std::size_t plane, const DesignVector& x) const;

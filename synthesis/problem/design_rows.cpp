@@ -4,7 +4,7 @@
 
 #include "geometry/segment_distance.hpp"
 #include "synthesis/problem/row_parts.hpp"
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -81,7 +81,7 @@ RowJet DesignProblem::contact_row(std::size_t term, double share, const DesignVe
   if (goal_ == Goal::clearance)
     add_variable(jet, x, layout_.goal(), -1);
   else
-    jet.value -= limits_.clearance / layout_.unit + tolerance::inward_gap;
+    jet.value -= limits_.clearance / layout_.unit + slack::inward_gap;
   return jet;
 }
 
@@ -122,7 +122,7 @@ RowJet DesignProblem::length_row(bool longest, std::size_t family, const DesignV
 
 RowJet DesignProblem::half_plane_row(std::size_t plane, const DesignVector& x) const {
   RowJet jet = zero_jet(layout_.size());
-  jet.value = room_[plane].inside(layout_.pole(x)) / layout_.unit - tolerance::inward_distance;
+  jet.value = room_[plane].inside(layout_.pole(x)) / layout_.unit - slack::inward_distance;
   jet.gradient.segment<2>(pole_x) = -room_[plane].normal;
   return jet;
 }
@@ -135,7 +135,7 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wan
     case Row::Kind::far_end: return end_row(false, x);
     case Row::Kind::contact: return contact_row(row.index, row.share, x);
     case Row::Kind::obstacle: return obstacle_row(row, x, wanted);
-    case Row::Kind::sheets: return sheets_row(row.index, x);
+    case Row::Kind::copy_gap: return copy_gap_row(row.index, x);
     case Row::Kind::half_plane: return half_plane_row(row.index, x);
     case Row::Kind::pole_margin: return pole_margin_row(x);
     case Row::Kind::copy_error: return copy_error_row(row.share, x);
@@ -228,7 +228,7 @@ std::vector<Row> DesignProblem::rows_at(const DesignVector& x) const {
   for (std::size_t i = 0; i < room_.size(); ++i) rows.push_back({Row::Kind::half_plane, i});
   add_contacts(rows, x, contact_band);
   add_obstacles(rows, x, contact_band);
-  add_sheets(rows, x);
+  add_copy_gap(rows, x);
   add_copy_errors(rows, x);
   return rows;
 }
@@ -238,7 +238,7 @@ bool DesignProblem::add_violated(std::vector<Row>& rows, const DesignVector& x, 
   add_nearest_and_farthest(seen, x);
   add_contacts(seen, x, 0);
   add_obstacles(seen, x, 0);
-  add_sheets(seen, x);
+  add_copy_gap(seen, x);
   add_copy_errors(seen, x);
   const std::size_t before = rows.size();
   for (const Row& candidate : seen) {

@@ -1,10 +1,10 @@
-// The rows of a design problem that look beyond reach and self-contact: obstacles, sheets, copy error, size.
+// The rows of a design problem that look beyond reach and self-contact: obstacles, gap between original and copy, copy error, size.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "synthesis/problem/row_parts.hpp"
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -29,7 +29,7 @@ RowJet DesignProblem::obstacle_row_values(const Row& row, const DesignVector& x)
     jet.value -= x[layout_.goal()];
     jet.gradient[layout_.goal()] = -1;
   } else {
-    jet.value -= limits_.clearance / layout_.unit + tolerance::inward_obstacle;
+    jet.value -= limits_.clearance / layout_.unit + slack::inward_obstacle;
   }
   return jet;
 }
@@ -37,7 +37,7 @@ RowJet DesignProblem::obstacle_row_values(const Row& row, const DesignVector& x)
 RowJet DesignProblem::obstacle_row(const Row& row, const DesignVector& x, Derivatives wanted) const {
   RowJet jet = obstacle_row_values(row, x);
   if (wanted != Derivatives::second) return jet;
-  constexpr double step = tolerance::obstacle_step;  // second derivatives as differences of exact first ones
+  constexpr double step = slack::obstacle_step;  // second derivatives as differences of exact first ones
   for (int j = 0; j < layout_.size(); ++j) {
     if (j == DesignLayout::near_opening || j == DesignLayout::far_opening) continue;
     DesignVector ahead = x, behind = x;
@@ -50,9 +50,9 @@ RowJet DesignProblem::obstacle_row(const Row& row, const DesignVector& x, Deriva
   return jet;
 }
 
-RowJet DesignProblem::sheets_row(std::size_t corner, const DesignVector& x) const {
+RowJet DesignProblem::copy_gap_row(std::size_t corner, const DesignVector& x) const {
   RowJet jet = zero_jet(layout_.size());
-  const SearchSpace::SheetGap gap = space_.sheet_gap(space_.sheet_corners()[corner], layout_.pole(x));
+  const SearchSpace::CopyGap gap = space_.copy_gap(space_.gap_corners()[corner], layout_.pole(x));
   jet.value = gap.distance / layout_.unit;
   if (layout_.pole_is_free) {
     const auto back = [&](const Point& z) { return as_point(std::conj(gap.factor) * as_complex(z)); };
@@ -62,11 +62,11 @@ RowJet DesignProblem::sheets_row(std::size_t corner, const DesignVector& x) cons
       jet.hessian.block<2, 2>(pole_x, pole_x) = gap.curvature * layout_.unit * along * along.transpose();
     }
   }
-  if (goal_ == Goal::sheets_gap) {
+  if (goal_ == Goal::copy_gap) {
     jet.value -= x[layout_.goal()];
     jet.gradient[layout_.goal()] = -1;
   } else {
-    jet.value -= *limits_.sheets_gap / layout_.unit + tolerance::inward_distance;
+    jet.value -= *limits_.copy_gap / layout_.unit + slack::inward_distance;
   }
   return jet;
 }
@@ -76,7 +76,7 @@ RowJet DesignProblem::copy_error_row(double share, const DesignVector& x) const 
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
   const double opening = near + share * (far - near), scale = goal_scale();
   const CopyErrorAt here = copy_error_->at(opening);
-  constexpr double step = tolerance::copy_error_step;
+  constexpr double step = slack::copy_error_step;
   const double curvature =
       (copy_error_->at(opening + step).worst_slope - copy_error_->at(opening - step).worst_slope) /
       (2 * step);
@@ -108,7 +108,7 @@ RowJet DesignProblem::footprint_objective(const DesignVector& x, Derivatives wan
   const auto area = [&](const DesignVector& at) { return footprint_at(point_of(at)) / goal_scale(); };
   jet.value = area(x);
   if (wanted == Derivatives::none) return jet;
-  constexpr double step = tolerance::footprint_step;
+  constexpr double step = slack::footprint_step;
   for (int j = 0; j < layout_.size(); ++j) {
     if (j == DesignLayout::near_opening || j == DesignLayout::far_opening) continue;
     DesignVector ahead = x, behind = x;
@@ -123,7 +123,7 @@ void DesignProblem::add_obstacles(std::vector<Row>& rows, const DesignVector& x,
   if (terms_.obstacles.empty()) return;
   const double unit = layout_.unit;
   const double enough = (goal_ == Goal::clearance ? x[layout_.goal()] * unit : limits_.clearance) +
-                        (band + tolerance::inward_obstacle) * unit;
+                        (band + slack::inward_obstacle) * unit;
   std::vector<double> smallest(terms_.obstacles.size(), enough);
   std::vector<Row> worst(terms_.obstacles.size(), {Row::Kind::obstacle});
   for (std::size_t p = 0; p < places_.size(); ++p) {
@@ -140,9 +140,9 @@ void DesignProblem::add_obstacles(std::vector<Row>& rows, const DesignVector& x,
     if (smallest[t] < enough) rows.push_back(worst[t]);
 }
 
-void DesignProblem::add_sheets(std::vector<Row>& rows, const DesignVector& x) const {
-  if ((!limits_.sheets_gap && goal_ != Goal::sheets_gap) || space_.sheet_corners().empty()) return;
-  rows.push_back({Row::Kind::sheets, space_.smallest_sheet_gap(layout_.pole(x)).corner});
+void DesignProblem::add_copy_gap(std::vector<Row>& rows, const DesignVector& x) const {
+  if ((!limits_.copy_gap && goal_ != Goal::copy_gap) || space_.gap_corners().empty()) return;
+  rows.push_back({Row::Kind::copy_gap, space_.smallest_copy_gap(layout_.pole(x)).corner});
 }
 
 void DesignProblem::add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const {

@@ -43,12 +43,13 @@ Spec shifted(Spec spec, const Point& by) {
   else
     shift(std::get<Region>(spec.pole.place), by);
   for (Obstacle& obstacle : spec.obstacles) shift(obstacle.shape, by);
+  if (spec.table) shift(*spec.table, by);
   return spec;
 }
 
 CopyingLinkage shifted(const CopyingLinkage& linkage, const Point& by) {
   return CopyingLinkage::make(linkage.k(), linkage.grounding(), linkage.VA(), linkage.VB(),
-                              linkage.assembly_mode(), linkage.pole() + by)
+                              linkage.assembly_mode().number, linkage.pole() + by)
       .value();
 }
 

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "geometry/convex_distance.hpp"
-#include "synthesis/problem/tolerances.hpp"
-#include "workspace/obstacles.hpp"
+#include "geometry/region_reach.hpp"
+#include "synthesis/problem/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -17,19 +17,25 @@ constexpr Complex i_unit{0, 1};
 struct PieceCorners {
   std::array<Complex, 3> at;
   std::size_t count;
-  PieceCorners(const JointHull& hull, const PlacedJoints& joints)
-      : at{}, count(static_cast<std::size_t>(hull.count)) {
-    for (std::size_t i = 0; i < count; ++i) at[i] = joints[hull.joints[i]];
+  PieceCorners(const ObstacleTerm& term, const PlacedJoints& joints)
+      : at{}, count(static_cast<std::size_t>(term.piece.hull.count)) {
+    const Complex origin = term.seen_from ? joints[*term.seen_from] : 0;
+    for (std::size_t i = 0; i < count; ++i) at[i] = joints[term.piece.hull.joints[i]] - origin;
   }
   ConvexCorners span() const { return {at.data(), count}; }
 };
 
+PlacedJoints::Motion difference(const PlacedJoints::Motion& one, const PlacedJoints::Motion& other) {
+  return {one.by_u - other.by_u, one.by_v - other.by_v, one.by_pole_x - other.by_pole_x,
+          one.by_pole_y - other.by_pole_y};
+}
+
 /// Distance of a point from a bar's axis, or a lower bound of it from a plate's.
 double distance_below(const PieceCorners& piece, Complex point) {
-  if (piece.count > 2) return nearest_features(piece.span(), {&point, 1}).distance;
+  if (piece.count > 2) return distance_from(point, piece.span());
   const Complex from = piece.at[0], to_point = point - from;
   if (piece.count == 1) return std::sqrt(std::norm(to_point));
-  const Complex axis = piece.at[1] - from;
+  const Complex axis = piece.at[1] - from;  // of two joints that are apart: nearest_share() without its test
   const double share = std::clamp(dot(axis, to_point) / std::norm(axis), 0.0, 1.0);
   return std::sqrt(std::norm(to_point - share * axis));
 }
@@ -66,32 +72,44 @@ double length_of(const Ring& ring) {
 
 }  // namespace
 
-std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstacle>& obstacles) {
+std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions) {
   std::vector<ObstacleShape> shapes;
-  for (const Obstacle& obstacle : obstacles) {
+  for (const Obstruction& obstruction : obstructions) {
     ObstacleShape shape;
     std::vector<Complex> outer;
-    for (const Point& corner : obstacle.shape.outer) outer.push_back(as_complex(corner));
-    std::tie(shape.centre, shape.radius) = circle_around(outer);
-    for (ConvexPart& part : convex_parts(obstacle.shape)) {
-      const auto [centre, radius] = circle_around(part);
-      shape.parts.push_back({std::move(part), centre, radius});
+    for (const Polygon& polygon : obstruction.shape.polygons) {
+      for (const Point& corner : polygon.outer) outer.push_back(as_complex(corner));
+      for (ConvexPart& part : convex_parts(polygon)) {
+        const auto [centre, radius] = circle_around(part);
+        shape.parts.push_back({std::move(part), centre, radius});
+      }
     }
+    std::tie(shape.centre, shape.radius) = circle_around(outer);
     shapes.push_back(std::move(shape));
   }
   return shapes;
 }
 
 std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
-                                         const Spec& spec) {
+                                         const LinkStyle& style,
+                                         const std::vector<Obstruction>& obstructions) {
   std::vector<ObstacleTerm> terms;
-  for (std::size_t i = 0; i < spec.obstacles.size(); ++i)
-    for (const Part& part : parts_of(linkage, layers)) {
-      const Obstacle& obstacle = spec.obstacles[i];
-      if (!share_layer(part, obstacle)) continue;
-      for (const JointHull& hull : axis_of(part, linkage.shape(), spec.links.style.plate))
-        terms.push_back({{hull, half_width(part, spec.links.style)}, i});
+  for (std::size_t i = 0; i < obstructions.size(); ++i) {
+    const Obstruction& obstruction = obstructions[i];
+    const auto seen_from =
+        obstruction.frame ? std::optional(joint_of(*obstruction.frame, linkage)) : std::nullopt;
+    const auto add = [&](const JointHull& hull, double half_width) {
+      terms.push_back({{hull, half_width + obstruction.grown}, i, seen_from});
+    };
+    if (obstruction.met) {
+      const Joint joint = joint_of(obstruction.met->by, linkage);
+      add({{joint, joint, joint}, 1}, 0);
     }
+    for (const Part& part : parts_of(linkage, layers))
+      if (may_meet(part, obstruction, linkage))
+        for (const JointHull& hull : axis_of(part, linkage.shape(), style.plate))
+          add(hull, half_width(part, style));
+  }
   return terms;
 }
 
@@ -121,7 +139,7 @@ PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
   const LinkageJet radius = reach_.radius(lengths_, opening_);
   const double slope = radius.gradient[2];
   // At a serial dead point the opening has no derivative; no design comes near one.
-  const double per_slope = std::abs(slope) > tolerance::zero_slope * radius.value ? 1 / slope : 0;
+  const double per_slope = std::abs(slope) > slack::zero_slope * radius.value ? 1 / slope : 0;
   const Complex by_opening = reach_vector_ * xi_d;
   const Complex direction = reach_vector_ / std::abs(reach_vector_);
   return {reach_vector_ * xi_u - by_opening * radius.gradient[0] * per_slope,
@@ -132,7 +150,7 @@ PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
 
 double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
                     double enough) {
-  const PieceCorners piece(term.piece.hull, joints);
+  const PieceCorners piece(term, joints);
   const double below = distance_below(piece, obstacle.centre) - obstacle.radius - term.piece.half_width;
   if (below > enough) return below;
   double gap = std::numeric_limits<double>::infinity();
@@ -147,7 +165,7 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
 
 PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
                            const PlacedJoints& joints) {
-  const PieceCorners piece(term.piece.hull, joints);
+  const PieceCorners piece(term, joints);
   NearestFeatures nearest{.distance = std::numeric_limits<double>::infinity()};
   const ConvexPart* of_part = nullptr;
   for (const EncircledPart& part : obstacle.parts) {
@@ -159,7 +177,9 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
   // Unit vector along which the piece's deciding place leaves the obstacle; that place as a mixture of joints.
   const auto joint = [&](std::size_t corner) { return term.piece.hull.joints[corner]; };
   const auto add = [&](Joint moving, double weight, Complex normal) {
-    const PlacedJoints::Motion motion = joints.motion(moving);
+    const PlacedJoints::Motion motion =
+        term.seen_from ? difference(joints.motion(moving), joints.motion(*term.seen_from))
+                       : joints.motion(moving);
     jet.by_u += weight * dot(normal, motion.by_u);
     jet.by_v += weight * dot(normal, motion.by_v);
     jet.by_pole += weight * Point(dot(normal, motion.by_pole_x), dot(normal, motion.by_pole_y));
@@ -195,9 +215,11 @@ std::vector<Point> tracer_places(const Region& region, int about) {
   }
   const Box box = bounding_box(region);
   const double step = std::sqrt(area(region) / (0.4 * about));
+  const RegionReach reach(
+      region);  // asked some thousand times: contains() would look at all corners each time
   for (double x = box.lower.x() + step / 2; x < box.upper.x(); x += step)
     for (double y = box.lower.y() + step / 2; y < box.upper.y(); y += step)
-      if (contains(region, {x, y})) places.push_back({x, y});
+      if (reach.contains({x, y})) places.push_back({x, y});
   return places;
 }
 

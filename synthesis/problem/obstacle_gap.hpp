@@ -1,17 +1,20 @@
 #pragma once
-// The gap between a part of the linkage and an obstacle with the tracer at a given place, with exact derivatives by the
+// The gap between a part of the linkage and an obstacle, or another obstruction, with the tracer at a given place, with exact derivatives by the
 // lengths and the pole.
 //
 // In the linkage's own frame (link_gap.hpp) a joint stands at F_j(u, v, d); seen from pole and tracer it stands at
 //     z_j = P + (T - P) xi_j,   xi_j = (F_j - F_pole) / (F_tracer - F_pole),
 // where the opening d(u, v, P) is that at which the tracer is |T - P| from the pole, so that with r(u, v, d) of reach.hpp
 //     d_u = -r_u / r_d,   d_v = -r_v / r_d,   grad_P d = -(T - P) / (|T - P| r_d).
+// Solids that tracer or pen carries are at rest in a frame at that joint: there a joint stands at the difference of two such places.
 // The gap is that of convex_distance.hpp; with its features held, its derivative is that of the features' places.
 
+#include <optional>
 #include <vector>
 
 #include "geometry/regions/convex_parts.hpp"
 #include "synthesis/problem/link_gap.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 
@@ -22,22 +25,25 @@ struct EncircledPart {
   double radius = 0;
 };
 
-/// An obstacle as the search and the bound ask it: its convex parts, whose nearest features have derivatives, with a circle
-/// around all of them.
+/// An obstruction (obstructions.hpp) as the search and the bound ask it, in its frame: its convex parts, whose nearest features have
+/// derivatives, with a circle around all of them.
 struct ObstacleShape {
   std::vector<EncircledPart> parts;
   Complex centre;
   double radius = 0;
 };
-std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstacle>& obstacles);
+/// In the order of the obstructions.
+std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions);
 
-/// A piece of a part and an obstacle in a layer of that part.
+/// A piece of a part and an obstruction that it may meet.
 struct ObstacleTerm {
-  AxisPiece piece{};
-  std::size_t obstacle = 0;
+  AxisPiece piece{};                 ///< its half width with what the obstruction is grown by
+  std::size_t obstacle = 0;          ///< in the order of the obstructions
+  std::optional<Joint> seen_from{};  ///< the joint that carries the obstruction's frame; absent: the table's
 };
 std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
-                                         const Spec& spec);
+                                         const LinkStyle& style,
+                                         const std::vector<Obstruction>& obstructions);
 
 /// Value and derivatives by u, v and the pole's place, mm.
 struct PlacedJet {

@@ -5,7 +5,8 @@
 
 #include "geometry/edge_tree.hpp"
 #include "synthesis/problem/search_space.hpp"
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -69,15 +70,17 @@ Places places_of(const Spec& spec, const Requirements& limits) {
 std::vector<Surroundings> surroundings_of(const Spec& spec, const Requirements& limits, Grounding grounding,
                                           const Places& places) {
   const Reach reach(spec.copy.k(), grounding, 0);
-  const LogBox box = length_box(reach, limits, spec.links.workshop);
+  const LogBox box = length_box(reach, limits, spec.links.stock_lengths);
   if (box.u.empty() || box.v.empty()) return {};
   const double VA = std::exp(box.u.upper), VB = std::exp(box.v.upper);
   const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
   const LinkStyle& style = spec.links.style;
-  const double beside = 0.5 * std::max(style.width, style.pin_diameter) + limits.clearance;
+  double beside = 0.5 * std::max(style.width, style.pin_diameter) + limits.clearance;
+  for (const Body& body : spec.bodies)
+    beside = std::max(beside, farthest(body) + limits.clearance);  // of any joint: more than enough
   const JointRoles roles = roles_of(grounding);
   const auto around = [&](Joint joint, double length) {
-    return Surroundings{places.of(joint, roles), length * (1 + tolerance::reach_box_slack) + beside};
+    return Surroundings{places.of(joint, roles), length * (1 + slack::reach_box_slack) + beside};
   };
   return {around(Joint::V, std::max(VA, VB)), around(Joint::X, VB * std::max(1.0, turn) / scale),
           around(Joint::Y, VA * std::max(scale, turn))};
@@ -97,7 +100,7 @@ bool in_reach(const Obstacle& obstacle, const std::vector<Surroundings>& all) {
   if (obstacle.shape.outer.empty()) return false;
   const Box box = box_around(obstacle.shape.outer);
   return std::any_of(all.begin(), all.end(), [&](const Surroundings& one) {
-    const double rounding = tolerance::reach_box_slack * (magnitude(box) + magnitude(one.places));
+    const double rounding = slack::reach_box_slack * (magnitude(box) + magnitude(one.places));
     return distance(box, one.places) <= one.length + rounding;
   });
 }

@@ -1,59 +1,85 @@
 #include "synthesis/problem/requirements.hpp"
 
+#include <algorithm>
+#include <array>
+#include <variant>
+
 namespace kempe {
 
 Requirements requirements_of(const Spec& spec) {
   return {.transmission = spec.limits.transmission,
           .clearance = spec.limits.clearance,
           .shortest = least_joint_distance(spec),
-          .longest = spec.links.longest,
-          .sheets_gap = spec.limits.sheets_gap,
+          .longest = largest_joint_distance(spec),
+          .copy_gap = spec.limits.copy_gap,
           .copy_error = spec.limits.copy_error};
 }
 
-std::string_view name(Goal goal) {
-  switch (goal) {
-    case Goal::size: return "size";
-    case Goal::transmission: return "transmission";
-    case Goal::copy_error: return "copy_error";
-    case Goal::footprint: return "footprint";
-    case Goal::clearance: return "clearance";
-    case Goal::shortest: return "shortest";
-    case Goal::longest: return "longest";
-    case Goal::sheets_gap: return "sheets_gap";
-    case Goal::pole_margin: return "pole_margin";
-  }
-  return "";
+Spec with_limits(Spec spec, const Requirements& limits) {
+  spec.limits.transmission = limits.transmission;
+  spec.limits.clearance = limits.clearance;
+  spec.limits.copy_gap = limits.copy_gap;
+  spec.limits.copy_error = limits.copy_error;
+  spec.links.longest = limits.longest;
+  if (auto& strip = spec.limits.longest_strip)
+    *strip = std::max(
+        *strip, limits.longest + spec.links.style.width);  // a limit moved is not held back by the strip
+  return spec;
 }
 
-bool is_maximized(Goal goal) {
-  return goal == Goal::transmission || goal == Goal::clearance || goal == Goal::shortest ||
-         goal == Goal::sheets_gap;
-}
+namespace {
+
+/// What a goal is, in a line.
+struct GoalFacts {
+  Goal goal;
+  std::string_view name;
+  bool is_maximized;
+  std::optional<Objective> objective;
+  double Attained::*attained;
+  std::variant<double Requirements::*, std::optional<double> Requirements::*> limit;
+};
+
+constexpr auto none = std::nullopt;
+constexpr std::array<GoalFacts, 9> goals{{
+    {Goal::size, "size", false, Objective::size, &Attained::size, &Requirements::size},
+    {Goal::transmission, "transmission", true, Objective::transmission, &Attained::transmission,
+     &Requirements::transmission},
+    {Goal::copy_error, "copy_error", false, Objective::copy_error, &Attained::copy_error,
+     &Requirements::copy_error},
+    {Goal::footprint, "footprint", false, Objective::footprint, &Attained::footprint,
+     &Requirements::footprint},
+    {Goal::clearance, "clearance", true, none, &Attained::clearance, &Requirements::clearance},
+    {Goal::shortest, "shortest", true, none, &Attained::shortest, &Requirements::shortest},
+    {Goal::longest, "longest", false, none, &Attained::longest, &Requirements::longest},
+    {Goal::copy_gap, "sheets_gap", true, none, &Attained::copy_gap, &Requirements::copy_gap},
+    {Goal::pole_margin, "pole_margin", false, none, &Attained::pole_margin, &Requirements::pole_margin},
+}};
+
+const GoalFacts& facts(Goal goal) { return goals[static_cast<std::size_t>(goal)]; }
+
+}  // namespace
+
+std::string_view name(Goal goal) { return facts(goal).name; }
+
+bool is_maximized(Goal goal) { return facts(goal).is_maximized; }
 
 Goal goal_of(Objective objective) {
-  switch (objective) {
-    case Objective::size: return Goal::size;
-    case Objective::transmission: return Goal::transmission;
-    case Objective::copy_error: return Goal::copy_error;
-    case Objective::footprint: break;
-  }
-  return Goal::footprint;
+  return std::find_if(goals.begin(), goals.end(),
+                      [&](const GoalFacts& each) { return each.objective == objective; })
+      ->goal;
 }
 
-double Attained::of(Goal goal) const {
-  switch (goal) {
-    case Goal::size: return size;
-    case Goal::transmission: return transmission;
-    case Goal::copy_error: return copy_error;
-    case Goal::footprint: return footprint;
-    case Goal::clearance: return clearance;
-    case Goal::shortest: return shortest;
-    case Goal::longest: return longest;
-    case Goal::sheets_gap: return sheets_gap;
-    case Goal::pole_margin: break;
-  }
-  return pole_margin;
+std::optional<Objective> objective_of(Goal goal) { return facts(goal).objective; }
+
+std::optional<double> limit_on(const Requirements& limits, Goal goal) {
+  return std::visit([&](auto limit) -> std::optional<double> { return limits.*limit; }, facts(goal).limit);
 }
+
+Requirements with_limit(Requirements limits, Goal goal, double value) {
+  std::visit([&](auto limit) { limits.*limit = value; }, facts(goal).limit);
+  return limits;
+}
+
+double Attained::of(Goal goal) const { return this->*facts(goal).attained; }
 
 }  // namespace kempe

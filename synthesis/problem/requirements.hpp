@@ -23,16 +23,19 @@ struct Requirements {
   double clearance = 0;                ///< mm, at least
   double shortest = 0;                 ///< mm, at least: of any two joints of a link, their holes apart
   double longest = 0;                  ///< mm, at most
-  std::optional<double> sheets_gap{};  ///< mm, at least
+  std::optional<double> copy_gap{};    ///< mm, at least
   std::optional<double> copy_error{};  ///< mm, at most
   double pole_margin = 0;              ///< mm, the pole may stand so far outside its area
   std::optional<double> size{};        ///< mm, at most
   std::optional<double> footprint{};   ///< mm^2, at most
 };
 Requirements requirements_of(const Spec& spec);
+/// The spec with the limits in force in place of its own, as far as a spec can state them: not shortest, pole_margin, size and
+/// footprint.
+Spec with_limits(Spec spec, const Requirements& limits);
 
 /// What is made as small (size, copy_error, footprint, longest, pole_margin) or as large (transmission,
-/// clearance, shortest, sheets_gap) as it can be: the objectives of a spec, and every limit as an objective
+/// clearance, shortest, copy_gap) as it can be: the objectives of a spec, and every limit as an objective
 /// of its own.
 enum class Goal {
   size,
@@ -42,17 +45,24 @@ enum class Goal {
   clearance,
   shortest,
   longest,
-  sheets_gap,
+  copy_gap,
   pole_margin
 };
 std::string_view name(Goal goal);
 bool is_maximized(Goal goal);
 Goal goal_of(Objective objective);
+/// The objective that a spec asks for a goal by; nothing for goals that are limits only.
+std::optional<Objective> objective_of(Goal goal);
+
+/// The limit in force on what a goal stands for, in its unit; nothing where there is none.
+std::optional<double> limit_on(const Requirements& limits, Goal goal);
+/// The limits with another one on what a goal stands for.
+Requirements with_limit(Requirements limits, Goal goal, double value);
 
 /// What a design has of each, in the goals' units: mm, rad, mm^2.
 struct Attained {
   double size = 0, transmission = 0, clearance = 0, shortest = 0, longest = 0;
-  double sheets_gap = 0;   ///< negative: original and copy overlap
+  double copy_gap = 0;     ///< negative: original and copy overlap
   double pole_margin = 0;  ///< distance of the pole from its area
   double copy_error = 0, footprint = 0;
   double of(Goal goal) const;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/segment_distance.hpp"
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -17,7 +17,7 @@ constexpr int pole_outline = 96;
 /// Places of the tracer at which obstacles are looked at first.
 constexpr int obstacle_places = 90;
 /// Regions with more corners are seen as their hull when original and copy must keep apart.
-constexpr std::size_t most_sheet_corners = 128;
+constexpr std::size_t most_gap_corners = 128;
 
 Region pole_region(const PoleSpec& pole) { return pole.is_fixed() ? Region{} : std::get<Region>(pole.place); }
 
@@ -37,23 +37,23 @@ SearchSpace::SearchSpace(Spec given) : spec_(std::move(given)), region_(spec_.re
     layout_.unit = distances_of_fixed_pole_->farthest;
   }
   sample_poles();
-  obstacles_ = obstacle_shapes(spec.obstacles);
+  obstacles_ = obstacle_shapes(obstructions_of(spec.obstacles, spec.bodies, spec.table));
   if (!obstacles_.empty()) places_ = kempe::tracer_places(spec.region, obstacle_places);
-  if (spec.limits.sheets_gap) list_sheet_corners();
+  if (spec.limits.copy_gap) list_gap_corners();
 }
 
-void SearchSpace::list_sheet_corners() {
+void SearchSpace::list_gap_corners() {
   std::vector<Point> corners;
-  if (region_.edges().size() <= most_sheet_corners)
+  if (region_.edges().size() <= most_gap_corners)
     for (const BoundaryEdge& edge : region_.edges()) corners.push_back(edge.from);
   else  // the hull's gap is never larger than the region's: the safe side
-    for (std::size_t i = 0; i < region_.hull().size(); i += 1 + region_.hull().size() / most_sheet_corners)
+    for (std::size_t i = 0; i < region_.hull().size(); i += 1 + region_.hull().size() / most_gap_corners)
       corners.push_back(region_.hull()[i]);
   for (const Point& corner : corners)
-    sheet_corners_.insert(sheet_corners_.end(), {{corner, true}, {corner, false}});
+    gap_corners_.insert(gap_corners_.end(), {{corner, true}, {corner, false}});
 }
 
-SearchSpace::SheetGap SearchSpace::sheet_gap(const SheetCorner& corner, const Point& pole) const {
+SearchSpace::CopyGap SearchSpace::copy_gap(const GapCorner& corner, const Point& pole) const {
   // A corner of the copy lies at pole + k (z - pole). A corner z of the region against the copy is, |k| times as large,
   // pole + (z - pole)/k against the region.
   const Complex factor = corner.is_copied ? k() : 1.0 / k();
@@ -68,10 +68,10 @@ SearchSpace::SheetGap SearchSpace::sheet_gap(const SheetCorner& corner, const Po
           at_corner && away > 0 ? scale / nearest.distance : 0};
 }
 
-SearchSpace::SmallestSheetGap SearchSpace::smallest_sheet_gap(const Point& pole) const {
-  SmallestSheetGap smallest{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t i = 0; i < sheet_corners_.size(); ++i) {
-    const double distance = sheet_gap(sheet_corners_[i], pole).distance;
+SearchSpace::SmallestCopyGap SearchSpace::smallest_copy_gap(const Point& pole) const {
+  SmallestCopyGap smallest{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < gap_corners_.size(); ++i) {
+    const double distance = copy_gap(gap_corners_[i], pole).distance;
     if (distance < smallest.distance) smallest = {distance, i};
   }
   return smallest;
@@ -144,7 +144,7 @@ std::vector<HalfPlane> SearchSpace::room_around(const Point& pole) const {
     return a.distance < b.distance || (a.distance == b.distance && a.edge < b.edge);
   });
   std::vector<HalfPlane> room;
-  const double touching = tolerance::same_place * layout_.unit;
+  const double touching = slack::same_place * layout_.unit;
   for (const Cut& cut : cuts) {
     const Point &from = area_->edges()[cut.edge].from, &to = area_->edges()[cut.edge].to;
     const auto beyond = [&](const HalfPlane& plane) {
@@ -169,7 +169,7 @@ namespace {
 
 /// To one value, which may lie on a limit, or be another locked length's up to its last digits.
 void lock(LogRange& range, double locked) {
-  constexpr double slack = 2 * tolerance::inward_log_length;
+  constexpr double slack = 2 * slack::inward_log_length;
   if (locked < range.lower - slack || locked > range.upper + slack)
     range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   else if (range.width() > 0)
@@ -178,13 +178,13 @@ void lock(LogRange& range, double locked) {
 
 }  // namespace
 
-LogBox length_box(const Reach& reach, const Requirements& limits, const WorkshopSpec& workshop) {
+LogBox length_box(const Reach& reach, const Requirements& limits, const StockLengths& stock_lengths) {
   const Reach::LengthFactors& f = reach.factors();
-  const double low = std::max(limits.shortest, tolerance::least_length_share * limits.longest);
-  LogBox box{{std::log(low / f.least_of_VA) + tolerance::inward_log_length,
-              std::log(limits.longest / f.most_of_VA) - tolerance::inward_log_length},
-             {std::log(low / f.least_of_VB) + tolerance::inward_log_length,
-              std::log(limits.longest / f.most_of_VB) - tolerance::inward_log_length}};
+  const double low = std::max(limits.shortest, slack::least_length_share * limits.longest);
+  LogBox box{{std::log(low / f.least_of_VA) + slack::inward_log_length,
+              std::log(limits.longest / f.most_of_VA) - slack::inward_log_length},
+             {std::log(low / f.least_of_VB) + slack::inward_log_length,
+              std::log(limits.longest / f.most_of_VB) - slack::inward_log_length}};
   const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
   // VA, VB, AC, BC, AX, CX, BY, CY as multiples of VA (true) or VB
   const std::array<std::pair<bool, double>, 8> multiples{{{true, 1},
@@ -196,9 +196,9 @@ LogBox length_box(const Reach& reach, const Requirements& limits, const Workshop
                                                           {true, scale},
                                                           {true, turn}}};
   for (std::size_t i = 0; i < 8; ++i) {
-    if (!workshop.locked[i]) continue;
+    if (!stock_lengths.locked[i]) continue;
     LogRange& range = multiples[i].first ? box.u : box.v;
-    lock(range, std::log(*workshop.locked[i] / multiples[i].second));
+    lock(range, std::log(*stock_lengths.locked[i] / multiples[i].second));
   }
   return box;
 }

@@ -40,31 +40,31 @@ class SearchSpace {
   bool is_on_edge(const Point& place) const;
   /// Where poles are looked for: the bounding box of where the pole may stand, grown by `margin`.
   Box pole_box(double margin) const;
-  /// Obstacles as convex parts, and the places of the tracer at which they are looked at first.
+  /// The spec's obstructions (obstructions.hpp) as convex parts, and the places of the tracer at which they are looked at first.
   const std::vector<ObstacleShape>& obstacles() const { return obstacles_; }
   const std::vector<Point>& tracer_places() const { return places_; }
 
   /// A corner of the region against its copy, or a corner of the copy against the region.
-  struct SheetCorner {
+  struct GapCorner {
     Point corner;    ///< of the region
     bool is_copied;  ///< its image is meant
   };
-  const std::vector<SheetCorner>& sheet_corners() const { return sheet_corners_; }
-  /// Distance of a sheet corner from the other sheet with the pole at a place, mm; negative: inside it. And the place of
+  const std::vector<GapCorner>& gap_corners() const { return gap_corners_; }
+  /// Distance of a corner of region or copy from the other one with the pole at a place, mm; negative: inside it. And the place of
   /// the region that decides it, with the map's derivative by the pole (a complex factor).
-  struct SheetGap {
+  struct CopyGap {
     double distance;
     Point normal;  ///< d distance / d pole = conj(factor) * normal
     Complex factor;
     double curvature;  ///< 1/mm of the distance across the normal: 0 beside an edge
   };
-  SheetGap sheet_gap(const SheetCorner& corner, const Point& pole) const;
+  CopyGap copy_gap(const GapCorner& corner, const Point& pole) const;
   /// The smallest of them and which it is. Crossing edges without a corner inside are not noticed.
-  struct SmallestSheetGap {
+  struct SmallestCopyGap {
     double distance;
     std::size_t corner;
   };
-  SmallestSheetGap smallest_sheet_gap(const Point& pole) const;
+  SmallestCopyGap smallest_copy_gap(const Point& pole) const;
 
   /// Permitted poles on a lattice and on the area's edge, each with its distances.
   struct PoleSample {
@@ -78,7 +78,7 @@ class SearchSpace {
 
  private:
   void sample_poles();
-  void list_sheet_corners();
+  void list_gap_corners();
 
   Spec spec_;
   RegionReach region_;
@@ -88,10 +88,10 @@ class SearchSpace {
   std::vector<PoleSample> samples_;
   std::vector<ObstacleShape> obstacles_;
   std::vector<Point> places_;
-  std::vector<SheetCorner> sheet_corners_;
+  std::vector<GapCorner> gap_corners_;
 };
 
 /// Bounds of log VA and log VB for which every length of every link keeps within the limits and the locks.
-LogBox length_box(const Reach& reach, const Requirements& limits, const WorkshopSpec& workshop);
+LogBox length_box(const Reach& reach, const Requirements& limits, const StockLengths& stock_lengths);
 
 }  // namespace kempe

@@ -1,6 +1,6 @@
 #pragma once
-// Every tolerance of the problem, each with its unit and its reason; those of the search stand in
-// synthesis/search/steps/tolerances.hpp. (How much a linkage's joints and holes may be off is synthesis/tolerance/.)
+// Every slack and threshold of the problem, each with its unit and its reason; those of the search stand in
+// synthesis/search/steps/slack.hpp. (How much a linkage's joints and holes may be off is synthesis/tolerance/.)
 //
 // Rounding: what floating-point evaluation may be off by. Inward: kept inside a limit, so that the finished design, whose
 // numbers are rounded and which is checked anew, keeps the limit itself. Floors: keep a divisor or a logarithm's argument
@@ -8,7 +8,7 @@
 //
 // "Unit" is the task's size (DesignLayout::unit, mm): the distance from the pole to the farthest place of the region.
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // Rounding
 
@@ -69,4 +69,4 @@ inline constexpr double copy_error_step = 1e-6;
 /// log of a length, or unit: for the slopes of the footprint, above the grain of its estimate.
 inline constexpr double footprint_step = 2e-3;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -15,7 +15,7 @@ const double log_two = std::log(2.0);
 Reach::Reach(Complex k, Grounding grounding, int assembly_mode)
     : s_(shape_of(k, grounding)), chain_(chain_length_per_tracer(k, grounding)),
       log_s_(std::log(std::abs(s_))), arg_s_(std::arg(s_)),
-      interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)]) {
+      interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)].openings) {
   bend_ = std::sin(interval_.middle() - arg_s_) > 0 ? 1 : -1;
   near_is_lower_ = bend_ < 0;
   const double scale = std::abs(s_), turn = std::abs(1.0 - s_);
@@ -29,7 +29,7 @@ Reach::Reach(Complex k, Grounding grounding, int assembly_mode)
 LinkageJet Reach::radius(const LogLengths& lengths, double opening) const {
   const double a = std::exp(lengths.u), b = std::exp(lengths.v - log_s_);
   const double ab_cos = a * b * std::cos(opening - arg_s_), ab_sin = a * b * std::sin(opening - arg_s_);
-  const double W = std::max(a * a + b * b + 2 * ab_cos, tolerance::above_zero);
+  const double W = std::max(a * a + b * b + 2 * ab_cos, slack::above_zero);
   const Eigen::Vector3d W1(2 * a * a + 2 * ab_cos, 2 * b * b + 2 * ab_cos, -2 * ab_sin);
   Eigen::Matrix3d W2;
   W2 << 4 * a * a + 2 * ab_cos, 2 * ab_cos, -2 * ab_sin,  //
@@ -76,15 +76,14 @@ std::optional<double> Reach::lambda_limit(double r_min, double r_max, const Open
   const double q2 = (r_max * r_max) / (r_min * r_min);
   if (!std::isfinite(q2) || far - q2 * near < q2 - 1) return std::nullopt;
   constexpr double most = 50;  // b = e^50 VA: far beyond any box of lengths
-  if (q2 - 1 < tolerance::point_like) return most;
+  if (q2 - 1 < slack::point_like) return most;
   return std::min(most, std::acosh(std::max(1.0, (far - q2 * near) / (q2 - 1))));
 }
 
 LogRange Reach::log_m_range(double lambda, double r_min, double r_max, const OpeningInterval& allowed) const {
   const double h = std::cosh(lambda);
-  return {
-      std::log(chain_ * r_max) - 0.5 * std::log(h + far_cosine(allowed)),
-      std::log(chain_ * r_min) - 0.5 * std::log(std::max(h + near_cosine(allowed), tolerance::above_zero))};
+  return {std::log(chain_ * r_max) - 0.5 * std::log(h + far_cosine(allowed)),
+          std::log(chain_ * r_min) - 0.5 * std::log(std::max(h + near_cosine(allowed), slack::above_zero))};
 }
 
 LogRange Reach::log_m_range(double lambda, const LogBox& box) const {

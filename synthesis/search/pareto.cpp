@@ -4,29 +4,18 @@
 #include <cmath>
 
 #include "synthesis/problem/local_frame.hpp"
-#include "synthesis/search/best_design.hpp"
-#include "synthesis/search/diagnosis.hpp"
-#include "synthesis/search/plain_reasons.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/diagnosis/diagnosis.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "workspace/footprint.hpp"
 
 namespace kempe {
 namespace {
 
-/// The limits with a limit on an objective.
-Requirements limited(Requirements limits, Objective objective, double value) {
-  switch (objective) {
-    case Objective::size: limits.size = value; break;
-    case Objective::transmission: limits.transmission = value; break;
-    case Objective::copy_error: limits.copy_error = value; break;
-    case Objective::footprint: limits.footprint = value; break;
-  }
-  return limits;
-}
-
 /// A copy of `value` that a design with exactly this value still keeps.
 double slackened(Objective objective, double value) {
-  return value * (is_maximized(objective) ? 1 - tolerance::same_value : 1 + tolerance::same_value);
+  return value * (is_maximized(objective) ? 1 - slack::same_value : 1 + slack::same_value);
 }
 
 double value_of(const Spec& spec, const FoundDesign& design, Objective objective) {
@@ -36,8 +25,8 @@ double value_of(const Spec& spec, const FoundDesign& design, Objective objective
 }
 
 bool is_no_worse(Objective objective, double one, double other) {
-  return is_maximized(objective) ? one >= other * (1 - tolerance::same_value)
-                                 : one <= other * (1 + tolerance::same_value);
+  return is_maximized(objective) ? one >= other * (1 - slack::same_value)
+                                 : one <= other * (1 + slack::same_value);
 }
 
 /// Without those that another beats in one and equals in the other, in the order of `a`.
@@ -78,7 +67,8 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
   if (!first.design && first.stopped && !first.proven_none) return found;
   if (!first.design) return tl::unexpected(diagnose(task, first, origin));
   const double from = value_of(spec, *first.design, limited_one);
-  add(best_design(task.with(limited(limits, limited_one, slackened(limited_one, from)), goal_of(other))));
+  add(best_design(
+      task.with(with_limit(limits, goal_of(limited_one), slackened(limited_one, from)), goal_of(other))));
   if (found.empty()) add(first);
   if (task.stopped() || !add(best_design(task.with(goal_of(other))))) return found;
   const double to = limited_value(found.back());
@@ -87,7 +77,7 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
     if (options.progress) options.progress(static_cast<double>(i) / steps, "front");
     // Even steps in the logarithm: both ends may differ by much.
     const double at = from * std::pow(to / from, static_cast<double>(i) / steps);
-    add(best_design(task.with(limited(limits, limited_one, at), goal_of(other))));
+    add(best_design(task.with(with_limit(limits, goal_of(limited_one), at), goal_of(other))));
   }
   return undominated(std::move(found), a, b);
 }

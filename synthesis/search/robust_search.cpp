@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/search/best_design.hpp"
-#include "synthesis/search/improve.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/best/improve.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "synthesis/tolerance/robust.hpp"
 
 namespace kempe {
@@ -25,9 +25,7 @@ struct Tried {
 };
 
 RobustCheck check_of(const Spec& spec, const FoundDesign& found) {
-  return check_robust(
-      map_task(found.linkage, spec.links.style, found.layers, spec.limits, spec.obstacles, spec.region),
-      CopyTolerance::uniform(*spec.tolerance));
+  return check_robust(map_task(found.linkage, found.layers, spec), CopyTolerance::uniform(*spec.tolerance));
 }
 
 class RobustSearch {
@@ -76,7 +74,7 @@ class RobustSearch {
  private:
   /// With room for the rounding of another frame.
   double least_clearance() const {
-    return spec_.limits.clearance + tolerance::robust_rounding * tried_->design.linkage.size();
+    return spec_.limits.clearance + slack::robust_rounding * tried_->design.linkage.size();
   }
   double next(double raise, double lacking, double too_small, double enough) const {
     const double towards =

@@ -8,10 +8,10 @@
 #include "synthesis/search/search.hpp"
 
 #include "synthesis/problem/local_frame.hpp"
-#include "synthesis/search/best_design.hpp"
-#include "synthesis/search/diagnosis.hpp"
-#include "synthesis/search/improve.hpp"
-#include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/best/improve.hpp"
+#include "synthesis/search/diagnosis/diagnosis.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/robust_search.hpp"
 #include "synthesis/tolerance/robust.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/problem/local_frame.hpp"
-#include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/steps/certify.hpp"
 #include "synthesis/search/steps/search_result.hpp"
 #include "synthesis/search/steps/search_task.hpp"
@@ -14,7 +14,7 @@
 namespace kempe {
 namespace {
 
-/// True of what a local solution cannot keep: lengths of the workshop, and limits for every instrument within the tolerances.
+/// True of what a local solution cannot keep: stock lengths, and limits for every instrument within the tolerances.
 bool only_searched(const Spec& spec) { return has_stock_lengths(spec) || asks_for_robust(spec); }
 
 DesignPoint point_of(const CopyingLinkage& linkage) {
@@ -39,7 +39,7 @@ std::optional<FoundDesign> looked_for(const SearchTask& task, Subproblem& sub, c
 
 bool is_of(const Subproblem& sub, const CopyingLinkage& linkage) {
   const Choice& choice = sub.choice->choice;
-  return choice.grounding == linkage.grounding() && choice.assembly_mode == linkage.assembly_mode();
+  return choice.grounding == linkage.grounding() && choice.assembly_mode == linkage.assembly_mode().number;
 }
 
 bool is_choice(const Subproblem& sub, const FoundDesign& design) {

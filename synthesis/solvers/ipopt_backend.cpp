@@ -7,7 +7,7 @@
 #include <mutex>
 
 #include "synthesis/solvers/polish.hpp"
-#include "synthesis/solvers/tolerances.hpp"
+#include "synthesis/solvers/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -133,7 +133,7 @@ LocalResult polish(const SmoothProgram& program, const DesignVector& start, cons
   solver->Options()->SetStringValue("sb", "yes");
   solver->Options()->SetIntegerValue("print_level", 0);
   solver->Options()->SetIntegerValue("max_iter", 60);
-  solver->Options()->SetNumericValue("tol", tolerance::ipopt_optimality);
+  solver->Options()->SetNumericValue("tol", slack::ipopt_optimality);
   solver->Options()->SetNumericValue("bound_relax_factor", 0);
   solver->Options()->SetStringValue("mu_strategy", "adaptive");
   if (solver->Initialize() != Ipopt::Solve_Succeeded) return result;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/decompositions.hpp"
-#include "synthesis/solvers/tolerances.hpp"
+#include "synthesis/solvers/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -48,7 +48,7 @@ class DualSimplex {
       const Eigen::VectorXd violation = values_ + rows_ * at;
       Eigen::Index entering = 0;
       const double scale = program_.figures.cwiseAbs().maxCoeff();
-      if (violation.maxCoeff(&entering) <= tolerance::row_rounding * scale) return described(at);
+      if (violation.maxCoeff(&entering) <= slack::row_rounding * scale) return described(at);
       if (!exchange(lu, entering)) return std::nullopt;
     }
     return std::nullopt;
@@ -75,7 +75,7 @@ class DualSimplex {
     Eigen::Index leaving = -1;
     double least = 0;
     for (Eigen::Index i = 0; i <= n_; ++i) {
-      if (!(fall[i] > tolerance::fall_rounding)) continue;
+      if (!(fall[i] > slack::fall_rounding)) continue;
       const double ratio = std::max(0.0, y_[i]) / fall[i];
       if (leaving < 0 || ratio < least || (ratio == least && basis_[at(i)] < basis_[at(leaving)])) {
         leaving = i;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/decompositions.hpp"
-#include "synthesis/solvers/tolerances.hpp"
+#include "synthesis/solvers/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -56,11 +56,11 @@ ActiveSet active_at(const SmoothProgram& program, const DesignVector& x) {
   ConstraintValues values(program.constraint_count);
   if (program.constraint_count > 0) program.constraints(x, values, nullptr);
   for (int i = 0; i < program.constraint_count; ++i)
-    if (std::abs(values[i]) < tolerance::active_below) active.constraints.push_back(i);
+    if (std::abs(values[i]) < slack::active_below) active.constraints.push_back(i);
   for (int i = 0; i < program.size(); ++i) {
-    if (x[i] - program.lower[i] < tolerance::active_below)
+    if (x[i] - program.lower[i] < slack::active_below)
       active.bounds.emplace_back(i, 1.0);
-    else if (program.upper[i] - x[i] < tolerance::active_below)
+    else if (program.upper[i] - x[i] < slack::active_below)
       active.bounds.emplace_back(i, -1.0);
   }
   return active;
@@ -69,7 +69,7 @@ ActiveSet active_at(const SmoothProgram& program, const DesignVector& x) {
 Eigen::VectorXd least_norm(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   if (matrix.size() == 0) return Eigen::VectorXd::Zero(matrix.cols());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(matrix.rows(), matrix.cols());
-  decomposition.setThreshold(tolerance::rank_tolerance);
+  decomposition.setThreshold(slack::rank_tolerance);
   decomposition.compute(matrix);
   return solution_of(decomposition, right);
 }
@@ -80,7 +80,7 @@ void drop_idle(const SmoothProgram& program, const DesignVector& x, ActiveSet& a
     const Linearized here = linearize(program, active, x);
     const Eigen::VectorXd multipliers = least_norm(here.gradients.transpose(), here.objective);
     Eigen::Index worst = 0;
-    if (multipliers.minCoeff(&worst) >= -tolerance::multiplier_rounding) return;
+    if (multipliers.minCoeff(&worst) >= -slack::multiplier_rounding) return;
     active.erase(static_cast<int>(worst));
   }
 }
@@ -110,10 +110,10 @@ DesignVector newton_polish(const SmoothProgram& program, const DesignVector& sta
   DesignVector x = start;
   for (int i = 0; i < most_steps; ++i) {
     const Eigen::VectorXd step = newton_step(program, active, x);
-    if (!step.allFinite() || step.cwiseAbs().maxCoeff() > tolerance::longest_step) return start;
+    if (!step.allFinite() || step.cwiseAbs().maxCoeff() > slack::longest_step) return start;
     x += step;
-    if (step.cwiseAbs().maxCoeff() < tolerance::converged_step) break;
-    if (i + 1 == most_steps && step.cwiseAbs().maxCoeff() > tolerance::last_step) return start;
+    if (step.cwiseAbs().maxCoeff() < slack::converged_step) break;
+    if (i + 1 == most_steps && step.cwiseAbs().maxCoeff() > slack::last_step) return start;
   }
   return x.cwiseMax(program.lower).cwiseMin(program.upper);
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "synthesis/solvers/tolerances.hpp"
+#include "synthesis/solvers/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -105,12 +105,12 @@ LocalResult minimize_by_sqp(const SmoothProgram& program, const DesignVector& st
   nlopt_set_upper_bounds(solver.get(), program.upper.data());
   nlopt_set_min_objective(solver.get(), objective_callback, &run);
   const std::vector<double> tolerance(static_cast<std::size_t>(program.constraint_count),
-                                      tolerance::solver_constraint);
+                                      slack::solver_constraint);
   if (program.constraint_count > 0)
     nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(program.constraint_count),
                                      constraint_callback, &run, tolerance.data());
-  nlopt_set_xtol_rel(solver.get(), tolerance::solver_variables);
-  nlopt_set_ftol_rel(solver.get(), tolerance::solver_cost);
+  nlopt_set_xtol_rel(solver.get(), slack::solver_variables);
+  nlopt_set_ftol_rel(solver.get(), slack::solver_cost);
   nlopt_set_maxeval(solver.get(), most_evaluations);
   LocalResult result{.x = start.cwiseMax(program.lower).cwiseMin(program.upper)};
   double value = 0;

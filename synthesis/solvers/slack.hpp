@@ -1,8 +1,8 @@
 #pragma once
-// Every tolerance of the solvers, each with its reason. Programs come scaled: variables, constraints and costs are of order 1,
+// Every slack and threshold of the solvers, each with its reason. Programs come scaled: variables, constraints and costs are of order 1,
 // so all are without a unit.
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // NLopt and Ipopt: as fine as they reach; what they leave is decided by the search's own check, not by these
 
@@ -35,4 +35,4 @@ inline constexpr double row_rounding = 1e-11;
 /// A multiplier that falls by no more does not fall.
 inline constexpr double fall_rounding = 1e-11;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

@@ -10,10 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/complex_vectors.hpp"
 #include "synthesis/solvers/golden_section.hpp"
-#include "synthesis/tolerance/tolerances.hpp"
+#include "synthesis/tolerance/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -190,13 +191,13 @@ Sensitivities Sensitivities::turned(Complex turn) const {
 }
 
 CopyErrorProfile::CopyErrorProfile(Complex k, Grounding grounding, const CopyTolerance& tolerance)
-    : grounding_(grounding), tolerance_(tolerance), s_(shape_of(k, grounding)),
-      output_(grounding == Grounding::pen ? -k : 1.0), flat_(is_flat(s_)),
+    : pole_is_at_V_(pole_is_at_V(grounding)), tolerance_(tolerance), s_(shape_of(k, grounding)),
+      output_(pen_is_at_V(grounding) ? -k : 1.0), flat_(is_flat(s_)),
       xi_(hole_displacements(1.0 / s_, flat_)), eta_(hole_displacements(s_, flat_)) {}
 
 Sensitivities CopyErrorProfile::sensitivities(double opening) const {
   const Complex e = std::polar(1.0, opening), one{1, 0};
-  const double sine = std::copysign(std::max(std::abs(e.imag()), tolerance::smallest_sine), e.imag());
+  const double sine = std::copysign(std::max(std::abs(e.imag()), slack::smallest_sine), e.imag());
   const double cot = e.real() / sine;
   const Complex side = i_unit * (1.0 - s_);  // i(1-s)
   const std::array<Complex, 2> stretch_VA{(1.0 - s_) - side * cot, 0}, stretch_VB{side * cot, side};
@@ -209,8 +210,7 @@ Sensitivities CopyErrorProfile::sensitivities(double opening) const {
               -s_ * xi_[2] * e,
               eta_[1],
               eta_[2]};
-  const std::array<Complex, 2> pole =
-      grounding_ == Grounding::pole ? stretch_VA : std::array{s_, i_unit * s_};
+  const std::array<Complex, 2> pole = pole_is_at_V_ ? stretch_VA : std::array{s_, i_unit * s_};
   g.play = {pole, stretch_VB, stretch_VA, stretch_VB, {one - side * cot, i_unit - side}};
   for (Complex& each : g.length) each *= output_;
   for (auto& pair : g.play)
@@ -220,7 +220,7 @@ Sensitivities CopyErrorProfile::sensitivities(double opening) const {
 
 Sensitivities CopyErrorProfile::sensitivity_slopes(double opening) const {
   const Complex e = std::polar(1.0, opening);
-  const double sine = std::copysign(std::max(std::abs(e.imag()), tolerance::smallest_sine), e.imag());
+  const double sine = std::copysign(std::max(std::abs(e.imag()), slack::smallest_sine), e.imag());
   const double cosecant_slope = -e.real() / sine / sine, cot_slope = -1 / sine / sine;
   const Complex side = i_unit * (1.0 - s_), turning = i_unit * e;
   const std::array<Complex, 2> stretch_VA{-side * cot_slope, 0}, stretch_VB{side * cot_slope, 0};
@@ -233,7 +233,7 @@ Sensitivities CopyErrorProfile::sensitivity_slopes(double opening) const {
               -s_ * xi_[2] * turning,
               0,
               0};
-  const std::array<Complex, 2> pole = grounding_ == Grounding::pole ? stretch_VA : std::array<Complex, 2>{};
+  const std::array<Complex, 2> pole = pole_is_at_V_ ? stretch_VA : std::array<Complex, 2>{};
   g.play = {pole, stretch_VB, stretch_VA, stretch_VB, {-side * cot_slope, 0}};
   for (Complex& each : g.length) each *= output_;
   for (auto& pair : g.play)
@@ -241,7 +241,11 @@ Sensitivities CopyErrorProfile::sensitivity_slopes(double opening) const {
   return g;
 }
 
-LongestDeviation longest_deviation(const Sensitivities& sensitivities, const CopyTolerance& tolerance) {
+namespace {
+
+/// The longest deviation; or, where one is longer than `enough`, one that is.
+LongestDeviation longest_or_enough(const Sensitivities& sensitivities, const CopyTolerance& tolerance,
+                                   double enough) {
   constexpr int first_sectors = 8, evaluations_allowed = 400;
   LongestDeviation best;
   int evaluations = 0;
@@ -262,21 +266,29 @@ LongestDeviation longest_deviation(const Sensitivities& sensitivities, const Cop
     open.push_back({pi * j / first_sectors, pi * (j + 1) / first_sectors, value, next});
     value = next;
   }
-  while (!open.empty() && evaluations < evaluations_allowed) {
+  const double of_interest = std::isfinite(enough) ? enough : 0;
+  while (!open.empty() && evaluations < evaluations_allowed && best.length <= enough) {
     const Sector sector = open.back();
     open.pop_back();
-    if (sector.bound() <= tolerance::close_enough * best.length) continue;
+    if (sector.bound() <= std::max(slack::close_enough * best.length, of_interest)) continue;
     const double middle = sector.corner();
     const double here = evaluate(middle);
     open.push_back({sector.lower, middle, sector.lower_value, here});
     open.push_back({middle, sector.upper, here, sector.upper_value});
   }
   // To rounding, for the slopes' sake: of all deviations the one farthest along the best one is no shorter.
-  for (double before = 0; best.length > before && evaluations < evaluations_allowed;) {
+  for (double before = 0;
+       best.length > before && best.length <= enough && evaluations < evaluations_allowed;) {
     before = best.length;
     evaluate(std::arg(best.direction));
   }
   return best;
+}
+
+}  // namespace
+
+LongestDeviation longest_deviation(const Sensitivities& sensitivities, const CopyTolerance& tolerance) {
+  return longest_or_enough(sensitivities, tolerance, std::numeric_limits<double>::infinity());
 }
 
 CopyErrorAt CopyErrorProfile::at(double opening) const {
@@ -306,7 +318,9 @@ std::vector<OpeningInterval> CopyErrorProfile::openings_within(double limit,
   std::vector<OpeningInterval> result;
   if (within.empty()) return result;
   const int steps = std::max(8, static_cast<int>(std::ceil(within.width() / radians(0.5))));
-  const auto kept = [&](double d) { return longest_deviation(sensitivities(d), tolerance_).length <= limit; };
+  const auto kept = [&](double d) {
+    return longest_or_enough(sensitivities(d), tolerance_, limit).length <= limit;
+  };
   const auto edge = [&](double inside, double outside) {
     for (int j = 0; j < 50; ++j) {
       const double middle = 0.5 * (inside + outside);
@@ -333,7 +347,7 @@ double CopyErrorProfile::slope_at_most(double sine) const {
   const auto& t = tolerance_.length;
   const auto& play = tolerance_.play;
   const double loop = std::abs(1.0 - s_) / (sine * sine);
-  const double pole = grounding_ == Grounding::pole ? 0.5 * play[0] * loop : 0;
+  const double pole = pole_is_at_V_ ? 0.5 * play[0] * loop : 0;
   const double bars =
       loop * (t[0] + t[1] + t[2] + t[3] + 0.5 * (play[1] + play[2] + play[3] + play[4])) + pole;
   const double turning =
@@ -351,18 +365,17 @@ OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const Ope
     double here = end;
     for (int steps = 0; (other - here) * direction > 0; ++steps) {
       const double sine = std::abs(std::sin(here));
-      if (sine < tolerance::at_change_point) {
-        const double least = tolerance::surely * std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] /
-                             (2 * tolerance::at_change_point);
+      if (sine < slack::at_change_point) {
+        const double least = slack::surely * std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] /
+                             (2 * slack::at_change_point);
         if (!(least > limit)) return here;
-        here += direction * tolerance::at_change_point;
+        here += direction * slack::at_change_point;
         continue;
       }
-      const double excess =
-          tolerance::surely * longest_deviation(sensitivities(here), tolerance_).length - limit;
+      const double excess = slack::surely * longest_deviation(sensitivities(here), tolerance_).length - limit;
       if (!(excess > 0)) return here;
-      const double step = tolerance::surely * std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
-      if (step < tolerance::finest * sine || steps > most_steps) return here;
+      const double step = slack::surely * std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
+      if (step < slack::finest * sine || steps > most_steps) return here;
       here += direction * step;
     }
     return other;

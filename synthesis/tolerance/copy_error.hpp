@@ -57,8 +57,8 @@ double plate_height_at_risk(const CopyingLinkage& linkage, const CopyTolerance& 
 /// Deviation of the pen per unit of each source, as plane vectors.
 struct Sensitivities {
   std::array<Complex, 8> length;  ///< mm/mm
-  std::array<std::array<Complex, 2>, 5>
-      play;  ///< for a displacement of the pin along the frame's x and along y
+  /// For a displacement of the pin along the frame's x and along y.
+  std::array<std::array<Complex, 2>, 5> play;
   /// The same in a frame turned by `turn` (a unit complex number).
   Sensitivities turned(Complex turn) const;
 };
@@ -113,7 +113,7 @@ class CopyErrorProfile {
   /// |d worst / d opening| is nowhere larger where |sin d| is at least `sine`.
   double slope_at_most(double sine) const;
 
-  Grounding grounding_;
+  bool pole_is_at_V_;
   CopyTolerance tolerance_;
   Complex s_, output_;  // output_: pen deviation per unit of the loops' deviation
   bool flat_;

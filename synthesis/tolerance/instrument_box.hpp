@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/interval.hpp"
+#include "kinematics/instrument.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 
 namespace kempe {
@@ -86,8 +87,8 @@ class InstrumentBox {
   Complex shape_;
   bool flat_, straight_;
   std::array<double, length_count> lengths_;
-  CopyingLinkage::Orientation orientation_;
-  int A_of_VX_, B_of_VC_, C_of_XY_, V_of_AB_;
+  LoopSides loop_sides_;
+  DyadSides dyad_sides_;
   Links drawn_, every_;
 };
 

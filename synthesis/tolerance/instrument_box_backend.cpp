@@ -12,7 +12,6 @@
 
 #include <algorithm>
 
-#include "kinematics/instrument.hpp"
 #include "synthesis/tolerance/instrument_box.hpp"
 
 namespace kempe {
@@ -86,13 +85,13 @@ Interval dot(const IntervalComplex& u, const IntervalComplex& v) { return u.re *
 
 /// The joint at distances a from P and b from Q, on the given side of the line from P to Q.
 std::optional<BoxPlace> dyad(const BoxPlace& P, const BoxLength& a, const BoxPlace& Q, const BoxLength& b,
-                             int side) {
+                             Side side) {
   const IntervalComplex w = Q.at - P.at;
   const Interval D = squared_length(w);
   const Interval not_too_far = CGAL::square(a.value + b.value) - D,
                  not_too_near = D - CGAL::square(a.value - b.value);
   if (!is_positive(D) || !is_positive(not_too_far) || !is_positive(not_too_near)) return std::nullopt;
-  const Interval twice_area = Interval(0.5 * side) * CGAL::sqrt(not_too_far * not_too_near);
+  const Interval twice_area = Interval(0.5 * sign(side)) * CGAL::sqrt(not_too_far * not_too_near);
   const Interval f = (Interval(1) + (a.value - b.value) * (a.value + b.value) / D) / Interval(2),
                  g = twice_area / D;
   const IntervalComplex u = w * IntervalComplex{f, g}, v = w * IntervalComplex{f - Interval(1), g};
@@ -103,12 +102,13 @@ std::optional<BoxPlace> dyad(const BoxPlace& P, const BoxLength& a, const BoxPla
   });
 }
 
-/// A triangle of three lengths; `turn` +1 if its third hole lies to the left of the line to C.
-std::optional<BoxPlate> triangle(const BoxLength& a, const BoxLength& b, const BoxLength& c, int turn) {
+/// A triangle of three lengths; `turn`: the side of its third hole, seen from its corner to C.
+std::optional<BoxPlate> triangle(const BoxLength& a, const BoxLength& b, const BoxLength& c, Side turn) {
   const BoxLength factors[] = {a + b + c, b + c - a, a + c - b, a + b - c};
   for (const BoxLength& factor : factors)
     if (!is_positive(factor.value)) return std::nullopt;
-  const BoxLength height = times(0.5 * turn, root((factors[0] * factors[1]) * (factors[2] * factors[3])) / a);
+  const BoxLength height =
+      times(0.5 * sign(turn), root((factors[0] * factors[1]) * (factors[2] * factors[3])) / a);
   const BoxLength foot = times(0.5, a + (b - c) * (b + c) / a);
   return BoxPlate{a, b, c, complex_of(foot, height)};
 }
@@ -148,12 +148,8 @@ BoxPlace conjugate(BoxPlace z) {
 InstrumentBox::InstrumentBox(const CopyingLinkage& linkage, const CopyTolerance& tolerance)
     : grounding_(linkage.grounding()), tolerance_(tolerance), shape_(linkage.shape()),
       flat_(is_flat(linkage.shape())), straight_(is_straight(linkage.shape())),
-      lengths_(linkage.lengths().values()), orientation_(linkage.orientation()) {
-  const DyadSides sides = instrument_of(linkage).sides;
-  A_of_VX_ = sides.A_of_VX;
-  B_of_VC_ = sides.B_of_VC;
-  C_of_XY_ = sides.C_of_XY;
-  V_of_AB_ = sides.V_of_AB;
+      lengths_(linkage.lengths().values()), loop_sides_(linkage.assembly_mode().sides) {
+  dyad_sides_ = instrument_of(linkage).sides;
   const OutwardRounding rounding;
   drawn_ = links(false);
   every_ = links(true);
@@ -179,8 +175,8 @@ InstrumentBox::Links InstrumentBox::links(bool every) const {
     links.ACX = flat_plate(AC, AX, CX, {to_Y.re, -to_Y.im});
     links.BCY = flat_plate(BC, BY, CY, to_Y);
   } else {
-    links.ACX = triangle(AC, AX, CX, orientation_.plate_ACX);
-    links.BCY = triangle(BC, BY, CY, orientation_.plate_BCY);
+    links.ACX = triangle(AC, AX, CX, loop_sides_.plate_ACX);
+    links.BCY = triangle(BC, BY, CY, loop_sides_.plate_BCY);
   }
   return links;
 }
@@ -199,11 +195,11 @@ std::optional<BoxPose> InstrumentBox::posed(const Links& links, const Interval& 
     if (place) pose[hole] = *place;
     return place.has_value();
   };
-  if (grounding_ == Grounding::pen) {
+  if (pen_is_at_V(grounding_)) {
     pose[Hole::X_ACX] = pin(PinConnection::pole);
     pose[Hole::Y_BCY] = pose[Hole::tracer];
     if (!put(Hole::C_BCY, dyad(pose[Hole::X_ACX] + pin(PinConnection::C), one.C_to_third, pose[Hole::Y_BCY],
-                               two.C_to_third, C_of_XY_)))
+                               two.C_to_third, dyad_sides_.C_of_XY)))
       return std::nullopt;
     pose[Hole::C_ACX] = pose[Hole::C_BCY] - pin(PinConnection::C);
     const auto corner = [](const BoxPlate& plate, const BoxPlace& C, const BoxPlace& third) {
@@ -214,23 +210,24 @@ std::optional<BoxPose> InstrumentBox::posed(const Links& links, const Interval& 
     pose[Hole::B_BCY] = corner(two, pose[Hole::C_BCY], pose[Hole::Y_BCY]);
     pose[Hole::A_VA] = pose[Hole::A_ACX] - pin(PinConnection::A);
     pose[Hole::B_VB] = pose[Hole::B_BCY] - pin(PinConnection::B);
-    if (!put(Hole::V_VA, dyad(pose[Hole::A_VA], VA, pose[Hole::B_VB] - pin(PinConnection::V), VB, V_of_AB_)))
+    if (!put(Hole::V_VA,
+             dyad(pose[Hole::A_VA], VA, pose[Hole::B_VB] - pin(PinConnection::V), VB, dyad_sides_.V_of_AB)))
       return std::nullopt;
     pose[Hole::V_VB] = pose[Hole::V_VA] + pin(PinConnection::V);
   } else {
-    const bool pole_at_V = grounding_ == Grounding::pole;
+    const bool pole_at_V = pole_is_at_V(grounding_);
     pose[Hole::V_VA] = pole_at_V ? pin(PinConnection::pole) : pose[Hole::tracer];
     pose[Hole::V_VB] = pole_at_V ? pin(PinConnection::V) : pose[Hole::V_VA] + pin(PinConnection::V);
     pose[Hole::X_ACX] = pole_at_V ? pose[Hole::tracer] : pin(PinConnection::pole);
     if (!put(Hole::A_VA, dyad(pose[Hole::V_VA], VA, pose[Hole::X_ACX] - pin(PinConnection::A),
-                              one.corner_to_third, A_of_VX_)))
+                              one.corner_to_third, dyad_sides_.A_of_VX)))
       return std::nullopt;
     pose[Hole::A_ACX] = pose[Hole::A_VA] + pin(PinConnection::A);
     pose[Hole::C_ACX] = pose[Hole::A_ACX] +
                         (pose[Hole::X_ACX] - pose[Hole::A_ACX]) * (along_axis(one.corner_to_C) / one.third);
     pose[Hole::C_BCY] = pose[Hole::C_ACX] + pin(PinConnection::C);
     if (!put(Hole::B_VB, dyad(pose[Hole::V_VB], VB, pose[Hole::C_BCY] - pin(PinConnection::B),
-                              two.corner_to_C, B_of_VC_)))
+                              two.corner_to_C, dyad_sides_.B_of_VC)))
       return std::nullopt;
     pose[Hole::B_BCY] = pose[Hole::B_VB] + pin(PinConnection::B);
     pose[Hole::Y_BCY] = pose[Hole::B_BCY] +

@@ -39,7 +39,7 @@ struct Robustness {
   std::optional<double> nominal_value{};
 };
 
-/// Proven with directed rounding, but for the drawn linkage's own gap to obstacles, which is the map's. The region must not
+/// Proven, rounded outwards with the slack that docs/robust.md states, but for the drawn linkage's own gap to obstacles, which is the map's. The region must not
 /// be empty. Takes some hundredths of a second.
 RobustCheck check_robust(const MapTask& task, const CopyTolerance& tolerance);
 

@@ -56,7 +56,7 @@ std::vector<Hole> seats_of(const Part& part, const CopyingLinkage& linkage) {
   switch (part.joint) {
     case Joint::V:
       if (part.kind != Part::Kind::pin) return {Hole::V_VA};
-      if (linkage.grounding() == Grounding::pole) return {Hole::V_VA, Hole::V_VB, Hole::pole};
+      if (pole_is_at_V(linkage.grounding())) return {Hole::V_VA, Hole::V_VB, Hole::pole};
       return {Hole::V_VA, Hole::V_VB};
     case Joint::A: return {Hole::A_VA, Hole::A_ACX};
     case Joint::B: return {Hole::B_VB, Hole::B_BCY};
@@ -372,7 +372,7 @@ RobustCheck check_robust(const MapTask& task, const CopyTolerance& tolerance) {
   if (!check.closes || task.obstacles.empty()) return check;
   if (const auto post = tightest_at_pole(task); post && post->gap < check.clearance) {
     check.clearance = post->gap;  // neither moves
-    check.parts = post->post + " and " + obstacle_name(task.obstacles, post->obstacle);
+    check.parts = post->post + " and " + post->obstacle;
     check.at_distance = 0;
   }
   const double own = check.clearance;

@@ -1,8 +1,8 @@
 #pragma once
-// Every numerical tolerance of the copy error, each with its unit and its reason. (How much a linkage's joints and holes may
+// Every slack of the copy error, each with its unit and its reason. (How much a linkage's joints and holes may
 // be off is CopyTolerance.)
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 /// None: keeps the change point a huge number instead of a division by zero.
 inline constexpr double smallest_sine = 1e-120;
@@ -17,4 +17,4 @@ inline constexpr double finest = 1e-6;
 /// told there from below, with twice this sine.
 inline constexpr double at_change_point = 1e-4;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

@@ -7,10 +7,10 @@
 // finish                the best by the second solver
 //
 // Under a time limit all this comes after a first look: a share of the limit goes to a proof as far as it comes and to a first
-// design, which are kept for the case that the time runs out. Where the workshop dictates lengths, the best design with any
+// design, which are kept for the case that the time runs out. Where there are stock lengths, the best design with any
 // lengths leads to those.
 
-#include "synthesis/search/best_design.hpp"
+#include "synthesis/search/best/best_design.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@
 #include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/strategies/stock_lengths.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
-#include "synthesis/search/tree_search.hpp"
+#include "synthesis/search/strategies/tree_search.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
@@ -57,12 +57,22 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
   return {.design = best.design, .stopped = task.stopped(), .evaluations = best.evaluations};
 }
 
-/// The best with any lengths; where the workshop dictates lengths, they leave time for those.
+/// The best with any lengths. Among obstacles, where there are stock lengths to come, by the tree if it closes.
 SearchResult best_of_any_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
-  const bool in_part = has_stock_lengths(task.spec()) && task.control.has_time_limit();
-  return best_by(strategy_for(task.goal),
-                 in_part ? task.with(task.control.part_of_time(task.budgets().time.any_lengths)) : task,
-                 known);
+  if (!has_stock_lengths(task.spec())) return best_by(strategy_for(task.goal), task, known);
+  const SearchTask in_part = task.control.has_time_limit()
+                                 ? task.with(task.control.part_of_time(task.budgets().time.any_lengths))
+                                 : task;
+  Spec spec = task.spec();
+  spec.links.stock_lengths = {};
+  const SearchTask any{std::make_shared<const SearchProblem>(spec, task.limits), in_part.control, task.limits,
+                       task.goal};
+  SearchResult by_tree = suits_tree_search(any) ? best_by_tree(any) : SearchResult{};
+  if (by_tree.exhausted || by_tree.proven_none) return by_tree;
+  SearchResult found = best_by(strategy_for(task.goal), in_part, known);
+  keep_better(task.goal, by_tree.design, found.design);
+  found.evaluations += by_tree.evaluations;
+  return found;
 }
 
 /// What no design can beat, of goals that the bound's tree knows.
@@ -79,6 +89,7 @@ SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
   SearchResult found = best_of_any_lengths(task, starts_of(proof));
+  if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
   if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);
   found.stopped = found.stopped || stopped;

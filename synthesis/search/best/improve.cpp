@@ -1,19 +1,19 @@
-#include "synthesis/search/improve.hpp"
+#include "synthesis/search/best/improve.hpp"
 
 #include <cmath>
 
 #include "geometry/invariant.hpp"
 #include "synthesis/bound/proven_bound.hpp"
-#include "synthesis/search/best_design.hpp"
-#include "synthesis/search/nearby_search.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/best/nearby_search.hpp"
+#include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
 namespace {
 
 /// The bound is one of designs with the exact ratio.
 bool has_exact_ratio(const FoundDesign& design, const Spec& spec) {
-  return std::abs(design.linkage.k() - spec.copy.k()) <= tolerance::same_ratio * std::abs(spec.copy.k());
+  return std::abs(design.linkage.k() - spec.copy.k()) <= slack::same_ratio * std::abs(spec.copy.k());
 }
 
 /// A stopped search's design with the better of the bounds that it came to.

@@ -1,10 +1,10 @@
-#include "synthesis/search/nearby_search.hpp"
+#include "synthesis/search/best/nearby_search.hpp"
 
 #include <cmath>
 
 #include "geometry/chance.hpp"
 #include "synthesis/search/steps/certify.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
@@ -55,7 +55,7 @@ std::vector<Hop> hops_around(const CopyingLinkage& best, const SearchTask& task,
 void keep_hop(const SearchTask& task, Subproblem& sub, const ChoiceResult& result, SearchResult& found) {
   found.evaluations += result.evaluations;
   const double now = is_maximized(task.goal) ? -found.design->value : found.design->value;
-  if (!result.feasible || result.cost > now - tolerance::hop_gain * std::abs(now)) return;
+  if (!result.feasible || result.cost > now - slack::hop_gain * std::abs(now)) return;
   if (const ChoiceResult kept = certified(task, sub, result); kept.feasible)
     keep_better(task.goal, design_of(task, sub, kept), found.design);
 }
@@ -77,7 +77,7 @@ SearchResult best_from(const RelaxedDesign& start, const SearchTask& asked, Sear
 
 SearchResult basin_hopping(const SearchTask& task, SearchResult found) {
   const CopyingLinkage& known = found.design->linkage;
-  std::vector<Subproblem> subproblems = subproblems_of(task, known.grounding(), known.assembly_mode());
+  std::vector<Subproblem> subproblems = subproblems_of(task, known.grounding(), known.assembly_mode().number);
   Chance chance(task.control.options().seed);
   const ImproveBudget& budget = task.budgets().improve;
   const int rounds = (budget.hops + budget.hops_at_once - 1) / budget.hops_at_once;

@@ -1,4 +1,4 @@
-#include "synthesis/search/diagnosis.hpp"
+#include "synthesis/search/diagnosis/diagnosis.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,17 +7,16 @@
 #include <cmath>
 
 #include "synthesis/problem/obstacle_reach.hpp"
-#include "synthesis/search/relaxations.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
+#include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
 namespace {
 
 /// The share of itself by which a limit has to give; 1 for what is left out, moved elsewhere or taken away.
 double give(const Relaxation& r) {
-  return r.possible
-             ? std::abs(*r.possible - r.demanded) / std::max(std::abs(r.demanded), tolerance::least_demand)
-             : 1;
+  return r.possible ? std::abs(*r.possible - r.demanded) / std::max(std::abs(r.demanded), slack::least_demand)
+                    : 1;
 }
 
 /// First what costs a limit little, then what else restricts designs, then all of it from other random numbers.
@@ -26,7 +25,8 @@ Questions asked(const SearchTask& task, const Point& origin, bool thorough) {
   relax_limits(questions);
   relax_joints(questions);
   relax_obstacles(questions);
-  for (const auto relax : {relax_pole, relax_workshop, relax_parts})
+  relax_bodies(questions);
+  for (const auto relax : {relax_pole, relax_stock_lengths, relax_parts})
     if (questions.found().empty()) relax(questions);
   return questions;
 }
@@ -34,8 +34,9 @@ Questions asked(const SearchTask& task, const Point& origin, bool thorough) {
 Questions asked_of_plain(const SearchTask& task, const std::string& requirement, const Point& origin,
                          bool thorough) {
   Questions questions(task, origin, thorough);
-  if (requirement == "limits.sheets_gap_mm") relax_sheets_gap(questions);
+  if (requirement == "limits.sheets_gap_mm") relax_copy_gap(questions);
   if (requirement == "obstacles") relax_obstacles(questions);
+  if (requirement == "table") relax_bodies(questions);
   if (task.spec().pole.is_fixed() && !requirement.starts_with("links.")) relax_pole(questions);
   return questions;
 }
@@ -46,7 +47,7 @@ Questions asked_twice(const Ask& ask) {
   Questions questions = ask(false);
   if (!questions.found().empty() || questions.stopped()) return questions;
   Questions again = ask(true);
-  again.count(questions.evaluations());
+  again.add_earlier(questions.evaluations());
   return again;
 }
 
@@ -60,7 +61,7 @@ void take_answers(const Questions& questions, NoDesign& none) {
 
 /// What was changed in vain.
 std::string in_vain(const NoDesign& none, const Questions& questions) {
-  if (!none.diagnosed) return "; stopped before it was known which limit to relax";
+  if (!none.diagnosed) return "; the diagnosis ended before it was known which limit to relax";
   if (questions.noted().empty()) return "";
   return fmt::format("; none was found with one of these alone relaxed: {}",
                      fmt::join(questions.noted(), ", "));

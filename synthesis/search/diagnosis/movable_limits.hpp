@@ -20,16 +20,15 @@ inline constexpr std::array movable_limits{
     MovableLimit{Goal::transmission, "limits.transmission_deg", pi / 180, 0},
     MovableLimit{Goal::clearance, "limits.clearance_mm", 1, 0},
     MovableLimit{Goal::longest, "links.longest_mm", 1, 1e6},
-    MovableLimit{Goal::sheets_gap, "limits.sheets_gap_mm", 1, 0},
+    MovableLimit{Goal::copy_gap, "limits.sheets_gap_mm", 1, 0},
     MovableLimit{Goal::copy_error, "limits.copy_error_mm", 1, 1e3},
     MovableLimit{Goal::pole_margin, "pole.within_mm", 1, 1e4},
 };
 
 /// The limit's value in force; nothing if the spec does not have it.
 std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goal goal);
-Requirements moved(Requirements limits, Goal goal, double value);
 
-/// The limit moved past the value attained (tolerance::give_of_value), rounded outwards to at most six digits in its own
+/// The limit moved past the value attained (slack::give_of_value), rounded outwards to at most six digits in its own
 /// unit; never past the loosest.
 double possible_value(const MovableLimit& limit, double demanded, double attained);
 

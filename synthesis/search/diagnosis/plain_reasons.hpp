@@ -12,4 +12,7 @@ namespace kempe {
 /// these is in the way. What must change need not be enough: diagnose_plain() says whether it is.
 std::optional<NoDesign> plainly_impossible(const Spec& spec);
 
+/// Of these what holds of a given mechanism too: a fixed pole under an obstacle, or off the table.
+std::optional<NoDesign> pole_blocked(const Spec& spec);
+
 }  // namespace kempe

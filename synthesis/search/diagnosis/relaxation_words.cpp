@@ -1,4 +1,4 @@
-#include "synthesis/search/relaxation_words.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,11 @@ namespace kempe {
 double rounded_down(double value) {
   const double step = std::pow(10, std::floor(std::log10(value)) - 3);
   return std::floor(value / step) * step;
+}
+
+double rounded_up(double value) {
+  const double step = std::pow(10, std::floor(std::log10(value)) - 5);
+  return std::ceil(value / step) * step;
 }
 
 std::string place_text(const Point& place) {

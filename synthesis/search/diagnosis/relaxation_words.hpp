@@ -3,6 +3,7 @@
 // the printed value into the spec gets the spec that was searched.
 
 #include <string>
+#include <string_view>
 
 #include "specs/spec.hpp"
 
@@ -10,6 +11,8 @@ namespace kempe {
 
 /// To four digits, not more than the value (above 0).
 double rounded_down(double value);
+/// To the six digits that sentences print, not less than the value (above 0).
+double rounded_up(double value);
 /// A place as a spec states it: "(12.5, -3)".
 std::string place_text(const Point& place);
 /// "two holes of 6 mm with a wall of 0.6 mm between them stand 6.6 mm apart"
@@ -18,5 +21,8 @@ std::string holes_sentence(const Spec& spec);
 std::string would_do(const std::string& key, double demanded, double possible);
 /// "links.grid_mm is in the way; without it a design exists"
 std::string without_it(const std::string& what);
+/// What follows the sentence of a change that need not be the least.
+inline constexpr std::string_view may_be_smaller =
+    " (a smaller change may do: the search for the least ended early)";
 
 }  // namespace kempe

@@ -1,10 +1,10 @@
-#include "synthesis/search/relaxations.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
 
 #include <algorithm>
 
-#include "synthesis/search/best_design.hpp"
-#include "synthesis/search/improve.hpp"
-#include "synthesis/search/relaxation_words.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/best/improve.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
 
 namespace kempe {
 
@@ -15,7 +15,7 @@ SearchResult Questions::best(const SearchTask& asked) {
   SearchResult found = best_design(asked);
   if (thorough_ && !found.design && !found.proven_none)
     found = searched_again(asked, std::move(found), has_design);
-  evaluations_ += found.evaluations;
+  count(found.evaluations);
   return found;
 }
 
@@ -24,12 +24,24 @@ std::optional<FoundDesign> Questions::best_of(const Spec& other) {
   return best(pose(other, task_.control.silent_part())).design;
 }
 
+void Questions::count(std::uint64_t evaluations) {
+  evaluations_ += evaluations;
+  spent_ += std::max(evaluations, budget().least_of_search);
+}
+
 void Questions::note(const std::string& key) {
   if (std::find(noted_.begin(), noted_.end(), key) == noted_.end()) noted_.push_back(key);
 }
 
+bool Questions::has_had_its_share(std::uint64_t began) const {
+  const double share = budget().one_limit * static_cast<double>(budget().evaluations);
+  return stopped() || static_cast<double>(spent_ - began) >= share;
+}
+
 void Questions::keep(std::optional<Relaxation> found) {
-  if (found) found_.push_back(*std::move(found));
+  if (!found) return;
+  if (!found->is_least) found->sentence += may_be_smaller;
+  found_.push_back(*std::move(found));
 }
 
 bool Questions::has(const std::string& key) const {
@@ -52,7 +64,7 @@ std::optional<Thinned> thinned(Questions& questions, double LinkStyle::*part, do
     if (found) design = found;
   }
   if (!design) return std::nullopt;
-  return Thinned{enough, *std::move(design)};
+  return Thinned{enough, *std::move(design), !questions.stopped()};
 }
 
 }  // namespace kempe

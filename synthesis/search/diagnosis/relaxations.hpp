@@ -21,17 +21,25 @@ class Questions {
   const DiagnosisBudget& budget() const { return task_.budgets().diagnosis; }
   /// Of the task's coordinates on the table, mm.
   const Point& origin() const { return origin_; }
-  bool stopped() const { return task_.stopped(); }
+  /// True once no other search is to begin: the task is stopped, or the budget of this round is spent.
+  bool stopped() const { return task_.stopped() || spent_ >= budget().evaluations; }
+  /// Of the budget, so far.
+  std::uint64_t spent() const { return spent_; }
+  /// True once the search for the least change of one limit, begun when so much was spent, has had its share.
+  bool has_had_its_share(std::uint64_t began) const;
 
   /// The best design for other limits or another goal.
   SearchResult best(const SearchTask& asked);
   /// The best design for another spec.
   std::optional<FoundDesign> best_of(const Spec& other);
   /// Counts the work of a search made elsewhere.
-  void count(std::uint64_t evaluations) { evaluations_ += evaluations; }
+  void count(std::uint64_t evaluations);
+  /// Adds the evaluations of the round before, which this one's budget does not pay for.
+  void add_earlier(std::uint64_t evaluations) { evaluations_ += evaluations; }
 
   /// A key that is about to be changed alone.
   void note(const std::string& key);
+  /// The sentence of a change that need not be the least says so from here on.
   void keep(std::optional<Relaxation> found);
   /// What was changed by that key already, with a design.
   bool has(const std::string& key) const;
@@ -46,28 +54,34 @@ class Questions {
   bool thorough_;
   std::vector<std::string> noted_;
   std::vector<Relaxation> found_;
-  std::uint64_t evaluations_ = 0;
+  std::uint64_t evaluations_ = 0, spent_ = 0;
 };
 
 /// Limits with a value: the least change of it; those that can be left out: without it, where no value does.
 void relax_limits(Questions& questions);
-void relax_sheets_gap(Questions& questions);
+void relax_copy_gap(Questions& questions);
 /// The joints of a link nearer to each other: by shortest_mm, or by wall or pin.
 void relax_joints(Questions& questions);
 /// Obstacles away, one by one or all.
 void relax_obstacles(Questions& questions);
+/// Bodies, all together, and the table's edge.
+void relax_bodies(Questions& questions);
 /// The pole wherever a link can reach the region from.
 void relax_pole(Questions& questions);
-/// What the workshop and the objective dictate left out: grid, stock, locked lengths, groundings; more layers.
-void relax_workshop(Questions& questions);
+/// What the stock lengths and the objective ask left out: grid, stock, locked lengths, groundings; more layers.
+void relax_stock_lengths(Questions& questions);
 /// Thinner pins, narrower links.
 void relax_parts(Questions& questions);
+
+/// The thickest hardware of the spec's kind with which there is a design.
+std::optional<Relaxation> smaller_hardware(Questions& questions);
 
 /// The thickest pin (or width) with which there is a design, and that design; nothing if none has one. By halving: thinner
 /// parts never forbid what thicker ones allow.
 struct Thinned {
   double value;  ///< mm
   FoundDesign design;
+  bool is_least;  ///< as in Relaxation
 };
 std::optional<Thinned> thinned(Questions& questions, double LinkStyle::*part, double least);
 

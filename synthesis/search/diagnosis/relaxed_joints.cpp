@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "synthesis/search/relaxation_words.hpp"
-#include "synthesis/search/relaxed_limits.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/diagnosis/relaxed_limits.hpp"
+#include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -22,7 +22,7 @@ std::optional<Relaxation> thinner_wall(Questions& questions) {
   const double bore = joint_width(spec);
   const MovableLimit limit{
       Goal::shortest, "links.wall_mm", 1,
-      std::max({spec.links.shortest, (1 + tolerance::least_wall_share) * bore, tolerance::nearest_joints})};
+      std::max({spec.links.shortest, (1 + slack::least_wall_share) * bore, slack::nearest_joints})};
   auto found = relaxed(questions, limit);
   if (!found) return std::nullopt;
   found->sentence = holes_would_do(spec, limit.key, least_wall(spec), *found->possible - bore);
@@ -34,16 +34,17 @@ std::optional<Relaxation> thinner_pins(Questions& questions) {
   const Spec& spec = questions.spec();
   const double pin = spec.links.style.pin_diameter;
   questions.note("links.pin_diameter_mm");
-  auto found = thinned(questions, &LinkStyle::pin_diameter, rounded_down(tolerance::least_wall_share * pin));
+  auto found = thinned(questions, &LinkStyle::pin_diameter, rounded_down(slack::least_wall_share * pin));
   if (!found) return std::nullopt;
   Spec with_thinner = spec;
   with_thinner.links.style.pin_diameter = found->value;
-  return Relaxation{Goal::shortest,
-                    "links.pin_diameter_mm",
-                    questions.limits().shortest,
-                    least_joint_distance(with_thinner),
-                    holes_would_do(spec, "links.pin_diameter_mm", pin, found->value),
-                    std::move(found->design)};
+  return Relaxation{.limit = Goal::shortest,
+                    .key = "links.pin_diameter_mm",
+                    .demanded = questions.limits().shortest,
+                    .possible = least_joint_distance(with_thinner),
+                    .sentence = holes_would_do(spec, "links.pin_diameter_mm", pin, found->value),
+                    .design = std::move(found->design),
+                    .is_least = found->is_least};
 }
 
 }  // namespace
@@ -52,11 +53,13 @@ void relax_joints(Questions& questions) {
   if (questions.stopped()) return;
   const double holes = hole_distance(questions.spec()), shortest = questions.spec().links.shortest;
   if (shortest > holes)
-    return questions.keep(relaxed(
-        questions, {Goal::shortest, "links.shortest_mm", 1, std::max(holes, tolerance::nearest_joints)}));
+    return questions.keep(
+        relaxed(questions, {Goal::shortest, "links.shortest_mm", 1, std::max(holes, slack::nearest_joints)}));
   if (shortest == holes) return;
   auto found = thinner_wall(questions);
-  questions.keep(found ? std::move(found) : thinner_pins(questions));
+  if (!found)
+    found = questions.spec().links.hardware.empty() ? thinner_pins(questions) : smaller_hardware(questions);
+  questions.keep(std::move(found));
 }
 
 }  // namespace kempe

@@ -2,31 +2,33 @@
 // limit moved there, a little further so that rounding does no harm; the spec searched again with it. A limit that can be
 // left out is left out where no value is enough.
 
-#include "synthesis/search/relaxed_limits.hpp"
+#include "synthesis/search/diagnosis/relaxed_limits.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
-#include "synthesis/search/nearby_search.hpp"
-#include "synthesis/search/relaxation_words.hpp"
+#include "synthesis/search/best/nearby_search.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
 
 namespace kempe {
 namespace {
 
 RelaxedDesign start_at(const CopyingLinkage& linkage) {
-  return {linkage.grounding(), linkage.assembly_mode(), linkage.VA(), linkage.VB(), linkage.pole(), {}};
+  return {
+      linkage.grounding(), linkage.assembly_mode().number, linkage.VA(), linkage.VB(), linkage.pole(), {}};
 }
 
 /// A design nearer to what is demanded than `best` by one of the budget's shares, found by a search for the spec's objective.
+/// `began`: what was spent when the search for this limit did.
 std::optional<FoundDesign> nearer(Questions& questions, const MovableLimit& limit, double demanded,
-                                  const FoundDesign& best) {
+                                  const FoundDesign& best, std::uint64_t began) {
   const SearchTask& task = questions.task();
   for (const double share : questions.budget().nearer) {
-    if (questions.stopped()) break;
+    if (questions.has_had_its_share(began)) break;
     const double value = demanded + share * (best.attained.of(limit.goal) - demanded);
-    const Requirements narrowed = moved(questions.limits(), limit.goal, value);
+    const Requirements narrowed = with_limit(questions.limits(), limit.goal, value);
     const auto found = questions.best(task.with(narrowed, task.goal)).design;
     if (!found) continue;
     const SearchResult polished = best_from(start_at(found->linkage), task.with(narrowed, limit.goal), {});
@@ -36,29 +38,43 @@ std::optional<FoundDesign> nearer(Questions& questions, const MovableLimit& limi
   return std::nullopt;
 }
 
+struct BestAttained {
+  FoundDesign design;
+  bool is_best;  ///< false: the search for a better one was ended
+};
+
 /// The best that designs can have of a limit while all others hold. Its own search may miss where the pole wanders far: a
 /// search for the spec's objective with the limit nearer to what is demanded finds what it missed.
-std::optional<FoundDesign> best_attained(Questions& questions, const MovableLimit& limit, double demanded) {
+std::optional<BestAttained> best_attained(Questions& questions, const MovableLimit& limit, double demanded) {
+  const std::uint64_t began = questions.spent();
   auto best =
-      questions.best(questions.task().with(moved(questions.limits(), limit.goal, limit.loosest), limit.goal))
+      questions
+          .best(questions.task().with(with_limit(questions.limits(), limit.goal, limit.loosest), limit.goal))
           .design;
-  for (int rounds = 0; best && rounds < questions.budget().rounds && !questions.stopped(); ++rounds) {
-    auto found = nearer(questions, limit, demanded, *best);
+  for (int rounds = 0; best && rounds < questions.budget().rounds && !questions.has_had_its_share(began);
+       ++rounds) {
+    auto found = nearer(questions, limit, demanded, *best, began);
     if (!found) break;
     best = std::move(found);
   }
-  return best;
+  if (!best) return std::nullopt;
+  return BestAttained{*std::move(best), !questions.has_had_its_share(began)};
 }
 
 /// The limit moved to where a design attains it; the search of the spec with that value may need it looser still.
 Relaxation moved_to(Questions& questions, const MovableLimit& limit, double demanded,
-                    const FoundDesign& best) {
+                    const BestAttained& best) {
   const SearchTask& task = questions.task();
-  const double possible = possible_value(limit, demanded, best.attained.of(limit.goal));
+  const double possible = possible_value(limit, demanded, best.design.attained.of(limit.goal));
   const auto again =
-      questions.best(task.with(moved(questions.limits(), limit.goal, possible), task.goal)).design;
-  return {limit.goal,          limit.key, demanded, possible, sentence_of(limit, demanded, possible),
-          again.value_or(best)};
+      questions.best(task.with(with_limit(questions.limits(), limit.goal, possible), task.goal)).design;
+  return {.limit = limit.goal,
+          .key = limit.key,
+          .demanded = demanded,
+          .possible = possible,
+          .sentence = sentence_of(limit, demanded, possible),
+          .design = again.value_or(best.design),
+          .is_least = best.is_best};
 }
 
 bool has_loosest(const MovableLimit& limit, double value) {
@@ -78,12 +94,12 @@ std::string without_gap(const Spec& spec, double demanded, const CopyingLinkage&
                      apart ? "" : ", whose copy overlaps the original");
 }
 
-void without_sheets_gap(Questions& questions, double demanded) {
+void without_copy_gap(Questions& questions, double demanded) {
   Spec spec = questions.spec();
-  spec.limits.sheets_gap = std::nullopt;
+  spec.limits.copy_gap = std::nullopt;
   const auto design = questions.best_of(spec);
   if (!design) return;
-  questions.keep(Relaxation{.limit = Goal::sheets_gap,
+  questions.keep(Relaxation{.limit = Goal::copy_gap,
                             .key = "limits.sheets_gap_mm",
                             .demanded = demanded,
                             .sentence = without_gap(spec, demanded, design->linkage),
@@ -124,19 +140,41 @@ std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& limi
   return moved_to(questions, limit, *demanded, *best);
 }
 
-void relax_sheets_gap(Questions& questions) {
-  const auto demanded = questions.limits().sheets_gap;
+void relax_copy_gap(Questions& questions) {
+  const auto demanded = questions.limits().copy_gap;
   if (!demanded || questions.stopped()) return;
-  auto found = relaxed(questions, limit_of(Goal::sheets_gap));
+  auto found = relaxed(questions, limit_of(Goal::copy_gap));
   if (found) return questions.keep(std::move(found));
   questions.note("limits.sheets_gap_mm");
-  without_sheets_gap(questions, *demanded);
+  without_copy_gap(questions, *demanded);
 }
 
+namespace {
+
+/// A longer strip, as far as longest_mm lets links use it.
+std::optional<Relaxation> longer_strip(Questions& questions) {
+  const Spec& spec = questions.spec();
+  const MovableLimit limit{Goal::longest, "limits.longest_strip_mm", 1, spec.links.longest};
+  auto found = relaxed(questions, limit);
+  if (!found) return std::nullopt;
+  found->sentence =
+      would_do(limit.key, *spec.limits.longest_strip, rounded_up(*found->possible + spec.links.style.width));
+  return found;
+}
+
+/// Of longest_mm and longest_strip_mm the one that holds links back.
+void relax_longest(Questions& questions) {
+  questions.keep(strip_is_shorter(questions.spec()) ? longer_strip(questions)
+                                                    : relaxed(questions, limit_of(Goal::longest)));
+}
+
+}  // namespace
+
 void relax_limits(Questions& questions) {
-  for (const Goal goal : {Goal::transmission, Goal::clearance, Goal::longest})
+  for (const Goal goal : {Goal::transmission, Goal::clearance})
     questions.keep(relaxed(questions, limit_of(goal)));
-  relax_sheets_gap(questions);
+  relax_longest(questions);
+  relax_copy_gap(questions);
   relax_copy_error(questions);
   questions.keep(relaxed(questions, limit_of(Goal::pole_margin)));
 }

@@ -1,8 +1,8 @@
 #pragma once
 // One limit with a value, relaxed.
 
-#include "synthesis/search/movable_limits.hpp"
-#include "synthesis/search/relaxations.hpp"
+#include "synthesis/search/diagnosis/movable_limits.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
 
 namespace kempe {
 

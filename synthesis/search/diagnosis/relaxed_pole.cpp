@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "synthesis/problem/local_frame.hpp"
-#include "synthesis/search/relaxation_words.hpp"
-#include "synthesis/search/relaxations.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
 
 namespace kempe {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "synthesis/search/relaxation_words.hpp"
-#include "synthesis/search/relaxations.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
 
 namespace kempe {
 namespace {
@@ -18,23 +18,23 @@ std::vector<OptionalKey> optional_keys(const Spec& spec) {
     keys.push_back({key, spec});
     return keys.back().without;
   };
-  const WorkshopSpec& workshop = spec.links.workshop;
-  if (workshop.grid) without("links.grid_mm").links.workshop.grid = std::nullopt;
-  if (!workshop.stock.empty()) without("links.stock_mm").links.workshop.stock.clear();
-  for (std::size_t i = 0; i < workshop.locked.size(); ++i)
-    if (workshop.locked[i])
-      without(fmt::format("links.{}_mm", LinkLengths::names[i])).links.workshop.locked[i] = std::nullopt;
+  const StockLengths& stock_lengths = spec.links.stock_lengths;
+  if (stock_lengths.grid) without("links.grid_mm").links.stock_lengths.grid = std::nullopt;
+  if (!stock_lengths.stock.empty()) without("links.stock_mm").links.stock_lengths.stock.clear();
+  for (std::size_t i = 0; i < stock_lengths.locked.size(); ++i)
+    if (stock_lengths.locked[i])
+      without(fmt::format("links.{}_mm", LinkLengths::names[i])).links.stock_lengths.locked[i] = std::nullopt;
   if (spec.objective.groundings.size() < all_groundings.size())
     without("objective.groundings").objective.groundings = ObjectiveSpec{}.groundings;
   return keys;
 }
 
-/// More layers than four are of use with obstacles only.
-int most_layers(const Spec& spec) { return spec.obstacles.empty() ? 4 : 8; }
+/// More layers than four are of use with obstacles or bodies only.
+int layers_of_use(const Spec& spec) { return spec.obstacles.empty() && spec.bodies.empty() ? 4 : 8; }
 
 void more_layers(Questions& questions) {
   Spec spec = questions.spec();
-  const int most = most_layers(spec), demanded = spec.links.layers;
+  const int most = layers_of_use(spec), demanded = spec.links.layers;
   if (demanded >= most || questions.stopped()) return;
   questions.note("links.layers");
   spec.links.layers = most;
@@ -48,12 +48,13 @@ void more_layers(Questions& questions) {
     }
   questions.keep(Relaxation{.key = "links.layers",
                             .sentence = would_do("links.layers", demanded, enough),
-                            .design = *std::move(design)});
+                            .design = *std::move(design),
+                            .is_least = !questions.stopped()});
 }
 
 }  // namespace
 
-void relax_workshop(Questions& questions) {
+void relax_stock_lengths(Questions& questions) {
   for (const OptionalKey& one : optional_keys(questions.spec())) {
     if (questions.stopped()) return;
     questions.note(one.key);

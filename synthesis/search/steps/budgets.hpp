@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "kempe/point.hpp"
 
@@ -127,6 +128,12 @@ struct StockBudget {
 
 /// Of why there is no design (diagnosis.hpp).
 struct DiagnosisBudget {
+  /// Evaluations of all questions of one round: once they are spent no other search begins.
+  std::uint64_t evaluations = 3'000'000;
+  /// Share of them that the search for the least change of one limit may have: the other limits are to have their turn.
+  double one_limit = 0.5;
+  /// A search counts as at least so many: its proof takes about their time, and is often all that there is of it.
+  std::uint64_t least_of_search = 20'000;
   int rounds = 8;  ///< of looking for a design nearer to what is demanded
   /// Of the way from what is demanded to what is attained: where such a design is looked for, the nearest first.
   std::array<double, 3> nearer{0.5, 0.9, 0.98};
@@ -150,10 +157,10 @@ struct RobustBudget {
 struct TimeShares {
   double proof = 0.2;         ///< when the first proof must end: then the search goes on without it
   double first_design = 0.6;  ///< when the search for a first design must
-  /// Of what is left: the search with any lengths, where the workshop dictates them
+  /// Of what is left: the search with any lengths, where there are stock lengths
   double any_lengths = 0.4;
-  double nominal =
-      0.4;  ///< of what is left: the design that need not be robust, where a robust one is asked for
+  /// Of what is left: the design that need not be robust, where a robust one is asked for
+  double nominal = 0.4;
 };
 
 struct SearchBudgets {

@@ -37,7 +37,7 @@ double shortfall(const Requirements& limits, const DesignCheck& check) {
   switch (*check.broken) {
     case Goal::clearance: return limits.clearance - check.attained.clearance;
     case Goal::transmission: return limits.transmission - check.attained.transmission;
-    case Goal::sheets_gap: return *limits.sheets_gap - check.attained.sheets_gap;
+    case Goal::copy_gap: return *limits.copy_gap - check.attained.copy_gap;
     default: return 0;
   }
 }

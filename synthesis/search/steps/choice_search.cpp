@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
 
 namespace kempe {
@@ -90,7 +90,7 @@ std::vector<Start> starts_of(const DesignProblem& problem, const ChoiceOptions& 
 /// Nothing better can be hoped for.
 bool is_done(const ChoiceResult& best, const ChoiceOptions& options) {
   return best.feasible && options.bound &&
-         best.cost <= *options.bound + tolerance::at_bound * std::abs(*options.bound);
+         best.cost <= *options.bound + slack::at_bound * std::abs(*options.bound);
 }
 
 }  // namespace

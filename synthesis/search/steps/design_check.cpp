@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/regions/region_algebra.hpp"
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
@@ -33,7 +33,7 @@ void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, cons
         copy_error_profile(linkage, CopyTolerance::uniform(*spec.tolerance)).largest(needed).worst.worst;
 }
 
-double sheets_gap(const Spec& spec, const CopyingLinkage& linkage) {
+double copy_gap(const Spec& spec, const CopyingLinkage& linkage) {
   const auto nearest = nearest_places(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()));
   return nearest ? nearest->distance : 0;
 }
@@ -52,19 +52,18 @@ std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, c
                                  const DesignCheck& check) {
   const Attained& has = check.attained;
   const auto below = [](double value, double least) {
-    return value < least - tolerance::limit_rounding * std::abs(least);
+    return value < least - slack::limit_rounding * std::abs(least);
   };
   if (below(has.shortest, limits.shortest)) return Goal::shortest;
   if (below(limits.longest, has.longest)) return Goal::longest;
-  if (below(limits.pole_margin + tolerance::pole_rounding * has.size, has.pole_margin))
-    return Goal::pole_margin;
+  if (below(limits.pole_margin + slack::pole_rounding * has.size, has.pole_margin)) return Goal::pole_margin;
   if (check.needed.empty() || below(has.transmission, limits.transmission)) return Goal::transmission;
   if (has.clearance < limits.clearance || check.opening.empty()) return Goal::clearance;
   if (limits.copy_error && below(*limits.copy_error, has.copy_error)) return Goal::copy_error;
   if (limits.size && below(*limits.size, has.size)) return Goal::size;
-  if (limits.sheets_gap &&
-      !are_apart(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()), *limits.sheets_gap))
-    return Goal::sheets_gap;
+  if (limits.copy_gap &&
+      !are_apart(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()), *limits.copy_gap))
+    return Goal::copy_gap;
   return std::nullopt;
 }
 
@@ -75,7 +74,7 @@ DesignCheck check_design(const Spec& spec, const Requirements& limits, const Cop
   DesignCheck check;
   measure_lengths(linkage, check.attained);
   check.attained.pole_margin = distance_from_place(spec.pole, linkage.pole());
-  if (limits.sheets_gap) check.attained.sheets_gap = sheets_gap(spec, linkage);
+  if (limits.copy_gap) check.attained.copy_gap = copy_gap(spec, linkage);
   if (const auto needed = openings_over(linkage, spec.region)) {
     check.needed = *needed;
     measure_over_openings(spec, linkage, layers, *needed, check.attained);

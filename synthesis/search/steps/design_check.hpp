@@ -15,7 +15,7 @@ struct DesignCheck {
   Attained attained{};         ///< copy_error 0 without [tolerance]; footprint not measured
 };
 
-/// Obstacles are not looked at (obstacle_check.hpp). A limit that is met up to tolerance::limit_rounding of itself
+/// Obstacles are not looked at (obstacle_check.hpp). A limit that is met up to slack::limit_rounding of itself
 /// is met.
 DesignCheck check_design(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                          const LayerAssignment& layers);

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "synthesis/solvers/newton_polish.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
 #include "synthesis/solvers/polish.hpp"
@@ -12,8 +12,8 @@
 namespace kempe {
 
 double merit_of(const DesignProblem& problem, const Assessment& seen) {
-  return seen.cost / problem.goal_scale() + tolerance::missing_weight * seen.violation +
-         (seen.feasible ? 0 : tolerance::infeasible_weight);
+  return seen.cost / problem.goal_scale() + slack::missing_weight * seen.violation +
+         (seen.feasible ? 0 : slack::infeasible_weight);
 }
 
 double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local) {
@@ -68,7 +68,7 @@ ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, con
     evaluations += static_cast<std::uint64_t>(solved.evaluations);
     if (!solved.usable) break;
     x = solved.x;
-    if (!problem.add_violated(rows, x, tolerance::violated_row)) break;
+    if (!problem.add_violated(rows, x, slack::violated_row)) break;
   }
   const DesignVector polished = stop() ? x : newton_polish(problem.program(rows), x);
   ChoiceResult best = judged(problem, problem.point_of(x), local);
@@ -99,7 +99,7 @@ ChoiceResult refine_further(const DesignProblem& problem, const ChoiceResult& fo
   ChoiceResult best = exchange(problem, found.point, second, local, stop);
   const std::uint64_t evaluations = best.evaluations + found.evaluations;
   // Rounding must not make one solver's digits look better than the other's.
-  if (!best.feasible || best.cost > found.cost - tolerance::solver_gain * std::abs(found.cost)) best = found;
+  if (!best.feasible || best.cost > found.cost - slack::solver_gain * std::abs(found.cost)) best = found;
   best.evaluations = evaluations;
   return best;
 }

@@ -24,7 +24,7 @@ ChoiceResult no_result();
 bool better(const ChoiceResult& a, const ChoiceResult& b);
 
 /// What an assessment promises, the less the better: the goal in shares of its scale, and what is missing from the limits
-/// (tolerance::missing_weight).
+/// (slack::missing_weight).
 double merit_of(const DesignProblem& problem, const Assessment& seen);
 /// The same of a point, seen at `local.openings` openings.
 double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);

@@ -9,10 +9,10 @@ namespace kempe {
 ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                               const LayerAssignment& layers, const OpeningInterval& certified_opening,
                               const StopFlag& stop) {
-  MapTask task = map_task(linkage, spec.links.style, layers, spec.limits, spec.obstacles, spec.region);
+  MapTask task = map_task(linkage, layers, spec);
   task.clearance = limits.clearance;
   task.transmission = limits.transmission;
-  task.sheets_gap.reset();  // not the obstacles' matter
+  task.copy_gap.reset();  // not the obstacles' matter
   if (obstacle_at_pole(task)) return {};
   ObstacleCheck check;
   if (const auto figure = smallest_clearance(task, stop)) {

@@ -36,6 +36,8 @@ struct Relaxation {
   std::optional<double> possible{};  ///< the same; absent: left out, taken away, or no limit
   std::string sentence;              ///< "transmission_deg = 30 is in the way; 27.4 would do"
   FoundDesign design;                ///< of the spec with this change alone
+  /// False: the search for a smaller change was ended before it found none, by its budget, time or request.
+  bool is_least = true;
 };
 
 /// Why there is no design.
@@ -45,7 +47,7 @@ struct NoDesign {
   std::vector<Relaxation> relaxations{};  ///< the least share first
   /// Plain, or proven by interval arithmetic (bound/proven_bound.hpp); else a search found nothing.
   bool proven = false;
-  bool diagnosed = true;  ///< false: stopped before every limit had been moved
+  bool diagnosed = true;  ///< false: ended, by its budget, time or request, before every limit had been moved
   /// Names of the obstacles that no permitted instrument can touch.
   std::vector<std::string> obstacles_out_of_reach{};
   std::uint64_t evaluations = 0;

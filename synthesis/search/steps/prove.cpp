@@ -29,16 +29,7 @@ std::optional<FoundDesign> first_design(const SearchTask& task, const std::vecto
 
 }  // namespace
 
-Spec spec_for_tree(const SearchTask& task) {
-  Spec moved = task.space().spec();
-  const Requirements& limits = task.limits;
-  moved.limits.transmission = limits.transmission;
-  moved.limits.clearance = limits.clearance;
-  moved.limits.sheets_gap = limits.sheets_gap;
-  moved.limits.copy_error = limits.copy_error;
-  moved.links.longest = limits.longest;
-  return moved;
-}
+Spec spec_for_tree(const SearchTask& task) { return with_limits(task.space().spec(), task.limits); }
 
 std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop) {
   const Requirements& limits = task.limits;

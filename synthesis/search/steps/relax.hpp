@@ -11,8 +11,8 @@ struct Prospect {
   Subproblem subproblem;
   ChoiceResult relaxed = no_result();  ///< without contact: no design of this choice is better
   std::vector<Point> poles{};          ///< promising without contact
-  std::vector<DesignPoint>
-      known{};  ///< designs of the bound's tree, and places where it could not rule one out
+  /// Designs of the bound's tree, and places where it could not rule one out.
+  std::vector<DesignPoint> known{};
 };
 
 /// In the order of the subproblems; those that differ in their layers alone share their figures.

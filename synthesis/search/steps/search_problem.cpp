@@ -1,7 +1,10 @@
 #include "synthesis/search/steps/search_problem.hpp"
 
+#include <map>
+#include <utility>
+
 #include "synthesis/problem/obstacle_reach.hpp"
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 
 namespace kempe {
@@ -16,7 +19,7 @@ std::vector<OpeningInterval> allowed_openings(const Spec& spec, const Choice& ch
   const CopyErrorProfile profile(spec.copy.k(), choice.grounding, CopyTolerance::uniform(*spec.tolerance));
   std::vector<OpeningInterval> allowed;
   for (const OpeningInterval& within : profile.openings_within(*limits.copy_error, usable))
-    if (const OpeningInterval inside = shrink(within, tolerance::inward_opening); !inside.empty())
+    if (const OpeningInterval inside = shrink(within, slack::inward_opening); !inside.empty())
       allowed.push_back(inside);
   return allowed;
 }
@@ -57,8 +60,14 @@ std::vector<Subproblem> SearchProblem::subproblems_with_mirror_images(const Requ
 std::vector<Subproblem> SearchProblem::subproblems(const Requirements& limits, Goal goal,
                                                    bool mirror_images) const {
   std::vector<Subproblem> all;
+  std::map<std::pair<Grounding, int>, std::vector<OpeningInterval>> known;  // whatever the layers
+  const auto allowed_of = [&](const Choice& choice) -> const std::vector<OpeningInterval>& {
+    const auto [at, is_new] = known.try_emplace({choice.grounding, choice.assembly_mode});
+    if (is_new) at->second = allowed_openings(spec_, choice, limits);
+    return at->second;
+  };
   for (const ContactChoice& choice : choices_)
-    for (const OpeningInterval& allowed : allowed_openings(spec_, choice.choice, limits)) {
+    for (const OpeningInterval& allowed : allowed_of(choice.choice)) {
       if (choice.is_mirror_image && !mirror_images) continue;
       auto problem =
           std::make_unique<DesignProblem>(space_, choice.choice, limits, goal, allowed, choice.terms);

@@ -14,7 +14,7 @@ SearchTask posed_for_its_limits(const SearchTask& task) {
 }
 
 bool has_stock_lengths(const Spec& spec) {
-  return spec.links.workshop.grid || !spec.links.workshop.stock.empty();
+  return spec.links.stock_lengths.grid || !spec.links.stock_lengths.stock.empty();
 }
 
 ChoiceOptions choice_options(const SearchTask& task, const ChoiceBudget& budget) {

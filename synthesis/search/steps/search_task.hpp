@@ -34,7 +34,7 @@ SearchTask pose(const Spec& spec, SearchControl control);
 /// The same task; where its limits reach farther than its problem was posed for, with a problem posed for them.
 SearchTask posed_for_its_limits(const SearchTask& task);
 
-/// True if the workshop dictates lengths: a grid, or a stock.
+/// True if lengths come from a grid or a stock.
 bool has_stock_lengths(const Spec& spec);
 
 /// What a search of one of its choices may spend.

@@ -1,19 +1,19 @@
 #pragma once
-// Every tolerance of the search, each with its unit and its reason; those of the problem stand in
-// synthesis/problem/tolerances.hpp.
+// Every slack and threshold of the search, each with its unit and its reason; those of the problem stand in
+// synthesis/problem/slack.hpp.
 //
 // None of them decides whether a design is right: that is `limit_rounding` of the problem alone. These decide when two
 // figures are one, and which gain is worth more work.
 
-#include "synthesis/problem/tolerances.hpp"
+#include "synthesis/problem/slack.hpp"
 
-namespace kempe::tolerance {
+namespace kempe::slack {
 
 // When two figures are one
 
 /// Share of |k|: a design farther off has another ratio than the spec's (stock lengths), and the bound does not hold for it.
 inline constexpr double same_ratio = 1e-12;
-/// Share of the larger: two lengths of the workshop are one. Grid times a count is rounded, and lengths in mm have no more
+/// Share of the larger: two stock lengths are one. Grid times a count is rounded, and lengths in mm have no more
 /// than seven digits.
 inline constexpr double same_length = 1e-9;
 /// Share of a figure: two points of a front are equal in it. What no user pays for with the other figure.
@@ -67,4 +67,4 @@ inline constexpr double least_wall_share = 1e-3;
 /// worse by at least, so that a feasible one of the same goal comes first.
 inline constexpr double missing_weight = 10, infeasible_weight = 1e-3;
 
-}  // namespace kempe::tolerance
+}  // namespace kempe::slack

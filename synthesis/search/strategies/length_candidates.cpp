@@ -7,7 +7,7 @@
 #include <queue>
 #include <tuple>
 
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// The first `count` pairs by `order`, which rises in VB from `best_VB(VA)` on and falls up to there; pairs of infinite order
 /// are left out. Looks at few of all pairs: a fine grid has billions.
 template <typename Order, typename BestVB>
-std::vector<LengthPair> pairs_in_order(const WorkshopLengths& lengths, std::size_t count, const Order& order,
+std::vector<LengthPair> pairs_in_order(const RatioLengths& lengths, std::size_t count, const Order& order,
                                        const BestVB& best_VB) {
   struct Cursor {
     double order;
@@ -58,7 +58,7 @@ DesignPoint centre_of(const Prospect& prospect, const std::optional<FoundDesign>
   if (any_lengths) {
     const CopyingLinkage& linkage = any_lengths->linkage;
     const Choice& choice = prospect.subproblem.choice->choice;
-    if (linkage.grounding() == choice.grounding && linkage.assembly_mode() == choice.assembly_mode)
+    if (linkage.grounding() == choice.grounding && linkage.assembly_mode().number == choice.assembly_mode)
       return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
   }
   return prospect.relaxed.point;
@@ -77,7 +77,7 @@ std::vector<Shape> shapes_of(const SearchTask& task, const std::vector<Prospect>
   for (auto& [key, alike] : by_shape) {
     const double scale = std::abs(prospects[alike.front()].subproblem.problem->reach().shape());
     shapes.push_back(
-        {std::move(alike), workshop_lengths(task.spec().links.workshop, scale, task.limits.longest)});
+        {std::move(alike), stock_lengths_for(task.spec().links.stock_lengths, scale, task.limits.longest)});
   }
   return shapes;
 }
@@ -95,7 +95,7 @@ std::vector<LengthCandidate> candidates_by_size(const SearchTask& task,
     const Reach::LengthFactors& factors = prospect.subproblem.problem->reach().factors();
     const double per_VA = factors.size_per_VA, per_VB = factors.size_per_VB;
     const auto size = [&](double VA, double VB) { return per_VA * VA + per_VB * VB; };
-    const double least = (1 - tolerance::bound_rounding) *
+    const double least = (1 - slack::bound_rounding) *
                          std::max(prospect.relaxed.cost, any_lengths ? any_lengths->attained.size : 0);
     const auto order = [&](double VA, double VB) {
       const double here = size(VA, VB);

@@ -3,7 +3,7 @@
 
 #include "synthesis/search/steps/relax.hpp"
 #include "synthesis/search/steps/search_result.hpp"
-#include "synthesis/search/strategies/workshop_lengths.hpp"
+#include "synthesis/search/strategies/ratio_lengths.hpp"
 
 namespace kempe {
 
@@ -14,7 +14,7 @@ struct LengthPair {
 /// The prospects that differ in their layers alone: of one grounding, assembly mode and interval of openings.
 struct Shape {
   std::vector<std::size_t> prospects;  ///< indices
-  WorkshopLengths lengths;
+  RatioLengths lengths;
 };
 std::vector<Shape> shapes_of(const SearchTask& task, const std::vector<Prospect>& prospects);
 

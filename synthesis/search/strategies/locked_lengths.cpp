@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "synthesis/search/steps/certify.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 /// The spec with both lengths locked.
 Spec locked(const Spec& spec, const LengthPair& lengths) {
   Spec result = spec;
-  result.links.workshop = {};
-  result.links.workshop.locked[0] = lengths.VA;
-  result.links.workshop.locked[1] = lengths.VB;
+  result.links.stock_lengths = {};
+  result.links.stock_lengths.locked[0] = lengths.VA;
+  result.links.stock_lengths.locked[1] = lengths.VB;
   return result;
 }
 
@@ -88,7 +88,7 @@ SearchResult best_with_locked_lengths(const SearchTask& task, const std::vector<
       locked.search(sub, {}, Goal::size, starts_of(first, candidate.lengths, any_lengths));
   if (!small.feasible) return {.evaluations = locked.evaluations()};
   const ChoiceResult free = goal == Goal::size ? small : locked.search(sub, {}, goal, {small.point});
-  const double near = goal == Goal::footprint ? tolerance::near_free_footprint : tolerance::near_free_cost;
+  const double near = goal == Goal::footprint ? slack::near_free_footprint : slack::near_free_cost;
   SearchResult result;
   int more_layers = task.budgets().stock.more_layers;
   for (const std::size_t i : candidate.shape->prospects) {

@@ -1,5 +1,5 @@
 #pragma once
-// The strategy for lengths that the workshop dictates (workshop_lengths.hpp): pairs of them in a good order, the pole and the
+// The strategy for stock lengths (ratio_lengths.hpp): pairs of them in a good order, the pole and the
 // layers sought for each. Where none keeps the spec's ratio, those of ratios next to it.
 
 #include "synthesis/search/steps/search_result.hpp"
@@ -8,7 +8,7 @@
 namespace kempe {
 
 /// The best design with stock lengths, given the best with any lengths. Size: the best of all. Other goals: the best of those
-/// next to the best with any lengths. The design's linkage has another ratio than the spec where the workshop's lengths do not
+/// next to the best with any lengths. The design's linkage has another ratio than the spec where the stock lengths do not
 /// allow the spec's.
 SearchResult best_with_stock_lengths(const SearchTask& task, const SearchResult& any_lengths);
 

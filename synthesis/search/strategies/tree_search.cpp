@@ -1,9 +1,9 @@
-#include "synthesis/search/tree_search.hpp"
+#include "synthesis/search/strategies/tree_search.hpp"
 
 #include <cmath>
 
 #include "synthesis/search/steps/prove.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
 
 namespace kempe {
@@ -18,7 +18,7 @@ class TreeSearch {
   SearchResult run() {
     const auto tree = searched_by_tree(spec_for_tree(task_),
                                        task_.goal == Goal::size ? Objective::size : Objective::transmission,
-                                       {.tolerance = tolerance::tree_bound,
+                                       {.tolerance = slack::tree_bound,
                                         .boxes = task_.budgets().tree.boxes,
                                         .shortest = task_.limits.shortest,
                                         .stop = task_.stop()},
@@ -46,8 +46,8 @@ class TreeSearch {
     return {.run = [this](const RelaxedDesign& start) { return try_from(start); },
             .most = task_.budgets().tree.trials,
             .places = task_.space().tracer_places(),
-            .margin = tolerance::inward_obstacle * task_.space().layout().unit,
-            .tolerance = tolerance::tree_search};
+            .margin = slack::inward_obstacle * task_.space().layout().unit,
+            .tolerance = slack::tree_search};
   }
 
   Trial try_from(const RelaxedDesign& start) {
@@ -80,6 +80,7 @@ class TreeSearch {
 
 bool suits_tree_search(const SearchTask& task) {
   const Requirements& limits = task.limits;
+  if (!task.spec().bodies.empty() || task.spec().table) return false;  // the tree knows of obstacles alone
   return !has_stock_lengths(task.spec()) && (task.goal == Goal::size || task.goal == Goal::transmission) &&
          !task.space().obstacles().empty() && limits.pole_margin == 0 && !limits.size && !limits.footprint;
 }

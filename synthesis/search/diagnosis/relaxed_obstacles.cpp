@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include "synthesis/search/relaxations.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -36,7 +37,33 @@ void relax_obstacles(Questions& questions) {
       questions.keep(std::move(one));
       ++single;
     }
-  if (single == 0) questions.keep(std::move(none_left));
+  if (single > 0) return;
+  none_left->is_least = !questions.stopped();
+  questions.keep(std::move(none_left));
+}
+
+void relax_bodies(Questions& questions) {
+  const Spec& asked = questions.spec();
+  const auto without_these = [&](const std::string& key, const Spec& spec, const std::string& words) {
+    if (questions.stopped()) return;
+    questions.note(key);
+    if (const auto design = questions.best_of(spec))
+      questions.keep(
+          Relaxation{.key = key, .sentence = fmt::format("{} a design exists", words), .design = *design});
+  };
+  if (!asked.bodies.empty()) {
+    Spec spec = asked;
+    spec.bodies.clear();
+    without_these("bodies", spec,
+                  asked.bodies.size() == 1
+                      ? fmt::format("{} is in the way; without it", body_name(asked.bodies, 0))
+                      : "the bodies are in the way; without them");
+  }
+  if (asked.table) {
+    Spec spec = asked;
+    spec.table.reset();
+    without_these("table", spec, "the table's edge is in the way; without it");
+  }
 }
 
 }  // namespace kempe

@@ -1,20 +1,20 @@
-#include "synthesis/search/strategies/workshop_lengths.hpp"
+#include "synthesis/search/strategies/ratio_lengths.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
 namespace {
 
-using tolerance::same_length;
+using slack::same_length;
 
-std::vector<double> all_lengths(const WorkshopSpec& workshop, double longest) {
-  std::vector<double> lengths = workshop.stock;
-  if (workshop.grid)
-    for (int i = 1; i * *workshop.grid <= longest * (1 + same_length); ++i)
-      lengths.push_back(i * *workshop.grid);
+std::vector<double> all_lengths(const StockLengths& stock_lengths, double longest) {
+  std::vector<double> lengths = stock_lengths.stock;
+  if (stock_lengths.grid)
+    for (int i = 1; i * *stock_lengths.grid <= longest * (1 + same_length); ++i)
+      lengths.push_back(i * *stock_lengths.grid);
   std::sort(lengths.begin(), lengths.end());
   lengths.erase(std::remove_if(lengths.begin(), lengths.end(),
                                [&](double x) { return x > longest * (1 + same_length); }),
@@ -27,8 +27,8 @@ bool is_among(const std::vector<double>& sorted, double length) {
   return at != sorted.end() && *at <= length * (1 + same_length);
 }
 
-WorkshopLengths lengths_for_ratio(const std::vector<double>& lengths, double ratio) {
-  WorkshopLengths found{.ratio = ratio};
+RatioLengths lengths_for_ratio(const std::vector<double>& lengths, double ratio) {
+  RatioLengths found{.ratio = ratio};
   for (const double length : lengths) {
     if (is_among(lengths, length * ratio)) found.VA.push_back(length);
     if (is_among(lengths, length / ratio)) found.VB.push_back(length);
@@ -38,13 +38,13 @@ WorkshopLengths lengths_for_ratio(const std::vector<double>& lengths, double rat
 
 }  // namespace
 
-WorkshopLengths workshop_lengths(const WorkshopSpec& workshop, double scale_of_shape, double longest) {
-  return lengths_for_ratio(all_lengths(workshop, longest), scale_of_shape);
+RatioLengths stock_lengths_for(const StockLengths& stock_lengths, double scale_of_shape, double longest) {
+  return lengths_for_ratio(all_lengths(stock_lengths, longest), scale_of_shape);
 }
 
-std::vector<WorkshopLengths> nearest_workshop_lengths(const WorkshopSpec& workshop, double scale_of_shape,
-                                                      double longest, int count) {
-  const std::vector<double> lengths = all_lengths(workshop, longest);
+std::vector<RatioLengths> nearest_stock_lengths(const StockLengths& stock_lengths, double scale_of_shape,
+                                                double longest, int count) {
+  const std::vector<double> lengths = all_lengths(stock_lengths, longest);
   std::vector<double> ratios;
   for (const double VA : lengths) {  // for each VA the two lengths next to |s| VA
     const auto above = std::lower_bound(lengths.begin(), lengths.end(), VA * scale_of_shape);
@@ -54,11 +54,11 @@ std::vector<WorkshopLengths> nearest_workshop_lengths(const WorkshopSpec& worksh
   const auto off = [&](double ratio) { return std::abs(ratio - scale_of_shape); };
   std::sort(ratios.begin(), ratios.end(),
             [&](double a, double b) { return off(a) < off(b) || (off(a) == off(b) && a < b); });
-  std::vector<WorkshopLengths> found;
+  std::vector<RatioLengths> found;
   for (const double ratio : ratios) {
     if (static_cast<int>(found.size()) == count) break;
     if (!found.empty() && std::abs(found.back().ratio - ratio) <= same_length * ratio) continue;
-    if (WorkshopLengths here = lengths_for_ratio(lengths, ratio); !here.VA.empty() && !here.VB.empty())
+    if (RatioLengths here = lengths_for_ratio(lengths, ratio); !here.VA.empty() && !here.VB.empty())
       found.push_back(std::move(here));
   }
   return found;

@@ -1,4 +1,4 @@
-#include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,10 @@
 #include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
-#include "synthesis/bound/sheets.hpp"
-#include "synthesis/search/relaxation_words.hpp"
-#include "synthesis/search/steps/tolerances.hpp"
+#include "synthesis/bound/copy_gap.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/steps/slack.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -24,28 +25,37 @@ struct MostLength {
 };
 
 /// The least of the largest lengths that the spec leaves to some two joints of a link.
-MostLength least_most_length(const LinkSpec& links) {
+MostLength least_most_length(const Spec& spec) {
+  const LinkSpec& links = spec.links;
   MostLength most{"links.longest_mm", links.longest};
   const auto take = [&](std::string key, double length) {
     if (length < most.length) most = {std::move(key), length};
   };
-  const WorkshopSpec& workshop = links.workshop;
-  if (workshop.grid) take("links.grid_mm", std::floor(links.longest / *workshop.grid) * *workshop.grid);
+  take("limits.longest_strip_mm", largest_joint_distance(spec));
+  const StockLengths& stock_lengths = links.stock_lengths;
+  if (stock_lengths.grid)
+    take("links.grid_mm", std::floor(links.longest / *stock_lengths.grid) * *stock_lengths.grid);
   double stock = 0;
-  for (const double length : workshop.stock)
+  for (const double length : stock_lengths.stock)
     if (length <= links.longest) stock = std::max(stock, length);
-  if (!workshop.stock.empty()) take("links.stock_mm", stock);
-  for (std::size_t i = 0; i < workshop.locked.size(); ++i)
-    if (workshop.locked[i]) take(fmt::format("links.{}_mm", LinkLengths::names[i]), *workshop.locked[i]);
+  if (!stock_lengths.stock.empty()) take("links.stock_mm", stock);
+  for (std::size_t i = 0; i < stock_lengths.locked.size(); ++i)
+    if (stock_lengths.locked[i])
+      take(fmt::format("links.{}_mm", LinkLengths::names[i]), *stock_lengths.locked[i]);
   return most;
 }
 
-/// Holes that need more than the lengths that the workshop dictates.
+/// Holes that need more than the stock lengths.
 std::optional<NoDesign> holes_too_near(const Spec& spec) {
-  const MostLength most = least_most_length(spec.links);
-  if (hole_distance(spec) <= most.length * (1 + tolerance::hole_rounding)) return std::nullopt;
+  const MostLength most = least_most_length(spec);
+  if (hole_distance(spec) <= most.length * (1 + slack::hole_rounding)) return std::nullopt;
   const double room = most.length - joint_width(spec), pin = pin_for_hole_distance(spec, most.length);
-  const bool by_wall = spec.links.wall && room > tolerance::least_wall_share * joint_width(spec);
+  const bool by_wall = spec.links.wall && room > slack::least_wall_share * joint_width(spec);
+  const std::string& hardware = spec.links.hardware;
+  if (!by_wall && !hardware.empty())
+    return impossible("links.hardware",
+                      fmt::format("links.hardware = \"{}\" is in the way: {}, and {} leaves them {:.6g} mm",
+                                  hardware, holes_sentence(spec), most.key, most.length));
   const std::string key = by_wall ? "links.wall_mm" : "links.pin_diameter_mm";
   std::string sentence = fmt::format("{} = {:.6g} is in the way: {}, and {} leaves them {:.6g} mm", key,
                                      by_wall ? *spec.links.wall : spec.links.style.pin_diameter,
@@ -58,7 +68,7 @@ std::optional<NoDesign> holes_too_near(const Spec& spec) {
 /// An obstacle whose distance from the pole is less than its post and clearance need, by more than rounding.
 std::optional<NoDesign> pole_under_obstacle(const Spec& spec, const Point& pole) {
   const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
-  const double rounding = tolerance::place_rounding * (needed + pole.norm());
+  const double rounding = slack::place_rounding * (needed + pole.norm());
   for (const Obstacle& obstacle : spec.obstacles)
     if (obstacle.lowest_layer == 1 && distance(Region{{obstacle.shape}}, pole) < needed - rounding)
       return impossible(
@@ -69,11 +79,25 @@ std::optional<NoDesign> pole_under_obstacle(const Spec& spec, const Point& pole)
   return std::nullopt;
 }
 
-/// Original and copy as the pole alone places them: by places of the region that come too near (bound/sheets.hpp).
+/// A pole that does not stand on the table, its post and clearance included, by more than rounding.
+std::optional<NoDesign> pole_off_table(const Spec& spec, const Point& pole) {
+  if (!spec.table) return std::nullopt;
+  const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
+  const double rounding = slack::place_rounding * (needed + pole.norm());
+  if (distance(Region{{off_the_table(*spec.table, {})}}, pole) >= needed - rounding &&
+      contains(Region{{*spec.table}}, pole))
+    return std::nullopt;
+  return impossible("table",
+                    fmt::format("the pole at {} mm stands off the table, or nearer to its edge than post and "
+                                "clearance need; the pole or the table must move",
+                                place_text(pole)));
+}
+
+/// Original and copy as the pole alone places them: by places of the region that come too near (bound/copy_gap.hpp).
 std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole) {
-  if (!spec.limits.sheets_gap || spec.region.empty()) return std::nullopt;
+  if (!spec.limits.copy_gap || spec.region.empty()) return std::nullopt;
   const RegionReach region(spec.region);
-  if (bounding::SheetsGap(spec, region).verdict(pole, 0) != bounding::SheetsGap::Verdict::too_near)
+  if (bounding::CopyGap(spec, region).verdict(pole, 0) != bounding::CopyGap::Verdict::too_near)
     return std::nullopt;
   const auto nearest = nearest_places(spec.region, similar_image(spec.region, spec.copy.k(), pole));
   const double apart = nearest ? nearest->distance : 0;
@@ -82,7 +106,7 @@ std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole) {
       fmt::format(
           "limits.sheets_gap_mm = {:.6g} is in the way: with the pole at {} mm the copy {}, whatever the "
           "links are; the pole must move (or be free), or limits.sheets_gap_mm must be {}",
-          *spec.limits.sheets_gap, place_text(pole),
+          *spec.limits.copy_gap, place_text(pole),
           apart > 0 ? fmt::format("lies {:.6g} mm from the original", apart) : "overlaps the original",
           apart > 0 ? "less or left out" : "left out"));
 }
@@ -96,11 +120,18 @@ std::optional<NoDesign> pole_impossible(const Spec& spec) {
         fmt::format("the pole at {} mm stands inside the region, where no linkage brings its tracer "
                     "to the pole; it must move out of the region (or be free)",
                     place_text(pole)));
-  if (auto none = pole_under_obstacle(spec, pole)) return none;
+  if (auto none = pole_blocked(spec)) return none;
   return copy_too_near(spec, pole);
 }
 
 }  // namespace
+
+std::optional<NoDesign> pole_blocked(const Spec& spec) {
+  if (!spec.pole.is_fixed()) return std::nullopt;
+  const Point& pole = std::get<Point>(spec.pole.place);
+  if (auto none = pole_under_obstacle(spec, pole)) return none;
+  return pole_off_table(spec, pole);
+}
 
 std::optional<NoDesign> plainly_impossible(const Spec& spec) {
   if (auto none = pole_impossible(spec)) return none;

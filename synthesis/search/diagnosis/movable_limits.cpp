@@ -1,0 +1,35 @@
+#include "synthesis/search/diagnosis/movable_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/steps/slack.hpp"
+
+namespace kempe {
+
+std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goal goal) {
+  return goal == Goal::pole_margin && spec.pole.is_fixed() ? std::nullopt : limit_on(limits, goal);
+}
+
+double possible_value(const MovableLimit& limit, double demanded, double attained) {
+  const double best = attained / limit.unit, way = std::abs(best - demanded / limit.unit);
+  const double give =
+      std::max(std::min(slack::give_of_value * std::abs(best), slack::give_of_way * way), slack::least_give);
+  const double digits = std::max(std::log10(give), std::log10(std::abs(best) + give) - 5);
+  const double step = std::pow(10, std::floor(digits));
+  const bool at_least = is_maximized(limit.goal);
+  const double rounded = at_least ? std::floor((best - give) / step) : std::ceil((best + give) / step);
+  const double value = rounded * step * limit.unit;
+  return at_least ? std::max(value, limit.loosest) : std::min(value, limit.loosest);
+}
+
+std::string sentence_of(const MovableLimit& limit, double demanded, double possible) {
+  if (limit.goal == Goal::pole_margin)
+    return fmt::format("{} is in the way; the pole {:.6g} mm outside it would do", limit.key, possible);
+  return would_do(limit.key, demanded / limit.unit, possible / limit.unit);
+}
+
+}  // namespace kempe
