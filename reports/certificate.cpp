@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "reports/data/certificate_jsonl.hpp"
-#include "synthesis/certificate/proof_tree.hpp"
 
 namespace kempe {
 
@@ -13,24 +12,28 @@ bool has_rules(const Design& design) {
          (design.search->objective == Objective::size || design.search->objective == Objective::transmission);
 }
 
-std::optional<std::string> certificate_of(Design& design, const StopFlag& stop) {
-  if (!has_rules(design)) return std::nullopt;
+tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, const StopFlag& stop) {
+  if (!has_rules(design)) return tl::unexpected(certificate::NoLog::no_rules);
   auto& bound = design.quality.proven_bound;
-  const Spec task = task_of(design);
+  const Spec task = spec_of(design);
   certificate::ProofOptions options;
   options.stop = stop;
   const auto log = certificate::prove(task, design.search->objective, bound, options);
-  if (!log) return std::nullopt;
+  if (!log) return tl::unexpected(log.error());
   bound = log->bound;
   return certificate_jsonl(task, *log);
 }
 
-std::optional<std::string> certificate_of_none(const Spec& spec, const StopFlag& stop) {
+tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec, const StopFlag& stop) {
   certificate::ProofOptions options;
   options.stop = stop;
   const auto log = certificate::prove(spec, Objective::size, std::nullopt, options);
-  if (!log) return std::nullopt;
+  if (!log) return tl::unexpected(log.error());
   return certificate_jsonl(spec, *log);
+}
+
+std::string left_out_sentence(certificate::NoLog why) {
+  return certificate_name + " is left out: " + certificate::reason(why) + ".";
 }
 
 }  // namespace kempe

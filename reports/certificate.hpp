@@ -1,10 +1,11 @@
 #pragma once
 // certificate.jsonl, made for a design or for the proof that there is none.
 
-#include <optional>
 #include <string>
+#include <tl/expected.hpp>
 
 #include "kinematics/stop_flag.hpp"
+#include "synthesis/certificate/proof_tree.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {
@@ -14,12 +15,16 @@ inline const std::string certificate_name = "certificate.jsonl";
 /// True if the design has a bound of an objective that the log has rules for (size, transmission).
 bool has_rules(const Design& design);
 
-/// The log that no design is better than the design's bound; nothing where it has no bound, its objective has no rules, or the
-/// tree does not close. A bound that touches the best design is made looser by a millionth of itself, in the design too: then
-/// what its file says is what the log proves.
-std::optional<std::string> certificate_of(Design& design, const StopFlag& stop = {});
+/// The log that no design is better than the design's bound, of a design that has rules; else why there is none. A bound that
+/// touches the best design, or whose proof is long, is made looser by a millionth to a hundredth of itself, in the design too:
+/// then what its file says is what the log proves.
+tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, const StopFlag& stop = {});
 
-/// The log that no design of the spec exists; nothing if the tree does not close.
-std::optional<std::string> certificate_of_none(const Spec& spec, const StopFlag& stop = {});
+/// The log that no design of the spec exists.
+tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec,
+                                                                  const StopFlag& stop = {});
+
+/// "certificate.jsonl is left out: ..."
+std::string left_out_sentence(certificate::NoLog why);
 
 }  // namespace kempe

@@ -5,17 +5,29 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/stop_flag.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/page/html_report.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {
 
+/// What a time limit leaves for a design that is found. Unless they are set, all is done.
+struct TimeToFinish {
+  StopFlag enough{};  ///< set: what takes long is cut short
+  StopFlag over{};    ///< set: what can be left out is
+};
+
+/// Why a file is left out.
+std::string left_out_for_time(const std::string& file);
+
 /// Gives the files of a design's folder to `take`, one after the other: design.json first, map, drawings and report,
 /// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it; else what is left out and
-/// why. What is given depends on the other arguments alone.
+/// why. What is given depends on the other arguments alone, and on time: once `enough` is set, the assembly as STEP is left
+/// out, once `over` is, every file is but design.json and the tables.
 tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
-    const std::function<tl::expected<void, std::string>(const OutputFile&)>& take);
+    const std::function<tl::expected<void, std::string>(const OutputFile&)>& take,
+    const TimeToFinish& time = {});
 
 }  // namespace kempe

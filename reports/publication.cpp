@@ -28,27 +28,34 @@ tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) 
 }  // namespace
 
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
-                                                 const StopFlag& stop) {
+                                                 const TimeToFinish& time, BoundFrom bound) {
   using enum NotPublished::By;
-  design.verification = verify(verification_task(design));
-  if (!design.verification.certified)
+  const VerificationRun run = run_verification(verification_task(design), {.stop = time.enough});
+  design.verification = run.found;
+  if (!design.verification.holds)
     return refused(verification,
                    "the design failed its verification, nothing is written: " + design.verification.failure);
   if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
-  const auto certificate = certificate_of(design, stop);  // before design.json, which states the bound proven
+  const auto certificate =
+      certificate_of(design, time.enough);  // before design.json, which states the bound proven
   if (certificate) extras.proof_log = certificate_name;
+  const bool had_rules = has_rules(design), unproven = !certificate && design.quality.proven_bound;
+  if (unproven && bound == BoundFrom::file) design.quality.proven_bound.reset();
   give_memory_back();
-  auto left_out = make_design_package(design, design.cutting, extras,
-                                      [&](const OutputFile& file) { return draft.add(file); });
+  auto left_out = make_design_package(
+      design, design.cutting, extras, [&](const OutputFile& file) { return draft.add(file); }, time);
   if (!left_out) return refused(writing, left_out.error());
   if (certificate)
     if (const auto added = draft.add({certificate_name, *certificate}); !added)
       return refused(writing, added.error());
-  if (!certificate && has_rules(design))
-    left_out->push_back("certificate.jsonl is left out: the log of the bound's proof did not close" +
-                        std::string(stop() ? " before the time was over" : "") + ".");
+  if (!certificate && had_rules) left_out->push_back(left_out_sentence(certificate.error()));
+  if (unproven && bound == BoundFrom::file)
+    left_out->push_back("The bound that the file states is left out: it is not proven anew.");
+  if (!run.complete) left_out->push_back("The verification was stopped early: it is of fewer positions.");
   give_memory_back();
-  if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
+  if (time.over())
+    left_out->push_back("The drawings are not read back: the time was over.");
+  else if (const auto faults = recheck(draft, design, design.cutting); !faults.empty())
     return refused(rereading,
                    "the drawings, read back, differ from the design; nothing is written: " + faults.front());
   return Drafted{std::move(*left_out), extras.why_no_parts.empty()};

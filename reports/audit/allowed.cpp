@@ -8,13 +8,15 @@
 #include <functional>
 #include <span>
 
+#include "geometry/fixed_text.hpp"
 #include "reports/audit/record.hpp"
-#include "reports/audit/tolerances.hpp"
+#include "reports/audit/slack.hpp"
+#include "specs/hardware.hpp"
 
 namespace kempe {
 namespace {
 
-using namespace audit_tolerance;
+using namespace audit_slack;
 
 /// Measured between holes on one line; CX and CY follow from them and the plates' angle.
 constexpr std::array<std::size_t, 6> measured{0, 1, 2, 3, 4, 6};
@@ -71,28 +73,46 @@ void check_lengths(const LinkLengths& lengths, const Allowed& allowed, AuditReco
   check_each(
       lengths, all, "links.longest_mm", fmt::format("at most {:.9g} mm is allowed", allowed.longest),
       [&](double length) { return std::min(length, allowed.longest); }, record);
-  if (const auto& grid = allowed.workshop.grid)
+  if (const auto& grid = allowed.stock_lengths.grid)
     check_each(
         lengths, measured, "links.grid_mm", fmt::format("not a multiple of {:.9g} mm", *grid),
         [&](double length) { return std::max(1.0, std::round(length / *grid)) * *grid; }, record);
-  if (const auto& stock = allowed.workshop.stock; !stock.empty())
+  if (const auto& stock = allowed.stock_lengths.stock; !stock.empty())
     check_each(
         lengths, measured, "links.stock_mm", "not a length of the stock",
         [&](double length) { return nearest_of(stock, length); }, record);
 }
 
-void check_locks(const LinkLengths& lengths, const WorkshopSpec& workshop, AuditRecord& record) {
+/// A link is as long over its ends as its farthest joints and half its width beyond each.
+void check_strip(const StoredDesign& design, const LinkLengths& lengths, AuditRecord& record) {
+  const std::string key = "limits.longest_strip_mm";
+  if (!design.limits || !design.limits->longest_strip) return;
+  record.checked(key);
+  const auto values = lengths.values();
+  const auto longest = std::max_element(values.begin(), values.end());
+  const double strip = *design.limits->longest_strip, over_ends = *longest + design.style.width;
+  if (over_ends <= strip * (1 + same_length)) return;
+  record.broken(
+      {.limit = key,
+       .attained = over_ends,
+       .allowed = strip,
+       .sentence = fmt::format(
+           "the link with {} is {:.9g} mm long over its ends: at most {:.9g} mm is allowed",
+           LinkLengths::names[static_cast<std::size_t>(longest - values.begin())], over_ends, strip)});
+}
+
+void check_locks(const LinkLengths& lengths, const StockLengths& stock_lengths, AuditRecord& record) {
   const auto values = lengths.values();
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!workshop.locked[i]) continue;
+    if (!stock_lengths.locked[i]) continue;
     const std::string key = fmt::format("links.{}_mm", LinkLengths::names[i]);
     record.checked(key);
-    if (std::abs(values[i] - *workshop.locked[i]) > locked_length * values[i])
+    if (std::abs(values[i] - *stock_lengths.locked[i]) > locked_length * values[i])
       record.broken({.limit = key,
                      .attained = values[i],
-                     .allowed = workshop.locked[i],
+                     .allowed = stock_lengths.locked[i],
                      .sentence = fmt::format("{} is {:.9g} mm and locked to {:.9g} mm", LinkLengths::names[i],
-                                             values[i], *workshop.locked[i])});
+                                             values[i], *stock_lengths.locked[i])});
   }
 }
 
@@ -107,8 +127,8 @@ void check_pole(const StoredDesign& design, const PoleSpec& pole, double slack, 
                  .attained = off,
                  .allowed = 0,
                  .where = at,
-                 .sentence = fmt::format("the pole stands at ({:.6f}, {:.6f}), {:.6g} mm off where it may",
-                                         at.x(), at.y(), off)});
+                 .sentence = fmt::format("the pole stands at ({}, {}), {:.6g} mm off where it may",
+                                         fixed_text(at.x(), 6), fixed_text(at.y(), 6), off)});
 }
 
 void check_grounding(Grounding grounding, const std::vector<Grounding>& groundings, AuditRecord& record) {
@@ -131,7 +151,7 @@ void check_layer_count(const LayerAssignment& layers, int most, AuditRecord& rec
 
 /// Holes as they are drawn, of each link, must not run into each other.
 void check_holes(const StoredDesign& design, const CuttingSpec& cutting, AuditRecord& record) {
-  const double diameter = design.style.pin_diameter + cutting.hole_fit - cutting.kerf;
+  const double diameter = hole_diameter(design.style, design.hardware, cutting) - cutting.kerf;
   const auto values = design.mechanism.lengths.values();
   const auto shortest = std::min_element(values.begin(), values.end());
   record.checked("cutting.hole_fit_mm");
@@ -148,7 +168,8 @@ void check_holes(const StoredDesign& design, const CuttingSpec& cutting, AuditRe
 void check_walls(const StoredDesign& design, const CuttingSpec& cutting, const std::optional<double>& wall,
                  AuditRecord& record) {
   if (!wall) return record.not_checked("links.wall_mm", "the file does not state it");
-  const double taken = design.style.pin_diameter + std::max(0.0, cutting.hole_fit);
+  const double taken =
+      std::max(design.style.pin_diameter, hole_diameter(design.style, design.hardware, cutting));
   const auto values = design.mechanism.lengths.values();
   const auto shortest = std::min_element(values.begin(), values.end());
   record.checked("links.wall_mm");
@@ -168,6 +189,7 @@ void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, do
                    AuditRecord& record) {
   check_layers(design, record);
   check_pins(design, record);
+  check_strip(design, linkage.lengths(), record);
   const auto states = [&](const char* table) {
     return std::find(design.tables.begin(), design.tables.end(), table) != design.tables.end();
   };
@@ -178,7 +200,7 @@ void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, do
   }
   const Allowed& allowed = *design.allowed;
   check_lengths(linkage.lengths(), allowed, record);
-  check_locks(linkage.lengths(), allowed.workshop, record);
+  check_locks(linkage.lengths(), allowed.stock_lengths, record);
   check_layer_count(design.layers, allowed.layers, record);
   check_pole(design, allowed.pole, slack, record);
   check_grounding(linkage.grounding(), allowed.groundings, record);

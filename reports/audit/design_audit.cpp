@@ -6,9 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/fixed_text.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "reports/audit/record.hpp"
-#include "reports/audit/tolerances.hpp"
+#include "reports/audit/slack.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -44,8 +45,8 @@ namespace {
 
 /// Limits stand in these tables: a key of theirs that is not known cannot be passed over.
 bool is_limit(const std::string& key) {
-  constexpr std::string_view tables[] = {"limits.", "tolerance.", "obstacles[",
-                                         "pole.",   "links.",     "objective."};
+  constexpr std::string_view tables[] = {"limits.", "tolerance.", "obstacles[", "bodies[",
+                                         "table.",  "pole.",      "links.",     "objective."};
   return std::any_of(std::begin(tables), std::end(tables),
                      [&](std::string_view table) { return key.starts_with(table); });
 }
@@ -64,6 +65,26 @@ tl::expected<Region, InputError> checked_region(const Region& region, const std:
   return tl::unexpected(InputError{file, 0, key, assembled.error().found, assembled.error().allowed});
 }
 
+/// What is wrong with an outline of a body or of the table: one simple ring is wanted.
+std::optional<InputError> outline_fault(const Polygon& shape, const std::string& key,
+                                        const std::string& file) {
+  if (!shape.holes.empty()) return InputError{file, 0, key, "an outline with holes", "one without"};
+  if (const auto fault = shape_fault(without_repeated_corners(shape.outer)))
+    return InputError{file, 0, key, fault->found, fault->allowed};
+  auto checked = checked_region(Region{{shape}}, key, file);
+  return checked ? std::nullopt : std::optional(std::move(checked.error()));
+}
+
+std::optional<InputError> unfit_surroundings(const StoredDesign& design, const std::string& file) {
+  if (design.tolerance && design.tolerance->robust && (!design.bodies.empty() || design.table))
+    return InputError{file, 0, "tolerance.robust", "true beside bodies or a table",
+                      "false there: what is robust is known without them alone"};
+  for (std::size_t i = 0; i < design.bodies.size(); ++i)
+    if (const auto* polygon = std::get_if<Polygon>(&design.bodies[i].shape))
+      if (auto fault = outline_fault(*polygon, fmt::format("bodies[{}].shape", i), file)) return fault;
+  return design.table ? outline_fault(*design.table, "table", file) : std::nullopt;
+}
+
 /// What makes a file unfit to be judged.
 std::optional<InputError> unfit(const StoredDesign& design, const std::string& file) {
   for (const std::string& key : design.unknown_keys)
@@ -75,7 +96,7 @@ std::optional<InputError> unfit(const StoredDesign& design, const std::string& f
     if (const auto fault = shape_fault(without_repeated_corners(shape.outer)))
       return InputError{file, 0, fmt::format("obstacles[{}].shape", i), fault->found, fault->allowed};
   }
-  return std::nullopt;
+  return unfit_surroundings(design, file);
 }
 
 double magnitude(const StoredDesign& design) {
@@ -93,6 +114,8 @@ AuditTask audit_task(const StoredDesign& design, const CopyingLinkage& linkage) 
     mapped.transmission = design.limits->transmission;
   }
   mapped.obstacles = design.obstacles;
+  mapped.bodies = design.bodies;
+  mapped.table = design.table;
   mapped.region = design.region;
   WorkspaceMap map =
       map_workspace(mapped, {.map_tolerance = design.map.map_tolerance.value_or(MapOptions{}.map_tolerance),
@@ -102,8 +125,8 @@ AuditTask audit_task(const StoredDesign& design, const CopyingLinkage& linkage) 
           .map_task = std::move(mapped),
           .map = std::move(map),
           .needed = openings_over(linkage, design.region),
-          .slack = audit_tolerance::share_of_rounding * linkage.size() +
-                   audit_tolerance::share_of_coordinates * magnitude(design)};
+          .slack = audit_slack::share_of_rounding * linkage.size() +
+                   audit_slack::share_of_coordinates * magnitude(design)};
 }
 
 void look_at(const StoredDesign& design, DesignAudit& result) {
@@ -118,13 +141,13 @@ void look_at(const StoredDesign& design, DesignAudit& result) {
     audit_figures(task, record);
   } else {
     const char* why = "the mechanism's figures contradict each other";
-    for (const char* key : {"region", "obstacles", "limits", "links", "pole", "objective", "cutting",
-                            "quality", "workspace", "tool"})
+    for (const char* key : {"region", "obstacles", "bodies", "table", "limits", "links", "pole", "objective",
+                            "cutting", "quality", "workspace", "tool"})
       record.not_checked(key, why);
   }
   audit_claims(design, result.drive, record);
   for (const BrokenLimit& breach : result.drive.broken) record.broken(breach);
-  if (!result.drive.certified && result.broken.empty())
+  if (!result.drive.holds && result.broken.empty())
     record.broken({.limit = "verification.certified", .sentence = result.drive.failure});
 }
 
@@ -146,30 +169,14 @@ namespace {
 
 std::string place(const BrokenLimit& breach) {
   if (!breach.where || breach.sentence.find("tracer at") != std::string::npos) return "";
-  return fmt::format(" (at {:.3f}, {:.3f})", breach.where->x(), breach.where->y());
-}
-
-/// The words behind a label of the first column, in lines of at most 100 characters.
-std::string wrapped_words(std::string_view label, const std::vector<std::string>& words) {
-  std::string text = fmt::format("{:<13}", label);
-  std::size_t length = text.size();
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string word = words[i] + (i + 1 < words.size() ? "," : "");
-    if (length > 13 && length + word.size() > 100) {
-      text += "\n" + std::string(13, ' ');
-      length = 13;
-    }
-    text += (length > 13 ? " " : "") + word;
-    length += word.size() + 1;
-  }
-  return text + "\n";
+  return fmt::format(" (at {}, {})", fixed_text(breach.where->x(), 3), fixed_text(breach.where->y(), 3));
 }
 
 }  // namespace
 
 std::string audit_text(const DesignAudit& audit) {
-  std::string text = audit.certified() ? "certified    everything checked holds\n"
-                                       : fmt::format("NOT CERTIFIED: {} broken\n", audit.broken.size());
+  std::string text = audit.holds() ? "holds        everything that was checked\n"
+                                   : fmt::format("DOES NOT HOLD: {} broken\n", audit.broken.size());
   for (const BrokenLimit& breach : audit.broken)
     text += fmt::format("broken       {}: {}{}\n", breach.limit, breach.sentence, place(breach));
   text += fmt::format(
@@ -177,7 +184,8 @@ std::string audit_text(const DesignAudit& audit) {
       "changes of assembly mode\n",
       audit.drive.samples, audit.drive.over_workspace ? " of the free workspace" : "",
       audit.drive.copy_error_max, audit.drive.loop_residual_max, audit.drive.flips);
-  text += wrapped_words("checked", audit.checked);
+  text +=
+      fmt::format("checked      {} statements of the file; --json lists their keys\n", audit.checked.size());
   for (const NotChecked& one : audit.not_checked)
     text += fmt::format("not checked  {}: {}\n", one.key, one.why);
   return text;
@@ -190,7 +198,7 @@ std::string audit_json(const DesignAudit& audit, const std::string& file) {
   };
   const Verification& drive = audit.drive;
   Json object{{"file", file},
-              {"certified", audit.certified()},
+              {"certified", audit.holds()},
               {"samples", drive.samples},
               {"driven_over", drive.over_workspace ? "workspace" : "region"},
               {"copy_error_max_mm", drive.copy_error_max},
@@ -210,8 +218,7 @@ std::string audit_json(const DesignAudit& audit, const std::string& file) {
          {"sentence", breach.sentence}});
   for (const NotChecked& one : audit.not_checked)
     object["not_checked"].push_back({{"key", one.key}, {"why", one.why}});
-  if (!audit.certified())
-    object["failure"] = audit.broken.front().limit + ": " + audit.broken.front().sentence;
+  if (!audit.holds()) object["failure"] = audit.broken.front().limit + ": " + audit.broken.front().sentence;
   return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -20,7 +20,7 @@ struct DesignAudit {
   std::vector<std::string> checked;  ///< keys, in the order they were looked at
   std::vector<BrokenLimit> broken;   ///< one a key, of the keys in `checked`
   std::vector<NotChecked> not_checked;
-  bool certified() const { return broken.empty(); }
+  bool holds() const { return broken.empty(); }
 };
 
 /// Checks a stored design:

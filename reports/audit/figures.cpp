@@ -8,17 +8,17 @@
 
 #include "geometry/regions/region_algebra.hpp"
 #include "reports/audit/record.hpp"
-#include "reports/audit/tolerances.hpp"
+#include "reports/audit/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/footprint.hpp"
-#include "workspace/map/sheets_gap.hpp"
+#include "workspace/map/copy_gap.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
 
-using namespace audit_tolerance;
+using namespace audit_slack;
 
 double rounding(double value) { return share_of_rounding * std::abs(value); }
 
@@ -36,6 +36,8 @@ void check_size_and_transmission(const AuditTask& task, AuditRecord& record) {
 
 void check_clearance(const AuditTask& task, AuditRecord& record) {
   const double found = task.map.clearance_min, stated = task.design.quality.clearance_min;
+  if (std::isinf(stated) && !task.design.map.map_tolerance)
+    return record.not_checked("quality.clearance_min_mm", "the map was stopped before the gap was known");
   if (std::isinf(found) || std::isinf(stated)) {
     record.checked("quality.clearance_min_mm");
     if (found != stated)
@@ -46,7 +48,7 @@ void check_clearance(const AuditTask& task, AuditRecord& record) {
     return;
   }
   const double outer = reachable_annulus(task.linkage).outer;
-  const bool obstacles = !task.map_task.obstacles.empty();
+  const bool obstacles = has_obstructions(task.map_task);
   record.figure("quality.clearance_min_mm", stated, found,
                 task.slack + (obstacles ? std::min(certain_gap, certain_share * outer) : 0));
 }
@@ -84,8 +86,8 @@ void check_footprint(const AuditTask& task, AuditRecord& record) {
 bool is_covered(const AuditTask& task) {
   if (!task.map.coverage.covered) return false;
   MapTask mapped = task.map_task;
-  mapped.sheets_gap = task.design.limits ? task.design.limits->sheets_gap : std::nullopt;
-  return !sheet_overlap(mapped);
+  mapped.copy_gap = task.design.limits ? task.design.limits->copy_gap : std::nullopt;
+  return !copy_overlap(mapped);
 }
 
 void check_coverage_claim(const AuditTask& task, AuditRecord& record) {
@@ -241,8 +243,10 @@ void check_search(const StoredDesign& design, AuditRecord& record) {
 void check_bound(const StoredDesign& design, AuditRecord& record) {
   const auto& bound = design.quality.proven_bound;
   if (!bound) return;
-  record.not_checked("quality.lower_bound",
-                     "it is compared with the value but not proven again: the proof is a search of its own");
+  record.not_checked(
+      "quality.lower_bound",
+      "it is compared with the value, not proven here; its log, if there is one, is checked by "
+      "proof/kempe_check.py");
   if (!design.objective || !design.value) return;
   record.checked("quality.lower_bound");
   const double slack = share_of_copy_error * std::abs(*design.value);
@@ -252,8 +256,8 @@ void check_bound(const StoredDesign& design, AuditRecord& record) {
                    .attained = design.value,
                    .allowed = bound,
                    .sentence = fmt::format(
-                       "the file says that no design can be {} {:.9g}; this one has {:.9g}",
-                       is_maximized(*design.objective) ? "above" : "below", *bound, *design.value)});
+                       "the file says that no design is {} than {:.9g}; this one has {:.9g}",
+                       is_maximized(*design.objective) ? "larger" : "smaller", *bound, *design.value)});
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
+#include "geometry/region_reach.hpp"
 #include "geometry/regions/region_algebra.hpp"
 #include "reports/audit/record.hpp"
-#include "reports/audit/tolerances.hpp"
+#include "reports/audit/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "synthesis/tolerance/robust.hpp"
 #include "workspace/contact/clearance.hpp"
@@ -18,23 +20,12 @@
 namespace kempe {
 namespace {
 
-using namespace audit_tolerance;
+using namespace audit_slack;
 
-/// The region's place nearest to the pole, or its farthest corner.
+/// The region's place nearest to the pole, in the edge of a hole if the pole stands in one, or its farthest corner.
 Point extreme_place(const Region& region, const Point& pole, bool farthest) {
-  Point best = region.polygons.front().outer.front();
-  for (const Polygon& polygon : region.polygons)
-    for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
-      const Point& a = polygon.outer[i];
-      const Point along = polygon.outer[(i + 1) % polygon.outer.size()] - a;
-      const double squared = along.squaredNorm();
-      const double share =
-          farthest || squared == 0 ? 0 : std::clamp((pole - a).dot(along) / squared, 0.0, 1.0);
-      const Point place = a + share * along;
-      const double here = (place - pole).norm(), there = (best - pole).norm();
-      if (farthest ? here > there : here < there) best = place;
-    }
-  return best;
+  const RegionReach reach(region);
+  return farthest ? reach.hull()[reach.farthest(pole).corner] : reach.nearest(pole).place;
 }
 
 /// The end of the openings needed with the smaller transmission angle, and where the tracer then stands.
@@ -82,39 +73,58 @@ BrokenLimit too_near(const std::string& key, const ClearanceFigure& figure, doub
               clearance)};
 }
 
-/// Over the region; without one over the opening stated, obstacles left out: they bind at bearings.
-std::optional<ClearanceFigure> clearance_of(const AuditTask& task, bool with_obstacles) {
+/// What is looked at beside the linkage itself.
+struct Beside {
+  bool obstacles = false, bodies = false, table = false;
+};
+
+/// Over the region; without one over the opening stated, bodies and all but the pole's post left out: they bind at bearings.
+std::optional<ClearanceFigure> clearance_of(const AuditTask& task, const Beside& beside) {
   MapTask mapped = task.map_task;
-  if (!with_obstacles) mapped.obstacles.clear();
+  if (!beside.obstacles) mapped.obstacles.clear();
+  if (!beside.bodies) mapped.bodies.clear();
+  if (!beside.table) mapped.table.reset();
   if (!mapped.region.empty()) return smallest_clearance(mapped);
   const OpeningInterval& openings = task.design.mechanism.opening;
   if (openings.empty()) return std::nullopt;
   const Tightest own = smallest_gap_over(mapped.linkage, mapped.style, mapped.layers, openings);
   ClearanceFigure figure{own.gap, own.pair ? name(*own.pair) : "", mapped.linkage.tracer_at(own.opening, 0),
                          true};
-  if (const auto post = tightest_at_pole(mapped); with_obstacles && post)
-    figure = {post->gap, post->post + " and " + obstacle_name(mapped.obstacles, post->obstacle),
-              mapped.linkage.pole(), true};
+  if (const auto post = tightest_at_pole(mapped))
+    figure = {post->gap, post->post + " and " + post->obstacle, mapped.linkage.pole(), true};
   return figure;
+}
+
+/// One more kind of thing beside the linkage: broken if it brings the gap below `least` and below what it was without.
+void check_beside(const AuditTask& task, const char* key, const Beside& beside, double least,
+                  std::optional<ClearanceFigure>& without, AuditRecord& record) {
+  const auto with = clearance_of(task, beside);
+  if (!with) return record.not_checked(key, "no place of the region is reached");
+  record.checked(key);
+  const bool nearer = !without || with->gap < without->gap || task.design.region.empty();
+  if (with->gap < least && nearer) {
+    record.broken(too_near(key, *with, task.map_task.clearance));
+    record.broken(too_near("limits.clearance_mm", *with, task.map_task.clearance));
+  }
+  without = with;
 }
 
 void check_clearance_limit(const AuditTask& task, AuditRecord& record) {
   const double clearance = task.map_task.clearance;
   const double least = clearance - touching * reachable_annulus(task.linkage).outer - task.slack;
-  const auto own = clearance_of(task, false);
-  if (!own) {
+  auto found = clearance_of(task, {});
+  if (!found) {
     record.not_checked("limits.clearance_mm", "no place of the region is reached");
   } else {
     record.checked("limits.clearance_mm");
-    if (own->gap < least) record.broken(too_near("limits.clearance_mm", *own, clearance));
+    if (found->gap < least) record.broken(too_near("limits.clearance_mm", *found, clearance));
   }
-  if (task.map_task.obstacles.empty()) return;
-  const auto any = clearance_of(task, true);
-  if (!any) return record.not_checked("obstacles", "no place of the region is reached");
-  record.checked("obstacles");
-  if (!(any->gap < least) || (own && any->gap >= own->gap && !task.design.region.empty())) return;
-  record.broken(too_near("obstacles", *any, clearance));
-  record.broken(too_near("limits.clearance_mm", *any, clearance));
+  const MapTask& mapped = task.map_task;
+  if (!mapped.obstacles.empty()) check_beside(task, "obstacles", {.obstacles = true}, least, found, record);
+  if (!mapped.bodies.empty())
+    check_beside(task, "bodies", {.obstacles = true, .bodies = true}, least, found, record);
+  if (mapped.table)
+    check_beside(task, "table", {.obstacles = true, .bodies = true, .table = true}, least, found, record);
 }
 
 void check_coverage(const AuditTask& task, AuditRecord& record) {
@@ -149,15 +159,16 @@ void check_opening(const AuditTask& task, AuditRecord& record) {
       {.limit = "mechanism.opening_deg",
        .attained = degrees(below ? stated.lower : stated.upper),
        .allowed = found.empty() ? std::nullopt : std::optional(degrees(below ? found.lower : found.upper)),
-       .sentence = found.empty()
-                       ? "no opening keeps transmission and clearance"
-                       : fmt::format("transmission and clearance are kept from {:.6f} to {:.6f} degrees, "
-                                     "not all over {:.6f} .. {:.6f}",
-                                     degrees(found.lower), degrees(found.upper), degrees(stated.lower),
-                                     degrees(stated.upper))});
+       .sentence =
+           found.empty()
+               ? "no opening keeps transmission and clearance"
+               : fmt::format(
+                     "transmission and clearance are kept from {} to {} degrees, not all over {} .. {}",
+                     fixed_text(degrees(found.lower), 6), fixed_text(degrees(found.upper), 6),
+                     fixed_text(degrees(stated.lower), 6), fixed_text(degrees(stated.upper), 6))});
 }
 
-void check_sheets_limit(const AuditTask& task, double gap, AuditRecord& record) {
+void check_copy_gap(const AuditTask& task, double gap, AuditRecord& record) {
   const Region& region = task.design.region;
   const auto nearest = nearest_places(region, similar_image(region, task.linkage.k(), task.linkage.pole()));
   if (!nearest) return record.not_checked("limits.sheets_gap_mm", "the file has no region");
@@ -225,7 +236,10 @@ void check_robust_claim(const AuditTask& task, AuditRecord& record) {
   const double rounding =
       found.sharpness + task.slack + (task.map_task.obstacles.empty() ? 0 : 2 * certain_gap);
   record.figure("quality.robust.clearance_min_mm", stated->clearance, found.clearance, rounding);
-  record.figure("quality.robust.clearance_loss_mm", stated->clearance_loss,
+  const bool unknown =
+      std::isinf(stated->clearance_loss) && !design.map.map_tolerance;  // its map was stopped
+  record.figure("quality.robust.clearance_loss_mm",
+                unknown ? std::nullopt : std::optional(stated->clearance_loss),
                 task.map.clearance_min - found.clearance, rounding);
 }
 
@@ -240,11 +254,13 @@ void pass_over_region(const AuditTask& task, AuditRecord& record) {
   record.not_checked("region", "the file states that the mechanism, which was given, does not cover it");
   const char* why = "the file does not state that it is kept over the region, which is not covered";
   if (!task.design.obstacles.empty()) record.not_checked("obstacles", why);
+  if (!task.design.bodies.empty()) record.not_checked("bodies", why);
+  if (task.design.table) record.not_checked("table", why);
   const auto& limits = task.design.limits;
   if (!limits) return;
   record.not_checked("limits.clearance_mm", why);
   record.not_checked("limits.transmission_deg", why);
-  if (limits->sheets_gap) record.not_checked("limits.sheets_gap_mm", why);
+  if (limits->copy_gap) record.not_checked("limits.sheets_gap_mm", why);
   if (limits->copy_error) record.not_checked("limits.copy_error_mm", why);
   if (task.design.tolerance && task.design.tolerance->robust) record.not_checked("tolerance.robust", why);
   check_opening(task, record);
@@ -264,7 +280,7 @@ void audit_limits(const AuditTask& task, AuditRecord& record) {
     return record.not_checked("limits", "the file states none: transmission and clearance are taken as 0");
   check_opening(task, record);
   check_transmission(task, task.design.limits->transmission, record);
-  if (task.design.limits->sheets_gap) check_sheets_limit(task, *task.design.limits->sheets_gap, record);
+  if (task.design.limits->copy_gap) check_copy_gap(task, *task.design.limits->copy_gap, record);
   if (task.design.limits->copy_error) check_copy_error(task, *task.design.limits->copy_error, record);
 }
 

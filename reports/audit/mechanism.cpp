@@ -6,13 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
 #include "reports/audit/record.hpp"
-#include "reports/audit/tolerances.hpp"
+#include "reports/audit/slack.hpp"
 
 namespace kempe {
 namespace {
 
-using audit_tolerance::agreeing;
+using audit_slack::agreeing;
 
 /// The second smallest of four: one of them alone may be wrong.
 double agreed(std::array<double, 4> values) {
@@ -55,16 +56,15 @@ bool opening_fits(const OpeningInterval& interval, const OpeningInterval& openin
 std::optional<int> assembly_mode_of(const StoredDesign& design, AuditRecord& record) {
   record.checked("mechanism.assembly");
   record.checked("mechanism.orientation");
-  const auto intervals = assembly_modes(shape_of(design.k, design.grounding));
+  const auto modes = assembly_modes(shape_of(design.k, design.grounding));
   const DrawnMechanism& drawn = design.mechanism;
-  const auto turns = [&](int assembly_mode) {
-    return CopyingLinkage::make(design.k, design.grounding, 1, 1, assembly_mode)->orientation();
+  const auto mode = [&](int number) -> const AssemblyMode& {
+    return modes[static_cast<std::size_t>(number)];
   };
-  const auto fits = [&](int assembly_mode) {
-    return turns(assembly_mode) == drawn.orientation &&
-           opening_fits(intervals[static_cast<std::size_t>(assembly_mode)], drawn.opening);
+  const auto fits = [&](int number) {
+    return mode(number).sides == drawn.sides && opening_fits(mode(number).openings, drawn.opening);
   };
-  const int count = static_cast<int>(intervals.size());
+  const int count = static_cast<int>(modes.size());
   const int stated = design.assembly_mode.value_or(count);
   if (stated < count && fits(stated)) return stated;
   for (int other = 0; other < count; ++other) {
@@ -78,18 +78,17 @@ std::optional<int> assembly_mode_of(const StoredDesign& design, AuditRecord& rec
     return other;
   }
   const bool known = stated < count;
-  if (!known || turns(stated) != drawn.orientation)
+  if (!known || mode(stated).sides != drawn.sides)
     record.broken(
         {.limit = "mechanism.orientation",
          .sentence = "no assembly mode has this orientation of plates and parallelogram at this opening"});
-  if (!known || !opening_fits(intervals[static_cast<std::size_t>(stated)], drawn.opening))
-    record.broken(
-        {.limit = "mechanism.opening_deg",
-         .attained = degrees(drawn.opening.lower),
-         .allowed =
-             known ? std::optional(degrees(intervals[static_cast<std::size_t>(stated)].lower)) : std::nullopt,
-         .sentence = fmt::format("the opening {:.6f} .. {:.6f} degrees goes beyond the assembly mode",
-                                 degrees(drawn.opening.lower), degrees(drawn.opening.upper))});
+  if (!known || !opening_fits(mode(stated).openings, drawn.opening))
+    record.broken({.limit = "mechanism.opening_deg",
+                   .attained = degrees(drawn.opening.lower),
+                   .allowed = known ? std::optional(degrees(mode(stated).openings.lower)) : std::nullopt,
+                   .sentence = fmt::format("the opening {} .. {} degrees goes beyond the assembly mode",
+                                           fixed_text(degrees(drawn.opening.lower), 6),
+                                           fixed_text(degrees(drawn.opening.upper), 6))});
   return std::nullopt;
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "reports/audit/tolerances.hpp"
+#include "reports/audit/slack.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/part_solid.hpp"
@@ -33,7 +33,7 @@ double perimeter(const ArcRing& ring) {
 /// How much area flattening may take away or add along all edges of a part.
 double flattening_slack(const CutPart& part, double tolerance) {
   const double holes = pi * part.hole_diameter * static_cast<double>(part.holes.size());
-  return tolerance * (perimeter(part.outline) + holes) + audit_tolerance::share_of_area * area(part);
+  return tolerance * (perimeter(part.outline) + holes) + audit_slack::share_of_area * area(part);
 }
 
 /// The contents of a file of the folder; nothing if it is not there; an error sentence if it cannot be read.
@@ -87,7 +87,7 @@ class Recheck {
     if (!linkage) return faults_.push_back(linkage.error().message());
     const auto stored = linkage->lengths().values(), wanted = design_.linkage.lengths().values();
     for (std::size_t i = 0; i < stored.size(); ++i)
-      if (std::abs(stored[i] - wanted[i]) > audit_tolerance::same_mm)
+      if (std::abs(stored[i] - wanted[i]) > audit_slack::same_mm)
         fault("design.json", "{} is {}, not {} mm", LinkLengths::names[i], stored[i], wanted[i]);
   }
 
@@ -125,19 +125,19 @@ class Recheck {
     ArcRing ring;
     for (const DxfVertex& vertex : outline.vertices) ring.push_back({vertex.at, vertex.bulge});
     const double found = signed_area(ring), wanted = signed_area(part.outline);
-    if (!(std::abs(found - wanted) <= audit_tolerance::share_of_rounding * wanted))
+    if (!(std::abs(found - wanted) <= audit_slack::share_of_rounding * wanted))
       fault(file, "{} encloses {} instead of {} mm2", part.name, found, wanted);
   }
 
   void check_holes(const std::string& file, const std::vector<const DxfCircle*>& holes, const CutPart& part) {
     for (std::size_t i = 0; i < holes.size(); ++i) {
-      if (std::abs(2 * holes[i]->radius - part.hole_diameter) > audit_tolerance::same_mm)
+      if (std::abs(2 * holes[i]->radius - part.hole_diameter) > audit_slack::same_mm)
         fault(file, "a hole of {} instead of {} mm in {}", 2 * holes[i]->radius, part.hole_diameter,
               part.name);
       for (std::size_t j = 0; j < i; ++j) {
         const double found = (holes[i]->centre - holes[j]->centre).norm();
         const double wanted = length_between(part.holes[i].joint, part.holes[j].joint);
-        if (!(std::abs(found - wanted) <= audit_tolerance::same_mm))
+        if (!(std::abs(found - wanted) <= audit_slack::same_mm))
           fault(file, "holes {} and {} of {} are {} instead of {} mm apart", letter(part.holes[j].joint),
                 letter(part.holes[i].joint), part.name, found, wanted);
       }

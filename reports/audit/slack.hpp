@@ -1,8 +1,8 @@
 #pragma once
-// Every tolerance of the audit of stored designs and written files, each with its unit and its reason. All of them are far
+// Every slack and threshold of the audit of stored designs and written files, each with its unit and its reason. All of them are far
 // above what rounding does to a file that is right, and far below what a workshop could make.
 
-namespace kempe::audit_tolerance {
+namespace kempe::audit_slack {
 
 // Figures computed anew
 
@@ -41,4 +41,4 @@ inline constexpr double same_mm = 1e-9;
 /// Share of a part's area, beside what flattening its arcs may take away.
 inline constexpr double share_of_area = 1e-6;
 
-}  // namespace kempe::audit_tolerance
+}  // namespace kempe::audit_slack

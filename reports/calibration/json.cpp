@@ -182,7 +182,7 @@ Json scales_json(const ScaleErrors& scales) {
           {"DE", number(scales.DE)}};
 }
 
-/// Knight's letter of a joint: X is his pole bearing A, Y his stylus F, V his pencil E.
+/// Knight's letter of a joint: X is his pole bearing A, Y his tracer F, V his pen E.
 std::string knights_letter(Joint joint) { return joint == Joint::X ? "A" : joint == Joint::Y ? "F" : "E"; }
 
 Json settings(const CalibrationRecord& record) {
@@ -191,8 +191,8 @@ Json settings(const CalibrationRecord& record) {
     Json one{{"ratio", row.ratio},
              {"image", row.reversed ? "reversed" : "erect"},
              {"pole_at", knights_letter(row.pole)},
-             {"stylus_at", knights_letter(row.stylus)},
-             {"pencil_at", knights_letter(row.pencil)},
+             {"stylus_at", knights_letter(row.tracer)},
+             {"pencil_at", knights_letter(row.pen)},
              {"setting", number(row.setting)}};
     if (!row.impossible.empty()) {
       one["impossible"] = row.impossible;

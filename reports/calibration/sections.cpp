@@ -72,8 +72,8 @@ std::string move_words(const Quantity& quantity, double correction) {
   if (name == "CF") return more ? "D farther from C" : "D nearer to C";
   if (name == "BE") return more ? "B farther from E" : "B nearer to E";
   if (name == "DE")
-    return more ? "D nearer to E: its scale runs the other way"
-                : "D farther from E: its scale runs the other way";
+    return more ? "D nearer to E (the scale of DE counts backwards)"
+                : "D farther from E (the scale of DE counts backwards)";
   if (name.starts_with("arm") || name.starts_with("bearing"))
     return "not set by a scale: see the setting table";
   if (name.starts_with("offset")) return fmt::format("move {} across its plate", name.back());
@@ -207,8 +207,8 @@ std::string settings(const CalibrationRecord& record) {
   for (const SettingRow& row : record.settings) {
     std::vector<std::string> cells{
         html_escaped(row.ratio) + (row.reversed ? " <small>reversed</small>" : " <small>erect</small>"),
-        fmt::format("{}, {}, {}", knights_letter(row.pole), knights_letter(row.stylus),
-                    knights_letter(row.pencil)),
+        fmt::format("{}, {}, {}", knights_letter(row.pole), knights_letter(row.tracer),
+                    knights_letter(row.pen)),
         number_text(row.setting, 5)};
     if (row.impossible.empty()) {
       for (const double value : row.scales.values()) cells.push_back(fixed(value));

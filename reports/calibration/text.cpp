@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
 #include "reports/calibration/report.hpp"
 #include "reports/calibration/sections.hpp"
 
@@ -12,8 +13,9 @@ namespace {
 
 std::string instrument_line(const CalibrationRecord& record) {
   if (!record.design)
-    return fmt::format("instrument   variable ratio pantograph, arms {:.6g} mm, ratio {:.6g}\n",
-                       record.measurements.instrument->arm, record.measurements.instrument->ratio);
+    return fmt::format(
+        "instrument   variable ratio pantograph, arms {:.6g} mm, ratio {:.6g}; points by Knight's letters\n",
+        record.measurements.instrument->arm, record.measurements.instrument->ratio);
   const CopyingLinkage& linkage = record.design->linkage;
   return fmt::format("instrument   {}: scale {:.6g}, rotation {:.6g} degrees\n", record.measurements.design,
                      std::abs(linkage.k()), degrees(std::arg(linkage.k())));
@@ -63,9 +65,9 @@ std::string placement_line(const CalibrationRecord& record, const Quantity& one)
   const double half = record.calibration.coverage_factor * one.uncertainty;
   if (!one.determined) return fmt::format("  {:<10} cannot be told\n", one.name);
   if (one.name == "turn")
-    return fmt::format("  {:<10} {:9.4f} +- {:.4f} degrees\n", one.name, degrees(one.drawn + one.error),
-                       degrees(half));
-  return fmt::format("  {:<10} {:9.3f} +- {:.3f} mm\n", one.name, one.drawn + one.error, half);
+    return fmt::format("  {:<10} {:>9} +- {:.4f} degrees\n", one.name,
+                       fixed_text(degrees(one.drawn + one.error), 4), degrees(half));
+  return fmt::format("  {:<10} {:>9} +- {:.3f} mm\n", one.name, fixed_text(one.drawn + one.error, 3), half);
 }
 
 std::string quantity_lines(const CalibrationRecord& record) {
@@ -131,9 +133,10 @@ std::string plan_lines(const PlanRecord& plan) {
   for (const PlannedReading& one : plan.readings) {
     text += "  ";
     if (one.arm_angle) text += fmt::format("arm at {:.1f} degrees, ", degrees(*one.arm_angle));
-    text += fmt::format("tracer at ({:.3f}, {:.3f}) mm: pen expected at ({:.3f}, {:.3f}) mm{}\n",
-                        one.input.x(), one.input.y(), one.wanted.x(), one.wanted.y(),
-                        one.exchanged ? ", pole and tracer exchanged" : "");
+    text +=
+        fmt::format("tracer at ({}, {}) mm: pen expected at ({}, {}) mm{}\n", fixed_text(one.input.x(), 3),
+                    fixed_text(one.input.y(), 3), fixed_text(one.wanted.x(), 3),
+                    fixed_text(one.wanted.y(), 3), one.exchanged ? ", pole and tracer exchanged" : "");
   }
   return text;
 }

@@ -47,12 +47,15 @@ struct LineJson {
   Json operator()(const ContactCut& line) const {
     return {{"contact", Json::array({as_json(line.one), as_json(line.other)})}, {"u", line.u}};
   }
+  Json operator()(const CopyErrorCut& line) const {
+    return {{"copy_error", Json::array({line.far_cosine, line.near_cosine})}};
+  }
   Json operator()(const SumLeaf& line) const {
     Json of = Json::array();
     for (const Requirement& one : line.of) of.push_back(as_json(one));
     return {{"leaf", "sum"}, {"of", std::move(of)}};
   }
-  Json operator()(const SheetsLeaf& line) const {
+  Json operator()(const CopyGapLeaf& line) const {
     return {{"leaf", "sheets"}, {"places", Json::array({as_json(line.one), as_json(line.other)})}};
   }
   Json operator()(const ObstacleLeaf& line) const {

@@ -43,25 +43,27 @@ Json links_json(const Design& design) {
 
 Json mechanism_json(const Design& design) {
   const CopyingLinkage& linkage = design.linkage;
-  const auto orientation = linkage.orientation();
+  const LoopSides sides = linkage.assembly_mode().sides;
   const auto text = [](Joint joint) { return std::string(1, letter(joint)); };
-  return {{"vertex", name(linkage.grounding())},
-          {"pole", text(linkage.pole_joint())},
-          {"tracer", text(linkage.tracer_joint())},
-          {"pen", text(linkage.pen_joint())},
-          {"pole_position_mm", position(linkage.pole())},
-          {"shape", Json::array({linkage.shape().real(), linkage.shape().imag()})},
-          {"assembly", linkage.assembly_mode()},
-          {"opening_deg", opening_json(design.opening)},
-          {"lengths_mm", lengths_json(linkage.lengths())},
-          {"orientation",
-           {{"parallelogram", orientation.parallelogram},
-            {"plate_ACX", orientation.plate_ACX},
-            {"plate_BCY", orientation.plate_BCY}}},
-          {"links", links_json(design)},
-          {"link_width_mm", design.style.width},
-          {"pin_diameter_mm", design.style.pin_diameter},
-          {"thickness_mm", design.style.thickness}};
+  Json json{{"vertex", name(linkage.grounding())},
+            {"pole", text(linkage.pole_joint())},
+            {"tracer", text(linkage.tracer_joint())},
+            {"pen", text(linkage.pen_joint())},
+            {"pole_position_mm", position(linkage.pole())},
+            {"shape", Json::array({linkage.shape().real(), linkage.shape().imag()})},
+            {"assembly", linkage.assembly_mode().number},
+            {"opening_deg", opening_json(design.opening)},
+            {"lengths_mm", lengths_json(linkage.lengths())},
+            {"orientation",
+             {{"parallelogram", sign(sides.parallelogram)},
+              {"plate_ACX", sign(sides.plate_ACX)},
+              {"plate_BCY", sign(sides.plate_BCY)}}},
+            {"links", links_json(design)},
+            {"link_width_mm", design.style.width},
+            {"pin_diameter_mm", design.style.pin_diameter},
+            {"thickness_mm", design.style.thickness}};
+  if (!design.hardware.empty()) json["hardware"] = design.hardware;
+  return json;
 }
 
 /// A figure of the objective; without a search, which names one, in the library's unit.
@@ -127,7 +129,7 @@ Json verification_json(const Verification& verification) {
             {"scale", finite_or_null(verification.scale)},
             {"rotation_deg", finite_or_null(stated_degrees(verification.rotation))},
             {"flips", verification.flips},
-            {"certified", verification.certified},
+            {"certified", verification.holds},
             {"failure", verification.failure}};
   if (verification.over_workspace) json["driven_over"] = "workspace";
   return json;
@@ -180,23 +182,27 @@ Json tool_json(const std::optional<ToolAdvice>& tool) {
 }  // namespace
 
 nlohmann::ordered_json design_values(const Design& design) {
-  return {{"format", "kempe-design/1"},
-          {"copy", copy_json(design)},
-          {"region", nullptr},
-          {"mechanism", mechanism_json(design)},
-          {"quality", quality_json(design)},
-          {"workspace", workspace_json(design.map)},
-          {"verification", verification_json(design.verification)},
-          {"search", search_json(design.search)},
-          {"limits", limits_json(design.limits)},
-          {"tolerance", tolerance_json(design.tolerance)},
-          {"obstacles", obstacles_json(design.obstacles)},
-          {"why_not_fewer_layers", design.why_not_fewer_layers},
-          {"tool", tool_json(design.tool)},
-          {"pole", if_known(design.allowed, pole_json)},
-          {"links", if_known(design.allowed, links_limits_json)},
-          {"objective", if_known(design.allowed, objective_json)},
-          {"cutting", cutting_json(design.cutting)}};
+  Json json = Json::object();
+  json["format"] = "kempe-design/1";
+  if (!design.title.empty()) json["title"] = design.title;
+  json.update(Json{{"copy", copy_json(design)},
+                   {"region", nullptr},
+                   {"mechanism", mechanism_json(design)},
+                   {"quality", quality_json(design)},
+                   {"workspace", workspace_json(design.map)},
+                   {"verification", verification_json(design.verification)},
+                   {"search", search_json(design.search)},
+                   {"limits", limits_json(design.limits)},
+                   {"tolerance", tolerance_json(design.tolerance)},
+                   {"obstacles", obstacles_json(design.obstacles)},
+                   {"why_not_fewer_layers", design.why_not_fewer_layers},
+                   {"tool", tool_json(design.tool)},
+                   {"pole", if_known(design.allowed, pole_json)},
+                   {"links", if_known(design.allowed, links_limits_json)},
+                   {"objective", if_known(design.allowed, objective_json)},
+                   {"cutting", cutting_json(design.cutting)}});
+  add_bodies_and_table(design.bodies, design.table, json);
+  return json;
 }
 
 std::string design_json(const Design& design) {
@@ -204,7 +210,8 @@ std::string design_json(const Design& design) {
   constexpr std::string_view key = "\"region\": ", nothing = "null";
   const std::string rest =
       design_values(design).dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
-  const std::size_t place = rest.find(key) + key.size();  // what stands before is numbers
+  const std::size_t place =
+      rest.find(key) + key.size();  // before it are numbers and the title, its quotes escaped
   std::string text = rest.substr(0, place);
   append_multi_polygon(text, design.region, indent, 1);
   text.append(rest, place + nothing.size());

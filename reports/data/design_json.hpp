@@ -1,6 +1,7 @@
 #pragma once
 // design.json: a design as a file, and the file read back without trusting a word of it.
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -29,22 +30,33 @@ struct StoredMap {
   std::vector<FittingSheet> sheets;                                    ///< the largest one among them
 };
 
+/// What the file states of the search beside its objective and value.
+struct StoredSearch {
+  std::vector<std::string> solvers;
+  std::uint64_t evaluations = 0, seed = 0;
+  bool complete = true;
+};
+
 /// What a design file says, checked for form but not believed: `mechanism.lengths` are those of the file even
 /// if they no longer close or copy, so that verification can see it.
 struct StoredDesign {
+  std::string title;               ///< empty: the file has none
   double scale = 1, rotation = 0;  ///< wanted; rotation rad
   Complex k{1, 0};                 ///< copy_ratio(scale, rotation)
   Region region;
   Grounding grounding = Grounding::pole;
   Complex shape{1, 0};
   std::optional<int> assembly_mode;  ///< absent in a file of the contract's minimal form
-  DrawnMechanism
-      mechanism;  ///< the eight lengths, the orientation, the places and the opening, all as stored
+  /// The eight lengths, the orientation, the places and the opening, all as stored.
+  DrawnMechanism mechanism;
   LinkStyle style;
   LayerAssignment layers;
+  std::string hardware;                ///< empty: plain pins
   std::optional<Limits> limits;        ///< absent in a file of the contract's minimal form
   std::optional<Tolerance> tolerance;  ///< absent: the spec gave none
   std::vector<Obstacle> obstacles;
+  std::vector<Body> bodies;
+  std::optional<Polygon> table;
   std::optional<Allowed> allowed;  ///< absent: the file says nothing, or that the mechanism was given
   std::optional<CuttingSpec> cutting;
   Quality quality;                  ///< as claimed
@@ -56,6 +68,7 @@ struct StoredDesign {
   std::optional<ToolAdvice> tool;
   std::optional<Objective> objective;  ///< that was searched for
   std::optional<double> value;         ///< its value, as claimed, in the file's unit (mm, degrees, mm^2)
+  StoredSearch search;                 ///< as claimed
   /// Tables of the top level that the file has, null or not; and keys that this version does not know.
   std::vector<std::string> tables, unknown_keys;
 };
@@ -66,7 +79,7 @@ struct StoredDesign {
 /// those of the mechanism.
 tl::expected<StoredDesign, InputError> read_design(std::string_view text, const std::string& file);
 
-/// What a stored design's map is made of, `linkage` being linkage_of() it: its limits and obstacles, no region.
+/// What a stored design's map is made of, `linkage` being linkage_of() it: its limits, obstacles, bodies and table, no region.
 MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage);
 
 /// The check of a stored design, from its stored lengths alone.

@@ -7,6 +7,8 @@
 #include "reports/data/design_json.hpp"
 #include "reports/data/design_json_keys.hpp"
 #include "reports/data/json_fields.hpp"
+#include "specs/file_kind.hpp"
+#include "specs/hardware.hpp"
 #include "specs/text/json_text.hpp"
 #include "specs/text/printable.hpp"
 
@@ -15,6 +17,7 @@ namespace {
 
 constexpr double largest_coordinate = 1e7;  ///< mm; ten kilometres: beyond it squares lose the micrometre
 constexpr std::size_t many = 10'000'000;
+constexpr std::size_t most_solvers = 100, longest_solver_name = 200;
 
 template <class Value>
 Value one_of(const JsonField& field, const std::vector<std::pair<std::string, Value>>& choices) {
@@ -43,11 +46,12 @@ Point point(const JsonField& field) {
 
 Ring ring(const JsonField& field) {
   Ring result;
+  const std::size_t before = field.faults();
   for (const JsonField& place : field.elements(4, many)) {
     result.push_back(point(place));
     if (field.failed()) return {};
   }
-  if (result.empty()) return result;
+  if (field.faults() != before) return {};
   if (result.front() != result.back())
     field.refuse("an open ring", "a ring whose last position repeats the first");
   result.pop_back();
@@ -91,27 +95,29 @@ LinkLengths lengths(const JsonField& field) {
       .VA = at(0), .VB = at(1), .AC = at(2), .BC = at(3), .AX = at(4), .CX = at(5), .BY = at(6), .CY = at(7)};
 }
 
-CopyingLinkage::Orientation orientation(const JsonField& field) {
-  const auto sign = [](const JsonField& one) { return static_cast<int>(one.integer(-1, 1)); };
-  CopyingLinkage::Orientation result{sign(field["parallelogram"]), sign(field["plate_ACX"]),
-                                     sign(field["plate_BCY"])};
-  if (result.parallelogram == 0) field["parallelogram"].refuse("1 or -1");
+LoopSides loop_sides(const JsonField& field) {
+  const auto side = [](const JsonField& one) { return static_cast<Side>(one.integer(-1, 1)); };
+  const LoopSides result{side(field["parallelogram"]), side(field["plate_ACX"]), side(field["plate_BCY"])};
+  if (result.parallelogram == Side::on_line) field["parallelogram"].refuse("1 or -1");
   return result;
 }
 
-Joint carrier(const JsonField& field, Joint expected) {
-  const Joint stored = joint(field);
-  if (stored != expected) field.refuse(fmt::format("\"{}\" with this vertex", letter(expected)));
-  return stored;
+void require_joint(const JsonField& field, Joint expected) {
+  if (joint(field) != expected) field.refuse(fmt::format("\"{}\" with this vertex", letter(expected)));
 }
 
-DrawnMechanism drawn_mechanism(const JsonField& field, Grounding grounding) {
-  const JointRoles expected = roles_of(grounding);
+void require_roles(const JsonField& field, const JointRoles& roles) {
+  require_joint(field["pole"], roles.pole);
+  require_joint(field["tracer"], roles.tracer);
+  require_joint(field["pen"], roles.pen);
+}
+
+DrawnMechanism drawn_mechanism(const JsonField& field, const JointRoles& roles) {
   return {.lengths = lengths(field["lengths_mm"]),
-          .orientation = orientation(field["orientation"]),
-          .pole = carrier(field["pole"], expected.pole),
-          .tracer = carrier(field["tracer"], expected.tracer),
-          .pen = carrier(field["pen"], expected.pen),
+          .sides = loop_sides(field["orientation"]),
+          .pole = roles.pole,
+          .tracer = roles.tracer,
+          .pen = roles.pen,
           .pole_position = point(field["pole_position_mm"]),
           .opening = field["opening_deg"].is_null() ? OpeningInterval{} : opening(field["opening_deg"])};
 }
@@ -141,10 +147,18 @@ void read_links(const JsonField& field, StoredDesign& design) {
   for (std::size_t i = 0; i < links.size(); ++i) read_link(links[i], all_links[i], design);
 }
 
+Grounding grounding(const JsonField& field) {
+  std::vector<std::pair<std::string, Grounding>> choices;
+  for (const Grounding each : all_groundings) choices.emplace_back(name(each), each);
+  return one_of(field, choices);
+}
+
 void read_mechanism(const JsonField& field, StoredDesign& design) {
-  design.grounding = one_of<Grounding>(
-      field["vertex"], {{"pole", Grounding::pole}, {"tracer", Grounding::tracer}, {"pen", Grounding::pen}});
-  design.mechanism = drawn_mechanism(field, design.grounding);
+  const std::size_t before = field.faults();
+  design.grounding = grounding(field["vertex"]);
+  const JointRoles roles = roles_of(design.grounding);
+  if (field.faults() == before) require_roles(field, roles);
+  design.mechanism = drawn_mechanism(field, roles);
   if (const auto assembly_mode = field.find("assembly"))
     design.assembly_mode = static_cast<int>(assembly_mode->integer(0, 3));
   const auto [real, imaginary] = field["shape"].pair();
@@ -152,6 +166,10 @@ void read_mechanism(const JsonField& field, StoredDesign& design) {
   read_links(field["links"], design);
   design.style.width = length(field["link_width_mm"]);
   design.style.pin_diameter = length(field["pin_diameter_mm"]);
+  if (const auto hardware = field.find("hardware")) {
+    design.hardware = hardware->text();
+    if (hardware_named(design.hardware) == nullptr) hardware->refuse("a name of docs/hardware.md");
+  }
   design.style.thickness = length(field["thickness_mm"]);
 }
 
@@ -197,7 +215,7 @@ Verification verification(const JsonField& field) {
   result.scale = field["scale"].number();
   result.rotation = radians(field["rotation_deg"].number());
   result.flips = static_cast<int>(field["flips"].integer(0, most));
-  result.certified = field["certified"].boolean();
+  result.holds = field["certified"].boolean();
   if (const auto over = field.find("driven_over")) result.over_workspace = over->text() == "workspace";
   if (const auto failure = field.find("failure")) result.failure = failure->text();
   return result;
@@ -234,8 +252,9 @@ Limits limits(const JsonField& field) {
   Limits result;
   result.clearance = field["clearance_mm"].number(0, largest_coordinate);
   result.transmission = radians(field["transmission_deg"].number(0, 90));
-  if (const auto gap = field.find("sheets_gap_mm")) result.sheets_gap = gap->number();
+  if (const auto gap = field.find("sheets_gap_mm")) result.copy_gap = gap->number();
   if (const auto error = field.find("copy_error_mm")) result.copy_error = error->number();
+  if (const auto strip = field.find("longest_strip_mm")) result.longest_strip = length(*strip);
   return result;
 }
 
@@ -246,16 +265,41 @@ Tolerance tolerance(const JsonField& field) {
           .robust = robust && robust->boolean()};
 }
 
+Polygon one_polygon(const JsonField& field) {
+  const Region shape = region(field);
+  if (shape.polygons.size() == 1) return shape.polygons.front();
+  field.refuse("one polygon");
+  return {};
+}
+
+/// Name and layers of an obstacle or a body.
+template <typename Thing>
+void read_name_and_layers(const JsonField& field, Thing& thing) {
+  if (const auto name = field.find("name")) thing.name = printable(name->text());
+  const auto layers = field["layers"].elements(2, 2);
+  if (layers.size() != 2) return;
+  thing.lowest_layer = static_cast<int>(layers[0].integer(1, 100));
+  thing.highest_layer = static_cast<int>(layers[1].integer(thing.lowest_layer, 100));
+}
+
 Obstacle obstacle(const JsonField& field) {
   Obstacle result;
-  const Region shape = region(field["shape"]);
-  if (shape.polygons.size() != 1) field["shape"].refuse("one polygon");
-  if (const auto name = field.find("name")) result.name = printable(name->text());
-  if (!shape.polygons.empty()) result.shape = shape.polygons.front();
-  const auto layers = field["layers"].elements(2, 2);
-  if (layers.size() != 2) return result;
-  result.lowest_layer = static_cast<int>(layers[0].integer(1, 100));
-  result.highest_layer = static_cast<int>(layers[1].integer(result.lowest_layer, 100));
+  result.shape = one_polygon(field["shape"]);
+  read_name_and_layers(field, result);
+  return result;
+}
+
+Body body(const JsonField& field) {
+  Body result;
+  result.at = one_of<Carrier>(field["at"], {{"tracer", Carrier::tracer}, {"pen", Carrier::pen}});
+  if (const auto circle = field.find("circle_mm")) {
+    const double radius = (*circle)["radius"].number(0, largest_coordinate);
+    if (!(radius > 0)) (*circle)["radius"].refuse("a number > 0");
+    result.shape = Disc{point((*circle)["centre"]), radius};
+  } else {
+    result.shape = one_polygon(field["shape"]);
+  }
+  read_name_and_layers(field, result);
   return result;
 }
 
@@ -281,25 +325,29 @@ void read_links_limits(const JsonField& field, Allowed& allowed) {
   allowed.shortest = length(field["shortest_mm"]);
   allowed.longest = length(field["longest_mm"]);
   allowed.wall = perhaps_length(field, "wall_mm");
-  allowed.workshop.grid = perhaps_length(field, "grid_mm");
+  allowed.seat = perhaps_length(field, "seat_mm");
+  allowed.stock_lengths.grid = perhaps_length(field, "grid_mm");
   if (const auto stock = field.find("stock_mm"))
-    for (const JsonField& one : stock->elements(0, many)) allowed.workshop.stock.push_back(length(one));
+    for (const JsonField& one : stock->elements(0, many)) allowed.stock_lengths.stock.push_back(length(one));
   for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
-    allowed.workshop.locked[i] = perhaps_length(field, std::string(LinkLengths::names[i]) + "_mm");
+    allowed.stock_lengths.locked[i] = perhaps_length(field, std::string(LinkLengths::names[i]) + "_mm");
 }
 
 std::vector<Grounding> groundings(const JsonField& field) {
   std::vector<Grounding> result;
-  for (const JsonField& one : field.elements(1, 3))
-    result.push_back(one_of<Grounding>(
-        one, {{"pole", Grounding::pole}, {"tracer", Grounding::tracer}, {"pen", Grounding::pen}}));
+  for (const JsonField& one : field.elements(1, 3)) result.push_back(grounding(one));
   return result;
 }
 
 CuttingSpec cutting(const JsonField& field) {
   CuttingSpec result{.hole_fit = field["hole_fit_mm"].number(-1000, 1000),
                      .kerf = field["kerf_mm"].number(0, 1000)};
-  if (const auto sheet = field.find("sheet_mm")) result.sheet = point(*sheet);
+  if (const auto process = field.find("process"))
+    result.process = one_of<Process>(*process, {{"laser", Process::laser},
+                                                {"mill", Process::mill},
+                                                {"print", Process::print},
+                                                {"drill", Process::drill}});
+  if (const auto sheet = field.find("sheet_mm")) result.stock_sheet = point(*sheet);
   result.gap = field["gap_mm"].number(0, largest_coordinate);
   return result;
 }
@@ -322,13 +370,31 @@ void read_search(const JsonField& field, StoredDesign& design) {
     design.objective = one_of(*objective, choices);
   }
   if (const auto value = field.find("value")) design.value = value->number();
+  StoredSearch& search = design.search;
+  if (const auto solvers = field.find("solvers"))
+    for (const JsonField& solver : solvers->elements(0, most_solvers))
+      search.solvers.push_back(printable(solver.text(), longest_solver_name));
+  if (const auto evaluations = field.find("evaluations")) search.evaluations = evaluations->natural();
+  if (const auto seed = field.find("seed")) search.seed = seed->natural();
+  if (const auto complete = field.find("complete")) search.complete = complete->boolean();
+}
+
+std::string title(const JsonField& field) {
+  const std::string text = field.text();
+  if (text.size() > most_title_bytes || printable(text) != text)
+    field.refuse(fmt::format("one line of at most {} bytes, without control characters", most_title_bytes));
+  return text;
 }
 
 void read_extras(const JsonField& root, StoredDesign& design) {
+  if (const auto field = root.find("title")) design.title = title(*field);
   if (const auto field = root.find("limits")) design.limits = limits(*field);
   if (const auto field = root.find("tolerance")) design.tolerance = tolerance(*field);
   if (const auto field = root.find("obstacles"))
     for (const JsonField& one : field->elements(0, many)) design.obstacles.push_back(obstacle(one));
+  if (const auto field = root.find("bodies"))
+    for (const JsonField& one : field->elements(0, many)) design.bodies.push_back(body(one));
+  if (const auto field = root.find("table")) design.table = one_polygon(*field);
   if (const auto field = root.find("cutting")) design.cutting = cutting(*field);
   if (const auto field = root.find("tool")) design.tool = tool(*field);
   if (const auto field = root.find("search")) read_search(*field, design);
@@ -346,7 +412,7 @@ void read_allowed(const JsonField& root, StoredDesign& design) {
 StoredDesign read_fields(const JsonField& root) {
   StoredDesign design;
   if (root["format"].text() != "kempe-design/1") root["format"].refuse("\"kempe-design/1\"");
-  if (root.failed()) return design;
+  if (root.faults() > 0) return design;  // another file
   read_copy(root["copy"], design);
   design.region = region(root["region"]);
   read_mechanism(root["mechanism"], design);
@@ -365,11 +431,13 @@ StoredDesign read_fields(const JsonField& root) {
 
 tl::expected<StoredDesign, InputError> read_design(std::string_view text, const std::string& file) {
   const auto json = parse_json(text, file);
-  if (!json) return tl::unexpected(json.error());
-  JsonField::Log log{file, std::nullopt};
+  if (!json) return tl::unexpected(or_other_kind(json.error(), text, FileKind::design));
+  JsonField::Log log{file};
   StoredDesign design = read_fields(JsonField(*json, log));
-  if (log.first) return tl::unexpected(*log.first);
-  return design;
+  if (log.faults.empty()) return design;
+  InputError faults = log.faults.front();
+  faults.others.assign(log.faults.begin() + 1, log.faults.end());
+  return tl::unexpected(or_other_kind(std::move(faults), text, FileKind::design));
 }
 
 namespace {
@@ -378,15 +446,14 @@ namespace {
 std::optional<CopyingLinkage> fitting_assembly_mode(const StoredDesign& design) {
   const DrawnMechanism& drawn = design.mechanism;
   constexpr double slack = 1e-9;
-  const auto intervals = assembly_modes(shape_of(design.k, design.grounding));
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    const OpeningInterval widened{intervals[i].lower - slack, intervals[i].upper + slack};
-    if (!widened.contains(drawn.opening) ||
-        static_cast<int>(i) != design.assembly_mode.value_or(static_cast<int>(i)))
+  for (const AssemblyMode& mode : assembly_modes(shape_of(design.k, design.grounding))) {
+    const OpeningInterval widened{mode.openings.lower - slack, mode.openings.upper + slack};
+    if (!widened.contains(drawn.opening) || mode.sides != drawn.sides ||
+        mode.number != design.assembly_mode.value_or(mode.number))
       continue;
     const auto linkage = CopyingLinkage::make(design.k, design.grounding, drawn.lengths.VA, drawn.lengths.VB,
-                                              static_cast<int>(i), drawn.pole_position);
-    if (linkage && linkage->orientation() == drawn.orientation) return *linkage;
+                                              mode.number, drawn.pole_position);
+    if (linkage) return *linkage;
   }
   return std::nullopt;
 }
@@ -414,8 +481,16 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, 
 }
 
 MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage) {
-  return map_task(linkage, design.style, design.layers, design.limits.value_or(Limits{}), design.obstacles,
-                  {});
+  const Limits limits = design.limits.value_or(Limits{});
+  return {.linkage = linkage,
+          .style = design.style,
+          .layers = design.layers,
+          .clearance = limits.clearance,
+          .transmission = limits.transmission,
+          .obstacles = design.obstacles,
+          .bodies = design.bodies,
+          .table = design.table,
+          .copy_gap = limits.copy_gap};
 }
 
 namespace {
@@ -425,7 +500,10 @@ void drive_over_workspace(const StoredDesign& design, VerificationTask& task) {
   const auto linkage = linkage_of(design, "");
   if (!linkage) return;  // whatever contradicts itself there, the drive over the region sees it too
   MapTask mapped = map_task(design, *linkage);
-  task.workspace = part_to_drive_over(mapped, map_workspace(mapped, {.largest_sheets = false}));
+  WorkspaceMap map = map_workspace(mapped, {.largest_sheets = false});
+  // Of several free intervals the file states one, which need not be the widest.
+  if (!task.mechanism.opening.empty()) map.certified_opening = task.mechanism.opening;
+  task.workspace = part_to_drive_over(mapped, map);
   if (!task.mechanism.opening.empty()) return;
   task.mechanism.opening = linkage->openings_with_transmission(mapped.transmission);
   task.region_covered = false;
@@ -447,6 +525,8 @@ VerificationTask verification_task(const StoredDesign& design) {
     task.transmission = design.limits->transmission;
     task.clearance = design.limits->clearance;
     task.obstacles = design.obstacles;
+    task.bodies = design.bodies;
+    task.table = design.table;
   }
   return task;
 }

@@ -1,5 +1,8 @@
 #include "reports/data/geojson_geometry.hpp"
 
+#include <array>
+#include <string_view>
+
 namespace kempe {
 namespace {
 
@@ -34,9 +37,16 @@ class JsonText {
     text_ += bracket;
     place_ = Place::after_item;
   }
-  void value(const ordered_json& one) {
+  void value(std::string_view one) {
     begin_item();
-    text_ += one.dump();
+    text_.append(1, '"').append(one).append(1, '"');
+  }
+  /// Finite, as dump() writes it: with a value for each of a map's numbers a fifth of its time would go into them.
+  void value(double one) {
+    begin_item();
+    std::array<char, 64> digits{};
+    const char* end = nlohmann::detail::to_chars(digits.data(), digits.data() + digits.size(), one);
+    text_.append(digits.data(), static_cast<std::size_t>(end - digits.data()));
   }
 
  private:

@@ -22,7 +22,9 @@ std::string quoted(const json& value) {
 }  // namespace
 
 void JsonField::refuse(const std::string& found, const std::string& allowed) const {
-  if (!log_->first) log_->first = InputError{log_->file, 0, path_, found, allowed};
+  const auto is_here = [this](const InputError& fault) { return fault.key == path_; };
+  if (failed() || std::any_of(log_->faults.begin(), log_->faults.end(), is_here)) return;
+  log_->faults.push_back({log_->file, 0, path_, found, allowed});
 }
 
 void JsonField::refuse(const std::string& allowed) const {
@@ -105,6 +107,13 @@ std::int64_t JsonField::integer(std::int64_t lower, std::int64_t upper) const {
   if (whole && lower <= value && value <= upper) return value;
   refuse(fmt::format("a whole number from {} to {}", lower, upper));
   return lower;
+}
+
+std::uint64_t JsonField::natural() const {
+  if (value_ == nullptr) return 0;
+  if (value_->is_number_unsigned()) return value_->get<std::uint64_t>();
+  refuse("a whole number from 0");
+  return 0;
 }
 
 bool JsonField::boolean() const {

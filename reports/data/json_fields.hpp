@@ -1,5 +1,5 @@
 #pragma once
-// Hostile JSON as values: every field is asked for by key and type, the first thing wrong is remembered.
+// Hostile JSON as values: every field is asked for by key and type, and all that is wrong is remembered.
 
 #include <cstdint>
 #include <initializer_list>
@@ -17,9 +17,11 @@ namespace kempe {
 /// harmless value, so that a reader reads as a list of fields; look at the log once at the end.
 class JsonField {
  public:
+  /// The faults of a file in the order in which they were met, one a place, at most `most`.
   struct Log {
+    static constexpr std::size_t most = 100;
     std::string file;
-    std::optional<InputError> first;
+    std::vector<InputError> faults{};
   };
 
   JsonField(const nlohmann::json& root, Log& log) : JsonField(&root, "", log) {}
@@ -43,6 +45,8 @@ class JsonField {
   /// A finite number; nothing for null.
   std::optional<double> number_or_null() const;
   std::int64_t integer(std::int64_t lower, std::int64_t upper) const;
+  /// A whole number that is not negative, up to the largest of 64 bits.
+  std::uint64_t natural() const;
   bool boolean() const;
   std::string text() const;
   /// [x, y]
@@ -51,7 +55,10 @@ class JsonField {
   /// Notes that this field is wrong; what stands there is quoted.
   void refuse(const std::string& allowed) const;
   void refuse(const std::string& found, const std::string& allowed) const;
-  bool failed() const { return log_->first.has_value(); }
+  /// How many faults the file has so far.
+  std::size_t faults() const { return log_->faults.size(); }
+  /// True once there is no room for another fault: there is no use in reading on.
+  bool failed() const { return faults() >= Log::most; }
 
  private:
   JsonField(const nlohmann::json* value, std::string path, Log& log)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/data/link_shape.hpp"
+#include "synthesis/design/rounding.hpp"
 
 namespace kempe {
 namespace {
@@ -19,12 +20,16 @@ Link link_of_length(std::string_view length) {
 }  // namespace
 
 std::string links_csv(const Design& design) {
-  std::string text = "link,length,mm,layer,shape\n";
+  std::string text = "link,length,mm,layer,shape,rounded_mm\n";
   const auto values = design.linkage.lengths().values();
+  const RoundedLengths rounded = rounded_lengths(design);
+  const auto as_made = rounded.lengths.values();
+  const int decimals = decimals_of(rounded);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Link link = link_of_length(LinkLengths::names[i]);
-    text += fmt::format("{},{},{},{},{}\n", name(link), LinkLengths::names[i], values[i], design.layers[link],
-                        shape_name(link, design.style));
+    text += fmt::format("{},{},{},{},{},{:.{}f}\n", name(link), LinkLengths::names[i], values[i],
+                        design.layers[link], shape_as_made(link, design.style, design.linkage.shape()),
+                        as_made[i], decimals);
   }
   return text;
 }

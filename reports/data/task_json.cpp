@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/stated_angle.hpp"
+#include "kinematics/overloaded.hpp"
 #include "reports/data/geojson_geometry.hpp"
 
 namespace kempe {
@@ -15,10 +16,12 @@ Json finite_or_null(const std::optional<double>& value) {
 }
 
 Json limits_json(const Limits& limits) {
-  return {{"clearance_mm", limits.clearance},
-          {"transmission_deg", stated_degrees(limits.transmission)},
-          {"sheets_gap_mm", finite_or_null(limits.sheets_gap)},
-          {"copy_error_mm", finite_or_null(limits.copy_error)}};
+  Json json{{"clearance_mm", limits.clearance},
+            {"transmission_deg", stated_degrees(limits.transmission)},
+            {"sheets_gap_mm", finite_or_null(limits.copy_gap)},
+            {"copy_error_mm", finite_or_null(limits.copy_error)}};
+  if (limits.longest_strip) json["longest_strip_mm"] = *limits.longest_strip;
+  return json;
 }
 
 Json tolerance_json(const std::optional<Tolerance>& tolerance) {
@@ -37,6 +40,26 @@ Json obstacles_json(const std::vector<Obstacle>& obstacles) {
   return json;
 }
 
+namespace {
+
+Json body_json(const Body& body) {
+  Json json{{"name", body.name}, {"at", body.at == Carrier::tracer ? "tracer" : "pen"}};
+  std::visit(Overloaded{[&](const Disc& disc) {
+                          json["circle_mm"] = {{"centre", position(disc.centre)}, {"radius", disc.radius}};
+                        },
+                        [&](const Polygon& polygon) { json["shape"] = multi_polygon(Region{{polygon}}); }},
+             body.shape);
+  json["layers"] = Json::array({body.lowest_layer, body.highest_layer});
+  return json;
+}
+
+}  // namespace
+
+void add_bodies_and_table(const std::vector<Body>& bodies, const std::optional<Polygon>& table, Json& json) {
+  for (const Body& body : bodies) json["bodies"].push_back(body_json(body));
+  if (table) json["table"] = multi_polygon(Region{{*table}});
+}
+
 Json pole_json(const Allowed& allowed) {
   if (allowed.pole.is_fixed()) return {{"at_mm", position(std::get<Point>(allowed.pole.place))}};
   return {{"within_mm", multi_polygon(std::get<Region>(allowed.pole.place))}};
@@ -47,11 +70,12 @@ Json links_limits_json(const Allowed& allowed) {
             {"shortest_mm", allowed.shortest},
             {"longest_mm", allowed.longest},
             {"wall_mm", finite_or_null(allowed.wall)},
-            {"grid_mm", finite_or_null(allowed.workshop.grid)},
-            {"stock_mm", allowed.workshop.stock}};
-  for (std::size_t i = 0; i < allowed.workshop.locked.size(); ++i)
-    if (allowed.workshop.locked[i])
-      json[std::string(LinkLengths::names[i]) + "_mm"] = *allowed.workshop.locked[i];
+            {"grid_mm", finite_or_null(allowed.stock_lengths.grid)},
+            {"stock_mm", allowed.stock_lengths.stock}};
+  if (allowed.seat) json["seat_mm"] = *allowed.seat;
+  for (std::size_t i = 0; i < allowed.stock_lengths.locked.size(); ++i)
+    if (allowed.stock_lengths.locked[i])
+      json[std::string(LinkLengths::names[i]) + "_mm"] = *allowed.stock_lengths.locked[i];
   return json;
 }
 
@@ -62,26 +86,30 @@ Json objective_json(const Allowed& allowed) {
 }
 
 Json cutting_json(const CuttingSpec& cutting) {
-  return {{"hole_fit_mm", cutting.hole_fit},
-          {"kerf_mm", cutting.kerf},
-          {"sheet_mm", cutting.sheet ? position(*cutting.sheet) : Json(nullptr)},
-          {"gap_mm", cutting.gap}};
+  Json json{{"hole_fit_mm", cutting.hole_fit},
+            {"kerf_mm", cutting.kerf},
+            {"sheet_mm", cutting.stock_sheet ? position(*cutting.stock_sheet) : Json(nullptr)},
+            {"gap_mm", cutting.gap}};
+  if (cutting.process) json["process"] = name(*cutting.process);
+  return json;
 }
 
 Json task_json(const Spec& spec) {
   const Allowed allowed = allowed_by(spec);
-  return {{"copy", {{"scale", spec.copy.scale()}, {"rotation_deg", stated_degrees(spec.copy.rotation())}}},
-          {"region", multi_polygon(spec.region)},
-          {"pole", pole_json(allowed)},
-          {"links", links_limits_json(allowed)},
-          {"limits", limits_json(spec.limits)},
-          {"obstacles", obstacles_json(spec.obstacles)},
-          {"objective", objective_json(allowed)},
-          {"tolerance", tolerance_json(spec.tolerance)},
-          {"cutting", cutting_json(spec.cutting)},
-          {"link_width_mm", spec.links.style.width},
-          {"pin_diameter_mm", spec.links.style.pin_diameter},
-          {"plate", spec.links.style.plate == PlateStyle::bent ? "bent" : "triangle"}};
+  Json json{{"copy", {{"scale", spec.copy.scale()}, {"rotation_deg", stated_degrees(spec.copy.rotation())}}},
+            {"region", multi_polygon(spec.region)},
+            {"pole", pole_json(allowed)},
+            {"links", links_limits_json(allowed)},
+            {"limits", limits_json(spec.limits)},
+            {"obstacles", obstacles_json(spec.obstacles)},
+            {"objective", objective_json(allowed)},
+            {"tolerance", tolerance_json(spec.tolerance)},
+            {"cutting", cutting_json(spec.cutting)},
+            {"link_width_mm", spec.links.style.width},
+            {"pin_diameter_mm", spec.links.style.pin_diameter},
+            {"plate", spec.links.style.plate == PlateStyle::bent ? "bent" : "triangle"}};
+  add_bodies_and_table(spec.bodies, spec.table, json);
+  return json;
 }
 
 }  // namespace kempe

@@ -157,6 +157,7 @@ std::string workspace_geojson(const Design& design, double tolerance) {
   features.add("copy", similar_image(design.region, linkage.k(), linkage.pole()));
   add_pen_side(features, design);
   add_obstacles(features, design.obstacles);
+  if (design.table) features.add("table", Region{{*design.table}});
   features.add("footprint", design.footprint);
   add_lost(features, map.lost);
   add_sheets(features, map.largest_sheets);

@@ -3,32 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+
+#include "reports/drawings/blank.hpp"
+#include "reports/drawings/joint_stack.hpp"
 
 namespace kempe {
 namespace {
 
-/// The layers of the links at a joint.
-struct Span {
-  int lowest = 1000, highest = 0;
-  int links = 0;
-};
-
-Span span_at(Joint joint, const LayerAssignment& layers) {
-  Span span;
-  for (const Link link : all_links) {
-    if (!has_joint(link, joint)) continue;
-    span.lowest = std::min(span.lowest, layers[link]);
-    span.highest = std::max(span.highest, layers[link]);
-    ++span.links;
-  }
-  return span;
-}
-
-std::string links_at(Joint joint) {
+std::string links_of(const JointStack& stack) {
   std::string text;
   for (const Link link : all_links)
-    if (has_joint(link, joint)) text += (text.empty() ? "" : " and ") + std::string(name(link));
+    if (has_joint(link, stack.joint)) text += (text.empty() ? "" : " and ") + std::string(name(link));
   return text;
 }
 
@@ -42,51 +27,152 @@ double length_between(const LinkLengths& lengths, Link link) {
   return std::max({lengths.BC, lengths.BY, lengths.CY});
 }
 
+std::string use_of(const CopyingLinkage& linkage, Joint joint) {
+  if (joint == linkage.pole_joint()) return "fixed in the table";
+  return joint == linkage.tracer_joint() ? "follows the original" : "draws the copy";
+}
+
 class Bill {
  public:
   explicit Bill(const Design& design) : design_(design), style_(design.style) {}
 
   std::vector<BomItem> make() {
+    const auto stacks = joint_stacks(design_);
+    raised_ = raised_by(stacks);
     for (const Link link : all_links) add_link(link);
-    const CopyingLinkage& linkage = design_.linkage;
-    for (const Joint joint : {Joint::A, Joint::B, Joint::C}) add_pin(joint);
-    add_post("pole post", linkage.pole_joint(), "fixed in the table");
-    add_post("tracer", linkage.tracer_joint(), "follows the original");
-    add_post("pen", linkage.pen_joint(), "draws the copy");
-    items_.push_back({"washer", "washer", 2 * pins_, style_.pin_diameter, 0, 0, 0, "two for each pin"});
+    add_strip();
+    for (const JointStack& stack : stacks) add_stack(stack);
+    if (const Hardware* hardware = hardware_named(design_.hardware))
+      add_hardware(*hardware, stacks);
+    else
+      items_.push_back({.item = "washer",
+                        .name = "washer",
+                        .quantity = 6,
+                        .diameter = style_.pin_diameter,
+                        .remark = "two for each pin"});
     return std::move(items_);
   }
 
  private:
   void add_link(Link link) {
-    const double between = length_between(design_.linkage.lengths(), link);
-    items_.push_back({"link", std::string(name(link)), 1, 0, between + style_.width, style_.width,
-                      style_.thickness, fmt::format("layer {}, see its drawing", design_.layers[link])});
+    const Blank blank = blank_of(design_, link);
+    items_.push_back({.item = "link",
+                      .name = std::string(name(link)),
+                      .length = length_between(design_.linkage.lengths(), link) + style_.width,
+                      .width = style_.width,
+                      .thickness = style_.thickness,
+                      .blank_length = blank.length,
+                      .blank_width = blank.width,
+                      .remark = fmt::format("{}, layer {}, see its drawing", form_of(design_, link),
+                                            design_.layers[link])});
   }
 
-  void add_pin(Joint joint) {
-    const Span span = span_at(joint, design_.layers);
-    const std::string head = span.lowest == 1 ? "; countersunk head, as layer 1 slides on the table" : "";
-    items_.push_back({"pin", fmt::format("pin {}", letter(joint)), 1, style_.pin_diameter,
-                      style_.thickness * (span.highest - span.lowest + 1), 0, 0,
-                      "joins " + links_at(joint) + head});
-    add_spacer(joint, span.highest - span.lowest + 1 - span.links, "between the links");
-    ++pins_;
+  void add_strip() {
+    const Strip strip = strip_of(design_);
+    std::string cuts;
+    for (const Strip::Piece& piece : strip.pieces)
+      cuts += fmt::format("{}{} {:.2f}", cuts.empty() ? "" : ", ", name(piece.link), piece.length);
+    items_.push_back({.item = "strip",
+                      .name = fmt::format("strip {} x {}", strip.width, strip.thickness),
+                      .length = strip.length,
+                      .width = strip.width,
+                      .thickness = strip.thickness,
+                      .remark = "sawn into " + cuts +
+                                (design_.cutting.kerf > 0 ? "; a kerf for each is counted"
+                                                          : "; the saw's kerf comes on top")});
   }
 
-  void add_post(const std::string& role, Joint joint, const std::string& use) {
-    const Span span = span_at(joint, design_.layers);
-    items_.push_back({"post", fmt::format("{} {}", role, letter(joint)), 1, style_.pin_diameter,
-                      style_.thickness * span.highest, 0, 0,
-                      fmt::format("through {} down to the table, {}", links_at(joint), use)});
-    add_spacer(joint, span.lowest - 1, "under the lowest link");
-    add_spacer(joint, span.highest - span.lowest + 1 - span.links, "between the links");
+  void add_stack(const JointStack& stack) {
+    items_.push_back({.item = stack.is_post ? "post" : "pin",
+                      .name = stack.name,
+                      .diameter = stack.diameter,
+                      .length = stack.grip() + (stack.is_post ? raised_ : 0),
+                      .remark = stack.is_post
+                                    ? fmt::format("through {} down to the table, {}", links_of(stack),
+                                                  use_of(design_.linkage, stack.joint))
+                                    : "joins " + links_of(stack) + made_of(stack)});
+    for (const StackItem& item : stack.items)
+      if (item.kind == StackItem::Kind::spacer) add_spacer(stack, item);
+    if (stack.is_post && stack.lowest == 1 && raised_ > 0)
+      add_spacer(stack, {StackItem::Kind::spacer, fmt::format("spacer {}", letter(stack.joint)), 0, 0,
+                         style_.width});
   }
 
-  void add_spacer(Joint joint, int empty_layers, const std::string& where) {
-    if (empty_layers <= 0) return;
-    items_.push_back({"spacer", fmt::format("spacer {}", letter(joint)), 1, style_.pin_diameter,
-                      style_.thickness * empty_layers, style_.width, 0, where + narrower()});
+  /// A pin's fastener, or what else holds it.
+  std::string made_of(const JointStack& stack) const {
+    if (!stack.fastener)
+      return design_.hardware.empty() && stack.lowest == 1
+                 ? "; countersunk head, as layer 1 slides on the table"
+                 : "";
+    std::string text = "; " + stack.fastener->name;
+    if (stack.fastener->play > 0)
+      text += fmt::format(", {:.2f} mm play along the shoulder", stack.fastener->play);
+    return text;
+  }
+
+  /// What to buy, each thing once with its number.
+  void add_hardware(const Hardware& hardware, const std::vector<JointStack>& stacks) {
+    const auto first = static_cast<std::ptrdiff_t>(items_.size());
+    const auto buy = [&](const char* item, const std::string& name, int count, double diameter,
+                         double length) {
+      const auto same = std::find_if(items_.begin() + first, items_.end(),
+                                     [&](const BomItem& each) { return each.name == name; });
+      if (same != items_.end()) return static_cast<void>(same->quantity += count);
+      items_.push_back(
+          {.item = item, .name = name, .quantity = count, .diameter = diameter, .length = length});
+    };
+    for (const JointStack& stack : stacks) {
+      if (stack.fastener)
+        buy(hardware.thread.empty() ? "dowel" : "screw", stack.fastener->name, 1, stack.diameter,
+            stack.fastener->length);
+      for (const StackItem& item : stack.items)
+        if (item.kind == StackItem::Kind::washer || item.kind == StackItem::Kind::shim)
+          buy("washer", item.name, 1, 0, item.to - item.from);
+        else if (item.kind == StackItem::Kind::nut)
+          buy("nut", item.name, 1, 0, item.to - item.from);
+      add_seats(hardware, static_cast<int>(stack.links.size()), buy);
+    }
+    if (static_cast<std::ptrdiff_t>(items_.size()) > first)
+      items_[static_cast<std::size_t>(first)].remark = remark_on(hardware);
+  }
+
+  /// The bearings or bushes of the links at a joint.
+  template <class Buy>
+  void add_seats(const Hardware& hardware, int links, const Buy& buy) const {
+    if (hardware.kind == HardwareKind::bearing)
+      buy("bearing",
+          fmt::format("bearing {} {} x {} x {}", hardware.name.substr(0, hardware.name.find(' ')),
+                      hardware.pin, hardware.seat, hardware.seat_width),
+          links, hardware.seat, hardware.seat_width);
+    if (hardware.kind == HardwareKind::bush)
+      buy("bush", fmt::format("bush ISO 3547 {} x {}", hardware.pin, hardware.seat), links, hardware.seat,
+          style_.thickness);
+  }
+
+  std::string remark_on(const Hardware& hardware) const {
+    std::string text(standards_of(hardware.kind));
+    if (raised_ > 0)
+      text += fmt::format("; layer 1 stands {} mm above the table, for the heads under it", raised_);
+    switch (hardware.kind) {
+      case HardwareKind::bolt: return text + "; self-locking nuts or thread lock: the joints turn";
+      case HardwareKind::bearing:
+        return text + fmt::format("; fill {} mm beside each inner ring with shim rings",
+                                  style_.thickness - hardware.seat_width);
+      case HardwareKind::shoulder_screw: return text;
+      case HardwareKind::dowel:
+      case HardwareKind::bush: break;
+    }
+    return text + "; secure both ends";
+  }
+
+  void add_spacer(const JointStack& stack, const StackItem& spacer) {
+    const bool is_lowest = stack.is_post && spacer.from == 0;
+    items_.push_back({.item = "spacer",
+                      .name = spacer.name,
+                      .diameter = stack.diameter,
+                      .length = spacer.to - spacer.from + (is_lowest ? raised_ : 0),
+                      .width = spacer.diameter,
+                      .remark = (is_lowest ? "under the lowest link" : "between the links") + narrower()});
   }
 
   /// What a spacer as wide as a link must heed: contact is certified for pins and posts alone.
@@ -100,21 +186,24 @@ class Bill {
   const Design& design_;
   const LinkStyle& style_;
   std::vector<BomItem> items_;
-  int pins_ = 0;
+  double raised_ = 0;  ///< mm
 };
 
-std::string cell(double value) { return value == 0 ? "" : fmt::format("{}", value); }
+/// Twelve digits: sums of heights carry no dust of rounding.
+std::string cell(double value) { return value == 0 ? "" : fmt::format("{:.12g}", value); }
 
 }  // namespace
 
 std::vector<BomItem> bill_of_materials(const Design& design) { return Bill(design).make(); }
 
 std::string bom_csv(const Design& design) {
-  std::string text = "item,name,quantity,diameter_mm,length_mm,width_mm,thickness_mm,remark\n";
+  std::string text =
+      "item,name,quantity,diameter_mm,length_mm,width_mm,thickness_mm,blank_length_mm,blank_width_mm,"
+      "remark\n";
   for (const BomItem& item : bill_of_materials(design))
-    text +=
-        fmt::format("{},{},{},{},{},{},{},\"{}\"\n", item.item, item.name, item.quantity, cell(item.diameter),
-                    cell(item.length), cell(item.width), cell(item.thickness), item.remark);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},\"{}\"\n", item.item, item.name, item.quantity,
+                        cell(item.diameter), cell(item.length), cell(item.width), cell(item.thickness),
+                        cell(item.blank_length), cell(item.blank_width), item.remark);
   return text;
 }
 

@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <variant>
 
+#include "geometry/fixed_text.hpp"
 #include "geometry/stated_angle.hpp"
+#include "kinematics/overloaded.hpp"
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/parts_fault.hpp"
-#include "reports/pictures/map_picture.hpp"
+#include "reports/pictures/shown_place.hpp"
+#include "specs/hardware.hpp"
+#include "specs/text/printable.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -17,16 +23,16 @@ namespace {
 constexpr double row_height = 6, text_height = 3.5;  ///< mm, of the title block
 
 const DrawingLayer assembly_layer{"ASSEMBLY", 8, "#777", false};
+const DrawingLayer bodies_layer{"BODIES", 6, "#a0408a", false};
+const DrawingLayer table_layer{"TABLE", 3, "#2c7a2c", false};
 const DrawingLayer region_layer{"REGION", 4, "#0a8a8a", false};
 const DrawingLayer copy_layer{"COPY", 2, "#b08900", false};
 const DrawingLayer title_layer{"TITLE", 7, "#000", false};
 
 /// At most four decimals, none that are zero.
 std::string figure(double value) {
-  std::string text = fmt::format("{:.4f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  constexpr int decimals = 4;
+  return short_text(value, decimals);
 }
 
 /// Shapes on one layer, written at a place that moves down row by row.
@@ -84,7 +90,28 @@ std::string role(const Design& design, Joint joint) {
   return "";
 }
 
-/// The mechanism as it stands on the table, with region and copy.
+void add_bodies(Drawing& drawing, const Design& design, const Pose& pose) {
+  if (design.bodies.empty()) return;
+  drawing.layers.push_back(bodies_layer);
+  for (std::size_t i = 0; i < design.bodies.size(); ++i) {
+    const Body& body = design.bodies[i];
+    const Point& at = pose[joint_of(body.at, design.linkage)];
+    std::visit(
+        Overloaded{[&](const Disc& disc) {
+                     drawing.shapes.push_back(CircleShape{bodies_layer.name, at + disc.centre, disc.radius});
+                   },
+                   [&](const Polygon& polygon) {
+                     Ring placed = polygon.outer;
+                     for (Point& corner : placed) corner += at;
+                     drawing.shapes.push_back(straight_outline(bodies_layer.name, placed));
+                   }},
+        body.shape);
+    drawing.shapes.push_back(TextShape{bodies_layer.name, body_name(design.bodies, i),
+                                       at - Point(0, design.style.width + text_height), text_height});
+  }
+}
+
+/// The mechanism as it stands on the table, with region, copy, bodies and the table's edge.
 Drawing assembly_mode(const Design& design) {
   Drawing drawing{{assembly_layer}, {}};
   const Pose pose = assembly_pose(design);
@@ -98,6 +125,8 @@ Drawing assembly_mode(const Design& design) {
     drawing.shapes.push_back(
         TextShape{assembly_layer.name, letter(joint) + role(design, joint), beside, text_height});
   }
+  add_bodies(drawing, design, pose);
+  if (design.table) add_region(drawing, table_layer, Region{{*design.table}});
   add_region(drawing, region_layer, design.region);
   add_region(drawing, copy_layer, similar_image(design.region, design.linkage.k(), design.linkage.pole()));
   return drawing;
@@ -124,18 +153,25 @@ std::string cutting_text(const CuttingSpec& cutting) {
   return fmt::format("Outlines grown, holes shrunk for a kerf of {} mm", figure(cutting.kerf));
 }
 
+std::string copy_text(const Design& design) {
+  return fmt::format("Copying linkage, scale {}, rotation {} deg", figure(design.scale),
+                     figure(stated_degrees(design.rotation)));
+}
+
 void add_figures(Block& block, const Design& design, const CuttingSpec& cutting) {
   const CopyingLinkage& linkage = design.linkage;
-  const double hole = std::max(0.0, design.style.pin_diameter + cutting.hole_fit - cutting.kerf);
+  const double hole = std::max(0.0, hole_diameter(design.style, design.hardware, cutting) - cutting.kerf);
   block.row(drawing_title(design), 5);
+  if (!design.title.empty()) block.row(copy_text(design));
   block.gap();
   block.row("k = " + complex_text(linkage.k()) + ", shape s = " + complex_text(linkage.shape()));
   block.row(fmt::format("Pole {} at ({}, {}), tracer {}, pen {}", letter(linkage.pole_joint()),
                         figure(linkage.pole().x()), figure(linkage.pole().y()),
                         letter(linkage.tracer_joint()), letter(linkage.pen_joint())));
-  block.row(fmt::format("Opening d = arg q - arg p kept within {} .. {} deg",
-                        figure(stated_degrees(design.opening.lower)),
-                        figure(stated_degrees(design.opening.upper))));
+  block.row(design.opening.empty() ? "No opening keeps the transmission angle and the clearance asked for"
+                                   : fmt::format("Opening d = arg q - arg p kept within {} .. {} deg",
+                                                 figure(stated_degrees(design.opening.lower)),
+                                                 figure(stated_degrees(design.opening.upper))));
   block.row("Layers from the table up: " + stack_text(design.layers));
   block.row(fmt::format("Stock {} mm thick, links {} mm wide, pins {} mm, holes {} mm as drawn",
                         figure(design.style.thickness), figure(design.style.width),
@@ -208,12 +244,12 @@ Pose assembly_pose(const Design& design) {
     if (pose && design.opening.contains(*linkage.opening_at((middle - linkage.pole()).norm()))) return *pose;
   }
   const Point towards = middle - linkage.pole();
-  return linkage.pose_at(design.opening.middle(), std::atan2(towards.y(), towards.x()));
+  return linkage.pose_at(openings_to_show(design).middle(), std::atan2(towards.y(), towards.x()));
 }
 
 std::string drawing_title(const Design& design) {
-  return fmt::format("Copying linkage, scale {}, rotation {} deg", figure(design.scale),
-                     figure(stated_degrees(design.rotation)));
+  constexpr std::size_t most = 60;  // bytes: what stands in a line of the block
+  return design.title.empty() ? copy_text(design) : printable(design.title, most);
 }
 
 Drawing design_drawing(const Design& design, const CuttingSpec& cutting) {

@@ -17,7 +17,7 @@ Drawing design_drawing(const Design& design, const CuttingSpec& cutting = {});
 /// there, in the middle of its reach towards it.
 Pose assembly_pose(const Design& design);
 
-/// "Copying linkage, scale 1.4, rotation 90 deg": the drawing's title, ASCII.
+/// The drawing's title: the design's, cut short where it is long; if it has none, "Copying linkage, scale 1.4, rotation 90 deg".
 std::string drawing_title(const Design& design);
 
 }  // namespace kempe

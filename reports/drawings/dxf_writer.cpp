@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "geometry/fixed_text.hpp"
+
 namespace kempe {
 namespace {
 
@@ -17,10 +19,8 @@ class Groups {
   }
   Groups& integer(int code, int value) { return text(code, std::to_string(value)); }
   Groups& number(int code, double value) {
-    std::string digits = fmt::format("{:.{}f}", value == 0 ? 0.0 : value, decimals_);
-    digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.') digits += '0';
-    return text(code, digits == "-0.0" ? "0.0" : digits);
+    const std::string digits = short_text(value, decimals_);
+    return text(code, digits.find('.') == std::string::npos ? digits + ".0" : digits);
   }
   Groups& point(const Point& at, int code = 10) {
     return number(code, at.x()).number(code + 10, at.y()).number(code + 20, 0);

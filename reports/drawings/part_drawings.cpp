@@ -4,17 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "reports/drawings/blank.hpp"
+#include "specs/hardware.hpp"
+
 namespace kempe {
 namespace {
-
-Point turned(const Point& point, Complex turn) { return as_point(as_complex(point) * turn); }
-
-/// The pose with `origin` at the origin, turned by the unit number `turn`.
-Pose local_pose(const Pose& pose, Joint origin, Complex turn) {
-  Pose local;
-  for (const Joint joint : all_joints) local[joint] = turned(pose[joint] - pose[origin], turn);
-  return local;
-}
 
 struct JointPair {
   Joint from, to;
@@ -24,25 +18,6 @@ std::vector<JointPair> pairs_of(Link link) {
   const auto j = joints_of(link).joints;
   if (joints_of(link).count == 2) return {{j[0], j[1]}};
   return {{j[0], j[1]}, {j[0], j[2]}, {j[1], j[2]}};
-}
-
-/// A smallest box has a side along one of the sides of the joints' hull, since the outline is that hull grown
-/// evenly.
-Pose lying_pose(Link link, const Pose& pose, const LinkStyle& style) {
-  const Joint origin = joints_of(link).joints[0];
-  std::optional<Pose> best;
-  double smallest = 0;
-  for (const JointPair& pair : pairs_of(link)) {
-    const Complex along = as_complex(pose[pair.to] - pose[pair.from]);
-    const Pose candidate = local_pose(pose, origin, std::conj(along) / std::abs(along));
-    const Box box = bounding_box(link_outline(link, candidate, style).outer);
-    const Point size = box.upper - box.lower;
-    const double area_of_box = size.x() * size.y();
-    if (best && area_of_box >= smallest * (1 - 1e-9)) continue;
-    smallest = area_of_box;
-    best = size.x() >= size.y() ? candidate : local_pose(candidate, origin, Complex(0, 1));
-  }
-  return *best;
 }
 
 /// How much of the way between two joints is free of holes, mm; 0 if the third joint's hole is in the way or
@@ -133,12 +108,12 @@ CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting) {
   const LinkStyle& style = design.style;
   LinkStyle as_cut = style;
   as_cut.width += cutting.kerf;
-  const Pose lying = lying_pose(link, design.linkage.pose_at(design.opening.middle(), 0), style);
+  const Pose lying = lying_pose(link, design.linkage.pose_at(openings_to_show(design).middle(), 0), style);
   CutPart part;
   part.name = name(link);
   part.layer = design.layers[link];
   part.thickness = style.thickness;
-  part.hole_diameter = std::max(0.0, style.pin_diameter + cutting.hole_fit - cutting.kerf);
+  part.hole_diameter = std::max(0.0, hole_diameter(style, design.hardware, cutting) - cutting.kerf);
   part.outline = link_outline(link, lying, as_cut).outer;
   const LinkJoints joints = joints_of(link);
   for (int i = 0; i < joints.count; ++i) {

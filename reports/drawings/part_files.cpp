@@ -32,14 +32,16 @@ void add_link(PartFiles& parts, const CutPart& part) {
 }
 
 void add_nested(PartFiles& result, const std::vector<CutPart>& parts, const CuttingSpec& cutting) {
-  const auto nested = nest(parts, *cutting.sheet, cutting.gap);
+  const auto nested = nest(parts, *cutting.stock_sheet, cutting.gap);
   if (nested)
-    result.files.push_back({"nested.dxf", dxf_text(nested_drawing(parts, *nested, *cutting.sheet))});
+    result.files.push_back({"nested.dxf", dxf_text(nested_drawing(parts, *nested, *cutting.stock_sheet))});
   else
     result.left_out.push_back("no nested.dxf: " + nested.error());
 }
 
-void add_assembly(PartFiles& result, const Design& design, const CuttingSpec& cutting) {
+void add_assembly(PartFiles& result, const Design& design, const CuttingSpec& cutting, const StopFlag& stop) {
+  if (stop()) return result.left_out.push_back("parts/assembly.step is left out: the time was over.");
+  if (why_no_step()) return;
   if (auto step = step_assembly(design, cutting))
     result.files.push_back({"parts/assembly.step", std::move(*step)});
   else
@@ -48,17 +50,17 @@ void add_assembly(PartFiles& result, const Design& design, const CuttingSpec& cu
 
 }  // namespace
 
-PartFiles part_files(const Design& design, const CuttingSpec& cutting) {
+PartFiles part_files(const Design& design, const CuttingSpec& cutting, const StopFlag& stop) {
   PartFiles result;
   const auto fault = parts_fault(design, cutting);
   const std::vector<CutPart> parts = fault ? std::vector<CutPart>{} : parts_of_design(design, cutting);
   for (const CutPart& part : parts) add_link(result, part);
   if (fault)
     result.left_out.push_back("no files of the parts: " + fault->sentence);
-  else if (!why_no_step())
-    add_assembly(result, design, cutting);
+  else
+    add_assembly(result, design, cutting, stop);
   result.files.push_back({"bom.csv", bom_csv(design)});
-  if (cutting.sheet && !fault) add_nested(result, parts, cutting);
+  if (cutting.stock_sheet && !fault) add_nested(result, parts, cutting);
   return result;
 }
 

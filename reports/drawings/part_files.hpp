@@ -18,7 +18,7 @@ struct PartFiles {
 
 /// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step where the module is
 /// that writes it (step_assembly.hpp), bom.csv, and nested.dxf if the cutting has a sheet that takes the parts. Of links that
-/// cannot be cut (parts_fault.hpp) only bom.csv.
-PartFiles part_files(const Design& design, const CuttingSpec& cutting);
+/// cannot be cut (parts_fault.hpp) only bom.csv. Once `stop` is set, the assembly, which takes longest, is left out.
+PartFiles part_files(const Design& design, const CuttingSpec& cutting, const StopFlag& stop = {});
 
 }  // namespace kempe

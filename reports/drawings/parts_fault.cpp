@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/drawings/part_drawings.hpp"
+#include "specs/hardware.hpp"
 
 namespace kempe {
 namespace {
@@ -44,7 +45,7 @@ std::optional<PartsFault> no_wall_between(const CutPart& part, double hole) {
 }  // namespace
 
 std::optional<PartsFault> parts_fault(const Design& design, const CuttingSpec& cutting) {
-  const double hole = design.style.pin_diameter + cutting.hole_fit;
+  const double hole = hole_diameter(design.style, design.hardware, cutting);
   if (auto fault = no_hole(hole, design.style.pin_diameter, cutting)) return fault;
   if (auto fault = no_wall_beside(hole, design.style.width)) return fault;
   for (const CutPart& part : cut_parts(design, cutting))

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "reports/drawings/design_drawing.hpp"
+#include "reports/drawings/joint_stack.hpp"
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/step_module.hpp"
 #include "specs/text/text_file.hpp"
@@ -36,22 +37,9 @@ StepPlate plate(const CutPart& part, const Placement& placement) {
   return plate;
 }
 
-StepCylinder pin(const Design& design, const Pose& pose, Joint joint) {
-  const CopyingLinkage& linkage = design.linkage;
-  int lowest = design.layers.highest(), highest = 0;
-  for (const Link link : all_links)
-    if (has_joint(link, joint)) {
-      lowest = std::min(lowest, design.layers[link]);
-      highest = std::max(highest, design.layers[link]);
-    }
-  const std::string role = joint == linkage.pole_joint()     ? "pole post "
-                           : joint == linkage.tracer_joint() ? "tracer "
-                           : joint == linkage.pen_joint()    ? "pen "
-                                                             : "pin ";
-  const double thickness = design.style.thickness;
-  const double bottom = role == "pin " ? (lowest - 1) * thickness : 0;  // posts reach down to the table
-  return {role + letter(joint),      pose[joint].x(), pose[joint].y(),
-          design.style.pin_diameter, bottom,          highest * thickness};
+StepCylinder pin(const JointStack& stack, const Pose& pose) {
+  const Point& at = pose[stack.joint];
+  return {stack.name, at.x(), at.y(), stack.diameter, stack.from, stack.to};
 }
 
 StepParts parts_in_pose(const Design& design, const CuttingSpec& cutting) {
@@ -59,7 +47,7 @@ StepParts parts_in_pose(const Design& design, const CuttingSpec& cutting) {
   const Pose pose = assembly_pose(design);
   for (const CutPart& part : cut_parts(design, cutting))
     parts.plates.push_back(plate(part, in_pose(part, pose)));
-  for (const Joint joint : all_joints) parts.cylinders.push_back(pin(design, pose, joint));
+  for (const JointStack& stack : joint_stacks(design)) parts.cylinders.push_back(pin(stack, pose));
   return parts;
 }
 
@@ -68,7 +56,7 @@ constexpr const char* how_to_add =
 
 /// The module's function, or why it is not there. A module once loaded stays: OpenCASCADE cannot be unloaded.
 tl::expected<WriteStep, std::string> load_module() {
-  if (void* module = ::dlopen(KEMPE_STEP_MODULE, RTLD_NOW | RTLD_LOCAL))
+  if (void* module = ::dlopen(KEMPE_STEP_MODULE, RTLD_LAZY | RTLD_LOCAL))
     if (void* found = ::dlsym(module, write_step_symbol)) return reinterpret_cast<WriteStep>(found);
   const char* said = ::dlerror();
   const std::string fault = said ? said : KEMPE_STEP_MODULE " is another program's";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "geometry/fixed_text.hpp"
 #include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
@@ -15,12 +16,7 @@ class Figures {
  public:
   explicit Figures(double size) : decimals_(decimals_for(size)) {}
 
-  std::string of(double value) const {
-    std::string text = fmt::format("{:.{}f}", value, decimals_);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-  }
+  std::string of(double value) const { return short_text(value, decimals_); }
   std::string of(const Point& point) const { return of(point.x()) + "," + of(-point.y()); }
 
  private:

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "reports/linkages/picture.hpp"
+#include "reports/linkages/traced_curves.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/web_assets.hpp"
 #include "reports/pictures/html_text.hpp"
@@ -136,9 +136,12 @@ std::string animation_html(const LinkageScene& scene) {
       scene.ending.empty() ? "" : " The motion ends early: " + html_escaped(scene.ending) + ".";
   const double steps = scene.moments.back().step;
   std::string page =
-      page_head(scene.title, {web_assets::animation_style}, {web_assets::animation}) + "<body>\n";
-  page +=
-      fmt::format("<header><h1>{}</h1><p>Lengths in {}.{}</p></header>\n<main>", title, scene.unit, ending);
+      page_head(scene.title, {web_assets::style, web_assets::animation_style}, {web_assets::animation}) +
+      "<body>\n";
+  page += fmt::format(
+      "<header>\n<p class=\"brand\">Kempe · linkage</p>\n<h1>{}</h1>\n<p class=\"lead\">Lengths in "
+      "{}.{}</p>\n</header>\n<main class=\"motion\">",
+      title, scene.unit, ending);
   page += SvgElement("svg")
               .with("id", "picture")
               .with("viewBox", scale.view_box())
@@ -148,7 +151,8 @@ std::string animation_html(const LinkageScene& scene) {
                        traced_dots(scene, scale) + names_at_start(scene, scale))
               .text();
   page += fmt::format(
-      "</main>\n<footer><button id=\"play\">Play</button><input type=\"range\" id=\"moment\" min=\"0\" "
+      "</main>\n<footer class=\"drive\"><button type=\"button\" id=\"play\">Play</button><input "
+      "type=\"range\" id=\"moment\" min=\"0\" "
       "max=\"{}\" "
       "value=\"0\" aria-label=\"Step of the motion\"><output id=\"step\" data-all=\"{:.6g}\"></output>"
       "<label>Speed <select id=\"speed\"><option value=\"0.25\">1/4</option><option value=\"1\" "

@@ -192,7 +192,7 @@ std::string source_of(const LinkageModel& model, const InstantCentre& centre) {
     return fmt::format("{}-{}", pair(centre.first, each.via), pair(each.via, centre.second));
   };
   if (centre.source == InstantCentre::Source::primary) return constraint_label(model, centre.constraint);
-  if (centre.source == InstantCentre::Source::rates) return "the drivers' rates";
+  if (centre.source == InstantCentre::Source::rates) return "the velocities that the drivers give";
   if (centre.lines) return fmt::format("{} and {}", line((*centre.lines)[0]), line((*centre.lines)[1]));
   return "nothing: the links do not move against each other";
 }

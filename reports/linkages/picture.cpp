@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
+
 namespace kempe {
 namespace {
 
@@ -65,8 +67,8 @@ PictureScale PictureScale::of(const Point& lower, const Point& upper) {
 }
 
 std::string PictureScale::number(double value) const {
-  const std::string text = fmt::format("{:.{}f}", value, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos ? "0" : text;
+  std::string text = fixed_text(value, decimals);
+  return text.find_first_not_of("0.") == std::string::npos ? "0" : text;
 }
 
 std::string PictureScale::pair(const Point& p) const { return number(p.x()) + "," + number(p.y()); }
@@ -135,19 +137,6 @@ std::string ground_sign(const ScenePoint& point, const PictureScale& scale) {
   const std::string table = fmt::format("M{} H{} {}", scale.pair(at + Point(-1.3 * s, 1.4 * s)),
                                         scale.number(at.x() + 1.3 * s), hatch);
   return path("ground", triangle, scale) + path("hatch", table, scale);
-}
-
-std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale) {
-  const ScenePoint& point = scene.points[traced];
-  std::string data;
-  for (const auto& moment : scene.moments)
-    data += (data.empty() ? "M" : " L") + scale.pair(scene.place(point, moment));
-  return drawn("path", "trace", scale)
-      .with("stroke", link_colour(point.body))
-      .with("stroke-width", scale.number(1.4 * scale.stroke))
-      .with("d", data)
-      .holding(SvgElement("title").saying(point.name).text())
-      .text();
 }
 
 SvgElement drawn(std::string_view element, std::string_view kind, const PictureScale& scale) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/linkages/traced_curves.hpp"
+
 namespace kempe {
 namespace {
 
@@ -42,7 +44,7 @@ class SceneBuilder {
     find_box();
     add_lines_and_wheels();
     widen_for_wheels();
-    choose_traced();
+    scene_.traced = traced_points(file_, model_, scene_.points);
     const auto& first = run_.frames.front().position;
     const auto& last = run_.frames.back().position;
     scene_.closed = run_.frames.size() > 2 && same_assembly_mode(model_.linkage, first, last);
@@ -75,7 +77,7 @@ class SceneBuilder {
     for (const ModelPoint& point : model_.points)
       scene_.points.push_back({point.name, point.place.body, scaled(point.place.local),
                                model_.is_fixed(point.name),
-                               model_.is_fixed(point.name) && links_with(point.name) > 0});
+                               model_.is_fixed(point.name) && links_with(file_, point.name) > 0});
   }
 
   void add_moment(const RunFrame& frame) {
@@ -167,23 +169,6 @@ class SceneBuilder {
     const double scale = sum > 0 ? apart / sum / file_.unit.in_mm : 1 / file_.unit.in_mm;
     body(gears.first).wheels.push_back({scaled(*first), gears.first_radius * scale});
     body(gears.second).wheels.push_back({scaled(*second), std::abs(gears.second_radius) * scale});
-  }
-
-  void choose_traced() {
-    const auto trace = [&](const std::string& name) {
-      scene_.traced.push_back(model_.point_numbers.at(name));
-    };
-    for (const std::string& name : file_.output.trace) trace(name);
-    if (!scene_.traced.empty()) return;
-    for (const ScenePoint& point : scene_.points)
-      if (!point.fixed && links_with(point.name) <= 1) trace(point.name);
-  }
-
-  std::ptrdiff_t links_with(const std::string& name) const {
-    return std::count_if(file_.links.begin(), file_.links.end(), [&](const FileLink& link) {
-      return std::any_of(link.joints.begin(), link.joints.end(),
-                         [&](const auto& joint) { return joint.first == name; });
-    });
   }
 
   const LinkageFile& file_;

@@ -54,8 +54,7 @@ struct LinkageScene {
   double extent() const { return (upper - lower).maxCoeff(); }
 };
 
-/// The scene of a run of `steps` parts. Points that the file names in output.trace are traced; if it names
-/// none, every point of a driver path and every joint that belongs to one link only.
+/// The scene of a run of `steps` parts.
 LinkageScene linkage_scene(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run,
                            int steps);
 

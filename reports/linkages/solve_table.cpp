@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "geometry/fixed_text.hpp"
 #include "kinematics/planar/rates.hpp"
 
 namespace kempe {
@@ -98,16 +99,6 @@ int decimals_of(const SolveTable& table, std::size_t column) {
   return largest > 0 ? std::clamp(14 - static_cast<int>(std::floor(std::log10(largest))), 0, 300) : 0;
 }
 
-/// With so many decimals, trailing zeros cut, never -0.
-std::string rounded(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
-
 }  // namespace
 
 SolveTable solve_table(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run, int steps) {
@@ -133,7 +124,7 @@ std::string csv_text(const SolveTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
   for (const auto& row : table.rows)
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (row[i]) text += rounded(*row[i], decimals[i]);
+      if (row[i]) append_short_text(text, *row[i], decimals[i]);
       text += i + 1 < row.size() ? ',' : '\n';
     }
   return text;

@@ -38,6 +38,15 @@ std::string assortment_lines(std::string_view label, const std::vector<LinkAssor
   return text;
 }
 
+/// Assortments that fit the count and make no chain, under the reason.
+std::string left_out_lines(const std::string& why, const std::vector<LinkAssortment>& assortments) {
+  if (assortments.empty()) return "";
+  std::string text = fmt::format("left out     {}:\n", why);
+  for (const LinkAssortment& assortment : assortments)
+    text += fmt::format("             {}\n", assortment_text(assortment));
+  return text;
+}
+
 /// Six digits, and nothing of what is rounding against the linkage's size.
 std::string shown_length(double mm, const LinkageFile& file, const LinkageModel& model) {
   const bool is_rounding = std::abs(mm) < 1e-9 * model.linkage.size();
@@ -79,7 +88,11 @@ std::string mobility_text(const LinkageFile& file, const LinkageModel& model, co
   text += fmt::format("\nGruebler     {}: {} unknowns - {} equations\n", m.gruebler, m.unknowns, m.equations);
   text += fmt::format("mobility     {}: {} of the equations independent\n", m.mobility, m.rank);
   text += fmt::format("drivers      {}\n", model.linkage.drivers().size());
-  for (const std::string& sentence : mobility_sentences(model, m)) text += "             " + sentence + "\n";
+  const char* label = "result";
+  for (const std::string& sentence : mobility_sentences(model, m)) {
+    text += fmt::format("{:<12} {}\n", label, sentence);
+    label = "";
+  }
   return text;
 }
 
@@ -92,8 +105,9 @@ std::string number_synthesis_text(int links, int freedoms, const NumberSynthesis
                       count_of(synthesis.loops, "loop", "loops"), synthesis.largest_link);
   text += assortment_lines("links", synthesis.assortments);
   if (synthesis.assortments.empty()) text += "links        no assortment makes a chain\n";
-  text += assortment_lines("too large", synthesis.too_large);
-  return text + assortment_lines("stiff part", synthesis.stiff);
+  const std::string of_one = fmt::format("one link would have more than {} joints", synthesis.largest_link);
+  text += left_out_lines(of_one, synthesis.too_large);
+  return text + left_out_lines("some of the links would be stiff among themselves", synthesis.stiff);
 }
 
 std::string centres_text(const LinkageFile& file, const LinkageModel& model, double step,

@@ -109,6 +109,8 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
          "<span class=\"key-used\">openings that the region uses</span></figcaption></figure>\n";
 }
 
+std::string report_of(const ParetoRow& row) { return row.name + "/report.html"; }
+
 std::string pareto_chart(const ParetoFront& front) {
   const auto by_first = [](const ParetoRow& a, const ParetoRow& b) { return a.first < b.first; };
   const auto by_second = [](const ParetoRow& a, const ParetoRow& b) { return a.second < b.second; };
@@ -121,12 +123,12 @@ std::string pareto_chart(const ParetoFront& front) {
   std::string line, marks;
   for (const ParetoRow& row : sorted) {
     line += fmt::format("{}{:.1f},{:.1f}", line.empty() ? "M" : "L", x.at(row.first), y.at(row.second));
-    marks += SvgElement("circle")
-                 .with("class", row.is_this_design ? "dot this" : "dot")
-                 .at("cx", "cy", {x.at(row.first), y.at(row.second)}, 1)
-                 .with("r", row.is_this_design ? 6 : 4)
-                 .holding(SvgElement("title").saying(row.name).text())
-                 .line();
+    const SvgElement dot = SvgElement("circle")
+                               .with("class", row.is_this_design ? "dot this" : "dot")
+                               .at("cx", "cy", {x.at(row.first), y.at(row.second)}, 1)
+                               .with("r", row.is_this_design ? 6 : 4)
+                               .holding(SvgElement("title").saying(row.name).text());
+    marks += SvgElement("a").with("href", report_of(row)).holding(dot.text()).line();
   }
   return svg_chart(
       "The front between the two objectives",

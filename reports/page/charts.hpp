@@ -21,5 +21,7 @@ struct CopyErrorChart {
 std::string copy_error_chart(const CopyErrorChart& chart);
 /// The front between two objectives, this design marked.
 std::string pareto_chart(const ParetoFront& front);
+/// Where the report of a front's point lies, seen from the front's page: in the folder of its name.
+std::string report_of(const ParetoRow& row);
 
 }  // namespace kempe

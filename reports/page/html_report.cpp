@@ -13,7 +13,7 @@ namespace kempe {
 namespace {
 
 std::string head(const Design& design, const ReportExtras& extras) {
-  return page_head(report_sections::title(design, extras), {web_assets::live_style, web_assets::style},
+  return page_head(report_sections::title(design), {web_assets::live_style, web_assets::style},
                    {web_assets::geometry, web_assets::live}, extras.program_version);
 }
 
@@ -32,12 +32,12 @@ bool report_is_live() { return !web_assets::live.text.empty(); }
 std::string html_report(const Design& design, const ReportExtras& extras) {
   namespace section = report_sections;
   const MapPicture picture = map_picture(design);
-  std::string body = section::header(design, extras) + section::key_figures(design) +
-                     section::map(picture, report_is_live());
+  std::string body = section::header(design, extras) + section::pareto(extras) +
+                     section::key_figures(design) + section::map(picture, report_is_live());
   body += section::making(design) + section::parts(design, extras) + section::quality(design, extras) +
           section::workspace(design);
   body += section::tolerance(design) + section::verification(design) + section::search(design);
-  body += section::pareto(extras) + section::spec(extras);
+  body += section::spec(extras);
   std::string page = head(design, extras) + "<body>\n<main>\n" + body + "</main>\n" +
                      section::footer(extras, report_is_live());
   if (report_is_live()) page += live_part(design, picture);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/workshop/paper.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {
@@ -29,7 +30,6 @@ struct PartPicture {
 
 /// What the page shows beside the design. Every text may be anything: it is escaped.
 struct ReportExtras {
-  std::string title;            ///< empty: a title made from the copy ratio
   std::string program_version;  ///< "0.1.0"
   std::string spec_name;        ///< the spec's file name
   std::string spec_text;        ///< as the user wrote it; the middle of a very long one is left out
@@ -38,6 +38,10 @@ struct ReportExtras {
   /// The file with the log of the bound's proof, which stands beside the page; empty: there is none.
   std::string proof_log{};
   std::string why_no_parts{};  ///< why there are no files to cut the links by; empty: there are
+  /// The studio's page with the spec inside, which stands beside the report; empty: there is none.
+  std::string studio_page{};
+  /// What workshop.pdf, which stands beside the page, is drawn on.
+  Paper paper = Paper::A4;
 };
 
 /// The page. Depends on its arguments alone: the same design gives the same bytes.

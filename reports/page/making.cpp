@@ -3,21 +3,17 @@
 
 #include <cmath>
 
+#include "reports/drawings/blank.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
+#include "synthesis/design/rounding.hpp"
 
 namespace kempe::report_sections {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
-
-std::string shape_name(Link link, const Design& design) {
-  if (link == Link::VA || link == Link::VB) return "bar";
-  if (is_straight(design.linkage.shape())) return "straight bar, three holes";
-  return design.style.plate == PlateStyle::bent ? "bent plate" : "triangular plate";
-}
 
 /// The corner of a plate: the angle at A between AC and AX, at B between BC and BY. Both are |arg s|.
 std::string corner_text(Link link, const Design& design) {
@@ -37,16 +33,16 @@ std::vector<std::size_t> lengths_of(Link link) {
   return {3, 6, 7};
 }
 
-std::string turn_of(int sign) { return sign > 0 ? "to the left" : "to the right"; }
+std::string turn_of(Side side) { return side == Side::left ? "to the left" : "to the right"; }
 
 std::string assembly_sentence(const Design& design) {
-  const auto orientation = design.linkage.orientation();
+  const LoopSides sides = design.linkage.assembly_mode().sides;
   std::string text = fmt::format(
       "<p class=\"note\">Put together so that, seen from above, going from V to A the bar VB lies {}",
-      turn_of(orientation.parallelogram));
-  if (orientation.plate_ACX != 0)
+      turn_of(sides.parallelogram));
+  if (sides.plate_ACX != Side::on_line)
     text += fmt::format(", the plate ACX turns {} at A coming from C, and BCY {} at B",
-                        turn_of(orientation.plate_ACX), turn_of(orientation.plate_BCY));
+                        turn_of(sides.plate_ACX), turn_of(sides.plate_BCY));
   return text + ". The opposite sides of the parallelogram are equal: VA = BC and VB = AC.</p>\n";
 }
 
@@ -70,19 +66,34 @@ std::string_view task_of(const CopyingLinkage& linkage, Joint joint) {
 }
 
 /// One body of the table a link, its lengths one below the other.
-std::string link_rows(Link link, const Design& design) {
+std::string link_rows(Link link, const Design& design, const RoundedLengths& rounded) {
   const auto which = lengths_of(link);
-  const auto values = design.linkage.lengths().values();
+  const auto values = rounded.lengths.values();
   std::string html = fmt::format(R"(<tbody><tr><th scope="rowgroup" rowspan="{0}">{1}<small>{2}</small></th>)"
                                  R"(<td rowspan="{0}">{3}</td><td rowspan="{0}">{4}</td>)",
-                                 which.size(), name(link), shape_name(link, design), design.layers[link],
+                                 which.size(), name(link), form_of(design, link), design.layers[link],
                                  corner_text(link, design));
   for (std::size_t i = 0; i < which.size(); ++i) {
     const std::string_view letters = LinkLengths::names[which[i]];
-    html += fmt::format(R"({}<td class="letters">{} – {}</td><td class="number">{:.3f}</td></tr>)",
-                        i == 0 ? "" : "\n<tr>", letters[0], letters[1], values[which[i]]);
+    html +=
+        fmt::format(R"({}<td class="letters">{} – {}</td><td class="number">{:.{}f}</td></tr>)",
+                    i == 0 ? "" : "\n<tr>", letters[0], letters[1], values[which[i]], decimals_of(rounded));
   }
   return html + "</tbody>\n";
+}
+
+/// What the rounding of the lengths costs.
+std::string rounding_sentence(const RoundedLengths& rounded) {
+  std::string cost;
+  if (rounded.copy_error)
+    cost = fmt::format(", which moves the copy by {} at most", length_text(*rounded.copy_error, 4));
+  if (rounded.with_tolerance)
+    cost += fmt::format("; made to them within the tolerances the copy is off by {} at most",
+                        length_text(*rounded.with_tolerance, 4));
+  return fmt::format(
+      "<p class=\"note\">Rounded to {}{}. The drawings and <code>design.json</code> have the exact "
+      "lengths.</p>\n",
+      length_text(rounded.step, decimals_of(rounded)), cost);
 }
 
 std::string length_table(const Design& design) {
@@ -91,8 +102,9 @@ std::string length_table(const Design& design) {
 <thead><tr><th scope="col">Link</th><th scope="col">Layer</th><th scope="col">Corner</th>)"
       R"(<th scope="col">From – to</th><th scope="col" class="number">Length, mm</th></tr></thead>
 )";
-  for (const Link link : all_links) html += link_rows(link, design);
-  return html + "</table></div>\n" + assembly_sentence(design);
+  const RoundedLengths rounded = rounded_lengths(design);
+  for (const Link link : all_links) html += link_rows(link, design, rounded);
+  return html + "</table></div>\n" + rounding_sentence(rounded) + assembly_sentence(design);
 }
 
 std::string joint_table(const Design& design) {

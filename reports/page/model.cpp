@@ -7,7 +7,8 @@
 #include "reports/pictures/mechanism_picture.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
-#include "workspace/obstacles.hpp"
+#include "workspace/obstacle_names.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -63,18 +64,17 @@ Json pairs(const Design& design, const std::vector<Part>& of_linkage) {
 }
 
 /// How each link is drawn: the joints along its body, from the lowest layer upward.
-Json bodies(const Design& design) {
+Json bodies(const LayerAssignment& layers, const LinkStyle& style) {
   std::array<Link, 4> upward = all_links;
-  std::stable_sort(upward.begin(), upward.end(),
-                   [&](Link a, Link b) { return design.layers[a] < design.layers[b]; });
+  std::stable_sort(upward.begin(), upward.end(), [&](Link a, Link b) { return layers[a] < layers[b]; });
   Json all = Json::array();
   for (const Link link : upward) {
     Json line = Json::array();
     for (const Joint joint : body_line(link)) line.push_back(static_cast<int>(joint));
     all.push_back({{"name", "link " + std::string(name(link))},
-                   {"layer", design.layers.rank(link)},
+                   {"layer", layers.rank(link)},
                    {"line", line},
-                   {"filled", design.style.plate == PlateStyle::triangle && line.size() == 3}});
+                   {"filled", style.plate == PlateStyle::triangle && line.size() == 3}});
   }
   return all;
 }
@@ -90,13 +90,47 @@ Json obstacles(const Design& design, double detail) {
   return all;
 }
 
+/// Left, top, right, bottom, y upward.
+Json box(const PictureBox& one) {
+  return {one.lower().x(), one.upper().y(), one.upper().x(), one.lower().y()};
+}
+
+/// Bodies, the table's edge, and what one body's point must keep clear of for another's sake (obstructions.hpp): polygons in
+/// the frame of a joint or of the table, and which parts may meet them.
+Json other_obstructions(const Design& design, const std::vector<Part>& of_linkage, double detail) {
+  const std::vector<Obstruction> all = obstructions_of(design.obstacles, design.bodies, design.table);
+  Json others = Json::array();
+  for (std::size_t i = design.obstacles.size(); i < all.size(); ++i) {
+    const Obstruction& one = all[i];
+    Json polygons = Json::array(), parts = Json::array();
+    for (const Polygon& polygon : one.shape.polygons) polygons.push_back(rings(polygon, detail));
+    for (std::size_t part = 0; part < of_linkage.size(); ++part)
+      if (may_meet(of_linkage[part], one, design.linkage)) parts.push_back(part);
+    const auto joint = [&](Carrier carrier) { return static_cast<int>(joint_of(carrier, design.linkage)); };
+    others.push_back({{"name", one.name},
+                      {"frame", one.frame ? Json(joint(*one.frame)) : Json(nullptr)},
+                      {"grown", one.grown},
+                      {"polygons", polygons},
+                      {"parts", parts}});
+    if (one.met) others.back()["met"] = {{"joint", joint(one.met->by)}, {"name", one.met->name}};
+  }
+  return others;
+}
+
+/// The bodies' names, in their order.
+Json carried(const Design& design) {
+  Json names = Json::array();
+  for (std::size_t i = 0; i < design.bodies.size(); ++i) names.push_back(body_name(design.bodies, i));
+  return names;
+}
+
 /// [opening, worst, rss] over the assembly mode but for its ends, where the error grows beyond all bounds.
 Json copy_errors(const Design& design) {
   Json rows = Json::array();
   if (!design.tolerance) return rows;
   const CopyErrorProfile profile =
       copy_error_profile(design.linkage, CopyTolerance::uniform(*design.tolerance));
-  const OpeningInterval openings = shrink(design.linkage.assembly_interval(), radians(2));
+  const OpeningInterval openings = shrink(design.linkage.assembly_mode().openings, radians(2));
   constexpr int steps = 240;
   for (int i = 0; i <= steps && !openings.empty(); ++i) {
     const double opening = openings.lower + openings.width() * i / steps;
@@ -107,7 +141,31 @@ Json copy_errors(const Design& design) {
   return rows;
 }
 
+/// What the kinematics need.
+Json linkage_fields(const CopyingLinkage& linkage) {
+  return {{"k", complex(linkage.k())},
+          {"s", complex(linkage.shape())},
+          {"vertex", name(linkage.grounding())},
+          {"VA", linkage.VA()},
+          {"VB", linkage.VB()},
+          {"pole", point(linkage.pole())},
+          {"assembly", interval(linkage.assembly_mode().openings)},
+          {"joints",
+           {{"pole", static_cast<int>(linkage.pole_joint())},
+            {"tracer", static_cast<int>(linkage.tracer_joint())},
+            {"pen", static_cast<int>(linkage.pen_joint())}}}};
+}
+
 }  // namespace
+
+std::string linkage_model(const CopyingLinkage& linkage, const LayerAssignment& layers,
+                          const LinkStyle& style) {
+  Json model = linkage_fields(linkage);
+  model["width"] = style.width;
+  model["pin_radius"] = style.pin_diameter / 2;
+  model["bodies"] = bodies(layers, style);
+  return model.dump();
+}
 
 std::string report_model(const Design& design, const MapPicture& picture) {
   const CopyingLinkage& linkage = design.linkage;
@@ -117,34 +175,31 @@ std::string report_model(const Design& design, const MapPicture& picture) {
   Json region = Json::array();
   for (const Polygon& polygon : design.region.polygons)
     for (const Json& one : rings(polygon, detail)) region.push_back(one);
-  const Json model = {{"k", complex(linkage.k())},
-                      {"s", complex(linkage.shape())},
-                      {"vertex", name(linkage.grounding())},
-                      {"VA", linkage.VA()},
-                      {"VB", linkage.VB()},
-                      {"pole", point(linkage.pole())},
-                      {"assembly", interval(linkage.assembly_interval())},
-                      {"joints",
-                       {{"pole", static_cast<int>(linkage.pole_joint())},
-                        {"tracer", static_cast<int>(linkage.tracer_joint())},
-                        {"pen", static_cast<int>(linkage.pen_joint())}}},
-                      {"transmission", design.limits.transmission},
-                      {"clearance", design.limits.clearance},
-                      {"width", design.style.width},
-                      {"pin_radius", design.style.pin_diameter / 2},
-                      {"bodies", bodies(design)},
-                      {"parts", parts(design, of_linkage)},
-                      {"pairs", pairs(design, of_linkage)},
-                      {"obstacles", obstacles(design, detail)},
-                      {"copy_errors", copy_errors(design)},
-                      {"region", region},
-                      {"tracer", point(picture.tracer)},
-                      {"view",
-                       {{"left", view.left},
-                        {"top", view.top},
-                        {"width", view.width},
-                        {"height", view.height},
-                        {"unit", view.unit}}}};
+  Json model = linkage_fields(linkage);
+  const Json rest = {{"transmission", design.limits.transmission},
+                     {"clearance", design.limits.clearance},
+                     {"width", design.style.width},
+                     {"pin_radius", design.style.pin_diameter / 2},
+                     {"bodies", bodies(design.layers, design.style)},
+                     {"parts", parts(design, of_linkage)},
+                     {"pairs", pairs(design, of_linkage)},
+                     {"obstacles", obstacles(design, detail)},
+                     {"copy_errors", copy_errors(design)},
+                     {"region", region},
+                     {"tracer", point(picture.tracer)},
+                     {"view",
+                      {{"left", view.left},
+                       {"top", view.top},
+                       {"width", view.width},
+                       {"height", view.height},
+                       {"unit", view.unit}}},
+                     {"job", box(picture.job)},
+                     {"whole", box(picture.whole)}};
+  model.update(rest);
+  if (!design.bodies.empty() || design.table) {
+    model["others"] = other_obstructions(design, of_linkage, detail);
+    model["carried"] = carried(design);
+  }
   return model.dump();
 }
 

@@ -12,4 +12,8 @@ namespace kempe {
 /// joints are indices into "VABCXY". Regions and obstacles are thinned to what the picture can show.
 std::string report_model(const Design& design, const MapPicture& picture);
 
+/// Of that what draws the linkage and moves it: k, s, vertex, VA, VB, pole, assembly, joints, width, pin_radius and bodies.
+std::string linkage_model(const CopyingLinkage& linkage, const LayerAssignment& layers,
+                          const LinkStyle& style);
+
 }  // namespace kempe

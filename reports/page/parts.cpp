@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/drawings/blank.hpp"
 #include "reports/drawings/bom.hpp"
+#include "reports/drawings/making_notes.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/picture_labels.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
+#include "reports/workshop/workshop_pdf.hpp"
 
 namespace kempe::report_sections {
 namespace {
@@ -112,9 +115,7 @@ std::string picture(const LyingLink& part, const Design& design, double unit) {
 }
 
 std::string dimensioned_links(const Design& design) {
-  const OpeningInterval& openings =
-      design.opening.empty() ? design.linkage.assembly_interval() : design.opening;
-  const Pose pose = design.linkage.pose_at(openings.middle(), 0);
+  const Pose pose = design.linkage.pose_at(openings_to_show(design).middle(), 0);
   std::vector<LyingLink> links;
   double widest = 0;
   for (const Link link : all_links) {
@@ -129,17 +130,47 @@ std::string dimensioned_links(const Design& design) {
          html + "</div>\n";
 }
 
-/// Pins, posts, spacers and washers: what bom.csv lists beside the links.
+/// What to saw: the blank of each link, and the strip for those that are straight.
+std::string cutting_list(const Design& design) {
+  std::vector<std::vector<std::string>> rows;
+  const auto size = [](double length) { return number_text(length, 2); };
+  for (const Link link : all_links) {
+    const Blank blank = blank_of(design, link);
+    rows.push_back(
+        {std::string(name(link)), std::string(form_of(design, link)), size(blank.length), size(blank.width)});
+  }
+  const Strip strip = strip_of(design);
+  std::string of;
+  for (const Strip::Piece& piece : strip.pieces)
+    of += (of.empty() ? "" : ", ") + std::string(name(piece.link));
+  rows.push_back({"Strip", "for " + of, size(strip.length), size(strip.width)});
+  return fmt::format(
+             "<h3>Blanks, {} thick</h3>\n<p class=\"note\">The smallest rectangle round each link; the "
+             "straight ones "
+             "together off one strip{}.</p>\n",
+             length_text(design.style.thickness),
+             design.cutting.kerf > 0 ? ", a kerf for each counted" : ", the saw's kerf on top") +
+         html_table("blanks", {{"Blank"}, {"Form"}, {"Length, mm", true}, {"Width, mm", true}}, rows);
+}
+
+/// Pins, posts, spacers and washers: what bom.csv lists beside what is sawn.
 std::string hardware(const Design& design) {
   std::vector<std::vector<std::string>> rows;
   for (const BomItem& item : bill_of_materials(design)) {
-    if (item.item == "link") continue;
-    rows.push_back({html_escaped(item.name), std::to_string(item.quantity), number_text(item.diameter, 3),
+    if (item.item == "link" || item.item == "strip") continue;
+    rows.push_back({html_escaped(item.name), std::to_string(item.quantity),
+                    item.diameter > 0 ? number_text(item.diameter, 3) : "–",
                     item.length > 0 ? number_text(item.length, 3) : "–", html_escaped(item.remark)});
   }
   return "<h3>Pins, posts, spacers</h3>\n" +
          html_table("hardware",
                     {{"Item"}, {"Number", true}, {"Diameter, mm", true}, {"Grips, mm", true}, {"Use"}}, rows);
+}
+
+std::string notes(const Design& design) {
+  std::string html;
+  for (const std::string& note : making_notes(design)) html += "<li>" + html_escaped(note) + "</li>";
+  return html.empty() ? html : "<ul class=\"note\">" + html + "</ul>\n";
 }
 
 std::string given_pictures(const std::vector<PartPicture>& pictures) {
@@ -155,21 +186,28 @@ std::string given_pictures(const std::vector<PartPicture>& pictures) {
 
 std::string files_note(const ReportExtras& extras) {
   if (extras.pareto) return "";  // a front's folder holds no drawings
+  const std::string drawings =
+      why_no_workshop_pdf()
+          ? ""
+          : "<p class=\"note\">To work from: <a href=\"workshop.pdf\">workshop.pdf</a>, every link with its "
+            "dimensions at "
+            "1:1, the stack, the assembly, the bench plan and the parts list, to print.</p>\n";
   if (!extras.why_no_parts.empty())
-    return fmt::format(
-        "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "
-        "<code>drawing.dxf</code> shows them; there are no files of the parts.</p>\n",
-        html_escaped(extras.why_no_parts));
-  return "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
+    return drawings + fmt::format(
+                          "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "
+                          "<code>drawing.dxf</code> shows them; there are no files of the parts.</p>\n",
+                          html_escaped(extras.why_no_parts));
+  return drawings +
+         "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
          "<code>parts/VA.dxf</code>, <code>.svg</code> and <code>.stl</code> and so on.</p>\n";
 }
 
 }  // namespace
 
 std::string parts(const Design& design, const ReportExtras& extras) {
-  return html_section(
-      "parts", "Parts",
-      dimensioned_links(design) + given_pictures(extras.parts) + files_note(extras) + hardware(design));
+  return html_section("parts", "Parts",
+                      dimensioned_links(design) + given_pictures(extras.parts) + files_note(extras) +
+                          notes(design) + cutting_list(design) + hardware(design));
 }
 
 }  // namespace kempe::report_sections

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/drawings/blank.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
+#include "reports/pictures/picture_extent.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "synthesis/design/copy_overlap.hpp"
 
@@ -54,6 +56,12 @@ std::string overlap_sentence(const Design& design) {
   return " " + html_escaped(note) + ".";
 }
 
+std::string change_link(const std::string& studio_page) {
+  if (studio_page.empty()) return {};
+  return fmt::format("<p class=\"change-link\"><a href=\"{}\">Change it in the studio</a></p>\n",
+                     html_escaped(studio_page));
+}
+
 /// What the page's scripts bring to life; hidden until they run.
 constexpr std::string_view controls =
     R"(<div id="controls" class="controls" hidden>
@@ -66,10 +74,14 @@ constexpr std::string_view controls =
 <span class="space"></span>
 <span class="zoom"><button type="button" id="zoom-out" aria-label="Zoom out">−</button>
 <button type="button" id="zoom-in" aria-label="Zoom in">+</button>
-<button type="button" id="zoom-all">All</button></span>
+<button type="button" id="zoom-job" aria-label="Zoom to the job">Job</button>
+<button type="button" id="zoom-all" aria-label="Zoom to the whole map">All</button></span>
 </div>
-<p class="help">Drag the tracer or the pen, or tap a place; point at a place to ask about it. Keyboard: arrows move the tracer (Shift 10 mm, Alt 0.1 mm), space plays, Home goes back.</p>
 </div>
+)";
+
+constexpr std::string_view help =
+    R"(<p id="help" class="help" hidden>Drag the tracer or the pen, or tap a place; point at a place to ask about it. Keyboard: arrows move the tracer (Shift 10 mm, Alt 0.1 mm), space plays, Home goes back, a shows all of the map, 0 the job.</p>
 )";
 
 /// What is so with the tracer where it stands.
@@ -89,8 +101,8 @@ constexpr std::string_view readings = R"(<div id="readings" class="readings" hid
 
 }  // namespace
 
-std::string title(const Design& design, const ReportExtras& extras) {
-  if (!extras.title.empty()) return extras.title;
+std::string title(const Design& design) {
+  if (!design.title.empty()) return design.title;
   return fmt::format("Copying linkage {}, {}", ratio_text(design), turn_text(design.rotation));
 }
 
@@ -100,43 +112,78 @@ std::string header(const Design& design, const ReportExtras& extras) {
                                              : html_badge(design.map.coverage.covered,
                                                           design.map.coverage.covered ? "Region covered"
                                                                                       : "Region not covered");
-  badges += html_badge(design.verification.certified,
-                       design.verification.certified ? "Verified by a general solver" : "Not verified");
+  badges += html_badge(design.verification.holds,
+                       design.verification.holds ? "Verified by a general solver" : "Not verified");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
   return fmt::format(
-      "<header>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
+      "<header class=\"head\">\n<div>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"
       "<p class=\"lead\">What the tracer follows, the pen draws {}, {}. The pole <b>{}</b> "
       "is fixed "
-      "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.{}</p>\n<ul "
-      "class=\"badges\">\n{}</ul>\n{}{}"
-      "</header>\n",
-      design.search ? "Kempe · design" : "Kempe · workspace of a given linkage",
-      html_escaped(title(design, extras)), size_text(design.scale), turn_text(design.rotation),
-      joint_of(linkage, "pole"), point_text(linkage.pole()), joint_of(linkage, "tracer"),
-      joint_of(linkage, "pen"), overlap_sentence(design), badges, notice(design.map.coverage.why_not),
+      "to the table at {}, <b>{}</b> carries the tracer and <b>{}</b> the pen.{}</p>\n</div>\n<div "
+      "class=\"state\">\n<ul "
+      "class=\"badges\">\n{}</ul>\n{}</div>\n{}{}</header>\n",
+      design.search ? "Kempe · design" : "Kempe · workspace of a given linkage", html_escaped(title(design)),
+      size_text(design.scale), turn_text(design.rotation), joint_of(linkage, "pole"),
+      point_text(linkage.pole()), joint_of(linkage, "tracer"), joint_of(linkage, "pen"),
+      overlap_sentence(design), badges, change_link(extras.studio_page), notice(design.map.coverage.why_not),
       notice(design.verification.failure));
 }
 
+namespace {
+
+/// What a saw has to be set to first: the longest of the four blanks.
+std::string longest_piece(const Design& design) {
+  Blank longest{0, 0};
+  std::string_view of;
+  for (const Link link : all_links)
+    if (const Blank blank = blank_of(design, link); blank.length > longest.length) {
+      longest = blank;
+      of = name(link);
+    }
+  return html_key_figure(
+      "Longest piece",
+      fmt::format("{} × {}\u00a0mm", number_text(longest.length, 1), number_text(longest.width, 1)),
+      fmt::format("link {}, {} thick", of, length_text(design.style.thickness)));
+}
+
+std::string bench_space(const Design& design) {
+  if (design.footprint.empty()) return {};
+  PictureExtent extent;
+  extent.add(design.footprint);
+  const Point size = 2 * extent.box().half;
+  return html_key_figure("Bench space",
+                         fmt::format("{} × {}\u00a0mm", number_text(std::ceil(size.x()), 0),
+                                     number_text(std::ceil(size.y()), 0)),
+                         "swept at work");
+}
+
+std::string copy_error_figure(const Design& design) {
+  const Quality& q = design.quality;
+  if (q.robust)
+    return html_key_figure("Robust", q.robust->holds ? length_text(q.robust->clearance, 2) : "not proven",
+                           "clearance of every instrument");
+  if (!q.copy_error_worst) return {};
+  return html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
+                         design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
+                                                  : "under the tolerances");
+}
+
+}  // namespace
+
 std::string key_figures(const Design& design) {
   const Quality& q = design.quality;
-  std::string html = html_key_figure("Size", length_text(q.size, 1), "links, half their outline");
-  html += html_key_figure("Smallest transmission", angle_text(q.transmission_min, 1),
-                          "limit " + angle_text(design.limits.transmission, 1));
+  const Point& pole = design.linkage.pole();
+  std::string html =
+      longest_piece(design) + bench_space(design) +
+      html_key_figure("Pole at", fmt::format("{}, {}", number_text(pole.x(), 2), number_text(pole.y(), 2)),
+                      "x, y in mm") +
+      html_key_figure("Smallest transmission",
+                      q.transmission_min > 0 ? angle_text(q.transmission_min, 1) : "none",
+                      "limit " + angle_text(design.limits.transmission, 1));
   if (std::isfinite(q.clearance_min))
     html += html_key_figure("Smallest clearance", length_text(q.clearance_min, 2),
                             "limit " + length_text(design.limits.clearance, 2));
-  if (q.copy_error_worst)
-    html += html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
-                            design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
-                                                     : "under the tolerances");
-  if (q.robust)
-    html += html_key_figure("Robust", q.robust->holds ? length_text(q.robust->clearance, 2) : "not proven",
-                            "clearance of every instrument");
-  html += html_key_figure("Free workspace", area_text(area(design.map.collision_free)), "without contact");
-  html += html_key_figure(
-      "Opening", angle_text(design.opening.width(), 1),
-      fmt::format("{} to {}", angle_text(design.opening.lower, 1), angle_text(design.opening.upper, 1)));
-  return "<dl class=\"keys\">\n" + html + "</dl>\n";
+  return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + "</dl>\n";
 }
 
 namespace {
@@ -176,9 +223,9 @@ std::string map(const MapPicture& picture, bool live) {
   const std::string board = "<div class=\"board\" id=\"board\">\n" + picture.svg +
                             (live ? "<div id=\"tip\" class=\"tip\" hidden></div>\n" : "") + "</div>\n";
   return fmt::format(
-      "<figure class=\"map-figure\" id=\"map-figure\">\n<div class=\"stage\">\n{}{}</div>\n"
+      "<figure class=\"map-figure\" id=\"map-figure\">\n<div class=\"stage\">\n{}{}{}</div>\n"
       "<aside class=\"legend\" aria-label=\"Legend\">\n{}{}</aside>\n</figure>\n",
-      board, live ? controls : "", live ? readings : "", legend);
+      live ? controls : "", board, live ? help : "", live ? readings : "", legend);
 }
 
 std::string footer(const ReportExtras& extras, bool live) {

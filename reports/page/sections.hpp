@@ -29,7 +29,7 @@ std::string parts(const Design& design, const ReportExtras& extras);
 std::string spec(const ReportExtras& extras);
 std::string footer(const ReportExtras& extras, bool live);
 
-/// "Copying linkage 1.4 : 1, turned 90°" unless the extras name one; not escaped.
-std::string title(const Design& design, const ReportExtras& extras);
+/// The design's title; if it has none, "Copying linkage 1.4 : 1, turned 90°". Not escaped.
+std::string title(const Design& design);
 
 }  // namespace kempe::report_sections

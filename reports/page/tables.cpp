@@ -4,15 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/drawings/blank.hpp"
 #include "reports/page/charts.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
+#include "synthesis/design/assemble.hpp"
 
 namespace kempe::report_sections {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
+
+/// A point of a front, with a link to its own report.
+std::string linked_name(const ParetoRow& row) {
+  return fmt::format("<a href=\"{}\">{}</a>", html_escaped(report_of(row)), html_escaped(row.name));
+}
 
 std::string objective_text(Objective objective) {
   switch (objective) {
@@ -52,6 +59,8 @@ std::string bound_explanation(const Design& design, const std::string& proof_log
   std::string text = fmt::format(
       "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
       number_text(share, share < 1 ? 3 : 1));
+  if (const std::string without = left_out_of_bound(design); !without.empty())
+    text += fmt::format(" It leaves {} out, without which designs can only be better.", without);
   if (!proof_log.empty())
     text += fmt::format(
         " The proof's log is <code>{}</code>; the program kempe_check.py checks it without Kempe.",
@@ -100,7 +109,8 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   add("Size", length_text(q.size, 3), {},
       "Sum over the four moving links of half the perimeter round their joints; a bar counts its length. "
       "Small is stiff, cheap and light.");
-  add("Smallest transmission angle", angle_text(q.transmission_min, 3),
+  add("Smallest transmission angle",
+      q.transmission_min > 0 ? angle_text(q.transmission_min, 3) : "not reached",
       at_least(q.transmission_min, design.limits.transmission, angle_text(design.limits.transmission)),
       std::string("How far the linkage stays from the positions where it jams or folds over, at the worst "
                   "place of ") +
@@ -110,6 +120,9 @@ std::string quality(const Design& design, const ReportExtras& extras) {
     add("Smallest clearance", length_text(q.clearance_min, 3),
         at_least(q.clearance_min, design.limits.clearance, length_text(design.limits.clearance)),
         clearance_explanation(design));
+  if (const double strip = longest_over_ends(design); design.limits.longest_strip)
+    add("Longest link over its ends", length_text(strip, 2), at_most(strip, design.limits.longest_strip),
+        "The strip that it is cut from: its farthest joints and half its width beyond each.");
   if (q.copy_error_worst)
     add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
         at_most(*q.copy_error_worst, design.limits.copy_error),
@@ -125,8 +138,10 @@ std::string quality(const Design& design, const ReportExtras& extras) {
         "What remains of the error when a slightly different scale, rotation and origin are allowed: the "
         "part that is seen.");
   if (!design.region.empty())
-    add("Footprint", area_text(q.footprint), {},
-        "Area that all links sweep while the tracer covers the region: keep it clear.");
+    add("Footprint", std::isfinite(q.footprint) ? area_text(q.footprint) : "not measured: stopped early", {},
+        design.bodies.empty() ? "Area that all links sweep while the tracer covers the region: keep it clear."
+                              : "Area that all links sweep while the tracer covers the region: keep it "
+                                "clear. Bodies sweep more.");
   if (q.proven_bound)
     add("Best possible",
         design.search ? objective_value(design.search->objective, *q.proven_bound)
@@ -137,28 +152,49 @@ std::string quality(const Design& design, const ReportExtras& extras) {
       html_table("explained", {{"Figure"}, {"Value", true}, {"Required", true}, {"What it says"}}, rows));
 }
 
+/// "the obstacles", "obstacles, bodies and the table's edge".
+std::string what_is_in_the_way(const Design& design) {
+  if (!design.bodies.empty())
+    return design.table ? "obstacles, bodies and the table's edge" : "obstacles and bodies";
+  return design.table ? "obstacles and the table's edge" : "the obstacles";
+}
+
+std::string in_the_way(const Design& design) {
+  const bool obstacles_alone = design.bodies.empty() && !design.table;
+  return obstacles_alone ? "Too near an obstacle: " : "Too near: ";
+}
+
 std::string workspace(const Design& design) {
   const WorkspaceMap& map = design.map;
+  const AreaUnit areas(area(map.reachable));
   Rows rows;
-  rows.push_back({"Reachable", area_text(area(map.reachable)), "Within reach in the chosen assembly mode."});
-  rows.push_back({"Usable", area_text(area(map.usable)),
+  rows.push_back({"Reachable", areas.text(area(map.reachable)), "Within reach in the chosen assembly mode."});
+  rows.push_back({"Usable", areas.text(area(map.usable)),
                   fmt::format("Reachable with a transmission angle of {} or more.",
                               angle_text(design.limits.transmission))});
+  rows.push_back({"Collision-free", areas.text(area(map.collision_free)),
+                  fmt::format("Usable, and every part certainly keeps {} from every other and from {}.",
+                              length_text(design.limits.clearance), what_is_in_the_way(design))});
   rows.push_back(
-      {"Collision-free", area_text(area(map.collision_free)),
-       fmt::format("Usable, and every part certainly keeps {} from every other and from the obstacles.",
-                   length_text(design.limits.clearance))});
+      design.opening.empty()
+          ? std::vector<std::string>{"Certified opening", "none",
+                                     "The angle between the bars VA and VB: none keeps transmission angle "
+                                     "and clearance."}
+          : std::vector<std::string>{
+                "Certified opening", angle_text(design.opening.width(), 1),
+                fmt::format(
+                    "From {} to {}: the angle between the bars VA and VB over which every limit is kept.",
+                    angle_text(design.opening.lower, 1), angle_text(design.opening.upper, 1))});
   if (!map.uncertain.empty())
-    rows.push_back({"Uncertain", area_text(area(map.uncertain)),
+    rows.push_back({"Uncertain", areas.text(area(map.uncertain)),
                     "A band neither proven free nor proven in contact. Treat it as lost."});
   for (const LostArea& lost : map.lost) {
     if (lost.area.empty() || lost.parts.empty()) continue;
     std::string names;
     for (const std::string& part : lost.parts) names += (names.empty() ? "" : " and ") + html_escaped(part);
-    rows.push_back(
-        {"Lost", area_text(area(lost.area)),
-         (lost.cause == Cause::obstacle_contact ? "Too near an obstacle: " : "Too near each other: ") +
-             names + "."});
+    rows.push_back({"Lost", areas.text(area(lost.area)),
+                    (lost.cause == Cause::obstacle_contact ? in_the_way(design) : "Too near each other: ") +
+                        names + "."});
   }
   for (const FittingSheet& sheet : map.largest_sheets)
     rows.push_back({"Largest sheet",
@@ -174,11 +210,10 @@ std::string workspace(const Design& design) {
 std::string verification(const Design& design) {
   const Verification& v = design.verification;
   Rows rows;
-  rows.push_back(
-      {"Result", v.certified ? "<b class=\"good\">certified</b>" : "<b class=\"bad\">not certified</b>",
-       v.certified ? fmt::format("Driven over {} by a solver that shares no formula with the design.",
-                                 v.over_workspace ? "the free workspace" : "the region")
-                   : html_escaped(v.failure)});
+  rows.push_back({"Result", v.holds ? "<b class=\"good\">holds</b>" : "<b class=\"bad\">does not hold</b>",
+                  v.holds ? fmt::format("Driven over {} by a solver that shares no formula with the design.",
+                                        v.over_workspace ? "the free workspace" : "the region")
+                          : html_escaped(v.failure)});
   rows.push_back({"Positions driven", count_text(v.samples),
                   v.over_workspace
                       ? "Along the outline of the largest part of the free workspace and inside it."
@@ -239,7 +274,7 @@ std::string pareto(const ReportExtras& extras) {
   const ParetoFront& front = *extras.pareto;
   Rows rows;
   for (const ParetoRow& row : front.rows)
-    rows.push_back({html_escaped(row.name) + (row.is_this_design ? " <b>(this design)</b>" : ""),
+    rows.push_back({linked_name(row) + (row.is_this_design ? " <b>(shown below)</b>" : ""),
                     number_text(row.first, 4), number_text(row.second, 4)});
   const std::string table = html_table(
       "pareto",

@@ -42,11 +42,12 @@ std::string budget_table(const CopyErrorOver& over) {
                    [](const auto& a, const auto& b) { return a.worst > b.worst; });
   std::vector<std::vector<std::string>> rows;
   for (const SourceContribution& source : sources)
-    rows.push_back({html_escaped(source.name), "±" + number_text(source.tolerance, 4),
-                    number_text(source.worst, 4), number_text(source.distortion_worst, 4),
-                    share_bar(source.worst / sources.front().worst)});
+    rows.push_back({html_escaped(source.name) + share_bar(source.worst / sources.front().worst),
+                    "±" + number_text(source.tolerance, 4), number_text(source.worst, 4),
+                    number_text(source.distortion_worst, 4)});
   return html_table(
-      "budget", {{"Source"}, {"Off by, mm", true}, {"Moves the pen, mm", true}, {"Distorts, mm", true}, {""}},
+      "budget",
+      {{"Source, and its share"}, {"Off by, mm", true}, {"Moves the pen, mm", true}, {"Distorts, mm", true}},
       rows);
 }
 

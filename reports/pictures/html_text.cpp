@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "geometry/fixed_text.hpp"
 #include "geometry/point.hpp"
 
 namespace kempe {
@@ -82,13 +84,19 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+void append_coordinate(std::string& to, double value, int decimals) {
+  append_short_text(to, value, decimals);
+}
+
 std::string coordinate(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') != std::string::npos) {
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
+  std::string text;
+  append_coordinate(text, value, decimals);
+  return text;
+}
+
+std::size_t characters_in(std::string_view text) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; };
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
 }
 
 std::string number_text(double value, int decimals) {
@@ -103,10 +111,18 @@ std::string length_text(double length, int decimals) {
 
 std::string angle_text(double angle, int decimals) { return number_text(degrees(angle), decimals) + "°"; }
 
-std::string area_text(double area) {
-  if (std::abs(area) < 100) return fmt::format("{}{}mm²", number_text(area, 1), no_break_space);
-  return fmt::format("{}{}cm²", number_text(area / 100, std::abs(area) < 10000 ? 2 : 1), no_break_space);
+AreaUnit::AreaUnit(double largest) : small_(std::abs(largest) < 100) {}
+
+std::string AreaUnit::text(double area) const {
+  const double value = small_ ? area : area / 100;
+  const int decimals = small_ || std::abs(value) >= 100 ? 1 : 2;
+  const double least = std::pow(10, -decimals);
+  const bool tiny = value > 0 && value < 0.5 * least;
+  return fmt::format("{}{}{}{}", tiny ? "< " : "", number_text(tiny ? least : value, decimals),
+                     no_break_space, small_ ? "mm²" : "cm²");
 }
+
+std::string area_text(double area) { return AreaUnit(area).text(area); }
 
 std::string residual_text(double length) {
   if (length == 0) return fmt::format("0{}mm", no_break_space);

@@ -19,14 +19,30 @@ std::string base64(std::string_view bytes);
 /// At most `decimals` decimals, trailing zeros cut, a true minus sign: "43.012", "50", "−7.5".
 std::string number_text(double value, int decimals);
 
+/// How many characters a text of UTF-8 has.
+std::size_t characters_in(std::string_view text);
+
 /// As number_text, for SVG attributes: a hyphen for minus.
 std::string coordinate(double value, int decimals = 3);
+/// The same at a text's end.
+void append_coordinate(std::string& to, double value, int decimals = 3);
 
 /// "12.34 mm" with a no-break space.
 std::string length_text(double length, int decimals = 3);
 /// "90°" from radians.
 std::string angle_text(double angle, int decimals = 2);
-/// "53.2 cm²", or mm² below 100 mm².
+/// The one unit in which the areas of a table or a legend are written: mm² where the largest is below 100 mm², else cm².
+class AreaUnit {
+ public:
+  /// mm²
+  explicit AreaUnit(double largest);
+  /// "53.2 cm²", of an area in mm²; "< 0.01 cm²" where the figure would say 0 of what is not.
+  std::string text(double area) const;
+
+ private:
+  bool small_;
+};
+/// An area alone, in its own unit.
 std::string area_text(double area);
 /// A small figure with two digits: "3.1·10⁻¹³ mm".
 std::string residual_text(double length);

@@ -67,7 +67,7 @@ std::vector<ContourCircle> copy_error_circles(const Design& design) {
   if (!design.tolerance) return circles;
   const CopyErrorProfile profile =
       copy_error_profile(design.linkage, CopyTolerance::uniform(*design.tolerance));
-  const OpeningInterval openings = shrink(design.linkage.assembly_interval(), radians(2));
+  const OpeningInterval openings = shrink(design.linkage.assembly_mode().openings, radians(2));
   if (openings.empty()) return circles;
   const std::vector<Row> rows = error_rows(profile, openings);
   for (const double level : round_levels(rows, design.opening))

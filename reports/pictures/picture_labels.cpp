@@ -69,6 +69,17 @@ Point LabelPlacer::take_best(const std::vector<PictureBox>& candidates, double f
   return best.centre;
 }
 
+std::optional<Point> LabelPlacer::place_if_clear(const std::vector<PictureBox>& candidates) {
+  for (const PictureBox& candidate : candidates) {
+    if (inset(candidate, frame_) < 0) continue;
+    const auto meets = [&](const PictureBox& box) { return space_between(candidate, box) < 2 * unit_; };
+    if (std::any_of(boxes_.begin(), boxes_.end(), meets)) continue;
+    boxes_.push_back(candidate);
+    return candidate.centre;
+  }
+  return std::nullopt;
+}
+
 Point LabelPlacer::place_around(const Point& anchor, double radius, const Point& half,
                                 const Point& preferred) {
   std::vector<PictureBox> candidates;

@@ -1,6 +1,7 @@
 #pragma once
 // Where the words of a picture stand: beside what they name, clear of lines and of each other.
 
+#include <optional>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -30,6 +31,8 @@ class LabelPlacer {
   Point place_around(const Point& anchor, double radius, const Point& half, const Point& preferred);
   /// The same beside a box: above, below, right or left of it, inside where nothing else is clear.
   Point place_beside(const PictureBox& box, const Point& half);
+  /// The first of the boxes that lies within the frame and on no other label; from then on it is kept free.
+  std::optional<Point> place_if_clear(const std::vector<PictureBox>& candidates);
 
  private:
   double clearness(const PictureBox& label) const;

@@ -28,27 +28,39 @@ Point middle_of_arc(const ArcVertex& from, const Point& to) {
   return from.at + 0.5 * chord + 0.5 * from.bulge * Point(chord.y(), -chord.x());
 }
 
+void append_point(std::string& path, const Point& point) {
+  append_coordinate(path, point.x());
+  path += ',';
+  append_coordinate(path, -point.y());
+}
+
 /// The edge from one corner to the next: a straight line, or a true arc of radius chord (1 + b^2) / (4 |b|).
 /// With y downward a counter-clockwise arc (bulge > 0) has sweep-flag 0. Wide arcs are written as two halves:
 /// near a half circle the rounding of the ends would move the centre that a reader finds from them.
-std::string edge(const ArcVertex& from, const Point& to) {
+void append_edge(std::string& path, const ArcVertex& from, const Point& to) {
   const double chord = (to - from.at).norm();
   const double b = from.bulge;
-  if (std::abs(b) < 1e-9 || chord == 0) return fmt::format("L{}", svg_point(to));
+  if (std::abs(b) < 1e-9 || chord == 0) {
+    path += 'L';
+    return append_point(path, to);
+  }
   if (std::abs(b) > 0.4) {
     const Point middle = middle_of_arc(from, to);
     const double half = std::tan(0.5 * std::atan(b));
-    return edge({from.at, half}, middle) + edge({middle, half}, to);
+    append_edge(path, {from.at, half}, middle);
+    return append_edge(path, {middle, half}, to);
   }
   const std::string radius = coordinate(chord * (1 + b * b) / (4 * std::abs(b)));
-  return fmt::format("A{},{} 0 0 {} {}", radius, radius, b > 0 ? 0 : 1, svg_point(to));
+  path.append(1, 'A').append(radius).append(1, ',').append(radius).append(b > 0 ? " 0 0 0 " : " 0 0 1 ");
+  append_point(path, to);
 }
 
 std::string ring_path(const ArcRing& full, double detail) {
   const ArcRing ring = thinned(full, detail);
   if (ring.size() < 2) return {};
-  std::string path = fmt::format("M{}", svg_point(ring.front().at));
-  for (std::size_t i = 0; i < ring.size(); ++i) path += edge(ring[i], ring[(i + 1) % ring.size()].at);
+  std::string path = "M";
+  append_point(path, ring.front().at);
+  for (std::size_t i = 0; i < ring.size(); ++i) append_edge(path, ring[i], ring[(i + 1) % ring.size()].at);
   return path + "Z";
 }
 
@@ -61,7 +73,11 @@ ArcRing straight(const Ring& ring) {
 
 }  // namespace
 
-std::string svg_point(const Point& point) { return coordinate(point.x()) + "," + coordinate(-point.y()); }
+std::string svg_point(const Point& point) {
+  std::string text;
+  append_point(text, point);
+  return text;
+}
 
 std::string svg_line(const std::vector<Point>& points) {
   std::string path;

@@ -1,6 +1,7 @@
-// Gaps between the parts of the linkage and the obstacles, for one pose: distances of axes less half widths.
+// Gaps between the parts of the linkage, the obstacles, bodies that tracer and pen carry, and the table's edge, for one pose: distances of axes less half widths.
 "use strict";
 (function (kempe) {
+  const add = ([x, y], [dx, dy]) => [x + dx, y + dy];
   const cross = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 
   function nearestOnSegment(at, a, b) {
@@ -68,6 +69,11 @@
       this.encounters = [];
       for (const obstacle of model.obstacles)
         for (const part of model.parts) if (shareLayer(part, obstacle)) this.encounters.push([part, obstacle]);
+      // In the frame of its joint a body is at rest; of two bodies one's joint meets the difference of both.
+      for (const other of model.others || []) {
+        const parts = other.met ? [{ name: other.met.name, half_width: 0, pieces: [[other.met.joint]] }] : other.parts.map((i) => model.parts[i]);
+        for (const part of parts) this.encounters.push([part, other]);
+      }
     }
 
     /** Every pair that may touch: {names, gap, from, to}; from and to are the nearest places of the two axes. */
@@ -81,8 +87,13 @@
       }
       for (const [part, obstacle] of this.encounters) {
         let best = { distance: Infinity };
-        for (const hull of hulls.get(part)) best = nearer(best, hullToObstacle(hull, obstacle));
-        found.push(gapOf(part, obstacle, best, part.half_width));
+        const at = obstacle.frame === undefined || obstacle.frame === null ? [0, 0] : pose[obstacle.frame];
+        for (const hull of hulls.get(part) || part.pieces.map((piece) => piece.map((joint) => pose[joint]))) {
+          const seen = hull.map(([x, y]) => [x - at[0], y - at[1]]);
+          for (const rings of obstacle.polygons || [obstacle.rings]) best = nearer(best, hullToObstacle(seen, { rings }));
+        }
+        if (best.from) best = { distance: best.distance, from: add(best.from, at), to: add(best.to, at) };
+        found.push(gapOf(part, obstacle, best, part.half_width + (obstacle.grown || 0)));
       }
       return found;
     }

@@ -24,7 +24,8 @@
     let lines = "";
     for (let i = Math.ceil(left / step); i * step <= left + width; ++i) {
       lines += `M${i * step},${top}v${height}`;
-      if (i * step + 6 * figure(i * step, step).length * px > left + width) continue;  // its figure would be cut
+      const half = 6 * figure(i * step, step).length * px;
+      if (i * step + half > left + width || i * step - half < left) continue;  // its figure would be cut
       nodes.push(element("text", { class: "tick", x: i * step, y: top + height - 12 * px, dy: ".35em" }, figure(i * step, step)));
     }
     for (let i = Math.ceil(top / step); i * step <= top + height; ++i) {

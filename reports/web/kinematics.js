@@ -101,5 +101,6 @@
   }
 
   kempe.Linkage = Linkage;
+  kempe.plane = { add, subtract, times, over };
   kempe.why = why;
 })((globalThis.kempe = globalThis.kempe || {}));

@@ -61,7 +61,7 @@
       this.draws = one("draw");
       this.tip = one("tip");
       one("map-figure").classList.add("is-live");
-      for (const id of ["controls", "readings"]) one(id).hidden = false;
+      for (const id of ["controls", "readings", "help"]) one(id).hidden = false;
       this.listen();
       this.moveTo(model.tracer, { lifted: true });
     }
@@ -130,7 +130,9 @@
       one("clear").addEventListener("click", () => this.clear());
       one("zoom-in").addEventListener("click", () => this.stage.zoom(1.5));
       one("zoom-out").addEventListener("click", () => this.stage.zoom(1 / 1.5));
-      one("zoom-all").addEventListener("click", () => this.stage.zoomHome());
+      one("zoom-job").addEventListener("click", () => this.stage.zoomToJob());
+      one("zoom-all").addEventListener("click", () => this.stage.zoomToAll());
+      one("map-figure").addEventListener("change", () => (this.stage.words = null));
       const linkage = one("layer-mechanism");
       const shown = () => this.container.classList.toggle("no-linkage", !linkage.checked);
       linkage.addEventListener("change", shown);
@@ -185,7 +187,7 @@
 
     key(event) {
       const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-      const acts = { " ": () => this.toggle(), c: () => this.clear(), "+": () => this.stage.zoom(1.5), "-": () => this.stage.zoom(1 / 1.5), 0: () => this.stage.zoomHome(), Home: () => this.home(), Escape: () => this.pause() };
+      const acts = { " ": () => this.toggle(), c: () => this.clear(), "+": () => this.stage.zoom(1.5), "-": () => this.stage.zoom(1 / 1.5), 0: () => this.stage.zoomToJob(), a: () => this.stage.zoomToAll(), Home: () => this.home(), Escape: () => this.pause() };
       if (event.ctrlKey || event.metaKey) return;
       const arrow = arrows[event.key], act = acts[event.key];
       if (!arrow && !act) return;
@@ -278,7 +280,7 @@
     } catch (error) {
       // The static picture stands; nothing is lost but the motion.
       one("map-figure").classList.remove("is-live");
-      for (const id of ["controls", "readings"]) one(id).hidden = true;
+      for (const id of ["controls", "readings", "help"]) one(id).hidden = true;
       console.error(error);
     }
   }

@@ -15,11 +15,12 @@
       this.map = map;
       this.pose = null;
       const { left, top, width, height } = model.view;
-      this.home = [left, -top, left + width, -top - height];
+      this.still = [left, -top, left + width, -top - height];
+      this.container = container;
       JXG.Options.precision.touch = 34;
       JXG.Options.precision.mouse = 8;
       this.board = JXG.JSXGraph.initBoard(container.id, {
-        boundingbox: this.home, keepaspectratio: true, axis: false, grid: false, showNavigation: false, showCopyright: false,
+        boundingbox: this.home(), keepaspectratio: true, axis: false, grid: false, showNavigation: false, showCopyright: false,
         showInfobox: false, maxFrameRate: 1000, keyboard: { enabled: false }, browserPan: true, registerFullscreenEvent: false,
         pan: { enabled: true, needShift: true, needTwoFingers: true }, zoom: { wheel: true, needShift: true, min: 0.2, max: 60 },
         title: "The linkage", description: "The linkage on its map; the tracer can be dragged.",
@@ -30,6 +31,19 @@
       this.joints = [...letters].map((letter, i) => this.joint(letter, i));
       this.labels = [...letters].map((letter, i) => this.label(letter, i));
       this.board.on("boundingbox", () => this.follow());
+    }
+
+    /** The window at first: the still picture's, or the job alone where the screen is too narrow for that. */
+    home() {
+      const [x1, y1, x2, y2] = this.still, { clientWidth, clientHeight } = this.container;
+      const narrow = clientWidth / clientHeight < (0.9 * (x2 - x1)) / (y1 - y2);
+      return narrow ? this.around(this.model.job) : this.still;
+    }
+
+    /** A window with some room around a box. */
+    around([x1, y1, x2, y2]) {
+      const room = 0.07 * Math.max(x2 - x1, y1 - y2);
+      return [x1 - room, y1 + room, x2 + room, y2 - room];
     }
 
     pixel() {
@@ -131,7 +145,14 @@
     /** Whether a box of half size `half` (px) covers no word of the static map. */
     isClear([x, y], half) {
       const [wide, high] = half.map((size) => size * this.pixel());
+      this.words ||= this.shownWords();
       return this.words.every((box) => box.width === 0 || x + wide < box.x || x - wide > box.x + box.width || -y + high < box.y || -y - high > box.y + box.height);
+    }
+
+    /** The boxes of the map's own words, but for the frame's figures and the letters that the moving ones replace. */
+    shownWords() {
+      const words = [...this.map.querySelectorAll("text:not(.tick, .joint)")];
+      return words.filter((node) => getComputedStyle(node).visibility === "visible").map((node) => node.getBBox());
     }
 
     freeSide(i, neighbours) {
@@ -151,7 +172,6 @@
     /** Shows a pose and what is too near in it. */
     show(pose, tooNear) {
       this.pose = pose;
-      this.words = [...this.map.querySelectorAll(".words .name")].map((node) => node.getBBox());
       this.joints.forEach(({ point }, i) => point.setPositionDirectly(JXG.COORDS_BY_USER, pose[i]));
       this.marks.forEach((mark, i) => (mark.at = tooNear[i] || null));
       const touching = new Set(tooNear.flatMap(({ names }) => names));
@@ -159,6 +179,14 @@
       const struck = new Set(tooNear.flatMap(({ things }) => things));
       const obstacles = this.map.querySelectorAll(".m-obstacles .thing");
       obstacles.forEach((node, i) => node.classList.toggle("touching", struck.has(this.model.obstacles[i])));
+      const names = this.map.querySelectorAll(".words .bodies");
+      this.map.querySelectorAll(".m-bodies .thing").forEach((node, i) => {
+        const [x, y] = pose[Number(node.dataset.joint)], moved = `translate(${x - Number(node.dataset.x)} ${-y - Number(node.dataset.y)})`;
+        for (const one of [node, names[i]]) if (one) one.setAttribute("transform", moved);
+      });
+      const named = (name) => touching.has(name);
+      this.map.querySelectorAll(".m-bodies .thing").forEach((node, i) => node.classList.toggle("touching", named(this.model.carried[i])));
+      this.map.querySelectorAll(".m-table .edge").forEach((node) => node.classList.toggle("touching", named("the table's edge")));
       this.board.update();
     }
 
@@ -166,12 +194,13 @@
     follow() {
       const [x1, y1, x2, y2] = this.board.getBoundingBox();
       this.map.setAttribute("viewBox", `${x1} ${-y1} ${x2 - x1} ${y1 - y2}`);
-      kempe.drawFrame(this.map, { left: x1, top: -y1, width: x2 - x1, height: y1 - y2 }, this.isHome());
+      kempe.drawFrame(this.map, { left: x1, top: -y1, width: x2 - x1, height: y1 - y2 }, this.isStill());
+      this.words = null;  // their size follows the window's
     }
 
-    /** But for the pixels that the window's shape is off. */
-    isHome() {
-      return this.board.getBoundingBox().every((value, i) => Math.abs(value - this.home[i]) < 0.01 * (this.home[2] - this.home[0]));
+    /** Whether the window is the still picture's, but for the pixels that its shape is off. */
+    isStill() {
+      return this.board.getBoundingBox().every((value, i) => Math.abs(value - this.still[i]) < 0.01 * (this.still[2] - this.still[0]));
     }
 
     zoom(factor) {
@@ -181,10 +210,12 @@
       this.follow();
     }
 
-    zoomHome() {
-      this.board.setBoundingBox(this.home, true);
+    zoomTo(box) {
+      this.board.setBoundingBox(box, true);
       this.follow();
     }
+    zoomToJob() { this.zoomTo(this.home()); }
+    zoomToAll() { this.zoomTo(this.around(this.model.whole)); }
 
     /** Where a pointer event is on the table, mm. */
     placeOf(event) {

@@ -1,0 +1,105 @@
+// Parts list and cutting list.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/workshop/sheets.hpp"
+#include "reports/workshop/table.hpp"
+#include "specs/hardware.hpp"
+
+namespace kempe::workshop {
+namespace {
+
+/// "Ø8 x 12", "120.5 x 15 x 4": what the bill says of an item's size.
+std::string size_of(const BomItem& item) {
+  std::string text;
+  const auto times = [&](double value, const char* before = "") {
+    if (value > 0) text += (text.empty() ? "" : " x ") + std::string(before) + figure(value);
+  };
+  if (item.item == "spacer") {
+    times(item.width, "\u00d8");
+    times(item.length);
+    return text + fmt::format(", bore \u00d8{}", figure(item.diameter));
+  }
+  times(item.diameter, "\u00d8");
+  times(item.blank_length > 0 ? item.blank_length : item.length);
+  times(item.blank_width > 0 ? item.blank_width : item.width);
+  times(item.thickness);
+  return text;
+}
+
+Table parts_list(const Task& task, double width) {
+  Table table{"Parts list",
+              {{"Item", 12, Align::middle},
+               {"Qty", 10, Align::middle},
+               {"Part", 33},
+               {"Size, mm", 43},
+               {"Remark", width - 98}}};
+  int number = 0;
+  for (const BomItem& item : task.bill)
+    table.rows.push_back({fmt::format("{}", ++number), fmt::format("{}", item.quantity),
+                          item.item == "link" ? "link " + item.name : item.name, size_of(item), item.remark});
+  return table;
+}
+
+Table cutting_list(const Task& task, double width) {
+  Table table{"Cutting list",
+              {{"Item", 12, Align::middle},
+               {"Link", 18},
+               {"Blank, mm", 48},
+               {"Thickness, mm", 30},
+               {"Holes, mm", width - 108}}};
+  const double hole = hole_diameter(task.design.style, task.design.hardware, task.design.cutting);
+  for (const BomItem& item : task.bill) {
+    if (item.item != "link") continue;
+    const bool is_bar = item.name.size() == 2;
+    table.rows.push_back({fmt::format("{}", item_number(task.bill, item.name)), item.name,
+                          figure(item.blank_length) + " x " + figure(item.blank_width),
+                          figure(item.thickness),
+                          fmt::format("{} x \u00d8{}", is_bar ? 2 : 3, figure(std::max(0.0, hole)))});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Sheet> list_sheets(const Task& task) {
+  constexpr double between = 8;
+  std::vector<Sheet> sheets;
+  double y = 0;
+  const Point size =
+      sheet_size(task.paper, task.paper == Paper::A4 ? Orientation::portrait : Orientation::landscape);
+  const Box room = room_of(size);
+  const double width = std::min(room.upper.x() - room.lower.x(), 240.0);
+  const auto new_sheet = [&] {
+    sheets.push_back({size, {"Parts list and cutting list", stock_text(task.design), "-"}});
+    y = room.upper.y();
+  };
+  new_sheet();
+  for (const Table& table : {parts_list(task, width), cutting_list(task, width)}) {
+    const bool keeps_together = table.height(task.lettering) <= room.upper.y() - room.lower.y();
+    if (keeps_together && table.height(task.lettering) > y - room.lower.y()) new_sheet();
+    for (std::size_t row = 0; row < table.rows.size();) {
+      const std::size_t last = table.fitting_rows(row, y - room.lower.y(), task.lettering);
+      table.draw(sheets.back(), {room.lower.x(), y}, task.lettering, row, last);
+      row = last;
+      if (row < table.rows.size()) new_sheet();
+    }
+    y -= table.height(task.lettering) + between;
+  }
+  return sheets;
+}
+
+int item_number(const std::vector<BomItem>& bill, std::string_view name) {
+  const auto found =
+      std::find_if(bill.begin(), bill.end(), [&](const BomItem& item) { return item.name == name; });
+  return found == bill.end() ? 0 : 1 + static_cast<int>(found - bill.begin());
+}
+
+std::string stock_text(const Design& design) {
+  return fmt::format("{} mm sheet, links {} mm wide", figure(design.style.thickness),
+                     figure(design.style.width));
+}
+
+}  // namespace kempe::workshop
