@@ -5,8 +5,10 @@
 
 namespace kempe::app {
 
+void add_init_command(CLI::App& program, Session& session);
 void add_synthesize_command(CLI::App& program, Session& session);
 void add_workspace_command(CLI::App& program, Session& session);
+void add_report_command(CLI::App& program, Session& session);
 void add_verify_command(CLI::App& program, Session& session);
 void add_trace_command(CLI::App& program, Session& session);
 void add_solve_command(CLI::App& program, Session& session);
@@ -16,14 +18,18 @@ void add_calibrate_command(CLI::App& program, Session& session);
 void add_pareto_command(CLI::App& program, Session& session);
 void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
+void add_studio_command(CLI::App& program, Session& session);
+void add_help_command(CLI::App& program, Session& session);
 
 using AddCommand = void (*)(CLI::App&, Session&);
 
 // A command a line, so that adding one adds one line.
 // clang-format off
 inline constexpr AddCommand all_commands[] = {
+    add_init_command,
     add_synthesize_command,
     add_workspace_command,
+    add_report_command,
     add_verify_command,
     add_trace_command,
     add_solve_command,
@@ -33,6 +39,8 @@ inline constexpr AddCommand all_commands[] = {
     add_pareto_command,
     add_function_command,
     add_inversor_command,
+    add_studio_command,
+    add_help_command,
 };
 // clang-format on
 

@@ -21,9 +21,11 @@ constexpr std::size_t longest_word = 60;
 
 /// A word where a command should stand.
 InputError unknown_command(const std::string& word, const std::vector<std::string>& commands) {
-  const std::string_view meant =
+  const auto meant =
       nearest(std::string_view(word).substr(0, longest_word), {commands.begin(), commands.end()});
-  return {"", 0, printable(word, longest_word), "no such command", fmt::format("did you mean {}?", meant)};
+  return {"", 0, printable(word, longest_word), "no such command",
+          meant ? fmt::format("did you mean {}?", *meant)
+                : fmt::format("there are {}", fmt::join(commands, ", "))};
 }
 
 InputError bad_option(const std::string& command, const CLI::ParseError& error) {

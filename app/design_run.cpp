@@ -7,14 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
+#include "geometry/fixed_text.hpp"
 #include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
+#include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/step_assembly.hpp"
-#include "reports/publication.hpp"
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
+#include "synthesis/design/assemble.hpp"
 #include "synthesis/design/copy_overlap.hpp"
 
 namespace kempe::app {
@@ -63,12 +65,15 @@ std::string lengths_table(const Design& design) {
   return text;
 }
 
+/// What was sought; its figure only where no other line has it.
 std::string objective_line(const SearchRecord& search, int decimals) {
-  const std::string_view unit =
-      search.objective == Objective::transmission ? "degrees" : unit_of(search.objective);
-  return fmt::format("{}objective    {} = {:.{}f} {}\n",
-                     search.complete ? "" : "STOPPED EARLY: the best so far\n", name(search.objective),
-                     in_file_unit(search.objective, search.value), decimals + 1, unit);
+  std::string text =
+      fmt::format("{}objective    {} {}", search.complete ? "" : "STOPPED EARLY: the best so far\n",
+                  is_maximized(search.objective) ? "largest" : "smallest",
+                  search.objective == Objective::copy_error ? "copy error" : name(search.objective));
+  if (search.objective == Objective::footprint)
+    text += fmt::format(": {:.{}f} mm2", search.value, decimals + 1);
+  return text + "\n";
 }
 
 std::string layers_line(const Design& design) {
@@ -91,19 +96,27 @@ std::string bound_line(const Design& design) {
   const bool angle = design.search->objective == Objective::transmission;
   const double bound = *design.quality.proven_bound;
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
-  std::string text = fmt::format("bound        no design can be {} {:.{}f} {}", angle ? "above" : "below",
-                                 in_file_unit(design.search->objective, bound),
-                                 1 + (angle ? 3 : decimals_for(design.linkage)), angle ? "degrees" : "mm");
+  std::string text =
+      fmt::format("bound        no design {} than {:.{}f} {}", angle ? "has a larger angle" : "is smaller",
+                  in_file_unit(design.search->objective, bound),
+                  1 + (angle ? 3 : decimals_for(design.linkage)), angle ? "degrees" : "mm");
   if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
+  if (!design.bodies.empty() || design.table)
+    text += fmt::format("; {} left out of it", left_out_of_bound(design));
   return text + "\n";
+}
+
+/// "(12.500, 0.000)"
+std::string place_text(const Point& place, int decimals) {
+  return "(" + fixed_text(place.x(), decimals) + ", " + fixed_text(place.y(), decimals) + ")";
 }
 
 std::string relaxation_line(const Relaxation& relaxation) {
   const CopyingLinkage& linkage = relaxation.design.linkage;
   const int d = decimals_for(linkage);
-  return fmt::format("  {}: VA = {:.{}f} mm, VB = {:.{}f} mm, {} at the vertex, pole ({:.{}f}, {:.{}f})\n",
+  return fmt::format("  {}: VA = {:.{}f} mm, VB = {:.{}f} mm, {} at the vertex, pole {}\n",
                      relaxation.sentence, linkage.VA(), d, linkage.VB(), d, name(linkage.grounding()),
-                     linkage.pole().x(), d, linkage.pole().y(), d);
+                     place_text(linkage.pole(), d));
 }
 
 std::string ratio_line(const Design& design) {
@@ -127,6 +140,20 @@ std::string region_line(const Design& design) {
              : "region       NOT COVERED: " + design.map.coverage.why_not + "\n";
 }
 
+/// Where the region is not reached there is no figure: the quality is then 0.
+std::string transmission_line(const Design& design) {
+  if (design.quality.transmission_min > 0)
+    return fmt::format("transmission {:.3f} degrees at least\n", degrees(design.quality.transmission_min));
+  return design.region.empty() ? "transmission none: no opening keeps the limits\n"
+                               : "transmission none: this assembly mode does not reach all of the region\n";
+}
+
+std::string opening_line(const OpeningInterval& opening) {
+  if (opening.empty()) return "opening      none keeps the transmission angle and the clearance asked for\n";
+  return fmt::format("opening      {} .. {} degrees from VA to VB, all proven free of contact\n",
+                     fixed_text(degrees(opening.lower), 3), fixed_text(degrees(opening.upper), 3));
+}
+
 /// What robustness keeps, and what it costs.
 std::string robust_line(const Design& design, int decimals) {
   const auto& robust = design.quality.robust;
@@ -141,10 +168,11 @@ std::string robust_line(const Design& design, int decimals) {
   if (robust->nominal_value && design.search) {
     const Objective objective = design.search->objective;
     const double value = design.search->value, without = *robust->nominal_value;
-    text += fmt::format("; it costs {:.{}f} {}, {:.1f} %",
+    text += fmt::format("; its {} is {:.{}f} {} ({:.1f} %) {} than without", name(objective),
                         std::abs(in_file_unit(objective, value) - in_file_unit(objective, without)), decimals,
                         objective == Objective::transmission ? "degrees" : unit_of(objective),
-                        100 * std::abs(value - without) / std::abs(without));
+                        100 * std::abs(value - without) / std::abs(without),
+                        value < without ? "smaller" : "larger");
   }
   return text + "\n";
 }
@@ -173,8 +201,8 @@ std::string tool_line(const std::optional<ToolAdvice>& tool) {
 /// The command that checks the proof's log, with the design or alone.
 std::string how_to_check(const std::filesystem::path& folder, bool with_design) {
   const auto path = [&](std::string_view name) { return " " + printable((folder / name).string()); };
-  return "python3 proof/kempe_check.py" + (with_design ? path("design.json") : "") + path(certificate_name) +
-         " checks it";
+  return "check it with: python3 proof/kempe_check.py" + (with_design ? path("design.json") : "") +
+         path(certificate_name);
 }
 
 }  // namespace
@@ -186,23 +214,25 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   const int decimals = decimals_for(design.linkage);
   std::string text = ratio_line(design);
   text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
-  text += fmt::format("pole         ({:.{}f}, {:.{}f}) mm\n", pole.x(), decimals, pole.y(), decimals);
+  text += fmt::format("pole         {} mm\n", place_text(pole, decimals));
   text += "lengths\n" + lengths_table(design) + layers_line(design);
   if (design.search)
     text +=
         reach_line(design.search->obstacles_out_of_reach.size()) + objective_line(*design.search, decimals);
   text += bound_line(design);
-  text += fmt::format("size         {:.{}f} mm: all bars, and half the outline of each plate\n", q.size,
-                      decimals);
-  text += fmt::format("transmission {:.3f} degrees at least\n", degrees(q.transmission_min));
-  text += fmt::format("opening      {:.3f} .. {:.3f} degrees from VA to VB, all proven usable\n",
-                      degrees(design.opening.lower), degrees(design.opening.upper));
+  text += fmt::format("size         {:.{}f} mm: half the perimeter round each link's joints, summed\n",
+                      q.size, decimals);
+  text += transmission_line(design) + opening_line(design.opening);
   if (std::isfinite(q.clearance_min))
     text += fmt::format("clearance    {:.{}f} mm at least, {}\n", q.clearance_min, decimals,
                         design.map.clearance_min_parts);
+  else if (!design.map.complete && !design.region.empty())
+    text += "clearance    NOT MEASURED: stopped early; the limit is kept where the region is covered\n";
   if (q.copy_error_worst)
-    text += fmt::format("copy error   {:.4f} mm worst, {:.4f} mm RSS; distortion {:.4f} mm\n",
-                        *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+    text += fmt::format(
+        "copy error   {:.4f} mm in the worst case, {:.4f} mm typically (root of the sum of squares)\n"
+        "             {:.4f} mm of distortion, which no change of scale, rotation and origin removes\n",
+        *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
   text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);
@@ -212,6 +242,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
       "changes of assembly mode\n",
       design.verification.samples, design.verification.over_workspace ? " of the free workspace" : "",
       design.verification.copy_error_max, design.verification.loop_residual_max, design.verification.flips);
+  for (const std::string& note : making_notes(design)) text += fmt::format("parts        {}\n", note);
   text += fmt::format("written      {}:", printable(folder.string()));
   bool has_parts = false;
   for (const std::string& file : files) {
@@ -235,6 +266,7 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   object["folder"] = folder.string();
   object["files"] = files;
   object["left_out"] = left_out;
+  object["notes"] = making_notes(design);
   return json_text(object);
 }
 
@@ -252,17 +284,22 @@ std::string limit_word(const Relaxation& relaxation) {
 int tell_no_design(const Session& session, const NoDesign& none, const std::optional<ProofFolder>& proof) {
   const std::string verdict = none.proven ? "no design exists" : "no design was found";
   std::string message = verdict + (none.proven ? " (proven: no linkage can): " : ": ") + none.sentence + "\n";
-  std::vector<std::string> files;
-  if (const auto log =
-          none.proven && proof ? certificate_of_none(proof->spec.spec, proof->stop) : std::nullopt) {
-    if (const auto clash = output_clash(proof->spec.inputs(), proof->folder, {certificate_name}))
-      return fail(session, *clash);
-    if (const auto written = write_whole(proof->folder, {{certificate_name, *log}}); !written)
-      return fail(session, cannot_write, written.error());
-    message += "  " + how_to_check(proof->folder, false) + "\n";
-    files.push_back(certificate_name);
+  std::vector<std::string> files, left_out;
+  if (none.proven && proof) {
+    const auto log = certificate_of_none(proof->spec.spec, proof->stop);
+    if (!log) {
+      left_out.push_back(left_out_sentence(log.error()));
+      message += "  " + left_out.back() + "\n";
+    } else {
+      if (const auto clash = output_clash(proof->spec.inputs(), proof->folder, {certificate_name}))
+        return fail(session, *clash);
+      if (const auto written = write_whole(proof->folder, {{certificate_name, *log}}); !written)
+        return fail(session, cannot_write, written.error());
+      message += "  " + how_to_check(proof->folder, false) + "\n";
+      files.push_back(certificate_name);
+    }
   }
-  if (!none.diagnosed) message += "  stopped before every limit was relaxed\n";
+  if (!none.diagnosed) message += "  ended before every limit was relaxed\n";
   if (!none.obstacles_out_of_reach.empty()) message += "  " + reach_line(none.obstacles_out_of_reach.size());
   for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
   message.pop_back();
@@ -273,12 +310,14 @@ int tell_no_design(const Session& session, const NoDesign& none, const std::opti
                                   {"proven", none.proven},
                                   {"diagnosed", none.diagnosed},
                                   {"files", files},
+                                  {"left_out", left_out},
                                   {"obstacles_out_of_reach", none.obstacles_out_of_reach}};
     object["relaxations"] = nlohmann::ordered_json::array();
     for (const Relaxation& relaxation : none.relaxations)
       object["relaxations"].push_back({{"limit", limit_word(relaxation)},
                                        {"key", relaxation.key},
                                        {"sentence", relaxation.sentence},
+                                       {"least", relaxation.is_least},
                                        {"vertex", std::string(name(relaxation.design.linkage.grounding()))},
                                        {"VA_mm", relaxation.design.linkage.VA()},
                                        {"VB_mm", relaxation.design.linkage.VB()}});
@@ -287,24 +326,38 @@ int tell_no_design(const Session& session, const NoDesign& none, const std::opti
   return fail_told(no_design, message);
 }
 
+CLI::Option* add_paper_option(CLI::App& command, Paper& paper) {
+  const std::map<std::string, Paper> papers{{"A4", Paper::A4}, {"A3", Paper::A3}};
+  return command.add_option("--paper", paper, "Paper of workshop.pdf: A4 or A3")
+      ->transform(CLI::CheckedTransformer(papers, CLI::ignore_case))
+      ->option_text("A4|A3");
+}
+
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
-                   const std::filesystem::path& folder, const StopFlag& stop) {
+                   const std::filesystem::path& folder, const TimeToFinish& time,
+                   const std::string& studio_page, Paper paper, BoundFrom bound) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
   extras.spec_text = spec.text;
+  extras.paper = paper;
+  if (!studio_page.empty()) extras.studio_page = studio_page_name;
   FolderDraft draft(folder);
-  const auto drafted = draft_design(design, extras, draft, stop);
+  const auto drafted = draft_design(design, extras, draft, time, bound);
   if (!drafted)
     return fail(session, drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
                 drafted.error().sentence);
+  if (!studio_page.empty())
+    if (const auto added = draft.add({studio_page_name, studio_page}); !added)
+      return fail(session, cannot_write, added.error());
   const std::vector<std::string> files = draft.names();
   if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(session, *clash);
   if (const auto written = draft.put_in_place(); !written)
     return fail(session, cannot_write, written.error());
   const std::vector<std::string>& left_out = drafted->left_out;
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
-  if (const auto lack = why_no_step(); lack && drafted->has_parts) told.push_back(*lack);
+  if (drafted->has_parts && !time.enough())
+    if (const auto lack = why_no_step()) told.push_back(*lack);
   print(session.json ? summary_json(design, folder, files, told) : summary_text(design, folder, files, told));
   for (const std::string& sentence : left_out) say(sentence);
   return done;

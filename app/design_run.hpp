@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "reports/publication.hpp"
 #include "specs/spec.hpp"
 #include "synthesis/design/design.hpp"
 #include "synthesis/search/search.hpp"
@@ -26,10 +27,19 @@ tl::expected<LoadedSpec, InputError> load_spec(const std::string& file);
 /// The file's name as a report may show it: bytes that are no UTF-8 become U+FFFD.
 std::string shown_name(const std::string& file);
 
-/// Verifies the design, writes its folder and prints the summary. Returns the exit code: `verification_failed` (and
-/// nothing written), `cannot_write`, or done.
+/// The file of a design's folder that holds the studio's page with the spec inside.
+inline constexpr const char* studio_page_name = "studio.html";
+
+/// Verifies the design, writes its folder and prints the summary. `studio_page` is the text of the studio's page to be written
+/// beside the report, which then leads to it; empty: none. `paper` is that of workshop.pdf. Returns the exit code: `verification_failed` (and nothing written),
+/// `cannot_write`, or done.
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
-                   const std::filesystem::path& folder, const StopFlag& stop = {});
+                   const std::filesystem::path& folder, const TimeToFinish& time = {},
+                   const std::string& studio_page = {}, Paper paper = Paper::A4,
+                   BoundFrom bound = BoundFrom::search);
+
+/// The option --paper, of workshop.pdf.
+CLI::Option* add_paper_option(CLI::App& command, Paper& paper);
 
 /// Where the log of a proof that there is no design may be written.
 struct ProofFolder {

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/interrupt.hpp"
+#include "geometry/fixed_text.hpp"
 #include "kinematics/planar/mobility.hpp"
 #include "kinematics/planar/singularity.hpp"
 #include "reports/data/atomic_file.hpp"
@@ -29,7 +30,7 @@ std::string driver_text(const LoadedLinkage& loaded, std::size_t driver, double 
       linkage.constraints()[static_cast<std::size_t>(linkage.drivers()[driver])].constraint;
   const std::string label = loaded.model.driver_label(static_cast<int>(driver));
   if (std::holds_alternative<RelativeAngle>(constraint))
-    return fmt::format("{} = {:.6f} deg", label, degrees(value));
+    return fmt::format("{} = {} deg", label, fixed_text(degrees(value), 6));
   return fmt::format("{} = {}", label, length_text(loaded, value));
 }
 

@@ -38,8 +38,9 @@ int main(int argc, char** argv) {
   using namespace kempe::app;
   keep_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows is an error of writing, not the end
-  CLI::App program{"Kempe designs copying linkages: pantographs, plagiographs and their kin.", "kempe"};
-  program.set_version_flag("--version", KEMPE_VERSION);
+  CLI::App program{"Kempe designs copying linkages: pantographs, plagiographs and similar linkages.",
+                   "kempe"};
+  program.set_version_flag("-v,--version", KEMPE_VERSION);
   program.require_subcommand(1);
   Session session;
   for (const AddCommand add : all_commands)

@@ -18,7 +18,9 @@ class Stopping {
   /// Set by a signal, or `grace` seconds after the limit.
   StopFlag flag(double grace = 0) const { return deadline_.flag(&interrupt_.requested(), 1, grace); }
   bool interrupted() const { return interrupt_.requested(); }
-  /// What is left of the limit, s.
+  /// The limit, s; infinite without one.
+  double limit() const { return deadline_.limit(); }
+  /// What is left of it, s.
   double left() const { return deadline_.left(); }
 
   /// The exit code of a command that stopped before it had an answer: `interrupted`, or else `stopped`.

@@ -1,4 +1,4 @@
-#include "app/batch.hpp"
+#include "app/batch/batch.hpp"
 
 #include <fmt/format.h>
 
@@ -12,13 +12,13 @@
 #include <optional>
 #include <utility>
 
-#include "app/batch_index.hpp"
-#include "app/batch_journal.hpp"
-#include "app/batch_result.hpp"
-#include "app/batch_source.hpp"
+#include "app/batch/index.hpp"
+#include "app/batch/journal.hpp"
+#include "app/batch/ranks.hpp"
+#include "app/batch/result.hpp"
+#include "app/batch/source.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
-#include "app/ranks.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/solvers/parallel.hpp"

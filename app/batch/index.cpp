@@ -1,4 +1,4 @@
-#include "app/batch_index.hpp"
+#include "app/batch/index.hpp"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "app/batch_journal.hpp"
+#include "app/batch/journal.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -12,7 +12,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "app/batch_index.hpp"
+#include "app/batch/index.hpp"
 #include "kempe/input_error.hpp"
 
 namespace kempe::app {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "app/ranks.hpp"
+#include "app/batch/ranks.hpp"
 
 namespace kempe::app {
 

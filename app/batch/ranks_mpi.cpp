@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/ranks.hpp"
+#include "app/batch/ranks.hpp"
 
 namespace kempe::app {
 

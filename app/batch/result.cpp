@@ -1,10 +1,11 @@
-#include "app/batch_result.hpp"
+#include "app/batch/result.hpp"
 
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "kinematics/deadline.hpp"
 #include "reports/data/csv_text.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "specs/json_spec.hpp"
@@ -33,7 +34,7 @@ tl::expected<std::string, InputError> toml_of(const BatchTask& task) {
 Json figures(const Design& design) {
   const CopyingLinkage& l = design.linkage;
   Json line{{"vertex", std::string(name(l.grounding()))},
-            {"assembly", l.assembly_mode()},
+            {"assembly", l.assembly_mode().number},
             {"VA_mm", l.VA()},
             {"VB_mm", l.VB()},
             {"pole_mm", {l.pole().x(), l.pole().y()}},
@@ -78,6 +79,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
     line["message"] = in_one_line(as_told(spec.error(), task));
     return line_of(line);
   }
+  const Deadline deadline(given.time_limit);
   SearchOptions options = given;
   options.diagnose = false;  // of thousands of specs: `kempe synthesize` on one of them says why
   const SearchOutcome outcome = synthesize(*spec, options);
@@ -92,7 +94,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   }
   MapOptions map;
   map.largest_sheets = false;  // not among the figures of a batch
-  map.stop = given.stop;
+  map.stop = deadline.flag(given.stop, 1, time_to_map(given.time_limit));
   auto certified = certified_design(*spec, *found, map, Detail::figures);
   if (!certified) {
     line["status"] = "no design";
@@ -101,10 +103,11 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
     return line_of(line);
   }
   Design& design = *certified;
-  design.verification = verify(verification_task(design));
-  line["status"] = design.verification.certified ? "design" : "verification failed";
+  if (design.search && !design.map.complete) design.search->complete = false;
+  design.verification = run_verification(verification_task(design), {.stop = map.stop}).found;
+  line["status"] = design.verification.holds ? "design" : "verification failed";
   line.update(figures(design));
-  if (!design.verification.certified) line["message"] = design.verification.failure;
+  if (!design.verification.holds) line["message"] = design.verification.failure;
   if (const auto fault = parts_fault(design, spec->cutting)) line["parts"] = fault->sentence;
   return line_of(line);
 }

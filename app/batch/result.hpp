@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/batch_source.hpp"
+#include "app/batch/source.hpp"
 #include "synthesis/search/search.hpp"
 
 namespace kempe::app {

@@ -5,7 +5,7 @@
 // Its cells are numbered like the digits of a number whose last axis counts the units: cell i has, of an axis with n values
 // before which axes with m values in all combinations count, the value (i / m) mod n. So any cell is made from its number alone.
 
-#include "app/batch_source.hpp"
+#include "app/batch/source.hpp"
 
 #include <fmt/format.h>
 

@@ -16,9 +16,9 @@ namespace kempe::app {
 /// One spec of a batch.
 struct BatchTask {
   std::string name;  ///< the file's name, line-N, or cell-I-J-...
-  tl::expected<std::string, InputError>
-      text;            ///< as the source holds it, or why there is none: that task's failure, not the batch's
-  std::string folder;  ///< where the files that it names are looked for
+  /// As the source holds it, or why there is none: that task's failure, not the batch's.
+  tl::expected<std::string, InputError> text;
+  std::string folder;    ///< where the files that it names are looked for
   bool is_json = false;  ///< the text is one line of JSON; else TOML
 };
 

@@ -10,6 +10,7 @@
 #include "reports/calibration/report.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/data/design_json.hpp"
+#include "specs/text/ratio.hpp"
 #include "specs/text/text_file.hpp"
 
 namespace kempe::app {
@@ -121,7 +122,7 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->check(number_between(1e-6, 1000));
   command
       ->add_option("--method", arguments->method,
-                   "knight or least_squares; otherwise knight for two readings a round")
+                   "knight or least_squares; left out: knight for two readings a round, else least_squares")
       ->check(CLI::IsMember({"knight", "least_squares"}));
   command->add_option("--ratios", arguments->ratios, "Setting table for these ratios, such as 1:2,1:3,0.4")
       ->delimiter(',');
@@ -130,7 +131,7 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->check(CLI::Range(1, 100));
   command->add_flag("--simulate", arguments->simulate,
                     "Simulate instruments with hidden errors ([simulate])");
-  command->add_option("--seed", arguments->seed, "Of the random numbers of the simulation");
+  command->add_option("--seed", arguments->seed, "Seed of the random numbers of the simulation");
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

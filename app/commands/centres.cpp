@@ -67,7 +67,8 @@ void add_centres_command(CLI::App& program, Session& session) {
       ->required();
   command->add_option("--at", arguments->step, "Step of the motion")->capture_default_str();
   command->add_option("-o,--svg", arguments->picture, "Draw them too: FILE.svg");
-  command->add_option("--seed", arguments->seed, "Of the random numbers in the search for assembly modes")
+  command
+      ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for assembly modes")
       ->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });

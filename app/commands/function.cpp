@@ -7,6 +7,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/output_check.hpp"
+#include "geometry/fixed_text.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/pictures/error_plot.hpp"
 #include "specs/generator_spec.hpp"
@@ -114,9 +115,9 @@ std::string lengths_text(const FourBar& bar) {
 std::string proof_line(const FunctionDesign& design) {
   if (!design.optimum) return "";
   const MinimaxOptimum& optimum = *design.optimum;
-  std::string text =
-      fmt::format("proof        {}: {} equal ripples, {} unknowns",
-                  optimum.proven ? "a local minimum" : "none", optimum.ripples, optimum.unknowns);
+  std::string text = fmt::format("proof        {}: {} equal ripples, {} unknowns",
+                                 optimum.proven ? "no linkage near it is better" : "none", optimum.ripples,
+                                 optimum.unknowns);
   if (!optimum.limits.empty()) text += fmt::format("; held by {}", fmt::join(optimum.limits, ", "));
   return text + "\n";
 }
@@ -125,14 +126,14 @@ std::string text_of(const FunctionSpec& spec, const FunctionTask& task, const Fu
   std::string text = fmt::format("function     {}, x from {:.6g} to {:.6g}\n", wanted_text(spec),
                                  task.x_lower, task.x_upper);
   text += fmt::format("method       {}\n", in_words(task.method));
-  text += fmt::format("linkage      {}, branch {}\n", name(design.motion),
+  text += fmt::format("linkage      {}, assembled on branch {} of 2\n", name(design.motion),
                       design.linkage.branch == FourBarBranch::first ? 1 : 2);
   text += lengths_text(design.linkage);
-  text += fmt::format("input crank  from {:.3f} degrees over {:.6g} degrees\n", degrees(design.input_start),
-                      degrees(task.input_range));
-  text +=
-      fmt::format("output crank from {:.3f} degrees over {:.6g} degrees: y from {:.6g} to {:.6g}\n",
-                  degrees(design.output_start), degrees(task.output_range), design.y_lower, design.y_upper);
+  text += fmt::format("input crank  from {} degrees over {:.6g} degrees\n",
+                      fixed_text(degrees(design.input_start), 3), degrees(task.input_range));
+  text += fmt::format("output crank from {} degrees over {:.6g} degrees: y from {:.6g} to {:.6g}\n",
+                      fixed_text(degrees(design.output_start), 3), degrees(task.output_range), design.y_lower,
+                      design.y_upper);
   text += fmt::format("error        {:.4g} degrees of the output crank at most, {:.4g} degrees RMS\n",
                       degrees(design.error_largest), degrees(design.error_rms));
   text += "exact at     x =";

@@ -57,14 +57,15 @@ void add_mobility_command(CLI::App& program, Session& session) {
   auto arguments = std::make_shared<MobilityArguments>();
   auto* linkage =
       command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)");
-  auto* links =
-      command
-          ->add_option("--links", arguments->links, "Number synthesis: how many links, the ground included")
-          ->check(CLI::Range(2, 40));
-  command->add_option("--dof", arguments->freedoms, "and how many freedoms")
+  auto* links = command
+                    ->add_option("--links", arguments->links,
+                                 "Number synthesis: chains of so many links, the ground included")
+                    ->check(CLI::Range(2, 40));
+  command->add_option("--dof", arguments->freedoms, "Number synthesis: chains of so many freedoms")
       ->check(CLI::Range(0, 40))
       ->needs(links);
-  command->add_option("--seed", arguments->seed, "Of the random numbers in the search for closed positions")
+  command
+      ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for closed positions")
       ->capture_default_str();
   linkage->excludes(links);
   command->callback([&session, arguments, linkage, links] {

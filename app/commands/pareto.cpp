@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -14,15 +15,15 @@
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
 #include "app/stopping.hpp"
-#include "reports/data/design_json.hpp"
-#include "reports/design_package.hpp"
+#include "reports/publication.hpp"
 #include "specs/objective_unit.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/verification/verification.hpp"
 
 namespace kempe::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ParetoArguments {
   std::string spec_file, folder;
@@ -45,53 +46,97 @@ std::optional<Objective> objective_named(const std::string& word) {
 /// For the table: a millionth of a micrometre is nothing (design.json has every digit).
 double coordinate(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
-/// What the report's chart shows, and the table of the CSV.
-struct FrontFiles {
-  std::vector<OutputFile> files;
+/// A front's files, written beside their places: a folder a point with all that a design has, and the front's own.
+struct FrontDraft {
+  std::vector<FolderDraft> points;
+  std::vector<std::string> names;  ///< of all files of the points, below the front's folder
+  std::vector<OutputFile> own;
   ParetoFront chart;
-  std::string csv;
+  std::vector<std::string> left_out;  ///< sentences, each with its point
+  bool complete = true;               ///< false: stopped early, maps and verification are coarse
 };
 
-/// Assembles and verifies every point; the error names the point that failed.
-tl::expected<FrontFiles, std::string> files_of(const std::vector<ParetoPoint>& front,
-                                               const LoadedSpec& loaded, Objective first, Objective second) {
-  FrontFiles all;
-  all.chart = {std::string(name(first)),
-               std::string(unit_of(first)),
-               std::string(name(second)),
-               std::string(unit_of(second)),
-               {}};
-  all.csv = fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first),
-                        unit_of(first), name(second), unit_of(second));
-  std::optional<Design> middle;
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    const ParetoPoint& point = front[i];
-    MapOptions map;
-    map.largest_sheets = false;
-    Design design = assemble_design(loaded.spec, point.design, map);
-    design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's
-    design.verification = verify(verification_task(design));
-    const std::string number = fmt::format("{:02}", i + 1);
-    if (!design.verification.certified)
-      return tl::unexpected("point " + number + ": " + design.verification.failure);
-    all.files.push_back({number + "/design.json", design_json(design)});
-    const bool is_middle = i == front.size() / 2;
-    all.chart.rows.push_back(
-        {number, in_file_unit(first, point.a), in_file_unit(second, point.b), is_middle});
-    const CopyingLinkage& l = design.linkage;
-    all.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", number, in_file_unit(first, point.a),
-                           in_file_unit(second, point.b), name(l.grounding()), l.assembly_mode(), l.VA(),
-                           l.VB(), coordinate(l.pole().x()), coordinate(l.pole().y()));
-    if (is_middle) middle = std::move(design);
-  }
+ReportExtras extras_of(const LoadedSpec& loaded) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(loaded.file);
   extras.spec_text = loaded.text;
-  extras.pareto = all.chart;
-  all.files.push_back({"report.html", html_report(*middle, extras)});
-  all.files.push_back({"front.csv", all.csv});
-  return all;
+  return extras;
+}
+
+/// One point's design, its folder drafted. The error names the point.
+tl::expected<Design, std::string> draft_point(const ParetoPoint& point, const std::string& number,
+                                              const LoadedSpec& loaded, const fs::path& folder,
+                                              const TimeToFinish& time, FrontDraft& front) {
+  Design design = assemble_design(loaded.spec, point.design, {.largest_sheets = false, .stop = time.enough});
+  design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's
+  FolderDraft& draft = front.points.emplace_back(folder / number);
+  const auto drafted = draft_design(design, extras_of(loaded), draft, time);
+  if (!drafted) return tl::unexpected("point " + number + ": " + drafted.error().sentence);
+  for (const std::string& name : draft.names()) front.names.push_back(number + "/" + name);
+  for (const std::string& sentence : drafted->left_out)
+    front.left_out.push_back("point " + number + ": " + sentence);
+  front.complete = front.complete && design.map.complete;
+  return design;
+}
+
+std::string csv_head(Objective first, Objective second) {
+  return fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first),
+                     unit_of(first), name(second), unit_of(second));
+}
+
+std::string csv_row(const ParetoRow& row, const CopyingLinkage& l) {
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", row.name, row.first, row.second, name(l.grounding()),
+                     l.assembly_mode().number, l.VA(), l.VB(), coordinate(l.pole().x()),
+                     coordinate(l.pole().y()));
+}
+
+/// Assembles, verifies and drafts every point; the error names the point that failed.
+tl::expected<FrontDraft, std::string> draft_front(const std::vector<ParetoPoint>& points,
+                                                  const LoadedSpec& loaded, const fs::path& folder,
+                                                  Objective first, Objective second,
+                                                  const TimeToFinish& time) {
+  FrontDraft front;
+  front.chart = {std::string(name(first)),
+                 std::string(unit_of(first)),
+                 std::string(name(second)),
+                 std::string(unit_of(second)),
+                 {}};
+  std::string csv = csv_head(first, second);
+  std::optional<Design> middle;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string number = fmt::format("{:02}", i + 1);
+    auto design = draft_point(points[i], number, loaded, folder, time, front);
+    if (!design) return tl::unexpected(design.error());
+    const bool is_middle = i == points.size() / 2;
+    front.chart.rows.push_back(
+        {number, in_file_unit(first, points[i].a), in_file_unit(second, points[i].b), is_middle});
+    csv += csv_row(front.chart.rows.back(), design->linkage);
+    if (is_middle) middle = std::move(*design);
+  }
+  ReportExtras extras = extras_of(loaded);
+  extras.pareto = front.chart;
+  front.own = {{"report.html", html_report(*middle, extras)}, {"front.csv", csv}};
+  return front;
+}
+
+/// The points' folders first: the front's page leads to them.
+tl::expected<void, std::string> put_in_place(FrontDraft& front, const fs::path& folder) {
+  for (FolderDraft& point : front.points)
+    if (auto placed = point.put_in_place(); !placed) return placed;
+  return write_whole(folder, front.own);
+}
+
+/// The two figures of every point; front.csv has all digits, and lengths and pole.
+std::string summary_text(const ParetoFront& front, bool complete, const std::string& folder) {
+  std::string text = fmt::format("{}front        {} designs: {} in {}, {} in {}\n",
+                                 complete ? "" : "STOPPED EARLY: the front so far\n", front.rows.size(),
+                                 front.first_name, front.first_unit, front.second_name, front.second_unit);
+  for (const ParetoRow& row : front.rows)
+    text += fmt::format("  {} {:14.6g} {:14.6g}\n", row.name, row.first, row.second);
+  return text + fmt::format(
+                    "written      {}: report.html front.csv, and all files of a design in a folder a point\n",
+                    printable(folder));
 }
 
 int run(const Session& session, const ParetoArguments& arguments) {
@@ -119,25 +164,28 @@ int run(const Session& session, const ParetoArguments& arguments) {
     options.progress = [&](double share, std::string_view what) { progress.show(share, what); };
     front = pareto_front(loaded->spec, *first, *second, arguments.points, options);
   }
-  const bool complete = !stopping.flag()();
+  bool complete = !stopping.flag()();
   if (!front) return tell_no_design(session, front.error());
   if (front->empty() && !complete)
     return tell_stopped(session, stopping, "before a point of the front was found; nothing is written");
   if (front->empty()) return fail(session, no_design, "no design was found");
-  const auto files = files_of(*front, *loaded, *first, *second);
+  const TimeToFinish time{stopping.flag(time_to_map(stopping.limit())),
+                          stopping.flag(time_to_write(stopping.limit()))};
+  auto files = draft_front(*front, *loaded, arguments.folder, *first, *second, time);
   if (!files) return fail(session, verification_failed, files.error());
-  std::vector<std::string> names;
-  for (const OutputFile& file : files->files) names.push_back(file.name.string());
+  complete = complete && files->complete;
+  std::vector<std::string> names = files->names;
+  for (const OutputFile& file : files->own) names.push_back(file.name.string());
   if (const auto clash = output_clash(loaded->inputs(), arguments.folder, names))
     return fail(session, *clash);
-  if (const auto written = write_whole(arguments.folder, files->files); !written)
+  if (const auto written = put_in_place(*files, arguments.folder); !written)
     return fail(session, cannot_write, written.error());
-  nlohmann::ordered_json object{
-      {"points", front->size()}, {"folder", arguments.folder}, {"complete", complete}};
-  print(session.json
-            ? json_text(object)
-            : files->csv + fmt::format("{}written {}\n", complete ? "" : "STOPPED EARLY: the front so far\n",
-                                       printable(arguments.folder)));
+  nlohmann::ordered_json object{{"points", front->size()},
+                                {"folder", arguments.folder},
+                                {"complete", complete},
+                                {"left_out", files->left_out}};
+  print(session.json ? json_text(object) : summary_text(files->chart, complete, arguments.folder));
+  for (const std::string& sentence : files->left_out) say(sentence);
   return stopping.interrupted() ? interrupted : done;
 }
 
@@ -152,15 +200,17 @@ void add_pareto_command(CLI::App& program, Session& session) {
   command->add_option("--between", arguments->between, "Two of size, transmission, copy_error, footprint")
       ->required()
       ->delimiter(',');
-  command->add_option("--points", arguments->points, "How many points the front shall have")
+  command->add_option("--points", arguments->points, "Number of points")
       ->check(CLI::Range(2, 200))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->folder, "Folder for the front's files")->required();
-  command->add_option("--seed", arguments->seed, "Of the random numbers: the same seed gives the same front")
+  command
+      ->add_option("--seed", arguments->seed,
+                   "Seed of the random numbers; the same seed gives the same front")
       ->capture_default_str();
   command
       ->add_option("-j,--threads", arguments->threads,
-                   "Threads to use; the front is the same with any number")
+                   "Threads to search on, 1 to 256; left out: one for each core")
       ->check(CLI::Range(1, 256));
   add_time_limit(*command, arguments->time_limit,
                  "Seconds; then the points found so far, or exit code 6 without any");

@@ -171,7 +171,7 @@ void add_solve_command(CLI::App& program, Session& session) {
   command->add_option("--animate", arguments->animations,
                       "The linkage moving: FILE.html or FILE.svg; may be given twice");
   command->add_flag("--assemblies", arguments->list_assembly_modes,
-                    "List the ways to assemble the linkage at the start of the motion, then stop");
+                    "List the assembly modes at the start of the motion, then stop");
   command->add_option("--assembly", arguments->assembly_mode, "Start in this one of them (see --assemblies)")
       ->check(CLI::Range(0, 1000));
   command->add_flag("--velocities", arguments->velocities, "Velocities of points and links");
@@ -182,7 +182,8 @@ void add_solve_command(CLI::App& program, Session& session) {
       ->delimiter(',');
   command->add_option("--steps", arguments->steps, "Equal parts of the motion, instead of the file's")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", arguments->seed, "Of the random numbers in the search for assembly modes")
+  command
+      ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for assembly modes")
       ->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });

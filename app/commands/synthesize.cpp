@@ -8,10 +8,11 @@
 #include <thread>
 
 #include "app/all_commands.hpp"
-#include "app/batch.hpp"
+#include "app/batch/batch.hpp"
 #include "app/design_run.hpp"
 #include "app/progress.hpp"
 #include "app/stopping.hpp"
+#include "app/studio_page.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
 
@@ -24,14 +25,16 @@ struct SynthesizeArguments {
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   double time_limit = Deadline::unlimited;
   double map_tolerance = MapOptions{}.map_tolerance;
+  bool studio = false;
+  Paper paper = Paper::A4;
 };
 
 /// In the objective's unit.
 std::string known_bound(Objective objective, const std::optional<double>& bound) {
   if (!bound || !std::isfinite(*bound)) return "";
   if (objective == Objective::transmission)
-    return fmt::format("; none can be above {:.4f} degrees", degrees(*bound));
-  return fmt::format("; none can be below {:.4f} mm", *bound);
+    return fmt::format("; none is larger than {:.4f} degrees", degrees(*bound));
+  return fmt::format("; none is smaller than {:.4f} mm", *bound);
 }
 
 int run(const Session& session, const SynthesizeArguments& arguments) {
@@ -41,6 +44,8 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   const Stopping stopping(arguments.time_limit);
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
+  const auto studio = studio_page_if(arguments.studio, *loaded);
+  if (!studio) return fail(session, failed, studio.error());
   SearchOutcome outcome = NoDesign{};
   {
     Progress progress(session.quiet);
@@ -58,13 +63,16 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
                         "before a design was found or proven impossible; nothing is written" +
                             known_bound(objective, early->proven_bound),
                         early->proven_bound);
+  const StopFlag to_map = stopping.flag(time_to_map(stopping.limit()));
   if (const auto* none = std::get_if<NoDesign>(&outcome))
-    return tell_no_design(session, *none, ProofFolder{*loaded, arguments.folder, stopping.flag(time_to_map)});
+    return tell_no_design(session, *none, ProofFolder{*loaded, arguments.folder, to_map});
   const auto& found = std::get<FoundDesign>(outcome);
-  auto design = certified_design(
-      loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag(time_to_map)});
+  auto design =
+      certified_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map});
   if (!design) return fail(session, no_design, design.error());
-  const int code = publish_design(session, *design, *loaded, arguments.folder, stopping.flag(time_to_map));
+  const StopFlag to_write = stopping.flag(time_to_write(stopping.limit()));
+  const int code = publish_design(session, *design, *loaded, arguments.folder, {to_map, to_write}, *studio,
+                                  arguments.paper);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 
@@ -81,20 +89,24 @@ void add_synthesize_command(CLI::App& program, Session& session) {
       "Many specs: a folder of *.toml, a .jsonl file or a sweep (.json); resumable (docs/batch.md)");
   spec->excludes(batch);
   command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
-  command->add_option("--seed", arguments->seed, "Of the random numbers: the same seed gives the same design")
+  command
+      ->add_option("--seed", arguments->seed,
+                   "Seed of the random numbers; the same seed gives the same design")
       ->capture_default_str();
   command
       ->add_option("-j,--threads", arguments->threads,
-                   "Threads to use; the design is the same with any number")
+                   "Threads to search on, 1 to 256; left out: one for each core")
       ->check(CLI::Range(1, 256));
   add_time_limit(*command, arguments->time_limit,
                  "Seconds (for each spec of a batch); then the best design so far, marked as such, or exit "
                  "code 6 if there is none");
   command
       ->add_option("--map-tolerance", arguments->map_tolerance,
-                   "Share of the map's area that may stay uncertain")
+                   "Share of the free workspace that may stay uncertain")
       ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
+  batch->excludes(add_studio_option(*command, arguments->studio));
+  batch->excludes(add_paper_option(*command, arguments->paper));
   command->callback([&session, arguments, spec, batch] {
     if (spec->empty() && batch->empty()) throw CLI::RequiredError("SPEC or --batch");
     session.chosen = [&session, arguments] { return run(session, *arguments); };

@@ -107,14 +107,18 @@ std::string causes(const Trace& trace) {
   return text;
 }
 
+/// "1 line", "2 lines"
+std::string lines(std::size_t count) { return fmt::format("{} line{}", count, count == 1 ? "" : "s"); }
+
 std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
-  std::string text = fmt::format("strokes      {} drawn in {} lines, {:.1f} mm of the original\n",
-                                 drawing.strokes.size(), trace.drawn.size(), trace.drawn_length);
+  std::string text =
+      fmt::format("drawn        {}, from {} in the drawing: {:.1f} mm of the original\n",
+                  lines(trace.drawn.size()), lines(drawing.strokes.size()), trace.drawn_length);
   text += fmt::format("poses        {}, the pen at most {:.2g} mm from the exact image\n",
                       trace.poses_tried - trace.poses_missed, trace.departure);
   if (trace.poses_missed > 0)
-    text += fmt::format("left out     {} positions in {} lines, {:.1f} mm: {}\n", trace.poses_missed,
-                        trace.missing.size(), trace.missing_length, causes(trace));
+    text += fmt::format("left out     {}, {} positions, {:.1f} mm: {}\n", lines(trace.missing.size()),
+                        trace.poses_missed, trace.missing_length, causes(trace));
   if (!drawing.remark().empty()) text += "remark       " + drawing.remark() + "\n";
   return text + "written      " + printable(arguments.copy) +
          (arguments.csv.empty() ? "" : ", " + printable(arguments.csv)) + "\n";
@@ -186,7 +190,7 @@ int run(const Session& session, TraceArguments arguments) {
 void add_trace_command(CLI::App& program, Session& session) {
   CLI::App* command =
       add_command(program, session, "trace", "Copy a drawing through a design's mechanism, pose by pose",
-                  "kempe trace out/nameplate/design.json lettering.svg -o copy.svg --fit");
+                  "kempe trace out/nameplate/design.json docs/pictures/letter.svg -o copy.svg --fit");
   auto arguments = std::make_shared<TraceArguments>();
   command->add_option("DESIGN", arguments->design, "A design.json")->required();
   command
@@ -208,12 +212,14 @@ void add_trace_command(CLI::App& program, Session& session) {
   command->add_option("--instrument", arguments->instrument,
                       "Draw with an instrument made within the design's tolerances, chosen by this seed");
   command
-      ->add_option("--tolerance", arguments->tolerance,
-                   "Curves are followed to this, mm; left out: 0.01, or a thousandth of a small region")
+      ->add_option(
+          "--tolerance", arguments->tolerance,
+          "Curves are followed to this, mm; left out: 0.01, or a thousandth of the region's diagonal if less")
       ->check(number_between(1e-7, 10));
   command
       ->add_option("--step", arguments->step,
-                   "Poses are at most this far apart, mm; left out: 0.5, or a twentieth of a small region")
+                   "Poses are at most this far apart, mm; left out: 0.5, or a twentieth of the region's "
+                   "diagonal if less")
       ->check(number_between(1e-4, 1e3));
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });

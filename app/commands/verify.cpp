@@ -2,22 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "app/all_commands.hpp"
+#include "app/broken_design.hpp"
 #include "reports/audit/design_audit.hpp"
+#include "reports/certificate.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 
 namespace kempe::app {
 namespace {
 
-/// What is broken, a line each.
-std::string complaint(const DesignAudit& found, const std::string& file) {
-  std::string text = printable(file) + ":";
-  for (const BrokenLimit& breach : found.broken)
-    text += fmt::format("\n  {}: {}", breach.limit, breach.sentence);
-  return text;
+/// The command that proves the bound, where its log stands beside the design.
+std::string proof_line(const StoredDesign& design, const std::string& file) {
+  const auto log = std::filesystem::path(file).parent_path() / certificate_name;
+  std::error_code unknown;
+  if (!design.quality.proven_bound || !std::filesystem::is_regular_file(log, unknown)) return "";
+  return fmt::format("proof        check the bound with: python3 proof/kempe_check.py {} {}\n",
+                     printable(file), printable(log.string()));
 }
 
 int check_file(const Session& session, const std::string& file) {
@@ -27,8 +32,8 @@ int check_file(const Session& session, const std::string& file) {
   if (!design) return fail(session, design.error());
   const auto found = audit(*design, file);
   if (!found) return fail(session, found.error());
-  print(session.json ? audit_json(*found, file) : audit_text(*found));
-  return found->certified() ? done : fail_told(verification_failed, complaint(*found, file));
+  print(session.json ? audit_json(*found, file) : audit_text(*found) + proof_line(*design, file));
+  return found->holds() ? done : fail_told(verification_failed, broken_text(*found, file));
 }
 
 }  // namespace

@@ -8,9 +8,10 @@
 #include "app/all_commands.hpp"
 #include "app/design_run.hpp"
 #include "app/stopping.hpp"
+#include "app/studio_page.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/plain_reasons.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
 
 namespace kempe::app {
 namespace {
@@ -20,6 +21,8 @@ struct WorkspaceArguments {
   std::vector<double> why;  // x, y
   double map_tolerance = MapOptions{}.map_tolerance;
   double time_limit = Deadline::unlimited;
+  bool studio = false;
+  Paper paper = Paper::A4;
 };
 
 int tell_why(const Session& session, const Design& design, const Point& tracer) {
@@ -41,14 +44,17 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   const Stopping stopping(arguments.time_limit);
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
+  const auto studio = studio_page_if(arguments.studio, *loaded);
+  if (!studio) return fail(session, failed, studio.error());
   const auto linkage = given_linkage(loaded->spec, loaded->file);
   if (!linkage) return fail(session, linkage.error());
-  if (const auto none = plainly_impossible(loaded->spec); none && none->requirement == "obstacles")
-    return tell_no_design(session, *none);
+  if (const auto none = pole_blocked(loaded->spec)) return tell_no_design(session, *none);
   Design design = assemble_given(loaded->spec, *linkage,
                                  {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});
   if (!arguments.why.empty()) return tell_why(session, design, {arguments.why[0], arguments.why[1]});
-  const int code = publish_design(session, design, *loaded, arguments.folder);
+  const TimeToFinish time{stopping.flag(time_to_map(stopping.limit())),
+                          stopping.flag(time_to_write(stopping.limit()))};
+  const int code = publish_design(session, design, *loaded, arguments.folder, time, *studio, arguments.paper);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 
@@ -61,17 +67,20 @@ void add_workspace_command(CLI::App& program, Session& session) {
   auto arguments = std::make_shared<WorkspaceArguments>();
   command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)")->required();
   auto* folder = command->add_option("-o,--output", arguments->folder, "Folder for the map's files");
-  auto* why =
-      command->add_option("--why", arguments->why, "Say why the tracer can or cannot stand at X,Y (mm)")
-          ->delimiter(',')
-          ->check(number_between(-largest_coordinate, largest_coordinate))
-          ->expected(2);
+  auto* why = command
+                  ->add_option("--why", arguments->why,
+                               "Say why the tracer can or cannot stand at X,Y (mm); no file is written")
+                  ->delimiter(',')
+                  ->check(number_between(-largest_coordinate, largest_coordinate))
+                  ->expected(2);
   command
       ->add_option("--map-tolerance", arguments->map_tolerance,
-                   "Share of the map's area that may stay uncertain")
+                   "Share of the free workspace that may stay uncertain")
       ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
   add_time_limit(*command, arguments->time_limit, "Seconds; then the map as fine as it is, marked as such");
+  add_studio_option(*command, arguments->studio);
+  add_paper_option(*command, arguments->paper);
   command->callback([&session, arguments, folder, why] {
     if (folder->empty() && why->empty()) throw CLI::RequiredError("--output or --why");
     session.chosen = [&session, arguments] { return run(session, *arguments); };
