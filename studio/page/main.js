@@ -1,0 +1,661 @@
+// The studio: one spec, its design, and what follows while a hand moves something.
+"use strict";
+(function (kempe) {
+  const one = (id) => document.getElementById(id);
+  const make = (tag, properties = {}, ...children) => {
+    const node = Object.assign(document.createElement(tag), properties);
+    node.append(...children);
+    return node;
+  };
+  const degrees = (angle) => (angle * 180) / Math.PI;
+  const rest = 220;  // ms after the last move before the full search begins
+
+  /** A number as people write it, with a point or a comma; NaN if it is none. */
+  const readNumber = (text) => {
+    const plain = text.trim().replace(/\s|\u00a0/g, "").replace("\u2212", "-");
+    return /^[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain.replace(",", ".")) : NaN;
+  };
+
+  class Studio {
+    constructor() {
+      this.data = JSON.parse(one("studio-data").textContent);
+      this.history = [];
+      this.future = [];
+      this.stage = new kempe.Table(one("map"), {
+        begin: () => this.begin(),
+        drag: (handle, to) => this.drag(handle, to),
+        end: (handle, moved) => { if (moved) this.settle(); this.base = null; },
+        nudge: (handle, to) => { this.begin(); this.drag(handle, to); this.base = null; this.settle(); },
+        tracer: (at) => this.moveTracer(at),
+        fit: () => this.fit(),
+      });
+      this.searcher = new kempe.Engine();
+      this.sketcher = new kempe.Engine();
+      this.files = [];  // the drawings that came with a spec; the engine looks there for region.file
+      this.drawing = new kempe.Drawing({
+        use: (text) => { this.fitNext = true; this.change(text); },
+        current: () => ({ text: this.text, middle: this.middleOfRegion() }),
+        notice: (words) => this.notice(words),
+      });
+      this.photo = new kempe.Photo({ show: (photo) => this.stage.showPhoto(photo), notice: (words) => this.notice(words) });
+      this.panel = new kempe.Panel(one("fields"), this.data.keys, (text) => this.change(text));
+      this.listen();
+    }
+
+    async start() {
+      try {
+        await Promise.all([this.searcher.ready, this.sketcher.ready]);
+      } catch (fault) {
+        document.body.classList.add("refused");
+        this.say("bad", fault.message);
+        throw fault;
+      }
+      let text = null;
+      try {
+        text = await kempe.textOf(location.hash);
+      } catch (fault) {
+        this.notice(fault.message);
+      }
+      const inside = this.inside();
+      if (!text && inside) this.name = inside.name;
+      this.open(text || (inside ? inside.text : this.data.templates[0].text));
+      document.body.classList.add("started");
+    }
+
+    /** The spec that `kempe studio` has put into this page, with its drawing; null if there is none. */
+    inside() {
+      const held = JSON.parse(one("studio-spec").textContent);
+      if (!held) return null;
+      this.files = held.files;
+      try {  // here the drawing lies beside the spec, wherever it lay
+        const doc = new kempe.Doc(held.text), [file] = held.files;
+        return { name: held.name, text: file && doc.get("region.file") !== file.name ? doc.with("region.file", file.name) : held.text };
+      } catch {
+        return held;
+      }
+    }
+
+    // ---- the spec
+
+    /** What the engine is asked about a text: with the drawing that it names, if that came along. */
+    asked(text, more = {}) {
+      const files = this.files.filter(({ name }) => text.includes(name));
+      return { text, ...(files.length ? { files } : {}), ...more };
+    }
+
+    middleOfRegion() {
+      const region = (this.shapes || []).find(({ role }) => role === "region");
+      return region ? kempe.middleOf(region.rings.flat()) : null;
+    }
+
+    /** Another spec altogether. */
+    open(text) {
+      this.model = this.ghost = this.from = this.answer = null;
+      this.tracer = null;
+      this.stage.showMap(null);
+      this.fitNext = true;
+      this.change(text);
+    }
+
+    /** A new text, as one step that can be undone. */
+    change(text) {
+      if (text === this.text) return;
+      if (this.text !== undefined) this.history.push(this.text);
+      if (this.history.length > 200) this.history.shift();
+      this.future = [];
+      this.adopt(text);
+      this.settle();
+    }
+
+    /** The text is the spec from now on; nothing is searched yet. */
+    adopt(text) {
+      this.text = text;
+      if (one("spec").value !== text && document.activeElement !== one("spec")) one("spec").value = text;
+      try {
+        this.doc = new kempe.Doc(text);
+      } catch (fault) {
+        this.doc = this.doc || new kempe.Doc("");
+      }
+      this.place();
+      this.panel.show(this.doc);
+    }
+
+    undo(from, to) {
+      if (from.length === 0) return;
+      to.push(this.text);
+      const text = from.pop();
+      one("spec").value = text;
+      this.adopt(text);
+      this.settle();
+    }
+
+    begin() {
+      this.base = this.doc;
+      this.before = this.text;
+      // What was searched no longer matters; the last design is the ghost.
+      if (this.answer && this.answer.kind === "design") this.ghost = this.answer.model;
+    }
+
+    drag(handle, to) {
+      const current = kempe.shapesOf(this.base, this.task, this.polePlace()).flatMap(({ handles }) => handles).find(({ id }) => id === handle.id);
+      if (!current) return;
+      const text = current.move(to);
+      if (text === this.text) return;
+      if (this.before !== null && this.before !== undefined) {
+        this.history.push(this.before);
+        this.future = [];
+        this.before = null;
+      }
+      this.stage.showMap(null);
+      this.adopt(text);
+      one("spec").value = text;
+      this.sketchSoon();
+      this.settle(rest);
+    }
+
+    // ---- the engine
+
+    /** The fast answer, one at a time, always about the newest text. */
+    async sketchSoon() {
+      this.sketchWanted = true;
+      if (this.sketching || !this.from && !this.hasSketched) return;
+      this.sketching = true;
+      while (this.sketchWanted) {
+        this.sketchWanted = false;
+        const from = this.from;
+        this.from = null;
+        const asked = performance.now();
+        const answer = await this.sketcher.ask("sketch", this.asked(this.text, { from }));
+        this.hasSketched = true;
+        this.sketchTime = performance.now() - asked;
+        if (answer.stopped || answer.error) break;
+        if (this.answerIsCurrent) break;  // the full search was quicker
+        this.takeSketch(answer);
+      }
+      this.sketching = false;
+    }
+
+    takeSketch(answer) {
+      if (answer.kind === "sketch") {
+        this.model = answer.model;
+        this.figures(answer.figures, true);
+        this.place();
+      } else if (answer.kind === "none") {
+        this.model = null;
+        this.say("wait", answer.proven ? "Proven: no design exists here." : "Nothing near the last design; searching when you rest …");
+        this.place();
+      }
+    }
+
+    /** After the last move: the search, its map and its bound. */
+    settle(wait = 0) {
+      clearTimeout(this.timer);
+      this.answerIsCurrent = false;
+      this.timer = setTimeout(() => this.search(), wait);
+    }
+
+    async search() {
+      const { text } = this;
+      if (this.searcher.busy) this.searcher.stop();
+      this.keep(text);
+      one("stop").hidden = false;
+      this.progress(0, "");
+      let answer;
+      try {
+        const checked = await this.searcher.ask("validate", this.asked(text));
+        if (checked.stopped || text !== this.text) return;
+        if (checked.kind === "faults" || checked.error) return this.finish(checked);
+        this.task = checked.task;
+        this.faults([]);
+        if (this.fitNext) this.fit();
+        this.place();
+        const given = this.task.mechanism && this.task.region.length === 0;  // nothing to design for: the mechanism's map
+        answer = await this.searcher.ask(given ? "map" : "design", this.asked(text), ({ share, what }) => { if (text === this.text) this.progress(share, what); });
+      } catch (fault) {
+        answer = { error: fault.message };
+      }
+      if (answer.stopped || text !== this.text) return;
+      this.finish(answer);
+    }
+
+    finish(answer) {
+      one("stop").hidden = true;
+      this.progress(null, "");
+      this.answer = answer;
+      this.answerIsCurrent = true;
+      this.faults(answer.kind === "faults" ? answer.faults : []);
+      one("download").disabled = answer.kind !== "design";
+      document.body.dataset.answer = answer.kind || "error";
+      one("changes").replaceChildren();
+      if (answer.kind === "design") this.take(answer);
+      else if (answer.kind === "none") this.takeNone(answer);
+      else if (answer.kind === "faults") this.say("bad", answer.faults.length === 1 ? "The spec has a fault:" : `The spec has ${answer.faults.length} faults:`);
+      else this.say("bad", answer.error || "The engine gave no answer.");
+      window.dispatchEvent(new CustomEvent("kempe-answer", { detail: answer.kind || "error" }));
+    }
+
+    take(answer) {
+      this.model = answer.model;
+      this.ghost = null;
+      this.from = answer.handover;
+      if (!this.tracer) this.tracer = this.goodPlace();
+      this.stage.showMap(answer.picture);
+      const binding = this.bindings(answer);
+      this.binding = binding.flatMap(({ at }) => (at ? [at] : []));
+      const { figures } = answer;
+      this.figures(figures, false);
+      if (!figures.covers) this.say("bad", figures.why_not_covered);
+      else this.say("good", `${this.howGood(figures)}${binding.length ? ` What holds it back: ${binding.map(({ text }) => text).join("; ")}.` : ""}`);
+      if (!figures.complete) this.say("wait", "The search was stopped early: a better one may exist.");
+      if (this.fitNext) this.fit();
+      this.fitNext = false;
+      this.place();
+    }
+
+    /** What may be said of a design, and no more. */
+    howGood({ value, bound, objective }) {
+      if (value === null) return "The map of the mechanism that the spec gives.";
+      if (bound === null) return "The best that the search has found.";
+      const share = 100 * Math.abs(value / bound - 1), what = objective === "transmission" ? "moves more easily" : "is smaller";
+      return `Proven: no other ${what} by more than ${kempe.figure(Math.max(0.01, share + 0.005), 2)} %.`;
+    }
+
+    /** A place of the original beside its middle, where the handle is that moves it. */
+    goodPlace() {
+      const ring = this.task.region[0];
+      if (!ring) return null;
+      const [x, y] = kempe.middleOf(this.task.region.flat());
+      return [x + 0.45 * (ring[0][0] - x), y + 0.45 * (ring[0][1] - y)];
+    }
+
+    takeNone(answer) {
+      this.model = null;
+      this.binding = [];
+      this.ghost = this.ghost || null;
+      this.stage.showMap(null);
+      this.figures(null, false);
+      this.say("bad", (answer.proven ? "Proven: no design exists. " : "") + answer.reason);
+      one("changes").replaceChildren(...answer.changes.map((change) => this.changeButton(change)));
+      this.place();
+    }
+
+    /** What would make a design possible, as a button where the change can be written into the spec. */
+    changeButton({ key, sentence }) {
+      const would = /; ([-+\d.e]+) would do/.exec(sentence), without = /(.*) is in the way; without it/.exec(sentence);
+      let text = null, words = sentence;
+      if (would && this.data.keys.some(({ table, name }) => `${table}.${name}` === key)) {
+        text = this.doc.with(key, Number(would[1]));
+        words = `${key.split(".")[1]} = ${would[1]}`;
+      } else if (without && key !== "obstacles" && this.doc.has(key)) {
+        text = this.doc.without(key);
+        words = `without ${key.split(".")[1]}`;
+      } else if (without && key === "obstacles") {
+        const index = this.obstacleNamed(without[1]);
+        if (index >= 0) {
+          text = this.doc.withoutTable(`obstacles.${index}`);
+          words = `without ${without[1]}`;
+        }
+      }
+      if (text === null) return make("span", { className: "change", textContent: sentence });
+      const button = make("button", { type: "button", textContent: words, title: sentence });
+      button.addEventListener("click", () => this.change(text));
+      return button;
+    }
+
+    obstacleNamed(words) {
+      for (let i = 0; i < this.doc.count("obstacles"); ++i) {
+        const name = this.doc.get(`obstacles.${i}.name`) || `obstacle ${i + 1}`;
+        if (words.includes(name)) return i;
+      }
+      return -1;
+    }
+
+    /** The limits that the design keeps with nothing to spare, with the place where, if it is one. */
+    bindings({ model, lengths, figures }) {
+      const { task } = this, found = [];
+      const at = this.leastTransmission(model);
+      if (at && degrees(at.angle - task.transmission) < 0.02) found.push({ text: `the transmission at ${this.cornerName(at.place)}`, at: at.place });
+      const slack = 1e-3 * (1 + Math.max(...Object.values(lengths))) * 0.1;
+      const names = (test) => Object.keys(lengths).filter((name) => test(lengths[name]));
+      const long = names((of) => task.longest - of < slack), short = names((of) => of - task.shortest < slack);
+      if (long.length) found.push({ text: `the longest strip, ${long.join(" and ")}` });
+      if (short.length) found.push({ text: `the shortest distance of two holes, ${short.join(" and ")}` });
+      if (figures.clearance !== null && figures.clearance - task.clearance < 0.01) found.push({ text: "the clearance between parts" });
+      return found;
+    }
+
+    leastTransmission(model) {
+      const linkage = new kempe.Linkage(model);
+      let least = null;
+      const look = (place) => {
+        const { opening, why } = linkage.openingAt(Math.hypot(place[0] - model.pole[0], place[1] - model.pole[1]));
+        if (why) return;
+        const angle = linkage.transmissionAt(opening);
+        if (!least || angle < least.angle - 1e-12) least = { angle, place };
+      };
+      for (const ring of this.task.region)
+        ring.forEach(([x, y], i) => {
+          const [u, v] = ring[(i + 1) % ring.length];
+          for (let t = 0; t < 16; ++t) look([x + ((u - x) * t) / 16, y + ((v - y) * t) / 16]);
+        });
+      return least;
+    }
+
+    /** "the far left corner": a place of the region, for a person at the table. */
+    cornerName([x, y]) {
+      const points = this.task.region.flat(), xs = points.map((at) => at[0]), ys = points.map((at) => at[1]);
+      const [left, right, near, far] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+      const part = (value, low, high) => (value < low + 0.2 * (high - low) ? 0 : value > high - 0.2 * (high - low) ? 2 : 1);
+      const across = ["left", "", "right"][part(x, left, right)], deep = ["near", "", "far"][part(y, near, far)];
+      const words = [deep, across].filter(Boolean).join(" ");
+      return words ? `the original's ${words} ${deep && across ? "corner" : "edge"}` : "a place inside the original";
+    }
+
+    // ---- what is seen
+
+    polePlace() {
+      return this.model ? this.model.pole : this.answer && this.answer.model ? this.answer.model.pole : null;
+    }
+
+    place() {
+      const shapes = kempe.shapesOf(this.doc, this.task, this.polePlace());
+      this.shapes = shapes;
+      const region = shapes.find(({ role }) => role === "region");
+      const tracer = this.tracer || (region ? kempe.middleOf(region.rings.flat()) : [0, 0]);
+      this.stage.show({ shapes, model: this.model, ghost: this.answerIsCurrent ? (this.model ? null : this.ghost) : this.ghost, tracer, binding: this.answerIsCurrent ? this.binding : [] });
+    }
+
+    fit() {
+      const points = kempe.shapesOf(this.doc, this.task, this.polePlace()).flatMap(({ rings, handles }) => [...rings.flat(), ...handles.map(({ at }) => at)]);
+      if (this.model) {
+        const found = this.stage.poseOf(this.model, this.tracer);
+        if (found) points.push(...found.pose);
+      }
+      this.stage.fit(points);
+    }
+
+    moveTracer(at) {
+      if (!this.model) return;
+      this.pause();
+      const found = this.stage.poseOf(this.model, at);
+      if (found) this.tracer = found.place;
+      this.place();
+    }
+
+    figures(of, isSketch) {
+      const set = (id, value, note = "") => {
+        one(id).textContent = value;
+        one(`${id}-note`).textContent = note;
+      };
+      const mm = (value) => `${kempe.figure(value, value < 10 ? 2 : 1)}\u00a0mm`;
+      document.body.classList.toggle("sketched", isSketch);
+      if (!of) {
+        for (const id of ["size", "bound", "transmission", "clearance", "free", "longest"]) set(id, "–");
+        return;
+      }
+      set("size", mm(of.size));
+      const unit = (value) => (this.task && this.task.objective === "transmission" ? `${kempe.figure(degrees(value), 2)}°` : mm(value));
+      const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
+      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? "" : share < 0.01 ? "the design is there" : `${kempe.figure(share, share < 1 ? 2 : 1)} % from it`);
+      set("transmission", `${kempe.figure(degrees(of.transmission), 1)}°`, this.task ? `limit ${kempe.figure(degrees(this.task.transmission), 1)}°` : "");
+      set("longest", mm(of.longest), this.task ? `limit ${kempe.figure(this.task.longest, 1)} mm` : "");
+      if (isSketch) {
+        set("clearance", "…");
+        set("free", "…");
+        this.say("wait", "Following your hand. The full search runs when you rest.");
+        return;
+      }
+      set("clearance", of.clearance === null ? "free" : mm(of.clearance), this.task ? `limit ${kempe.figure(this.task.clearance, 2)} mm` : "");
+      set("free", `${kempe.figure(of.free_area / 100, of.free_area < 10000 ? 1 : 0)}\u00a0cm²`);
+    }
+
+    say(kind, words) {
+      one("verdict").className = `verdict ${kind}`;
+      one("verdict").textContent = words;
+    }
+
+    notice(words) {
+      one("notice-text").textContent = words;
+      one("notice").hidden = !words;
+    }
+
+    progress(share, what) {
+      const bar = one("progress");
+      bar.hidden = share === null;
+      if (share === null) return;
+      bar.value = share;
+      if (!document.body.classList.contains("sketched")) this.say("wait", what ? `Searching: ${what} …` : "Searching …");
+    }
+
+    faults(all) {
+      const here = all.map((fault) => (fault.file ? { ...fault, line: null } : fault));  // lines of the spec's text
+      one("faults").replaceChildren(...all.map(({ file, line, key, found, allowed }) => {
+        const words = `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${key}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
+        const button = make("button", { type: "button", className: "fault", textContent: words });
+        button.addEventListener("click", () => this.showLine(file ? null : line));
+        return make("li", {}, button);
+      }));
+      one("spec").classList.toggle("faulty", all.length > 0);
+      const lines = new Set(here.map(({ line }) => line));
+      one("lines").replaceChildren(...one("spec").value.split("\n").map((_, i) => make("span", { textContent: i + 1, className: lines.has(i + 1) ? "bad" : "" })));
+      if (all.length) one("text-part").open = true;
+    }
+
+    showLine(line) {
+      const field = one("spec"), lines = field.value.split("\n"), start = lines.slice(0, Math.max(0, (line || 1) - 1)).join("\n").length + (line > 1 ? 1 : 0);
+      one("text-part").open = true;
+      field.focus();
+      field.setSelectionRange(start, start + (lines[(line || 1) - 1] || "").length);
+    }
+
+    // ---- playing
+
+    play() {
+      const ring = this.task && this.task.region[0];
+      if (!ring || !this.model) return;
+      const points = [...ring, ring[0]], lengths = points.slice(1).map((at, i) => Math.hypot(at[0] - points[i][0], at[1] - points[i][1]));
+      const total = lengths.reduce((sum, of) => sum + of, 0);
+      let along = 0, last = null;
+      const frame = (now) => {
+        this.playing = requestAnimationFrame(frame);
+        along = (along + (last === null ? 0 : Math.min(100, now - last) / 8000) * total) % total;
+        last = now;
+        let i = 0, left = along;
+        while (i < lengths.length - 1 && left > lengths[i]) left -= lengths[i++];
+        const t = left / (lengths[i] || 1);
+        this.tracer = [points[i][0] + t * (points[i + 1][0] - points[i][0]), points[i][1] + t * (points[i + 1][1] - points[i][1])];
+        this.place();
+      };
+      this.playing = requestAnimationFrame(frame);
+      this.showPlaying();
+    }
+
+    pause() {
+      if (this.playing) cancelAnimationFrame(this.playing);
+      this.playing = null;
+      this.showPlaying();
+    }
+
+    showPlaying() {
+      one("play").textContent = this.playing ? "❚❚ Pause" : "▶ Play";
+      one("play").setAttribute("aria-pressed", String(Boolean(this.playing)));
+    }
+
+    // ---- taking away
+
+    async keep(text) {
+      const fragment = await kempe.fragmentOf(text);
+      if (text !== this.text) return;
+      this.fragment = fragment;
+      try {
+        history.replaceState(null, "", fragment || "#");
+      } catch {
+        this.notice("");  // some browsers let no file's address change: the button still copies it
+      }
+    }
+
+    async share() {
+      const fragment = await kempe.fragmentOf(this.text);
+      if (this.asked(this.text).files) return this.notice("This spec reads a drawing, which no address holds. Make the drawing the original with “From a drawing …”, or pass on the files of Download.");
+      if (!fragment) return this.notice("This spec is too long for an address. Download its text instead.");
+      const address = location.href.replace(/#.*$/, "") + fragment;
+      try {
+        await navigator.clipboard.writeText(address);
+        this.notice("The address is copied. Whoever has this page opens your task with it.");
+      } catch {
+        this.notice(address);
+      }
+    }
+
+    async download() {
+      if (this.searcher.busy) return;
+      one("download").disabled = true;
+      const answer = await this.searcher.ask("files", { title: this.title() });
+      one("download").disabled = false;
+      if (!answer.files) return this.notice(answer.reason || answer.error || "The files could not be written.");
+      const spec = { name: "spec.toml", bytes: new TextEncoder().encode(this.text) };
+      const drawings = (this.asked(this.text).files || []).map(({ name, text }) => ({ name, bytes: new TextEncoder().encode(text) }));
+      kempe.save(`${this.title()}.zip`, kempe.zip([...answer.files, spec, ...drawings]));
+    }
+
+    title() {
+      return this.name || "design";
+    }
+
+    // ---- hands and keys
+
+    listen() {
+      const gallery = one("gallery");
+      one("templates").replaceChildren(...this.data.templates.map((template) => this.card(template)));
+      one("open-gallery").addEventListener("click", () => gallery.showModal());
+      one("close-gallery").addEventListener("click", () => gallery.close());
+      one("undo").addEventListener("click", () => this.undo(this.history, this.future));
+      one("redo").addEventListener("click", () => this.undo(this.future, this.history));
+      one("share").addEventListener("click", () => this.share());
+      one("download").addEventListener("click", () => this.download());
+      one("play").addEventListener("click", () => (this.playing ? this.pause() : this.play()));
+      one("zoom-in").addEventListener("click", () => this.stage.zoom(1.4));
+      one("zoom-out").addEventListener("click", () => this.stage.zoom(1 / 1.4));
+      one("zoom-all").addEventListener("click", () => this.fit());
+      one("stop").addEventListener("click", () => { this.searcher.stop(); this.finish({ error: "Stopped. Move something, or type, to search again." }); });
+      one("close-notice").addEventListener("click", () => this.notice(""));
+      one("add-obstacle").addEventListener("click", () => this.addObstacle());
+      for (const [button, input, open] of [["from-drawing", "drawing-file", (file) => this.drawing.open(file)], ["from-photo", "photo-file", (file) => this.photo.open(file)]]) {
+        one(button).addEventListener("click", () => one(input).click());
+        one(input).addEventListener("change", () => {
+          const [file] = one(input).files;
+          one(input).value = "";
+          if (file) open(file);
+        });
+      }
+      this.listenToDrops();
+      one("spec").addEventListener("input", () => {
+        clearTimeout(this.typing);
+        this.typing = setTimeout(() => this.change(one("spec").value), 350);
+      });
+      one("spec").addEventListener("scroll", () => (one("lines").scrollTop = one("spec").scrollTop));
+      window.addEventListener("hashchange", async () => {
+        if (location.hash === (this.fragment || "#")) return;
+        try {
+          const text = await kempe.textOf(location.hash);
+          if (text !== null && text !== this.text) this.open(text);
+        } catch (fault) {
+          this.notice(fault.message);
+        }
+      });
+      document.addEventListener("keydown", (event) => {
+        if (!(event.ctrlKey || event.metaKey) || event.target === one("spec")) return;
+        const key = event.key.toLowerCase();
+        if (key === "z" && !event.shiftKey) this.undo(this.history, this.future);
+        else if (key === "y" || (key === "z" && event.shiftKey)) this.undo(this.future, this.history);
+        else return;
+        event.preventDefault();
+      });
+    }
+
+    /** A drawing, a photo or a spec let fall anywhere on the page. */
+    listenToDrops() {
+      const holdsFile = (event) => [...event.dataTransfer.types].includes("Files");
+      document.addEventListener("dragover", (event) => {
+        if (!holdsFile(event)) return;
+        event.preventDefault();
+        document.body.classList.add("dropping");
+      });
+      document.addEventListener("dragleave", (event) => { if (!event.relatedTarget) document.body.classList.remove("dropping"); });
+      document.addEventListener("drop", (event) => {
+        document.body.classList.remove("dropping");
+        if (!holdsFile(event)) return;
+        event.preventDefault();
+        const [file] = event.dataTransfer.files;
+        if (file) this.takeFile(file);
+      });
+    }
+
+    async takeFile(file) {
+      if (/\.toml$/i.test(file.name) && file.size < 1 << 20) {
+        this.name = file.name.replace(/\.toml$/i, "");
+        return this.open(await file.text());
+      }
+      if (/^image\/(?!svg)/.test(file.type)) return this.photo.open(file);
+      if (kempe.drawingKind(file.name)) return this.drawing.open(file);
+      this.notice(`${file.name}: not a file that the studio takes; allowed: a drawing (.svg, .dxf), a photo, a spec (.toml)`);
+    }
+
+    card({ name, title, text }) {
+      const button = make("button", { type: "button", className: "card" });
+      button.append(kempe.preview(text), make("strong", { textContent: name }), make("span", { textContent: title }));
+      button.addEventListener("click", () => { one("gallery").close(); this.name = name; this.open(text); });
+      return button;
+    }
+
+    addObstacle() {
+      const { left, top, width, height } = this.stage.view, size = this.stage.snapped([width / 12, width / 12]);
+      const at = this.stage.snapped([left + width * 0.45, -(top + height * 0.4)]);
+      this.change(this.doc.withTable("obstacles", { name: `obstacle ${this.doc.count("obstacles") + 1}`, rectangle_mm: { at, size } }));
+    }
+  }
+
+  /** A template's task, small: original, copy, pole and what is in the way. */
+  kempe.preview = function (text) {
+    const svg = "http://www.w3.org/2000/svg", root = document.createElementNS(svg, "svg");
+    root.setAttribute("class", "map preview");
+    root.setAttribute("aria-hidden", "true");
+    const shapes = kempe.shapesOf(new kempe.Doc(text), null, null), points = shapes.flatMap(({ rings, handles }) => [...rings.flat(), ...handles.map(({ at }) => at)]);
+    const xs = points.map(([x]) => x), ys = points.map(([, y]) => -y), pad = 0.08 * Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
+    const width = Math.max(...xs) - Math.min(...xs) + 2 * pad, height = Math.max(...ys) - Math.min(...ys) + 2 * pad;
+    root.setAttribute("viewBox", `${Math.min(...xs) - pad} ${Math.min(...ys) - pad} ${width} ${height}`);
+    const css = { region: ["m-region", "outline"], copy: ["m-copy", "outline"], obstacle: ["m-obstacles", "thing plain"], "pole-area": ["pole-areas", "pole-area"], table: ["m-table", "edge"] };
+    for (const { role, rings, handles } of shapes.filter(({ role }) => role !== "body")) {
+      const group = document.createElementNS(svg, "g"), path = document.createElementNS(svg, "path"), dot = document.createElementNS(svg, "circle");
+      if (role === "pole") {
+        dot.setAttribute("cx", handles[0].at[0]);
+        dot.setAttribute("cy", -handles[0].at[1]);
+        dot.setAttribute("r", 0.03 * Math.max(width, height));
+        dot.setAttribute("class", "core pole");
+        group.append(dot);
+      } else {
+        group.setAttribute("class", css[role][0]);
+        path.setAttribute("class", css[role][1]);
+        path.setAttribute("d", rings.map((ring) => `M${ring.map(([x, y]) => `${x},${-y}`).join("L")}Z`).join(""));
+        group.append(path);
+      }
+      root.append(group);
+    }
+    return root;
+  };
+
+  Object.assign(kempe, { readNumber, make });
+  kempe.begin = () => {
+    const studio = new Studio();
+    kempe.studio = studio;
+    kempe.started = studio.start();
+    kempe.started.catch(() => {});
+    /** The design of a spec, as design.json holds it; rejects with {faults}, {no_design} or {error}. In a worker of its own. */
+    kempe.design = async (text) => {
+      const engine = kempe.asked || (kempe.asked = new kempe.Engine());
+      const answer = await engine.ask("design", { text: String(text) });
+      if (answer.kind === "design") return answer.design;
+      throw answer.kind === "faults" ? { faults: answer.faults } : answer.kind === "none" ? { no_design: answer.reason, proven: answer.proven, changes: answer.changes } : { error: answer.error || "stopped" };
+    };
+  };
+})((globalThis.kempe = globalThis.kempe || {}));

@@ -1,0 +1,327 @@
+// The table seen from above: map, region, copy, obstacles, bodies, linkage and handles, as one SVG. Lines and colours are the report's.
+"use strict";
+(function (kempe) {
+  const svg = "http://www.w3.org/2000/svg";
+
+  function element(name, attributes = {}, text) {
+    const node = document.createElementNS(svg, name);
+    for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+    if (text !== undefined) node.textContent = text;
+    return node;
+  }
+
+  const path = (rings) => rings.map((ring) => `M${ring.map(([x, y]) => `${x},${-y}`).join("L")}Z`).join("");
+  const line = (points) => `M${points.map(([x, y]) => `${x},${-y}`).join("L")}`;
+
+  /** The groups of the report's picture that show areas; the rest the stage draws itself. */
+  const areas = ["reachable", "usable", "free", "uncertain", "change", "transmission", "contact", "obstructed", "overlap"];
+
+  class Stage {
+    constructor(root, acts) {
+      this.root = root;
+      this.acts = acts;
+      this.view = { left: -100, top: -100, width: 200, height: 200 };
+      this.groups = {};
+      for (const name of ["defs", "photo", "map", "grid", "pole-area", "table", "obstacles", "region", "copy", "ghost", "mechanism", "bodies", "mark", "names", "handles", "grip", "scale"]) {
+        const css = { map: "areas", "pole-area": "pole-areas", ghost: "ghost", handles: "handles", mark: "binding", names: "names", grip: "grip" }[name] || `m-${name}`;
+        this.groups[name] = element(name === "defs" ? "defs" : "g", name === "defs" ? {} : { class: css });
+        root.append(this.groups[name]);
+      }
+      this.nodes = new Map();
+      this.listen();
+      new ResizeObserver(() => this.resize()).observe(root);
+    }
+
+    /** mm of one pixel. */
+    get pixel() {
+      return this.view.width / Math.max(1, this.root.clientWidth);
+    }
+
+    resize() {
+      const { clientWidth: wide, clientHeight: high } = this.root;
+      if (!wide || !high) return;
+      if (this.wanted) return this.lookHome();
+      const { left, top, width, height } = this.view;
+      this.look([left + width / 2, top + height / 2], Math.max(width / wide, height / high));
+    }
+
+    /** The middle (SVG's frame) and mm a pixel. */
+    look(centre, scale) {
+      const { clientWidth: wide, clientHeight: high } = this.root;
+      const kept = Math.min(1e6, Math.max(1e-5, scale));
+      this.view = { left: centre[0] - (wide * kept) / 2, top: centre[1] - (high * kept) / 2, width: wide * kept, height: high * kept };
+      const { left, top, width, height } = this.view;
+      this.root.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);
+      kempe.drawFrame(this.root, this.view, false);
+      this.root.setAttribute("font-size", 15 * kept);
+      this.redraw();
+    }
+
+    /** All of the given places in view. */
+    fit(points) {
+      const all = points.filter((at) => at.every(Number.isFinite));
+      if (all.length === 0) return;
+      const xs = all.map(([x]) => x), ys = all.map(([, y]) => -y);
+      const box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+      const width = Math.max(box[2] - box[0], 1e-3), height = Math.max(box[3] - box[1], 1e-3);
+      this.wanted = { width, height, middle: [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2] };
+      this.lookHome();
+    }
+
+    /** What fit() was told, whatever the window has become: with room for the buttons above and the figures below. */
+    lookHome() {
+      const { clientWidth: wide, clientHeight: high } = this.root, { width, height, middle } = this.wanted;
+      const [side, above, below] = [Math.min(70, wide / 8), 64, 44];
+      const scale = Math.max(width / Math.max(1, wide - 2 * side), height / Math.max(1, high - above - below));
+      this.look([middle[0], middle[1] - ((above - below) / 2) * scale], scale);
+    }
+
+    zoom(factor, at) {
+      const { left, top, width, height } = this.view, pivot = at || [left + width / 2, top + height / 2];
+      this.wanted = null;
+      this.look([pivot[0] + (left + width / 2 - pivot[0]) / factor, pivot[1] + (top + height / 2 - pivot[1]) / factor], this.pixel / factor);
+    }
+
+    placeOf(event) {
+      const box = this.root.getBoundingClientRect();
+      return [this.view.left + (event.clientX - box.left) * this.pixel, -(this.view.top + (event.clientY - box.top) * this.pixel)];
+    }
+
+    /** A place as a hand means it: on round numbers of the size of a pixel. */
+    snapped([x, y], finer = 1) {
+      const step = 10 ** Math.ceil(Math.log10(this.pixel * 0.9)) * finer;
+      return [x, y].map((value) => Number((Math.round(value / step) * step).toFixed(9)));
+    }
+
+    // ---- what is shown
+
+    show(scene) {
+      this.scene = scene;
+      this.redraw();
+    }
+
+    redraw() {
+      const { scene, groups } = this;
+      if (!scene) return;
+      const handles = scene.shapes.flatMap((shape) => shape.handles.map((handle) => ({ ...handle, role: shape.role })));
+      this.labels = this.freeRoom(handles);
+      const outlines = (role) => scene.shapes.filter((shape) => shape.role === role && shape.rings.length);
+      const words = (at, text, css) => element("text", { x: at[0], y: -at[1], dy: ".35em", class: `name ${css}` }, text);
+      groups.region.replaceChildren(...outlines("region").map(({ rings }) => element("path", { class: "outline", d: path(rings) })));
+      groups.copy.replaceChildren(...outlines("copy").map(({ rings }) => element("path", { class: "outline", d: path(rings) })));
+      groups["pole-area"].replaceChildren(...outlines("pole-area").map(({ rings }) => element("path", { class: "pole-area", d: path(rings) })));
+      groups.obstacles.replaceChildren(...outlines("obstacle").flatMap(({ rings, name }) => {
+        const shape = element("path", { class: "thing", d: path(rings) });
+        shape.append(element("title", {}, name));
+        return [shape];
+      }));
+      groups.table.replaceChildren(...outlines("table").map(({ rings }) => element("path", { class: "edge", d: path(rings) })));
+      this.drawBodies(groups.bodies, scene);
+      this.drawLinkage(groups.ghost, scene.ghost, scene.tracer);
+      this.drawLinkage(groups.mechanism, scene.model, scene.tracer);
+      groups.names.replaceChildren();
+      for (const css of ["region", "copy"])
+        for (const { rings } of outlines(css)) {
+          const xs = rings.flat().map(([x]) => x), ys = rings.flat().map(([, y]) => -y), box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+          const word = css === "region" ? "original" : "copy", at = this.labels.put(kempe.Labels.beside(box, this.pixel), word.length);
+          if (at) groups.names.append(words([at[0], -at[1]], word, css));
+        }
+      groups.mark.replaceChildren(...(scene.binding || []).map((at) => element("circle", { class: "tight", cx: at[0], cy: -at[1], r: 9 * this.pixel })));
+      this.drawGrip(scene.model, scene.tracer);
+      this.drawHandles(handles);
+    }
+
+    /** What no word may cover: handles, the linkage's joints, marks and buttons. */
+    freeRoom(handles) {
+      const { scene } = this, labels = new kempe.Labels({ ...this.view, top: this.view.top + 48 * this.pixel, height: this.view.height - 72 * this.pixel }, this.pixel);
+      labels.handles = handles.map(({ at }) => [at[0], -at[1]]);
+      for (const at of labels.handles) labels.keepOff(at, 8);
+      for (const at of scene.binding || []) labels.keepOff([at[0], -at[1]], 10);
+      const found = scene.model ? this.poseOf(scene.model, scene.tracer) : null;
+      if (found) for (const [x, y] of found.pose) labels.keepOff([x, -y], Math.max((1.55 * scene.model.pin_radius) / this.pixel, 6));
+      return labels;
+    }
+
+    /** The areas of the report's picture; none without one. */
+    showMap(picture) {
+      const { defs, map } = this.groups;
+      defs.replaceChildren();
+      map.replaceChildren();
+      if (!picture) return;
+      const read = new DOMParser().parseFromString(`<div xmlns="http://www.w3.org/1999/xhtml">${picture}</div>`, "text/html");
+      for (const pattern of read.querySelectorAll("svg defs > *")) defs.append(document.importNode(pattern, true));
+      for (const name of areas)
+        for (const group of read.querySelectorAll(`svg g.m-${name}`)) map.append(document.importNode(group, true));
+    }
+
+    /** A picture of the bench, from above: {url, box: [left, near, right, far]}, {strength: 0..1}, or null for none. */
+    showPhoto(photo) {
+      const group = this.groups.photo;
+      if (!photo) return void group.replaceChildren();
+      if (photo.strength !== undefined) group.setAttribute("opacity", photo.strength);
+      if (!photo.url) return;
+      const [left, near, right, far] = photo.box;
+      group.replaceChildren(element("image", { href: photo.url, x: left, y: -far, width: right - left, height: far - near, preserveAspectRatio: "none" }));
+    }
+
+    /** The tracer's place for a model: as wanted, or as near as this assembly comes. */
+    poseOf(model, tracer) {
+      const linkage = new kempe.Linkage(model), place = linkage.nearestReachable(tracer || model.pole);
+      const found = linkage.poseWithTracerAt(place);
+      return found.why ? null : { ...found, place, linkage };
+    }
+
+    /** What tracer and pen carry, where they stand. */
+    drawBodies(group, { shapes, model, tracer }) {
+      const found = model ? this.poseOf(model, tracer) : null;
+      if (!found) return void group.replaceChildren();
+      group.replaceChildren(...shapes.filter(({ role }) => role === "body").map(({ name, at, carried }) => {
+        const [x, y] = found.pose[model.joints[at === "tracer" ? "tracer" : "pen"]];
+        const shape = element("path", { class: "thing", d: path(carried.map((ring) => ring.map(([dx, dy]) => [x + dx, y + dy]))) });
+        shape.append(element("title", {}, name));
+        return shape;
+      }));
+    }
+
+    drawLinkage(group, model, tracer) {
+      const found = model ? this.poseOf(model, tracer) : null;
+      if (!found) return void group.replaceChildren();
+      const { pose } = found, px = this.pixel, nodes = [];
+      const width = Math.max(model.width, 3 * px), face = width - Math.min(2.4 * px, 0.5 * width);
+      for (const body of model.bodies) {
+        const d = line(body.line.map((joint) => pose[joint])) + (body.filled ? "Z" : "");
+        const link = element("g", { class: `link layer-${body.layer} ${body.filled ? "filled" : "open"}` });
+        link.append(element("title", {}, body.name), element("path", { class: "rim", d, "stroke-width": width }), element("path", { class: "face", d, "stroke-width": face }));
+        nodes.push(link);
+      }
+      const radius = Math.max(model.pin_radius, 3.2 * px);
+      const roles = Object.fromEntries(Object.entries(model.joints).map(([role, joint]) => [joint, role]));
+      pose.forEach(([x, y], joint) => {
+        const role = roles[joint], at = { cx: x, cy: -y };
+        if (!role) return void nodes.push(element("circle", { class: "pin", ...at, r: radius }));
+        nodes.push(element("circle", { class: `mark ${role}`, ...at, r: 1.55 * radius }), element("circle", { class: `core ${role}`, ...at, r: 0.6 * radius }));
+        if (role === "pole" || group !== this.groups.mechanism) return;
+        const place = this.labels.put(kempe.Labels.round([x, -y], 1.55 * radius, px), role.length);
+        if (place) nodes.push(element("text", { class: `role joint ${role}`, x: place[0], y: place[1], dy: ".35em" }, role));
+      });
+      group.replaceChildren(...nodes);
+    }
+
+    /** What the hand takes hold of to move the linkage. */
+    drawGrip(model, tracer) {
+      const found = model ? this.poseOf(model, tracer) : null;
+      if (!found) return void this.groups.grip.replaceChildren();
+      const [x, y] = found.pose[model.joints.tracer];
+      const grip = element("circle", { class: "hold", cx: x, cy: -y, r: Math.max(1.55 * model.pin_radius, 11 * this.pixel) });
+      grip.append(element("title", {}, "The tracer: drag it to move the linkage"));
+      this.groups.grip.replaceChildren(grip);
+    }
+
+    drawHandles(handles) {
+      const px = this.pixel, kept = new Set(), touch = window.matchMedia("(pointer: coarse)").matches;
+      const focused = handles.find(({ id }) => id === this.held);
+      for (const handle of focused ? [focused, ...handles.filter((h) => h !== focused)] : handles) {
+        let node = this.nodes.get(handle.id);
+        if (!node) {
+          node = element("g", { class: `handle ${handle.role}`, tabindex: 0, role: "slider", "data-id": handle.id });
+          node.append(element("circle", { class: "reach" }), element("circle", { class: "knob" }), element("path", { class: "arrows" }), element("text", { class: "says" }));
+          this.nodes.set(handle.id, node);
+          this.groups.handles.append(node);
+        }
+        node.handle = handle;
+        kept.add(handle.id);
+        const [x, y] = handle.at, [reach, knob, arrows, says] = node.children;
+        node.setAttribute("class", `handle ${handle.role}${handle.whole ? " whole" : ""}${handle.id === this.held ? " held" : ""}`);
+        node.setAttribute("aria-label", handle.label);
+        node.setAttribute("aria-valuenow", x);
+        node.setAttribute("aria-valuetext", handle.role === "copy" ? handle.says : `${handle.says || `${kempe.figure(x)}, ${kempe.figure(y)}`}`);
+        for (const circle of [reach, knob]) { circle.setAttribute("cx", x); circle.setAttribute("cy", -y); }
+        reach.setAttribute("r", (touch ? 22 : 14) * px);
+        knob.setAttribute("r", (handle.whole ? 7.5 : 6) * px);
+        const a = 4.2 * px;
+        arrows.setAttribute("d", handle.whole ? `M${x - a},${-y}h${2 * a}M${x},${-y - a}v${2 * a}` : "");
+        // Where nothing is free, a number waits until its handle is held.
+        const held = handle.id === this.held, places = kempe.Labels.at([x, -y], px);
+        const place = handle.says ? this.labels.put(places, handle.says.length, { letter: 7.4, own: [x, -y] }) || (held ? places(handle.says.length * 7.4 * px)[0] : null) : null;
+        says.textContent = place ? handle.says : "";
+        if (!place) continue;
+        says.setAttribute("x", place[0]);
+        says.setAttribute("y", place[1]);
+      }
+      for (const [id, node] of this.nodes) if (!kept.has(id)) { node.remove(); this.nodes.delete(id); }
+    }
+
+    // ---- hands
+
+    /** The handle that moves an outline as a whole. */
+    wholeOf(body) {
+      const role = body.closest(".m-region") ? "region" : body.closest(".m-obstacles") ? "obstacle" : "pole-area";
+      const shapes = this.scene.shapes.filter((shape) => shape.role === role && shape.rings.length);
+      const shape = shapes[[...body.parentNode.querySelectorAll("path")].indexOf(body)];
+      const whole = shape && shape.handles.find((handle) => handle.whole);
+      return whole && this.nodes.has(whole.id) ? whole : null;
+    }
+
+    listen() {
+      const { root } = this;
+      let drag = null;
+      root.addEventListener("pointerdown", (event) => {
+        if (event.button > 0) return;
+        const node = event.target.closest(".handle"), tracer = event.target.closest(".hold");
+        const body = event.target.closest(".m-region .outline, .m-obstacles .thing, .pole-areas .pole-area");
+        root.setPointerCapture(event.pointerId);
+        const at = this.placeOf(event), handle = node ? node.handle : body ? this.wholeOf(body) : null;
+        if (handle) {
+          this.nodes.get(handle.id).focus({ preventScroll: true });
+          this.held = handle.id;
+          drag = { handle, offset: [handle.at[0] - at[0], handle.at[1] - at[1]], moved: false };
+          this.acts.begin(handle);
+        } else drag = tracer ? { tracer: true } : { from: [event.clientX, event.clientY], pan: { ...this.view } };
+        event.preventDefault();
+      });
+      root.addEventListener("pointermove", (event) => {
+        if (!drag) return;
+        const at = this.placeOf(event);
+        if (drag.tracer) return this.acts.tracer(at);
+        if (drag.handle) {
+          drag.moved = true;
+          const to = [at[0] + drag.offset[0], at[1] + drag.offset[1]];
+          return this.acts.drag(drag.handle, drag.handle.free ? to : this.snapped(to, event.altKey ? 0.1 : 1));
+        }
+        const px = this.pixel, { left, top, width, height } = drag.pan;
+        this.wanted = null;
+        this.look([left + width / 2 - (event.clientX - drag.from[0]) * px, top + height / 2 - (event.clientY - drag.from[1]) * px], px);
+      });
+      const end = () => {
+        if (drag && drag.handle) this.acts.end(drag.handle, drag.moved);
+        drag = null;
+        this.held = null;
+        if (this.scene) this.redraw();
+      };
+      root.addEventListener("pointerup", end);
+      root.addEventListener("pointercancel", end);
+      root.addEventListener("wheel", (event) => {
+        event.preventDefault();
+        const [x, y] = this.placeOf(event);
+        this.zoom(Math.exp(-0.0015 * event.deltaY), [x, -y]);
+      }, { passive: false });
+      root.addEventListener("keydown", (event) => this.key(event));
+    }
+
+    key(event) {
+      const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }, arrow = arrows[event.key];
+      const node = event.target.closest(".handle");
+      if (event.ctrlKey || event.metaKey) return;
+      if (!arrow || !node) {
+        const act = { "+": () => this.zoom(1.3), "-": () => this.zoom(1 / 1.3), 0: () => this.acts.fit() }[event.key];
+        if (act) { event.preventDefault(); act(); }
+        return;
+      }
+      event.preventDefault();
+      const { handle } = node, step = 10 ** Math.ceil(Math.log10(this.pixel)) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+      this.acts.nudge(handle, [handle.at[0] + arrow[0] * step, handle.at[1] + arrow[1] * step].map((value) => Number(value.toFixed(9))));
+    }
+  }
+
+  kempe.Table = Stage;
+})((globalThis.kempe = globalThis.kempe || {}));
