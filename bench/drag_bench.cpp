@@ -116,8 +116,8 @@ int main(int argc, char** argv) {
     within += share <= 0.02;
     if (share > 0.02)
       fmt::print(stderr, "step {}: {} ({}, mode {}) instead of {} ({}, mode {})\n", step, last.design->value,
-                 name(last.design->linkage.grounding()), last.design->linkage.assembly_mode(), found->value,
-                 name(found->linkage.grounding()), found->linkage.assembly_mode());
+                 name(last.design->linkage.grounding()), last.design->linkage.assembly_mode().number,
+                 found->value, name(found->linkage.grounding()), found->linkage.assembly_mode().number);
   }
   fmt::print(
       R"({{"steps": {}, "ms_median": {:.3f}, "ms_95": {:.3f}, "ms_99": {:.3f}, "ms_most": {:.3f}, "without": {}, "compared": {}, "lost": {}, "within_2_percent": {}, "worse_median": {:.5f}, "worse_95": {:.5f}, "worse_most": {:.5f}, "stated_median": {:.4f}, "stated_95": {:.4f}}})"

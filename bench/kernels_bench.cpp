@@ -109,7 +109,7 @@ void contact_interval(benchmark::State& state) {
   const MapTask task = bench::report_task();
   for (auto _ : state)
     benchmark::DoNotOptimize(contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                                                   task.linkage.assembly_interval()));
+                                                   task.linkage.assembly_mode().openings));
   per_item(state, 1);
 }
 BENCHMARK(contact_interval);

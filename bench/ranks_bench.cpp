@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/ranks.hpp"
+#include "app/batch/ranks.hpp"
 
 namespace {
 

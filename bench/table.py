@@ -16,12 +16,14 @@ import drag
 import forward
 import growth
 import kernels
+import limits
 import sampler
+import studio
 import synthesis
 from measure import HEAD, Context
 
 SECTIONS = {"kernels": kernels, "forward": forward, "sampler": sampler, "growth": growth, "synthesis": synthesis, "batch": batch,
-            "drag": drag}
+            "drag": drag, "limits": limits, "studio": studio}
 
 
 def main():

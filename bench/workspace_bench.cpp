@@ -53,7 +53,7 @@ void free_openings(benchmark::State& state) {
   const auto layers = layer_assignments(4)[static_cast<std::size_t>(state.range(0))];
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        contact_free_openings(task.linkage, task.style, layers, 0.5, task.linkage.assembly_interval()));
+        contact_free_openings(task.linkage, task.style, layers, 0.5, task.linkage.assembly_mode().openings));
 }
 BENCHMARK(free_openings)->Arg(0)->Arg(37)->Unit(benchmark::kMicrosecond);
 
