@@ -1,10 +1,10 @@
-#include "app/batch_index.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <map>
 #include <random>
+
+#include "app/batch/index.hpp"
 
 namespace kempe::app {
 namespace {

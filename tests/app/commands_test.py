@@ -8,32 +8,16 @@ import math
 import os
 import pathlib
 import re
+import resource
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-KEMPE = pathlib.Path(sys.argv[1]).resolve()
-SOURCE = pathlib.Path(sys.argv[2]).resolve()
-EXAMPLES = SOURCE / "specs" / "examples"
-FILES = {"design.json", "links.csv", "drawing.dxf", "drawing.svg", "workspace.geojson", "report.html"}
-
-TEN_LINES = """
-[copy]
-scale = 1.4
-rotation_deg = 90
-[region]
-rectangle_mm = {at = [60, -5], size = [10, 10]}
-[links]
-width_mm = 6
-pin_diameter_mm = 3
-"""
-
-
-def kempe(*arguments, **options):
-    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=600, **options)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import program
+from program import EXAMPLES, FILES, KEMPE, POLE_IN_HOLE, SOURCE, TEN_LINES, kempe
 
 
 def wait_until_caught(pid, number):
@@ -46,12 +30,7 @@ def wait_until_caught(pid, number):
         time.sleep(0.002)
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self._scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(self._scratch.cleanup)
-        self.scratch = pathlib.Path(self._scratch.name)
-
+class Case(program.Case):
     def spec(self, text=TEN_LINES, name="spec.toml"):
         path = self.scratch / name
         path.write_bytes(text if isinstance(text, bytes) else text.encode())
@@ -129,6 +108,22 @@ class Examples(Case):
             with self.subTest(path.name):
                 self.check("workspace", path)
 
+    # A given mechanism whose parallelogram's bars touch at every opening that keeps the transmission angle.
+    TOUCHING = POLE_IN_HOLE.replace("50", "70").replace("assembly = 0", "assembly = 1")
+
+    def test_a_mechanism_without_a_usable_opening_is_told_so(self):
+        for text in (self.TOUCHING, re.sub(r"(?s)\[region\].*?(?=\[links\])", "", self.TOUCHING)):
+            out = self.scratch / "touching"
+            run = kempe("workspace", self.spec(text), "-o", out)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn("opening      none keeps", run.stdout)
+            self.assertIn("transmission none", run.stdout)
+            self.assertIsNone(json.loads((out / "design.json").read_text())["mechanism"]["opening_deg"])
+            self.assertIn("none keeps", (out / "report.html").read_text())
+            self.assertIn("No opening keeps", (out / "drawing.svg").read_text())
+            for shown in (run.stdout, (out / "drawing.svg").read_text(), (out / "report.html").read_text()):
+                self.assertNotRegex(shown, r"57\.2958|57\.296|57\.3°")  # the bounds that stand for an empty interval
+
     def test_lengths_follow_the_shape(self):
         self.assertEqual(self.synthesize().returncode, 0)
         mechanism = json.loads((self.scratch / "out" / "design.json").read_text())["mechanism"]
@@ -146,6 +141,11 @@ class Examples(Case):
 
 
 class Habits(Case):
+    def test_the_files_of_a_design_are_those_of_the_page(self):
+        page = (SOURCE / "docs" / "commands.md").read_text()
+        for name in FILES:
+            self.assertIn(f"`{name}`", page)
+
     def test_help_of_every_command_has_an_example(self):
         listed = kempe("--help").stdout.split("Subcommands:")[1].splitlines()
         commands = [line.split()[0] for line in listed if line.startswith("  ") and line.split() and line[2] != " "]
@@ -398,8 +398,22 @@ class TimeLimits(Case):
         given = EXAMPLES / "report-mechanism.toml"
         run = kempe("workspace", given, "-o", out, "--time-limit", "0.000001", "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIs(json.loads(run.stdout)["workspace"]["complete"], False)
+        told = json.loads(run.stdout)
+        self.assertIs(told["workspace"]["complete"], False)
+        self.assertIsNone(told["quality"]["footprint_mm2"])
+        self.assertLessEqual({"design.json", "links.csv", "bom.csv"}, set(told["files"]))
         self.assertEqual(kempe("verify", out / "design.json").returncode, 0)
+
+    def test_a_region_of_many_corners_does_not_take_longer(self):
+        teeth = "".join(f", [140, {y}], [140, {y + 0.004}], [120, {y + 0.004}], [120, {y + 0.008}]"
+                        for y in (-20 + 0.008 * i for i in range(5000)))
+        text = ("copy = {scale = 1.4, rotation_deg = 90}\npole = {at_mm = [0, 0]}\n"
+                f"region = {{polygon_mm = [[100, -20]{teeth}, [100, 20]]}}\n")
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        run = self.synthesize(text, "--time-limit", "1", "-j", "1")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertIn(run.returncode, (0, 6), run.stderr)
+        self.assertLess(after.ru_utime - before.ru_utime, 2)  # CPU: whatever else the machine does
 
 
 class ObstaclesOutOfReach(Case):
@@ -618,8 +632,8 @@ class Words(Case):
     def test_a_fault_is_json_for_every_command(self):
         bad = self.spec("[copy\n", "bad.toml")
         for command, *rest in (("synthesize", "-o", self.scratch / "out"), ("workspace", "-o", self.scratch / "out"), ("verify",),
-                               ("solve",), ("mobility",), ("centres",), ("calibrate",), ("function",), ("inversor",),
-                               ("pareto", "--between", "size,transmission", "-o", self.scratch / "out")):
+                               ("report", "-o", self.scratch / "out"), ("solve",), ("mobility",), ("centres",), ("calibrate",), ("function",), ("inversor",),
+                               ("studio",), ("pareto", "--between", "size,transmission", "-o", self.scratch / "out")):
             run = kempe(command, bad, *rest, "--json")
             self.assertRefused(run, 2, str(bad))
             fault = json.loads(run.stdout)["error"]["faults"][0]
@@ -636,10 +650,77 @@ class Words(Case):
         self.assertEqual(run.returncode, 3)
         self.assertEqual(json.loads(run.stdout)["error"], "no design was found")
 
+    def test_a_file_of_another_kind_is_told_its_command(self):
+        design = kempe("synthesize", self.spec(), "-o", self.scratch / "made") and self.scratch / "made" / "design.json"
+        press = EXAMPLES / "linkages" / "shear-press.toml"
+        knight = EXAMPLES / "calibration" / "knight.toml"
+        for command, file, found, use in (("synthesize", press, "a linkage file", "kempe solve"), ("solve", self.spec(), "a spec of a", "kempe synthesize"),
+                                          ("synthesize", design, "a design.json", "kempe verify"), ("verify", press, "a linkage file", "kempe solve"),
+                                          ("report", self.spec(), "a spec of a", "kempe synthesize"), ("calibrate", press, "a linkage file", "kempe solve"),
+                                          ("function", knight, "a file of measurements", "kempe calibrate")):
+            out = () if command in ("solve", "verify", "calibrate", "function") else ("-o", self.scratch / "out")
+            run = kempe(command, file, *out, "--json")
+            self.assertRefused(run, 2, f"found {found}", use)
+            faults = json.loads(run.stdout)["error"]["faults"]
+            self.assertEqual([(fault["file"], fault["line"], fault["key"]) for fault in faults], [(str(file), None, None)], command)
+
+    def test_another_place_of_the_pole_is_offered(self):
+        text = "[copy]\nscale = 1.4\nrotation_deg = 37\n[region]\nrectangle_mm = [-20, -15, 40, 30]\n"
+        run = self.synthesize(text, "--json")
+        self.assertRefused(run, 3, "pole")
+        offered = [one for one in json.loads(run.stdout)["relaxations"] if one["key"] == "pole.at_mm"]
+        self.assertEqual(len(offered), 1, run.stdout)
+        place = re.search(r"the pole at \((.*)\) mm would do", offered[0]["sentence"])
+        self.assertEqual(self.synthesize(text + f"[pole]\nat_mm = [{place[1]}]\n").returncode, 0)
+
+    def test_help_by_name_is_help_by_option(self):
+        self.assertEqual(kempe("help").stdout, kempe("--help").stdout)
+        self.assertEqual(kempe("help", "synthesize").stdout, kempe("synthesize", "--help").stdout)
+        self.assertEqual(kempe("-v").stdout, kempe("--version").stdout)
+        self.assertRefused(kempe("help", "synthesise"), 2, "synthesize (the nearest known command)")
+        self.assertEqual(json.loads(kempe("help", "verify", "--json").stdout)["help"], kempe("verify", "--help").stdout)
+
+    def test_manual_and_completions_name_every_command_and_option(self):
+        share = self.scratch / "share"
+        run = kempe("help", "--write", share)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        listed = kempe("--help").stdout.split("Subcommands:")[1].splitlines()
+        commands = [line.split()[0] for line in listed if line.startswith("  ") and line.split() and line[2] != " "]
+        shells = [(share / path).read_text() for path in ("bash-completion/completions/kempe", "zsh/site-functions/_kempe",
+                                                          "fish/vendor_completions.d/kempe.fish")]
+        index = (share / "man/man1/kempe.1").read_text()
+        for command in commands:
+            page = (share / f"man/man1/kempe-{command}.1").read_text()
+            self.assertIn(f"kempe\\-{command}", index)
+            self.assertNotRegex(page, r"(?m)^[.'](?!TH|SH|TP|B|EX|EE)")  # nothing else begins like a request
+            options = set(re.findall(r"(?<![\w-])--([a-z][\w-]+)", kempe(command, "--help").stdout.split("Example:")[0]))
+            for option in options - {"help"} if command == "help" else options:
+                self.assertIn("\\-\\-" + option.replace("-", "\\-"), page, command)
+                self.assertIn("--" + option, shells[0])
+            for shell in shells:
+                self.assertIn(command, shell)
+        self.assertEqual(subprocess.run(["bash", "-n", share / "bash-completion/completions/kempe"]).returncode, 0)
+
+    def test_bash_completes(self):
+        share = self.scratch / "share"
+        kempe("help", "--write", share)
+        script = (f". {share}/bash-completion/completions/kempe; COMP_WORDS=({{words}}); COMP_CWORD={{at}}; _kempe; "
+                  'echo "${{COMPREPLY[@]}}"')
+
+        def completed(words):
+            text = script.format(words=" ".join(f"'{word}'" for word in words), at=len(words) - 1)
+            return subprocess.run(["bash", "-c", text], capture_output=True, text=True, cwd=self.scratch).stdout.split()
+
+        self.assertEqual(completed(["kempe", "syn"]), ["synthesize"])
+        self.assertEqual(completed(["kempe", "help", "verif"]), ["verify"])
+        self.assertEqual(completed(["kempe", "synthesize", "--time"]), ["--time-limit"])
+        self.assertIn("share", completed(["kempe", "synthesize", "sha"]))
+
     def test_commands_that_are_none(self):
-        for word, meant in (("synthesise", "synthesize"), ("verfy", "verify"), ("center", "centres"), ("optimise", None)):
+        for word, meant in (("synthesise", "synthesize"), ("verfy", "verify"), ("center", "centres"), ("optimise", None), ("frobnicate", None)):
             run = kempe(word, "spec.toml")
-            self.assertRefused(run, 2, f"kempe {word}: no such command; did you mean {meant or ''}")
+            self.assertRefused(run, 2, f"kempe {word}: no such command; " + (f"did you mean {meant}?" if meant else "there are "))
+            self.assertEqual("did you mean" in run.stderr, meant is not None)
             self.assertEqual(run.stdout, "")
             self.assertEqual(json.loads(kempe(word, "--json").stdout)["error"]["faults"][0]["found"], "no such command")
         self.assertRefused(kempe(), 2, "kempe --help")

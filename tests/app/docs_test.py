@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""The pages name what is there: links lead to files and headings, named files exist, and the glossary's names stand in the
+"""The pages name what is there: links lead to files and headings, named files and folders exist, and the glossary's names stand in the
 files that it gives for them."""
 import pathlib
 import re
 import sys
 
 NAMED_FILE = re.compile(r"(?<![\w./*-])[\w./-]*\w\.(?:hpp|cpp|py|mjs|js|cmake|toml)\b")
+# A room's folder or a file of it without its ending: "synthesis/calibration/advice".
+NAMED_PLACE = re.compile(
+    r"(?<![\w./*-])(?:app|bench|examples|geometry|kinematics|library|proof|reports|scripts|specs|synthesis|tests|workspace)"
+    r"(?:/[\w-]+)+(?![\w/*…-]|\.\w|\()")
 LINK = re.compile(r'\]\(([^)\s#]*)(#[^)\s]*)?\)|src="([^"]+)"')
 UNITS = re.compile(r"_(?:mm2?|deg)$")
 # Names that a reader chooses, or that a program writes.
@@ -22,7 +26,7 @@ def tree(root):
     return {
         str(path.relative_to(root))
         for path in root.rglob("*")
-        if path.is_file() and not skipped & set(path.relative_to(root).parts)
+        if path.is_file() and not skipped & set(path.relative_to(root).parts[:-1])
     }
 
 
@@ -46,6 +50,11 @@ def files_not_there(page, files):
     ends = {"/".join(file.split("/")[i:]) for file in files for i in range(file.count("/") + 1)}
     for name in sorted(set(NAMED_FILE.findall(page.read_text(encoding="utf-8")))):
         if name not in ends and not INVENTED.search(name):
+            yield f"{page}: {name}, which is not there"
+    places = {str(above) for file in files for above in pathlib.PurePath(file).parents}
+    places |= {file[: -len(pathlib.PurePath(file).suffix) or None] for file in files}
+    for name in sorted(set(NAMED_PLACE.findall(page.read_text(encoding="utf-8")))):
+        if name not in places and not INVENTED.search(name + "."):
             yield f"{page}: {name}, which is not there"
 
 

@@ -26,22 +26,12 @@ import tempfile
 import time
 import unittest
 
-KEMPE = pathlib.Path(sys.argv[1]).resolve()
-SOURCE = pathlib.Path(sys.argv[2]).resolve()
-SHIM = pathlib.Path(sys.argv[3]).resolve()
-EXAMPLES = SOURCE / "specs" / "examples"
-KILLS = 100
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from program import EXAMPLES, KEMPE, SOURCE, TEN_LINES
 
-SPEC = """
-[copy]
-scale = 1.4
-rotation_deg = 90
-[region]
-rectangle_mm = {at = [60, -5], size = [10, 10]}
-[links]
-width_mm = 6
-pin_diameter_mm = 3
-"""
+SHIM = pathlib.Path(sys.argv[3]).resolve()
+KILLS = 100
+SPEC = TEN_LINES
 OTHER_SPEC = SPEC.replace("1.4", "1.7")
 
 

@@ -5,12 +5,11 @@ usage: frames_test.py KEMPE SOURCE_DIR [unittest arguments]
 """
 import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-KEMPE = pathlib.Path(sys.argv[1]).resolve()
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from program import Case, kempe
 
 JOB = """
 [copy]
@@ -48,21 +47,13 @@ def job(size=1, at=(0, 0), scale=1.4, rotation=90, transmission=30):
                       thickness=4 * size, shortest=15 * size, longest=400 * size, clearance=0.5 * size)
 
 
-class Frames(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.scratch = pathlib.Path(scratch.name)
-
-    def kempe(self, *arguments):
-        return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=600)
-
+class Frames(Case):
     def design(self, text, command="synthesize"):
         spec, out = self.scratch / "spec.toml", self.scratch / "out"
         spec.write_text(text)
-        run = self.kempe(command, spec, "-o", out, "--quiet")
+        run = kempe(command, spec, "-o", out, "--quiet")
         self.assertEqual(run.returncode, 0, run.stderr)
-        checked = self.kempe("verify", out / "design.json", "--json")
+        checked = kempe("verify", out / "design.json", "--json")
         self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
         self.assertTrue(json.loads(checked.stdout)["certified"])
         return json.loads((out / "design.json").read_text()), json.loads(checked.stdout)
@@ -70,7 +61,7 @@ class Frames(unittest.TestCase):
     def trace(self, *where):
         drawing = self.scratch / "drawing.svg"
         drawing.write_text(DRAWING)
-        run = self.kempe("trace", self.scratch / "out" / "design.json", drawing, "-o", self.scratch / "copy.svg",
+        run = kempe("trace", self.scratch / "out" / "design.json", drawing, "-o", self.scratch / "copy.svg",
                          *where, "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         return json.loads(run.stdout)
@@ -98,7 +89,7 @@ class Frames(unittest.TestCase):
     def test_what_is_too_large_is_refused_with_the_limit(self):
         spec = self.scratch / "spec.toml"
         spec.write_text(job(size=1000))
-        run = self.kempe("synthesize", spec, "-o", self.scratch / "out")
+        run = kempe("synthesize", spec, "-o", self.scratch / "out")
         self.assertEqual(run.returncode, 2)
         self.assertIn("links.width_mm", run.stderr)
         self.assertIn("<= 1000 mm", run.stderr)

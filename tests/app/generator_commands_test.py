@@ -9,26 +9,18 @@ import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree
 
-KEMPE = pathlib.Path(sys.argv[1]).resolve()
-SOURCE = pathlib.Path(sys.argv[2]).resolve()
-GENERATORS = SOURCE / "specs" / "examples" / "generators"
-CALIBRATION = SOURCE / "specs" / "examples" / "calibration"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import program
+from program import EXAMPLES, KEMPE, SOURCE, kempe
+
+GENERATORS = EXAMPLES / "generators"
+CALIBRATION = EXAMPLES / "calibration"
 
 
-def kempe(*arguments):
-    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=300)
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.scratch = pathlib.Path(scratch.name)
-
+class Case(program.Case):
     def file(self, text, name="spec.toml"):
         path = self.scratch / name
         path.write_text(text)

@@ -12,13 +12,15 @@ import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree
 
-KEMPE = pathlib.Path(sys.argv[1]).resolve()
-LINKAGES = pathlib.Path(sys.argv[2]).resolve() / "specs" / "examples" / "linkages"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import program
+from program import EXAMPLES, KEMPE, kempe
+
+LINKAGES = EXAMPLES / "linkages"
 
 BARS = """
 [ground]
@@ -39,16 +41,7 @@ to_deg = 360
 """
 
 
-def kempe(*arguments):
-    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=120)
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.scratch = pathlib.Path(scratch.name)
-
+class Case(program.Case):
     def linkage(self, text):
         path = self.scratch / "linkage.toml"
         path.write_text(text)

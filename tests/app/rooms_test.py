@@ -21,9 +21,10 @@ HEAVY = {  # a library's headers -> the files that may include them
     r"synthesis/tolerance/instrument_box\.hpp": r"_backend\.cpp$",
     r"nlopt": r"_backend\.cpp$",
     r"Ip[A-Z]|coin": r"_backend\.cpp$",
+    r"hpdf": r"_backend\.cpp$",
 }
 # The public headers that need the whole library below them; the others hold the values that every room uses.
-FACADE = {f"kempe/{name}.hpp" for name in ("design", "kempe", "map", "options", "trace", "validate", "verify", "write")}
+FACADE = {f"kempe/{name}.hpp" for name in ("design", "kempe", "map", "options", "sketch", "trace", "validate", "verify", "write")}
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: :| \{|$)")
 
 
@@ -36,8 +37,10 @@ def faults_of(path, folder):
         used = included.rpartition("/")[0]
         if folder == "kempe" and not re.fullmatch(r"kempe/\w+\.hpp|Eigen/\w+|[a-z_]+", included):
             yield f"{path}: a public header includes the standard library, Eigen and its like, not {included}"
-        if included in FACADE and folder not in ("kempe", "library"):
-            yield f"{path}: {included} is for users of the library; inside it only library/ includes it"
+        if included in FACADE and folder == "kempe" and f"kempe/{path.name}" not in FACADE:
+            yield f"{path}: it includes {included} and belongs to the same headers: FACADE lacks it"
+        if included in FACADE and folder not in ("kempe", "library", "studio"):
+            yield f"{path}: {included} is for users of the library; inside it only library/ and studio/ include it"
         if used in FOLDERS and FOLDERS.index(used) > FOLDERS.index(folder):
             yield f"{path}: {folder} may not include {included}"
         elif used.split("/")[0] in ROOMS and used not in FOLDERS:
@@ -45,7 +48,7 @@ def faults_of(path, folder):
         for library, allowed in HEAVY.items():
             if re.match(library, included) and not re.search(allowed, path.name):
                 yield f"{path}: {included} belongs into a *_backend.cpp"
-    if not folder.startswith("app") and path.name != "invariant.cpp" and re.search(r"\bstd::(cout|cerr|exit)\b|\b(exit|abort)\s*\(|[^f]printf\s*\(", text):
+    if not folder.startswith("app") and path.name != "invariant.cpp" and re.search(r"\bstd::(cout|cerr|exit)\b|\b(exit|abort)\s*\(|[^fn]printf\s*\(", text):
         yield f"{path}: only app/ writes to the terminal or exits"
 
 

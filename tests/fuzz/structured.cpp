@@ -94,7 +94,7 @@ LinkSpec links(Choices& choices) {
   links.layers = 2 + choices.upto(2);
   links.shortest = choices.between(1, 40);
   links.longest = choices.between(200, 2000);
-  if (choices.upto(8) == 0) links.workshop.grid = choices.between(0.5, 5);
+  if (choices.upto(8) == 0) links.stock_lengths.grid = choices.between(0.5, 5);
   return links;
 }
 
@@ -102,7 +102,7 @@ Limits limits(Choices& choices) {
   Limits limits;
   limits.transmission = choices.between(0, radians(50));
   limits.clearance = choices.between(0, 3);
-  if (choices.upto(4) == 0) limits.sheets_gap = choices.between(0, 20);
+  if (choices.upto(4) == 0) limits.copy_gap = choices.between(0, 20);
   return limits;
 }
 
@@ -113,7 +113,7 @@ CuttingSpec cutting(Choices& choices) {
   if (choices.upto(3) == 1) cutting.kerf = choices.between(0, 2);
   if (choices.upto(2) == 1) {
     const double width = choices.between(100, 1500);  // drawn one by one: arguments have no order
-    cutting.sheet = Point(width, choices.between(100, 800));
+    cutting.stock_sheet = Point(width, choices.between(100, 800));
   }
   return cutting;
 }
@@ -193,14 +193,14 @@ Outcome design_from_choices(std::string_view input, const std::string& name) {
   task.shortest = spec.links.shortest;
   task.longest = spec.links.longest;
   design.verification = verify(task);
-  require(design.verification.certified, name, design.verification.failure);
+  require(design.verification.holds, name, design.verification.failure);
   const auto stored = read_design(design_json(design), name);
   require(stored.has_value(), name, stored ? "" : stored.error().message());
   const auto audited = audit(*stored, name);
   require(audited.has_value(), name, audited ? "" : audited.error().message());
-  if (!audited->certified() && audited->broken[0].limit == "cutting.hole_fit_mm") return Outcome::none;
-  require(audited->certified(), name,
-          audited->certified() ? "" : audited->broken[0].limit + ": " + audited->broken[0].sentence);
+  if (!audited->holds() && audited->broken[0].limit == "cutting.hole_fit_mm") return Outcome::none;
+  require(audited->holds(), name,
+          audited->holds() ? "" : audited->broken[0].limit + ": " + audited->broken[0].sentence);
   require_whole_files(spec, design, name);
   return Outcome::design;
 }

@@ -22,9 +22,8 @@ CopyingLinkage linkage(Complex k, Grounding grounding, double VA, double VB, int
 }
 
 int assembly_mode_containing(Complex k, Grounding grounding, double opening) {
-  const auto all = assembly_modes(shape_of(k, grounding));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].contains(opening)) return static_cast<int>(i);
+  for (const AssemblyMode& mode : assembly_modes(shape_of(k, grounding)))
+    if (mode.openings.contains(opening)) return mode.number;
   ADD_FAILURE() << "no assembly holds the opening " << opening;
   return 0;
 }
@@ -49,7 +48,7 @@ class RandomCases {
           CopyingLinkage::make(k, grounding, std::exp(uniform(1, 6)), std::exp(uniform(1, 6)),
                                static_cast<int>(random_() % count), Point(uniform(-9, 9), uniform(-9, 9)));
       if (!made) continue;
-      const OpeningInterval d = made->assembly_interval();
+      const OpeningInterval d = made->assembly_mode().openings;
       return {*made, d.lower + d.width() * uniform(0.02, 0.98), uniform(-pi, pi)};
     }
   }
@@ -113,11 +112,10 @@ TEST(CopyingLinkage, NeverMixesAssemblies) {
     const auto [mechanism, opening, bearing] = cases.next();
     const auto pose = mechanism.pose_with_tracer_at(mechanism.tracer_at(opening, bearing));
     ASSERT_TRUE(pose);
-    const auto sign = [](double value) { return (value > 0) - (value < 0); };
-    const CopyingLinkage::Orientation wanted = mechanism.orientation();
-    EXPECT_EQ(sign(cross(pose->A - pose->V, pose->B - pose->V)), wanted.parallelogram);
-    EXPECT_EQ(sign(cross(pose->C - pose->A, pose->X - pose->A)), wanted.plate_ACX);
-    EXPECT_EQ(sign(cross(pose->C - pose->B, pose->Y - pose->B)), wanted.plate_BCY);
+    const LoopSides wanted = mechanism.assembly_mode().sides;
+    EXPECT_EQ(side_of(cross(pose->A - pose->V, pose->B - pose->V)), wanted.parallelogram);
+    EXPECT_EQ(side_of(cross(pose->C - pose->A, pose->X - pose->A)), wanted.plate_ACX);
+    EXPECT_EQ(side_of(cross(pose->C - pose->B, pose->Y - pose->B)), wanted.plate_BCY);
   }
 }
 
@@ -172,9 +170,9 @@ TEST(CopyingLinkage, AssembliesTogetherReachWhatTheChainReaches) {
     const CopyingLinkage any = cases.next().linkage;
     const double a = any.VA(), b = any.lengths().AX;
     double lowest = 1e300, highest = 0;
-    for (std::size_t j = 0; j < assembly_modes(any.shape()).size(); ++j) {
-      const auto one = linkage(any.k(), any.grounding(), any.VA(), any.VB(), static_cast<int>(j));
-      const auto range = one.radii_over(one.assembly_interval());
+    for (const AssemblyMode& mode : assembly_modes(any.shape())) {
+      const auto one = linkage(any.k(), any.grounding(), any.VA(), any.VB(), mode.number);
+      const auto range = one.radii_over(one.assembly_mode().openings);
       lowest = std::min(lowest, range.lower);
       highest = std::max(highest, range.upper);
     }
@@ -216,8 +214,8 @@ TEST(PublishedFigures, MatlabPantograph) {
     const auto mechanism = linkage(1.5, Grounding::tracer, 4, 3, assembly_mode);
     EXPECT_NEAR(mechanism.lengths().AX, 6, 1e-12);
     EXPECT_NEAR(mechanism.lengths().BY, 2, 1e-12);
-    EXPECT_NEAR(mechanism.radii_over(mechanism.assembly_interval()).lower, 2, 1e-12);
-    EXPECT_NEAR(mechanism.radii_over(mechanism.assembly_interval()).upper, 10, 1e-12);
+    EXPECT_NEAR(mechanism.radii_over(mechanism.assembly_mode().openings).lower, 2, 1e-12);
+    EXPECT_NEAR(mechanism.radii_over(mechanism.assembly_mode().openings).upper, 10, 1e-12);
     const auto first = mechanism.pose_with_tracer_at(rows[0].D);
     ASSERT_TRUE(first);
     if ((first->A - rows[0].A).norm() > 1e-3) continue;
@@ -259,7 +257,7 @@ TEST(PublishedFigures, PlagiographReport) {
 TEST(PublishedFigures, ReportsUsableDistanceRunsFromItsChangePointToItsReach) {
   for (int assembly_mode = 0; assembly_mode < 4; ++assembly_mode) {
     const auto mechanism = linkage(copy_ratio(1.4, pi / 2), Grounding::pole, 5, 3.5, assembly_mode);
-    const auto range = mechanism.radii_over(mechanism.assembly_interval());
+    const auto range = mechanism.radii_over(mechanism.assembly_mode().openings);
     const bool outer = std::abs(range.upper - 7.5) < 1e-12;
     EXPECT_NEAR(outer ? range.lower : range.upper, std::sqrt(31.25), 1e-12);
     EXPECT_NEAR(outer ? range.upper : range.lower, outer ? 7.5 : 2.5, 1e-12);
@@ -270,10 +268,17 @@ TEST(PublishedFigures, ReportsUsableDistanceRunsFromItsChangePointToItsReach) {
   }
 }
 
+double width_of_the_widest(Complex k, Grounding grounding) {
+  double width = 0;
+  for (const AssemblyMode& mode : assembly_modes(shape_of(k, grounding)))
+    width = std::max(width, mode.openings.width());
+  return width;
+}
+
 // The smallest-angle rule: widths 90 / 125.5 / 144.5 degrees for k = 1.4i.
 TEST(PublishedFigures, WidestAssemblyOfEachGroundingOfTheReportsRatio) {
   const auto width = [](Grounding grounding) {
-    return degrees(widest(assembly_modes(shape_of(copy_ratio(1.4, pi / 2), grounding)))->width());
+    return degrees(width_of_the_widest(copy_ratio(1.4, pi / 2), grounding));
   };
   EXPECT_NEAR(width(Grounding::pole), 90, 1e-9);
   EXPECT_NEAR(width(Grounding::tracer), 180 - degrees(std::atan(1.4)), 1e-9);   // 125.5
@@ -285,8 +290,7 @@ TEST(SmallestAngleRule, SomeGroundingAlwaysOpensAtLeast120Degrees) {
   for (int i = 0; i < 2000; ++i) {
     const Complex k = std::polar(std::exp(cases.uniform(-4, 4)), cases.uniform(-pi, pi));
     double best = 0;
-    for (const Grounding grounding : all_groundings)
-      best = std::max(best, widest(assembly_modes(shape_of(k, grounding)))->width());
+    for (const Grounding grounding : all_groundings) best = std::max(best, width_of_the_widest(k, grounding));
     // Smallest angle of the triangle pole, tracer, pen by the law of cosines.
     const double a = 1, b = std::abs(k), c = std::abs(k - 1.0);
     const auto angle = [](double opposite, double m, double n) {
@@ -303,9 +307,10 @@ TEST(Assemblies, CoverTheWholeTurnWithoutOverlap) {
   for (int i = 0; i < 500; ++i) {
     const auto all = assembly_modes(cases.next().linkage.shape());
     ASSERT_TRUE(all.size() == 2 || all.size() == 4);
-    EXPECT_EQ(all.front().lower, -pi);
-    EXPECT_EQ(all.back().upper, pi);
-    for (std::size_t j = 1; j < all.size(); ++j) EXPECT_EQ(all[j - 1].upper, all[j].lower);
+    EXPECT_EQ(all.front().openings.lower, -pi);
+    EXPECT_EQ(all.back().openings.upper, pi);
+    for (std::size_t j = 1; j < all.size(); ++j) EXPECT_EQ(all[j - 1].openings.upper, all[j].openings.lower);
+    for (std::size_t j = 0; j < all.size(); ++j) EXPECT_EQ(all[j].number, static_cast<int>(j));
   }
 }
 
@@ -372,7 +377,7 @@ TEST(CopyingLinkage, KeepsItsDigitsAtLengthRatiosOf1To1000) {
   for (const double ratio : {1e-3, 1.0, 1e3})
     for (const Grounding grounding : all_groundings) {
       const auto mechanism = linkage(std::polar(0.7, 1.1), grounding, 100, 100 * ratio, 3);
-      const OpeningInterval d = mechanism.assembly_interval();
+      const OpeningInterval d = mechanism.assembly_mode().openings;
       for (const double share : {1e-6, 0.01, 0.5, 0.99, 1 - 1e-6}) {
         const double opening = d.lower + share * d.width();
         const auto pose = mechanism.pose_with_tracer_at(mechanism.tracer_at(opening, 1.0));

@@ -27,14 +27,14 @@ Drawn random_drawn(std::mt19937_64& random) {
     const auto linkage =
         CopyingLinkage::make(k, grounding, uniform(50, 300), uniform(50, 300), static_cast<int>(random() % 4),
                              Point(uniform(-50, 50), uniform(-50, 50)));
-    if (linkage && std::abs(1.0 - k) > 0.1 && linkage->assembly_interval().width() > 0.7)
+    if (linkage && std::abs(1.0 - k) > 0.1 && linkage->assembly_mode().openings.width() > 0.7)
       return {*linkage, instrument_of(*linkage)};
   }
 }
 
 Point random_tracer(const CopyingLinkage& linkage, std::mt19937_64& random) {
   const auto uniform = [&] { return test::share(random); };
-  const OpeningInterval openings = shrink(linkage.assembly_interval(), 0.25);
+  const OpeningInterval openings = shrink(linkage.assembly_mode().openings, 0.25);
   return linkage.tracer_at(openings.lower + uniform() * openings.width(), 2 * pi * uniform());
 }
 

@@ -30,7 +30,7 @@ CopyingLinkage random_copying_linkage(Random& random, int i) {
 struct Tracers {
   std::vector<double> x, y;
   Tracers(Random& random, const CopyingLinkage& linkage, int count) {
-    const auto radii = linkage.radii_over(linkage.assembly_interval());
+    const auto radii = linkage.radii_over(linkage.assembly_mode().openings);
     const double beyond = 0.1 * (radii.upper - radii.lower);
     for (int i = 0; i < count; ++i) {
       const Complex reach = std::polar(
@@ -92,7 +92,7 @@ TEST(PoseBatch, KeepsEveryLengthUpToTheDeadPoints) {
   PoseBatch batch;
   for (int i = 0; i < 600; ++i) {
     const CopyingLinkage linkage = random_copying_linkage(random, i);
-    const auto radii = linkage.radii_over(linkage.assembly_interval());
+    const auto radii = linkage.radii_over(linkage.assembly_mode().openings);
     std::vector<double> x, y;
     for (const double radius :
          {radii.lower, radii.lower * (1 + 1e-12), radii.upper * (1 - 1e-12), radii.upper}) {

@@ -6,16 +6,14 @@
 namespace kempe::laws {
 namespace {
 
-int sign(double value) { return (value > 0) - (value < 0); }
-
 std::array<double, 8> distances(const Pose& z) {
   return {(z.A - z.V).norm(), (z.B - z.V).norm(), (z.C - z.A).norm(), (z.C - z.B).norm(),
           (z.X - z.A).norm(), (z.X - z.C).norm(), (z.Y - z.B).norm(), (z.Y - z.C).norm()};
 }
 
-CopyingLinkage::Orientation orientation_of(const Pose& z) {
-  return {sign(cross(z.A - z.V, z.B - z.V)), sign(cross(z.C - z.A, z.X - z.A)),
-          sign(cross(z.C - z.B, z.Y - z.B))};
+LoopSides sides_of(const Pose& z) {
+  return {side_of(cross(z.A - z.V, z.B - z.V)), side_of(cross(z.C - z.A, z.X - z.A)),
+          side_of(cross(z.C - z.B, z.Y - z.B))};
 }
 
 /// Positions carry the rounding of the pole's place too.
@@ -62,9 +60,9 @@ TEST(CopyingLaws, AssembliesNeverMixWhereverTheTracerGoes) {
       const Point tracer = linkage.tracer_at(draw_opening(linkage), *between(-pi, pi));
       const auto pose = linkage.pose_with_tracer_at(tracer);
       RC_ASSERT(pose.has_value());
-      CopyingLinkage::Orientation seen = orientation_of(*pose);
-      if (is_straight(linkage.shape())) seen.plate_ACX = seen.plate_BCY = 0;
-      RC_ASSERT(seen == linkage.orientation());
+      LoopSides seen = sides_of(*pose);
+      if (is_straight(linkage.shape())) seen.plate_ACX = seen.plate_BCY = Side::on_line;
+      RC_ASSERT(seen == linkage.assembly_mode().sides);
     }
   });
 }
@@ -73,11 +71,10 @@ TEST(CopyingLaws, APlaceReachedByTwoAssembliesIsReachedInTwoDifferentPoses) {
   law(2000, [] {
     const CopyingLinkage one = draw_linkage(20);
     const Point tracer = one.tracer_at(draw_opening(one, 0.05), *angle());
-    const auto all = assembly_modes(one.shape());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (static_cast<int>(i) == one.assembly_mode()) continue;
+    for (const AssemblyMode& mode : assembly_modes(one.shape())) {
+      if (mode == one.assembly_mode()) continue;
       const auto other =
-          CopyingLinkage::make(one.k(), one.grounding(), one.VA(), one.VB(), static_cast<int>(i), one.pole());
+          CopyingLinkage::make(one.k(), one.grounding(), one.VA(), one.VB(), mode.number, one.pole());
       RC_ASSERT(other.has_value());
       const auto pose = other->pose_with_tracer_at(tracer);
       if (!pose) continue;

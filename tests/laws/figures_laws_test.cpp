@@ -23,13 +23,14 @@ Ring rectangle(const Point& centre, double width, double height) {
 Spec draw_task() {
   const CopyingLinkage linkage = draw_linkage(5, 5);
   RC_PRE(std::abs(linkage.k() - 1.0) > 0.2);
-  RC_PRE(linkage.assembly_interval().width() > 0.3);
+  RC_PRE(linkage.assembly_mode().openings.width() > 0.3);
   Spec spec;
   spec.copy = Copy::of(linkage.k());
   spec.pole.place = linkage.pole();
   const double opening = draw_opening(linkage, 0.25);
   const Point centre = linkage.tracer_at(opening, *angle());
-  const double room = 0.2 * std::abs(linkage.radius_slope_at(opening)) * linkage.assembly_interval().width();
+  const double room =
+      0.2 * std::abs(linkage.radius_slope_at(opening)) * linkage.assembly_mode().openings.width();
   RC_PRE(room > 1);
   spec.region.polygons.push_back({rectangle(centre, room * *between(0.2, 1), room * *between(0.2, 1)), {}});
   spec.links.style = draw_style();
@@ -41,8 +42,8 @@ Spec draw_task() {
     const Point at = linkage.pole() + *point(linkage.size());
     spec.obstacles.push_back({{rectangle(at, size, size / 3), {}}, 1, 2, "post"});
   }
-  spec.mechanism = MechanismSpec{linkage.grounding(), linkage.VA(), linkage.VB(), linkage.assembly_mode(),
-                                 draw_layers().of};
+  spec.mechanism = MechanismSpec{linkage.grounding(), linkage.VA(), linkage.VB(),
+                                 linkage.assembly_mode().number, draw_layers().of};
   return spec;
 }
 

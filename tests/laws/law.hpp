@@ -80,7 +80,7 @@ inline CopyingLinkage draw_linkage(double uneven = 200, double steep = 20) {
 
 /// An opening inside the assembly mode, away from its ends by a share of its width.
 inline double draw_opening(const CopyingLinkage& linkage, double margin = 0.02) {
-  const OpeningInterval d = linkage.assembly_interval();
+  const OpeningInterval d = linkage.assembly_mode().openings;
   return d.lower + d.width() * *between(margin, 1 - margin);
 }
 

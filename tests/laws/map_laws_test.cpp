@@ -126,7 +126,7 @@ TEST(MapLaws, VerdictsMoveWithTheTask) {
     const Complex k = movement.mirror ? std::conj(l.k()) : l.k();
     const auto linkage = CopyingLinkage::make(
         k, l.grounding(), movement.scale * l.VA(), movement.scale * l.VB(),
-        movement.assembly_mode(l.assembly_mode(), l.k(), l.grounding()), movement(l.pole()));
+        movement.assembly_mode(l.assembly_mode().number, l.k(), l.grounding()), movement(l.pole()));
     RC_ASSERT(linkage.has_value());
     MapTask moved = task;
     moved.linkage = *linkage;

@@ -73,15 +73,15 @@ struct Movement {
     links.style.thickness *= scale;
     links.shortest *= scale;
     links.longest *= scale;
-    if (links.workshop.grid) *links.workshop.grid *= scale;
-    for (double& length : links.workshop.stock) length *= scale;
-    for (auto& length : links.workshop.locked)
+    if (links.stock_lengths.grid) *links.stock_lengths.grid *= scale;
+    for (double& length : links.stock_lengths.stock) length *= scale;
+    for (auto& length : links.stock_lengths.locked)
       if (length) *length *= scale;
   }
 
   void enlarge(Limits& limits) const {
     limits.clearance *= scale;
-    if (limits.sheets_gap) *limits.sheets_gap *= scale;
+    if (limits.copy_gap) *limits.copy_gap *= scale;
     if (limits.copy_error) *limits.copy_error *= scale;
   }
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kempe/kempe.hpp"
 
@@ -36,7 +37,7 @@ TEST(Library, FindsADesignThatCopies) {
   ASSERT_TRUE(outcome->proven_bound());
   EXPECT_LE(*outcome->proven_bound(), *outcome->value());
   EXPECT_GE(outcome->transmission_min(), small_task().limits.transmission - 1e-9);
-  EXPECT_TRUE(verify(*outcome).certified);
+  EXPECT_TRUE(verify(*outcome).holds);
   for (const double x : {62.0, 65.5, 70.0})
     for (const double y : {-5.0, 1.0, 5.0}) {
       const auto answer = outcome->pose_with_tracer_at({x, y});
@@ -118,12 +119,30 @@ TEST(Library, ObstaclesTakeFromTheFreeWorkspace) {
 TEST(Library, TracesADrawing) {
   const Outcome outcome = map(given_mechanism());
   ASSERT_TRUE(outcome);
-  const CopiedDrawing copy = trace(*outcome, {{{63, -4}, {69, -4}, {69, 4}}, {{1000, 0}, {1010, 0}}});
+  const auto traced = trace(*outcome, {{{63, -4}, {69, -4}, {69, 4}}, {{1000, 0}, {1010, 0}}});
+  ASSERT_TRUE(std::holds_alternative<CopiedDrawing>(traced));
+  const auto& copy = std::get<CopiedDrawing>(traced);
   ASSERT_EQ(copy.drawn.size(), 1u);
   EXPECT_NEAR(copy.drawn_length, 14, 1e-6);
   EXPECT_NEAR(copy.missing_length, 10, 1e-6);
   EXPECT_NEAR((copy.drawn[0].points.front() - Point(5.6, 88.2)).norm(), 0, 1e-9);
-  EXPECT_TRUE(trace(*outcome, {{{std::nan(""), 0}, {1, 1}}}).drawn.empty());
+}
+
+TEST(Library, TracesNothingThatIsNoNumberAndSaysSo) {
+  const Outcome outcome = map(given_mechanism());
+  ASSERT_TRUE(outcome);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto refused = [&](const std::vector<Polyline>& lines, double step) -> std::string {
+    const auto traced = trace(*outcome, lines, step);
+    const auto* fault = std::get_if<InputError>(&traced);
+    return fault ? fault->key : "";
+  };
+  const Polyline good{{63, -4}, {69, -4}};
+  EXPECT_EQ(refused({good}, 0.5), "");
+  for (const double step : {0.0, -0.5, std::nan(""), infinity, -infinity})
+    EXPECT_EQ(refused({good}, step), "step") << step;
+  EXPECT_EQ(refused({good, {{std::nan(""), 0}, {1, 1}}}, 0.5), "lines[1]");
+  EXPECT_EQ(refused({{{0, 0}, {1, infinity}}, good}, 0.5), "lines[0]");
 }
 
 TEST(Library, RegionsAreWhatTheySay) {

@@ -106,34 +106,39 @@ const std::vector<Fault> faults{
     {"ShortestAboveLongest", "[links]\nshortest_mm = 500\n", [](Spec& s) { s.links.shortest = 500; }},
     {"LongestBelowShortest", "[links]\nlongest_mm = 10\n", [](Spec& s) { s.links.longest = 10; }},
     {"WallZero", "[links]\nwall_mm = 0\n", [](Spec& s) { s.links.wall = 0; }},
-    {"GridZero", "[links]\ngrid_mm = 0\n", [](Spec& s) { s.links.workshop.grid = 0; }},
-    {"GridTooCoarse", "[links]\ngrid_mm = 500\n", [](Spec& s) { s.links.workshop.grid = 500; }},
-    {"GridTooFine", "[links]\ngrid_mm = 0.001\n", [](Spec& s) { s.links.workshop.grid = 0.001; }},
+    {"GridZero", "[links]\ngrid_mm = 0\n", [](Spec& s) { s.links.stock_lengths.grid = 0; }},
+    {"GridTooCoarse", "[links]\ngrid_mm = 500\n", [](Spec& s) { s.links.stock_lengths.grid = 500; }},
+    {"GridTooFine", "[links]\ngrid_mm = 0.001\n", [](Spec& s) { s.links.stock_lengths.grid = 0.001; }},
     {"GridAndStock", "[links]\ngrid_mm = 5\nstock_mm = [50, 60]\n",
      [](Spec& s) {
-       s.links.workshop.grid = 5;
-       s.links.workshop.stock = {50, 60};
+       s.links.stock_lengths.grid = 5;
+       s.links.stock_lengths.stock = {50, 60};
      }},
     {"StockNegative", "[links]\nstock_mm = [100, -50]\n",
      [](Spec& s) {
-       s.links.workshop.stock = {100, -50};
+       s.links.stock_lengths.stock = {100, -50};
      }},
     {"StockTooLong", "[links]\nstock_mm = [500, 600]\n",
      [](Spec& s) {
-       s.links.workshop.stock = {500, 600};
+       s.links.stock_lengths.stock = {500, 600};
      }},
-    {"LockedTooLong", "[links]\nVA_mm = 1200\n", [](Spec& s) { s.links.workshop.locked[0] = 1200; }},
+    {"LockedTooLong", "[links]\nVA_mm = 1200\n", [](Spec& s) { s.links.stock_lengths.locked[0] = 1200; }},
     {"OppositeSidesDiffer", "[links]\nVA_mm = 120\nBC_mm = 110\n",
      [](Spec& s) {
-       s.links.workshop.locked[0] = 120;
-       s.links.workshop.locked[3] = 110;
+       s.links.stock_lengths.locked[0] = 120;
+       s.links.stock_lengths.locked[3] = 110;
      }},
     {"ClearanceNegative", "[limits]\nclearance_mm = -0.5\n", [](Spec& s) { s.limits.clearance = -0.5; }},
     {"TransmissionNegative", "[limits]\ntransmission_deg = -1\n",
      [](Spec& s) { s.limits.transmission = radians(-1); }},
     {"TransmissionNinety", "[limits]\ntransmission_deg = 90\n",
      [](Spec& s) { s.limits.transmission = radians(90); }},
-    {"SheetsGapNegative", "[limits]\nsheets_gap_mm = -2\n", [](Spec& s) { s.limits.sheets_gap = -2; }},
+    {"SheetsGapNegative", "[limits]\nsheets_gap_mm = -2\n", [](Spec& s) { s.limits.copy_gap = -2; }},
+    {"StripZero", "[limits]\nlongest_strip_mm = 0\n", [](Spec& s) { s.limits.longest_strip = 0; }},
+    {"StripTooShort", "[limits]\nlongest_strip_mm = 20\n", [](Spec& s) { s.limits.longest_strip = 20; }},
+    {"HardwareUnknown", "[links]\nhardware = \"M7 bolt\"\n", [](Spec& s) { s.links.hardware = "M7 bolt"; }},
+    {"HardwareTooWide", "[links]\nhardware = \"608 bearing\"\n",
+     [](Spec& s) { s.links.hardware = "608 bearing"; }},
     {"CopyErrorZero", "[limits]\ncopy_error_mm = 0\n[tolerance]\nlength_mm = 0.1\n",
      [](Spec& s) {
        s.limits.copy_error = 0;
@@ -189,7 +194,7 @@ const std::vector<Fault> faults{
      }},
     {"HoleFitTooLoose", "[cutting]\nhole_fit_mm = 11\n", [](Spec& s) { s.cutting.hole_fit = 11; }},
     {"KerfNegative", "[cutting]\nkerf_mm = -0.1\n", [](Spec& s) { s.cutting.kerf = -0.1; }},
-    {"SheetZero", "[cutting]\nsheet_mm = [600, 0]\n", [](Spec& s) { s.cutting.sheet = Point(600, 0); }},
+    {"SheetZero", "[cutting]\nsheet_mm = [600, 0]\n", [](Spec& s) { s.cutting.stock_sheet = Point(600, 0); }},
     {"GapNegative", "[cutting]\ngap_mm = -1\n", [](Spec& s) { s.cutting.gap = -1; }},
 };
 
@@ -247,7 +252,7 @@ TEST(TomlText, ReadBackIsTheSameSpec) {
     EXPECT_EQ(again->copy.rotation(), spec.copy.rotation()) << file;
     EXPECT_EQ(again->pole.place, spec.pole.place) << file;
     EXPECT_EQ(again->links.style, spec.links.style) << file;
-    EXPECT_EQ(again->links.workshop.locked, spec.links.workshop.locked) << file;
+    EXPECT_EQ(again->links.stock_lengths.locked, spec.links.stock_lengths.locked) << file;
     EXPECT_EQ(again->limits.transmission, spec.limits.transmission) << file;
     EXPECT_EQ(again->limits.clearance, spec.limits.clearance) << file;
     EXPECT_EQ(again->obstacles.size(), spec.obstacles.size()) << file;

@@ -61,7 +61,7 @@ bool is_free_at_corners(const Spec& spec, const CopyingLinkage& linkage, const L
                      .transmission = spec.limits.transmission,
                      .obstacles = spec.obstacles,
                      .region = spec.region,
-                     .sheets_gap = spec.limits.sheets_gap};
+                     .copy_gap = spec.limits.copy_gap};
   const Ring& ring = spec.region.polygons[0].outer;
   for (std::size_t i = 0; i < ring.size(); i += 1 + ring.size() / 6)
     if (!verdict_at(task, ring[i]).free) return false;
@@ -95,8 +95,8 @@ class Trial {
     Task task = task_;
     task.pole = linkage.pole();
     task.pole_area.clear();
-    const MechanismSpec mechanism{linkage.grounding(), linkage.VA(), linkage.VB(), linkage.assembly_mode(),
-                                  layers.of};
+    const MechanismSpec mechanism{linkage.grounding(), linkage.VA(), linkage.VB(),
+                                  linkage.assembly_mode().number, layers.of};
     findings_.push_back({true, "mechanisms", std::move(sentence), {task, task_}, mechanism});
   }
 

@@ -69,7 +69,7 @@ void add_limits(File& file, const Task& task) {
   file.table("[limits]");
   file.number("clearance_mm", task.clearance);
   file.number("transmission_deg", task.transmission_deg);
-  file.number("sheets_gap_mm", task.sheets_gap);
+  file.number("sheets_gap_mm", task.copy_gap);
   file.number("copy_error_mm", task.copy_error);
   if (!task.length_tolerance && !task.play) return;
   file.table("[tolerance]");

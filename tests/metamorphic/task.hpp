@@ -30,7 +30,7 @@ struct Task {
   std::vector<double> stock{};
   std::map<std::string, double> locked{};  ///< by key, "VA_mm"
   double clearance = 0.5, transmission_deg = 30;
-  std::optional<double> sheets_gap{}, copy_error{};
+  std::optional<double> copy_gap{}, copy_error{};
   std::optional<double> length_tolerance{}, play{};
   std::vector<TaskObstacle> obstacles{};
   std::string objective = "size";

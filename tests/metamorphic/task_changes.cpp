@@ -201,8 +201,8 @@ std::optional<ChangedTask> limit_loosened(const Task& task, Dice& dice) {
     case 2: changed.shortest *= dice.one_of({0.5, 0.9}); break;
     case 3: changed.longest *= dice.one_of({1.1, 2.0}); break;
     case 4:
-      if (!task.sheets_gap) return std::nullopt;
-      changed.sheets_gap = dice.percent(50) ? std::optional(0.5 * *task.sheets_gap) : std::nullopt;
+      if (!task.copy_gap) return std::nullopt;
+      changed.copy_gap = dice.percent(50) ? std::optional(0.5 * *task.copy_gap) : std::nullopt;
       break;
     default:
       if (!task.copy_error) return std::nullopt;
@@ -223,7 +223,7 @@ std::optional<ChangedTask> limit_tightened(const Task& task, Dice& dice) {
       changed.longest *= 0.9;
       if (changed.longest <= changed.shortest) return std::nullopt;
       break;
-    default: changed.sheets_gap = 1.5 * task.sheets_gap.value_or(0);
+    default: changed.copy_gap = 1.5 * task.copy_gap.value_or(0);
   }
   for (const auto& [key, length] : changed.locked)
     if (length > changed.longest) return std::nullopt;
@@ -299,7 +299,7 @@ Task enlarged(Task task, double factor) {
   for (double* length : {&task.width, &task.pin_diameter, &task.shortest, &task.longest, &task.clearance})
     *length *= factor;
   for (std::optional<double>* length :
-       {&task.grid, &task.sheets_gap, &task.copy_error, &task.length_tolerance, &task.play})
+       {&task.grid, &task.copy_gap, &task.copy_error, &task.length_tolerance, &task.play})
     if (*length) **length *= factor;
   for (double& length : task.stock) length *= factor;
   for (auto& [key, length] : task.locked) length *= factor;

@@ -211,7 +211,7 @@ void draw_links(Dice& dice, Task& task) {
 void draw_limits(Dice& dice, Task& task) {
   task.clearance = dice.one_of({0.0, 0.1, 0.5, 0.5, 1.0, 2.0});
   task.transmission_deg = dice.percent(8) ? 0 : dice.one_of({5.0, 10.0, 15.0, 20.0, 20.0, 25.0, 30.0, 35.0});
-  if (dice.percent(25)) task.sheets_gap = dice.one_of({0.0, 1.0, 5.0, 20.0});
+  if (dice.percent(25)) task.copy_gap = dice.one_of({0.0, 1.0, 5.0, 20.0});
   if (dice.percent(20)) {
     task.length_tolerance = dice.one_of({0.02, 0.05, 0.1});
     if (dice.percent(60)) task.play = dice.one_of({0.01, 0.05});

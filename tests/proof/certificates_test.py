@@ -1,21 +1,24 @@
 #!/usr/bin/env python3
-"""The logs that the program writes beside its designs, and beside its proofs that there is none, read by the checker.
-
-usage: certificates_test.py KEMPE SOURCE_DIR [RANDOM_SPECS [SEED]]
+"""The designs that the program makes and the logs that it writes beside them, and beside its proofs that there is none, read by
+the checker: those of the examples and of random specs. Every claim of a design must be proven, and every log. Where there is no
+log the program must say so.
 """
+import argparse
+import collections
 import importlib.util
 import json
 import pathlib
 import random
+import resource
+import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
-KEMPE, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-COUNT, SEED = (int(a) for a in (sys.argv[3:] + ["12", "7"][len(sys.argv) - 3:])[:2])
-CHECKER = SOURCE / "proof" / "kempe_check.py"
-LEFT_OUT = "left out"
-MOST_LEFT_OUT = 0.1  # of the bounds: trees that do not close in 20,000 lines, or touch a design too closely
+MOST_LEFT_OUT = 0.1  # of the bounds and verdicts: trees that do not close in 50,000 lines, or touch a design too closely
+MOST_SECONDS = 60  # of the processor and the checker, for one design or log
+MOST_BYTES = 5_000_000  # of a log
 NO_DESIGN = """[copy]
 scale = 0.5
 [region]
@@ -39,61 +42,80 @@ def run(*command):
     return subprocess.run([str(c) for c in command], capture_output=True, text=True)
 
 
-def check(*files):
-    ran = run(sys.executable, CHECKER, *files)
-    return ran.returncode, ran.stdout + ran.stderr
+def processor_time():
+    """Of all processes that have ended: seconds that do not depend on what else the machine does."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
-def log_of_design(spec_file, folder):
-    """What is wrong with the log of a spec's design; None if it has no bound that rules exist for."""
-    ran = run(KEMPE, "synthesize", spec_file, "-o", folder, "--json")
-    if ran.returncode not in (0, 3):
-        return f"exit {ran.returncode}: {ran.stderr}"
-    log = folder / "certificate.jsonl"
-    if ran.returncode == 3:
-        if not json.loads(ran.stdout)["proven"]:
-            return None
-        if not log.exists():
-            return LEFT_OUT
-        code, told = check(log)
-        return None if code == 0 and "4 no design exists: proven" in told else told
-    design = json.loads((folder / "design.json").read_text())
-    if design["quality"]["lower_bound"] is None or design["search"]["objective"] not in ("size", "transmission"):
-        return None
-    if not log.exists():
-        told = any(s.startswith("certificate.jsonl is left out") for s in json.loads(ran.stdout)["left_out"])
-        return LEFT_OUT if told else "a bound without its log, and no word of it"
-    code, told = check(folder / "design.json", log)
-    return None if code == 0 else told
+class Trial:
+    """One spec through program and checker. `outcome`: "proven", "no log", "no claim" (nothing to prove) or what is wrong."""
+
+    def __init__(self, options, spec, folder):
+        self.options, self.spec, self.folder = options, spec, folder
+        self.claims, self.seconds, self.bytes, self.nodes, self.why = [], None, 0, 0, ""
+        limit = ["--time-limit", options.time_limit] if options.time_limit else []
+        began = time.monotonic()
+        self.ran = run(options.kempe, "synthesize", spec, "-o", folder, "--json", *limit)
+        self.program_seconds = time.monotonic() - began
+        self.log = folder / "certificate.jsonl"
+        self.outcome = {0: self.of_design, 3: self.of_none, 6: lambda: "no claim"}.get(
+            self.ran.returncode, lambda: f"exit {self.ran.returncode}: {self.ran.stderr}")()
+
+    def of_none(self):
+        said = json.loads(self.ran.stdout)
+        if not said["proven"]:
+            return "no claim"
+        if not self.log.exists():
+            self.why = next((s for s in said.get("left_out", []) if "certificate.jsonl" in s), "")
+            return "no log" if self.why else "a verdict without its log, and no word of it"
+        return self.check([self.log], "4 no design exists: proven")
+
+    def of_design(self):
+        design = json.loads((self.folder / "design.json").read_text())
+        bound = design["quality"]["lower_bound"] is not None and design["search"]["objective"] in ("size", "transmission")
+        files = [self.folder / "design.json"] + [self.log] * self.log.exists()
+        outcome = self.check(files, "3 no design is" if self.log.exists() else "1 every point")
+        if outcome == "proven" and bound and not self.log.exists():
+            self.why = next((s for s in json.loads(self.ran.stdout)["left_out"] if s.startswith("certificate.jsonl")), "")
+            return "no log" if self.why else "a bound without its log, and no word of it"
+        return outcome
+
+    def check(self, files, expected):
+        began = processor_time()
+        ran = run(sys.executable, self.options.source / "proof" / "kempe_check.py", *files)
+        self.seconds = processor_time() - began
+        self.claims = [line[0] for line in ran.stdout.splitlines() if ": proven" in line]
+        if self.log.exists():
+            text = self.log.read_bytes()
+            self.bytes, self.nodes = len(text), text.count(b"\n") - 1
+        if ran.returncode != 0 or expected not in ran.stdout:
+            return ran.stdout + ran.stderr
+        if self.seconds > MOST_SECONDS or self.bytes > MOST_BYTES:
+            return f"{self.seconds:.1f} s, a log of {self.bytes} bytes"
+        return "proven"
+
+    def row(self):
+        return {"spec": self.spec.name, "outcome": self.outcome, "exit": self.ran.returncode, "claims": "".join(self.claims),
+                "seconds": self.seconds, "bytes": self.bytes, "nodes": self.nodes, "why": self.why,
+                "program_seconds": round(self.program_seconds, 2)}
 
 
-def main():
-    faults, logs, left_out = [], 0, []
-    with tempfile.TemporaryDirectory() as temporary:
-        root = pathlib.Path(temporary)
-        (root / "none.toml").write_text(NO_DESIGN)
-        specs = sorted((SOURCE / "specs" / "examples").glob("*.toml")) + [root / "none.toml"]
-        transmission = root / "transmission.toml"
-        transmission.write_text((SOURCE / "specs/examples/plagiograph.toml").read_text() + "\n[objective]\nmaximize = \"transmission\"\n")
-        if "[objective]" not in (SOURCE / "specs/examples/plagiograph.toml").read_text():
-            specs.append(transmission)
-        rng, random_specs = random.Random(SEED), module(SOURCE / "bench" / "random_specs.py")
-        for i in range(COUNT):
-            path = root / f"random-{i}.toml"
-            path.write_text(toml(random_specs.spec(rng)))
-            specs.append(path)
-        for number, spec in enumerate(specs):
-            folder = root / f"out-{number}"
-            fault = log_of_design(spec, folder)
-            logs += (folder / "certificate.jsonl").exists()
-            if fault == LEFT_OUT:
-                left_out.append(spec.name)
-            elif fault:
-                faults.append(f"{spec.name}: {fault}")
-    for fault in faults:
-        print(fault)
-    print(f"{logs} logs of {len(specs)} specs, left out: {left_out}, {len(faults)} faults")
-    return 1 if faults or len(left_out) > MOST_LEFT_OUT * (logs + len(left_out)) else 0
+def examples(source, root):
+    (root / "none.toml").write_text(NO_DESIGN)
+    transmission = root / "transmission.toml"
+    transmission.write_text((source / "specs/examples/plagiograph.toml").read_text() + "\n[objective]\nmaximize = \"transmission\"\n")
+    return sorted((source / "specs" / "examples").glob("*.toml")) + [root / "none.toml", transmission]
+
+
+def random_specs(source, root, count, seed):
+    rng, maker = random.Random(seed), module(source / "bench" / "random_specs.py")
+    for i in range(count):
+        path, spec = root / f"random-{seed}-{i}.toml", maker.spec(rng)
+        if rng.random() < 0.25:
+            spec["links"]["layers"] = 4
+        path.write_text(toml(spec))
+        yield path
 
 
 def toml(value):
@@ -105,6 +127,47 @@ def toml(value):
             return "[" + ", ".join(map(inline, v)) + "]"
         return json.dumps(v)
     return "\n".join(f"{key} = {inline(each)}" for key, each in value.items()) + "\n"
+
+
+def summary(rows):
+    kinds = collections.Counter(row["outcome"] if row["outcome"] in ("proven", "no log", "no claim") else "fault" for row in rows)
+    proven = collections.Counter(claim for row in rows for claim in row["claims"])
+    times = [row["seconds"] for row in rows if row["seconds"] is not None]
+    logs = [row["bytes"] for row in rows if row["bytes"]]
+    return (f"{len(rows)} specs: {dict(kinds)}; claims proven: {dict(sorted(proven.items()))}; Python median "
+            f"{statistics.median(times or [0]):.2f} s, largest {max(times, default=0):.1f} s; {len(logs)} logs, median "
+            f"{statistics.median(logs or [0]) / 1000:.0f} kB, largest {max(logs, default=0) / 1e6:.2f} MB")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("kempe")
+    parser.add_argument("source", type=pathlib.Path)
+    parser.add_argument("count", type=int, nargs="?", default=12, help="random specs")
+    parser.add_argument("seed", type=int, nargs="?", default=7)
+    parser.add_argument("--time-limit", help="of the program, in seconds")
+    parser.add_argument("--only-random", action="store_true", help="without the examples")
+    parser.add_argument("--keep", type=pathlib.Path, help="a folder for the specs and results, one line a spec as they come")
+    options = parser.parse_args()
+    rows, faults = [], []
+    with tempfile.TemporaryDirectory() as temporary:
+        root = options.keep or pathlib.Path(temporary)
+        root.mkdir(parents=True, exist_ok=True)
+        specs = [] if options.only_random else examples(options.source, root)
+        for spec in [*specs, *random_specs(options.source, root, options.count, options.seed)]:
+            with tempfile.TemporaryDirectory() as folder:
+                rows.append(Trial(options, spec, pathlib.Path(folder) / "out").row())
+            with (root / f"results-{options.seed}.jsonl").open("a") as results:
+                results.write(json.dumps(rows[-1]) + "\n")
+            if rows[-1]["outcome"] not in ("proven", "no log", "no claim"):
+                faults.append(f"{spec.name}: {rows[-1]['outcome']}")
+    for fault in faults:
+        print(fault)
+    left_out = [(row["spec"], row["why"]) for row in rows if row["outcome"] == "no log"]
+    print("no log:", left_out)
+    print(summary(rows))
+    claims = sum(row["bytes"] > 0 for row in rows) + len(left_out)
+    return 1 if faults or len(left_out) > MOST_LEFT_OUT * claims else 0
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ refutes a node. That the trees close shows that the rules are enough.
 
 usage: tree_builder.py design.json certificate.jsonl [bound]
 """
-import importlib.util
 import json
 import math
 import pathlib
@@ -16,14 +15,8 @@ CHECKER = pathlib.Path(__file__).resolve().parents[2] / "proof" / "kempe_check.p
 MOST_NODES = 20_000
 
 
-def load_checker(path=CHECKER):
-    spec = importlib.util.spec_from_file_location("kempe_check", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-check = load_checker()
+sys.path.insert(0, str(CHECKER.parent))
+import kempe_check as check  # noqa: E402
 
 
 def header_of(design, bound=None, none=False):
@@ -199,13 +192,13 @@ class Builder:
 
     def by_pole(self, node):
         line = {"leaf": "pole"}
-        return line if self.log.task.pole_within and self.refutes(node, line) else None
+        return line if self.refutes(node, line) else None
 
     def by_sheets(self, node):
         gap = self.log.task.sheets_gap
         if gap is None:
             return None
-        P, k = self.middle(node)[2:], tuple(c.middle() for c in self.log.shape.k)
+        P, k = self.middle(node)[2:], self.log.shape.k.middle()
         corners = self.corners[:: 1 + len(self.corners) // 30]
         pairs = []
         for key, c in corners:
@@ -264,14 +257,14 @@ class Builder:
         e = complex(math.cos(psi), self.log.sign * math.sin(psi))
         out = {}
         for j in "VABCXY":
-            alpha, beta = (complex(*check.centre(c)) for c in self.log.shape.seen[j])
+            alpha, beta = (complex(*c.middle()) for c in self.log.shape.seen[j])
             out[j] = alpha * a + beta * b * e
         return out
 
     def pairs(self, assignment):
         task = self.log.task
-        return [(one, other, task.half(one) + task.half(other) + task.clearance) for i, one in enumerate(check.PARTS)
-                for other in check.PARTS[:i] if check.may_meet(one, other) and check.share(one, other, assignment, ())]
+        return [(one, other, check.half(task, one) + check.half(task, other) + task.clearance) for i, one in enumerate(check.JOINTS)
+                for other in list(check.JOINTS)[:i] if check.may_meet(one, other) and check.share(one, other, assignment, ())]
 
     def deepest(self, one, other, joints, need):
         """The nearest two points of two parts as material points; None if they keep apart."""
@@ -285,7 +278,7 @@ class Builder:
 
     def spans(self, part):
         out = []
-        for piece in check.pieces(part, self.log.task.plate):
+        for piece in check.pieces(self.log.task, part):
             ends = [(piece[i], piece[j]) for i in range(len(piece)) for j in range(i)] if len(piece) > 1 else [(piece[0], piece[0])]
             out += ends
         return out
@@ -304,9 +297,9 @@ class Builder:
         for place, T in places:
             joints = self.placed(a, b, (x, y), T)
             for i, obstacle in enumerate(task.obstacles) if joints else ():
-                for part in check.PARTS:
+                for part in check.JOINTS:
                     if any(check.share(part, i, l, task.obstacles) for l in node.assignments):
-                        found += self.hits(part, joints, obstacle["rings"][0], i, place)
+                        found += self.hits(part, joints, obstacle.rings[0], i, place)
         for depth, line in sorted(found, key=lambda f: -f[0])[:6]:
             part = line["point"][0]
             if not all(check.share(part, line["obstacle"], l, task.obstacles) for l in node.assignments):
@@ -321,7 +314,7 @@ class Builder:
     def placed(self, a, b, P, T):
         """The joints with the tracer at T, by angles; None out of reach."""
         shape, P, T = self.log.shape, complex(*P), complex(*T)
-        s, g = (complex(*check.centre(z)) for z in (shape.s, shape.g))
+        s, g = (complex(*z.middle()) for z in (shape.s, shape.g))
         w = g * (T - P)
         cosine = (abs(w) ** 2 - a * a - b * b) / (2 * a * b)
         if abs(cosine) > 1:
@@ -332,7 +325,7 @@ class Builder:
 
     def hits(self, part, joints, ring, i, place):
         task, out = self.log.task, []
-        need = task.half(part) + task.clearance
+        need = check.half(task, part) + task.clearance
         convex = check.convex(ring)
         for A in self.spans(part):
             along = {i / 4 for i in range(5)} if A[0] != A[1] else {0.0}

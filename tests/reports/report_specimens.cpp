@@ -65,10 +65,10 @@ Design design_of(const CopyingLinkage& linkage, double scale, double rotation, c
   design.quality.footprint = 9137.5;
   WorkspaceMap& map = design.map;
   map.certified_opening = design.opening;
-  map.reachable = annulus_of(linkage, linkage.assembly_interval());
+  map.reachable = annulus_of(linkage, linkage.assembly_mode().openings);
   map.usable = annulus_of(linkage, design.opening);
   map.collision_free = map.usable;
-  const OpeningInterval whole = linkage.assembly_interval();
+  const OpeningInterval whole = linkage.assembly_mode().openings;
   map.lost.push_back(
       {Cause::transmission_below_limit, {}, annulus_of(linkage, {whole.lower, design.opening.lower})});
   map.lost.push_back(
@@ -83,7 +83,7 @@ Design design_of(const CopyingLinkage& linkage, double scale, double rotation, c
                          .scale = scale,
                          .rotation = rotation,
                          .flips = 0,
-                         .certified = true};
+                         .holds = true};
   design.search = SearchRecord{.objective = Objective::size,
                                .value = linkage.size(),
                                .solvers = {"NLopt 2.7.1 SLSQP", "Ipopt 3.11.9"},
@@ -123,7 +123,6 @@ ReportSpecimen plagiograph_specimen() {
   design.map.collision_free = {sector(linkage.pole(), radii.lower, radii.upper, 1.53, 0.9 + 2 * pi)};
   design.map.largest_sheets = {{"A7", 10.5, 7.4, {67.5, 0}, 0}};
   specimen.extras = {
-      .title = "",
       .program_version = "0.1.0",
       .spec_name = "plagiograph.toml",
       .spec_text =
@@ -150,12 +149,19 @@ ReportSpecimen matlab_circle_specimen() {
                           {}};
   specimen.design.search.reset();
   specimen.extras = {
-      .title = "",
       .program_version = "0.1.0",
       .spec_name = "matlab-circle.toml",
       .spec_text = "[copy]\nscale = 1.5\n\n[region]\ncircle_mm = {centre = [50, 50], radius = 10}\n",
       .pareto = {},
       .parts = {}};
+  return specimen;
+}
+
+/// With a router at the pen, off its point.
+ReportSpecimen router_specimen() {
+  ReportSpecimen specimen = matlab_circle_specimen();
+  specimen.name = "router";
+  specimen.design.bodies = {{Carrier::pen, Disc{{3, -4}, 6}, 3, 8, "router"}};
   return specimen;
 }
 
@@ -168,8 +174,7 @@ ReportSpecimen half_turn_specimen() {
       "half-turn",
       design_of(linkage, 1.0 / 3, pi, region, {.width = 14, .pin_diameter = 6, .thickness = 5}, radians(25)),
       {}};
-  specimen.extras = {.title = "",
-                     .program_version = "0.1.0",
+  specimen.extras = {.program_version = "0.1.0",
                      .spec_name = "half-turn.toml",
                      .spec_text = "[copy]\nscale = 0.3333333333333333\nrotation_deg = 180\n",
                      .pareto = {},
@@ -179,7 +184,7 @@ ReportSpecimen half_turn_specimen() {
 
 ReportSpecimen hostile_specimen() {
   const auto linkage = *CopyingLinkage::make(copy_ratio(1, pi / 3), Grounding::pen, 120, 110, 2, {10, 5});
-  const Point at = linkage.tracer_at(linkage.assembly_interval().middle(), 2.1);
+  const Point at = linkage.tracer_at(linkage.assembly_mode().openings.middle(), 2.1);
   ReportSpecimen specimen{
       "hostile",
       design_of(linkage, 1, pi / 3, {{Polygon{ellipse(at, 20, 9, 40), {ellipse(at, 5, 5, 12)}}}},
@@ -191,10 +196,10 @@ ReportSpecimen hostile_specimen() {
   coverage.witness = at;
   coverage.cause = Cause::self_contact;
   coverage.parts = {"link VA", "link BCY"};
-  specimen.design.verification.certified = false;
+  specimen.design.verification.holds = false;
   specimen.design.verification.failure = "<script>alert('failure')</script> the loop does not close";
+  specimen.design.title = "</title><script>window.hostile = 1</script> \"quoted\" & 'single'";
   specimen.extras = {
-      .title = "</title><script>window.hostile = 1</script> \"quoted\" & 'single'",
       .program_version = "0.1.0<script>",
       .spec_name = "a b\"'<img src=x onerror=window.hostile=1>.toml",
       .spec_text = "# </pre><script>window.hostile = 1</script>\n<!-- <script> -->\n[copy]\nscale = 1\x01\n",
@@ -211,7 +216,8 @@ ReportSpecimen hostile_specimen() {
 }
 
 std::vector<ReportSpecimen> report_specimens() {
-  return {plagiograph_specimen(), matlab_circle_specimen(), half_turn_specimen(), hostile_specimen()};
+  return {plagiograph_specimen(), matlab_circle_specimen(), half_turn_specimen(), hostile_specimen(),
+          router_specimen()};
 }
 
 }  // namespace kempe::testing

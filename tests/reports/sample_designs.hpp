@@ -14,8 +14,8 @@ inline Design sample_design(Complex k, Grounding grounding, double VA, double VB
   design.scale = std::abs(k);
   design.rotation = std::arg(k);
   design.style = {.width = 12, .pin_diameter = 6, .thickness = 4, .plate = plate};
-  design.opening = shrink(design.linkage.assembly_interval(),
-                          std::min(radians(20), 0.25 * design.linkage.assembly_interval().width()));
+  design.opening = shrink(design.linkage.assembly_mode().openings,
+                          std::min(radians(20), 0.25 * design.linkage.assembly_mode().openings.width()));
   design.quality.size = design.linkage.size();
   design.quality.transmission_min = radians(20);
   design.quality.clearance_min = 1.25;
@@ -26,8 +26,7 @@ inline Design sample_design(Complex k, Grounding grounding, double VA, double VB
       {{at + Point(-1, -1), at + Point(-1, 1), at + Point(1, 1), at + Point(1, -1)}}}}};
   design.map.certified_opening = design.opening;
   design.map.coverage.covered = true;
-  design.verification = {
-      .samples = 100, .scale = design.scale, .rotation = design.rotation, .certified = true};
+  design.verification = {.samples = 100, .scale = design.scale, .rotation = design.rotation, .holds = true};
   design.search = SearchRecord{.objective = Objective::size,
                                .value = design.linkage.size(),
                                .solvers = {"NLopt 2.7.1"},

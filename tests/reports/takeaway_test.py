@@ -14,30 +14,21 @@ import socket
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-KEMPE = pathlib.Path(sys.argv[1]).resolve()
-SOURCE = pathlib.Path(sys.argv[2]).resolve()
-EXAMPLES = SOURCE / "specs" / "examples"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import program
+from program import EXAMPLES, FILES, SOURCE, kempe
+
 ORACLE = SOURCE / "tests" / "reports" / "dxf_oracle.py"
 # Debian's iso-flags-svg: the greater coat of arms of Serbia, 42 000 lines and curves.
 ARMS = pathlib.Path("/usr/share/iso-flags-svg/country-4x3/rs.svg")
 LINKS = ["VA", "VB", "ACX", "BCY"]
 
 
-def kempe(*arguments, cwd=None):
-    return subprocess.run([KEMPE, *map(str, arguments)], capture_output=True, text=True, timeout=600, cwd=cwd)
-
-
-class Case(unittest.TestCase):
+class Case(program.Case):
     maxDiff = 2000
-
-    def setUp(self):
-        self._scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(self._scratch.cleanup)
-        self.scratch = pathlib.Path(self._scratch.name)
 
     def design_of(self, example, more=""):
         """The folder that an example becomes, `more` added to its spec."""
@@ -57,8 +48,12 @@ def distances_of(joints, lengths):
 
 
 class Parts(Case):
-    def expectations(self, out, fit=0.0, kerf=0.0):
-        mechanism = json.loads((out / "design.json").read_text())["mechanism"]
+    def expectations(self, out, fit=None, kerf=None):
+        """Fit and kerf as given, else as the design's file says."""
+        design = json.loads((out / "design.json").read_text())
+        mechanism, cutting = design["mechanism"], design["cutting"]
+        fit = cutting["hole_fit_mm"] if fit is None else fit
+        kerf = cutting["kerf_mm"] if kerf is None else kerf
         links = [{"name": link["name"], "style": link["shape"], "joints": link["joints"],
                   "lengths": distances_of(link["joints"], mechanism["lengths_mm"])} for link in mechanism["links"]]
         common = {"width": mechanism["link_width_mm"], "hole": mechanism["pin_diameter_mm"] + fit - kerf, "kerf": kerf}
@@ -112,15 +107,13 @@ class Parts(Case):
             area = length * width + math.pi / 4 * (width ** 2 - len(link["joints"]) * hole ** 2)
             self.assertAlmostEqual(volume / (area * mechanism["thickness_mm"]), 1, delta=2e-3)
 
-    SIX = {"design.json", "links.csv", "drawing.dxf", "drawing.svg", "workspace.geojson", "report.html"}
-
     def check_left_out(self, spec, command, *words):
         """Exit 0, the six files and the bill, no part, and a sentence in all places where one looks."""
         path, out = self.scratch / "spec.toml", self.scratch / "left-out"
         path.write_text(spec)
         run = kempe(command, path, "-o", out, "--quiet")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertEqual({file.name for file in out.iterdir()} - {"certificate.jsonl"}, self.SIX | {"bom.csv"})
+        self.assertEqual({file.name for file in out.iterdir()} - {"certificate.jsonl"}, FILES | {"bom.csv"})
         said = json.loads(kempe(command, path, "-o", out, "--quiet", "--json").stdout)["left_out"]
         self.assertEqual(len(said), 1)
         for word in words:

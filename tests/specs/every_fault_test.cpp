@@ -81,8 +81,9 @@ TEST(EveryFault, HasALineOfItsOwnInTheMessages) {
   ASSERT_FALSE(spec);
   EXPECT_EQ(
       spec.error().messages(),
-      "spec.toml:2: copy.scale: found 0; allowed: a number > 0 and <= 10000; scale -c is scale c with 180 "
-      "degrees more rotation\n"
+      "spec.toml:2: copy.scale: found 0; allowed: a number > 0 and <= 10000, or two as text: \"1:3\"; scale "
+      "-c is "
+      "scale c with 180 degrees more rotation\n"
       "spec.toml:4: region.margin: found an unknown key; allowed: margin_mm: lengths are in millimetres");
 }
 

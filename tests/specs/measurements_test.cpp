@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "specs/text/ratio.hpp"
+
 namespace kempe {
 namespace {
 

@@ -10,6 +10,7 @@
 
 #include "specs/key_checks.hpp"
 #include "specs/spec_keys.hpp"
+#include "specs/spec_unit.hpp"
 
 namespace kempe {
 namespace {
@@ -39,7 +40,8 @@ std::string table_row(const SpecKey& key) {
 
 /// The heading of a key's table in docs/spec.md.
 std::string heading(std::string_view table) {
-  if (table == "obstacles") return "## [[obstacles]]";
+  if (table.empty()) return "## At the top";
+  if (table == "obstacles" || table == "bodies") return fmt::format("## [[{}]]", table);
   if (table.ends_with("_mm")) return fmt::format("### {}", table);
   return fmt::format("## [{}]", table);
 }
@@ -49,7 +51,7 @@ TEST(SpecDocumentation, HoldsALineForEachKeyUnderItsTable) {
   std::string all_rows, table;
   bool complete = true;
   for (const SpecKey& key : spec_keys()) {
-    if (key.table != table) all_rows += "\n" + heading(table = key.table) + "\n";
+    if (all_rows.empty() || key.table != table) all_rows += "\n" + heading(table = key.table) + "\n";
     all_rows += table_row(key) + "\n";
     const std::size_t start = page.find(heading(key.table) + "\n"), end = page.find("\n##", start + 1);
     complete &= start != std::string::npos &&
@@ -85,12 +87,16 @@ ordered_json list_schema(ordered_json items, std::size_t least,
 
 ordered_json table_schema(std::string_view table);
 
+/// Two numbers, of which the first is to the second as the copy is to the original.
+constexpr const char* ratio_pattern = "^ *[0-9.]+ *[:/] *[0-9.]+ *$";
+
 ordered_json value_schema(const SpecKey& key) {
   const ordered_json word{{"enum", words_of(key)}};
   const ordered_json number = number_schema(key, "number"), whole = number_schema(key, "integer");
   const ordered_json point = list_schema(number, 2, 2), ring = list_schema(point, 3);
   switch (key.kind) {
     case KeyKind::number: return number;
+    case KeyKind::ratio: return {{"anyOf", {number, {{"type", "string"}, {"pattern", ratio_pattern}}}}};
     case KeyKind::whole_number: return whole;
     case KeyKind::truth: return {{"type", "boolean"}};
     case KeyKind::choice: return word;
@@ -106,7 +112,9 @@ ordered_json value_schema(const SpecKey& key) {
     case KeyKind::link_layers: return list_schema(whole, 4, 4);
     case KeyKind::rings: return {{"anyOf", {ring, list_schema(ring, 1)}}};
     case KeyKind::rectangle:
-    case KeyKind::circle: return table_schema(key.name);
+      return {{"anyOf", {table_schema(key.name), list_schema({{"type", "number"}}, 4, 4)}}};
+    case KeyKind::circle:
+      return {{"anyOf", {table_schema(key.name), list_schema({{"type", "number"}}, 3, 3)}}};
     case KeyKind::pairs: return list_schema(list_schema(point, 2, 2), 2);
   }
   return {};
@@ -119,13 +127,28 @@ ordered_json key_schema(const SpecKey& key) {
   return schema;
 }
 
+/// In inches the keys of lengths end in _in: their ranges are those of the millimetres, which a schema cannot convert.
+void allow_inches(ordered_json& schema) {
+  schema["patternProperties"]["_in$"] = {
+      {"description", "with units = \"in\" at the top: the same key in inches"}};
+}
+
 ordered_json table_schema(std::string_view table) {
   ordered_json schema{{"type", "object"}, {"additionalProperties", false}};
+  std::vector<std::string> lengths, lengths_in_inches;
   for (const SpecKey& key : spec_keys()) {
     if (key.table != table) continue;
     schema["properties"][std::string(key.name)] = key_schema(key);
-    if (key.required) schema["required"].push_back(std::string(key.name));
+    if (!key.required) continue;
+    if (!key.name.ends_with("_mm")) {
+      schema["required"].push_back(std::string(key.name));
+      continue;
+    }
+    lengths.emplace_back(key.name);
+    lengths_in_inches.push_back(name_in(SpecUnit::inch, key.name));
   }
+  if (!table.ends_with("_mm")) allow_inches(schema);
+  if (!lengths.empty()) schema["anyOf"] = {{{"required", lengths}}, {{"required", lengths_in_inches}}};
   return schema;
 }
 
@@ -135,9 +158,12 @@ TEST(SpecSchema, IsWhatTheTableOfKeysSays) {
                       {"type", "object"},
                       {"additionalProperties", false},
                       {"required", {"copy"}}};
+  for (const SpecKey& key : spec_keys())
+    if (key.table.empty()) schema["properties"][std::string(key.name)] = key_schema(key);
   for (const std::string_view table : spec_tables()) {
     const ordered_json one = table_schema(table);
-    schema["properties"][std::string(table)] = table == "obstacles" ? list_schema(one, 0) : one;
+    const bool is_list = table == "obstacles" || table == "bodies";
+    schema["properties"][std::string(table)] = is_list ? list_schema(one, 0) : one;
   }
   const std::string text = schema.dump(2) + "\n";
   const bool same = contents_of(KEMPE_SOURCE_DIR "/docs/spec.schema.json") == text;

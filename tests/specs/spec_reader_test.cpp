@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "specs/spec_check.hpp"
 #include "tests/geometry/random_rings.hpp"
 
 namespace kempe {
@@ -28,17 +29,41 @@ TEST(SpecReader, FillsInTheDefaultsOfTheTypes) {
   EXPECT_EQ(spec.links.layers, types.links.layers);
   EXPECT_EQ(spec.links.shortest, types.links.shortest);
   EXPECT_EQ(spec.links.longest, types.links.longest);
-  EXPECT_FALSE(spec.links.workshop.any());
+  EXPECT_FALSE(spec.links.stock_lengths.any());
   EXPECT_EQ(spec.limits.clearance, types.limits.clearance);
   EXPECT_EQ(spec.limits.transmission, types.limits.transmission);
-  EXPECT_FALSE(spec.limits.sheets_gap || spec.limits.copy_error || spec.tolerance || spec.mechanism);
+  EXPECT_FALSE(spec.limits.copy_gap || spec.limits.copy_error || spec.tolerance || spec.mechanism);
   EXPECT_FALSE(spec.tool.follower_radius || spec.tool.cutter_radius);
   EXPECT_TRUE(spec.obstacles.empty());
   EXPECT_EQ(std::get<Point>(spec.pole.place), Point(0, 0));
   EXPECT_EQ(spec.objective.objective, Objective::size);
   EXPECT_EQ(spec.objective.groundings, types.objective.groundings);
   EXPECT_EQ(spec.cutting.gap, types.cutting.gap);
-  EXPECT_FALSE(spec.cutting.sheet);
+  EXPECT_FALSE(spec.cutting.stock_sheet);
+}
+
+TEST(SpecReader, ReadsATitleOfOneLine) {
+  EXPECT_EQ(read_or_fail(shortest).title, "");
+  EXPECT_EQ(read_or_fail("title = \"Schild für Ž <b>\"\n" + shortest).title, "Schild für Ž <b>");
+  const std::string long_title(most_title_bytes + 1, 'x');
+  for (const std::string& title : {std::string("\"\""), std::string("7"), std::string("\"two\\nlines\""),
+                                   std::string("\"\\u001b[31mred\""), "\"" + long_title + "\""}) {
+    const auto spec = read_spec("title = " + title + "\n" + shortest, "spec.toml", ".");
+    ASSERT_FALSE(spec) << title;
+    EXPECT_EQ(spec.error().key, "title");
+    EXPECT_EQ(spec.error().line, 1);
+  }
+}
+
+TEST(SpecReader, TellsWhereAKeyOfTheTopBelongs) {
+  const auto inside = read_spec(shortest + "title = \"sign\"\n", "spec.toml", ".");
+  ASSERT_FALSE(inside);
+  EXPECT_NE(inside.error().message().find("title at the top of the file"), std::string::npos)
+      << inside.error().message();
+  const auto misspelt = read_spec("titel = \"sign\"\n" + shortest, "spec.toml", ".");
+  ASSERT_FALSE(misspelt);
+  EXPECT_NE(misspelt.error().message().find("title (the nearest known key)"), std::string::npos)
+      << misspelt.error().message();
 }
 
 TEST(SpecReader, ReadsEveryKeyOfTheContract) {
@@ -68,6 +93,7 @@ clearance_mm = 0.75
 transmission_deg = 25
 sheets_gap_mm = 6
 copy_error_mm = 0.3
+longest_strip_mm = 290
 [tolerance]
 length_mm = 0.05
 play_mm = 0.02
@@ -90,6 +116,7 @@ VB_mm = 35
 assembly = 3
 layers = [1, 2, 3, 4]
 [cutting]
+process = "drill"
 hole_fit_mm = 0.1
 kerf_mm = 0.2
 sheet_mm = [600, 300]
@@ -106,14 +133,15 @@ gap_mm = 8
   EXPECT_EQ(spec.links.shortest, 20);
   EXPECT_EQ(spec.links.longest, 300);
   EXPECT_EQ(spec.links.wall, 2.5);
-  EXPECT_EQ(spec.links.workshop.grid, 5);
-  EXPECT_EQ(spec.links.workshop.locked[0], 120);
-  EXPECT_EQ(spec.links.workshop.locked[7], 80.5);
-  EXPECT_FALSE(spec.links.workshop.locked[1]);
+  EXPECT_EQ(spec.links.stock_lengths.grid, 5);
+  EXPECT_EQ(spec.links.stock_lengths.locked[0], 120);
+  EXPECT_EQ(spec.links.stock_lengths.locked[7], 80.5);
+  EXPECT_FALSE(spec.links.stock_lengths.locked[1]);
   EXPECT_EQ(spec.limits.clearance, 0.75);
   EXPECT_DOUBLE_EQ(spec.limits.transmission, 25 * pi / 180);
-  EXPECT_EQ(spec.limits.sheets_gap, 6);
+  EXPECT_EQ(spec.limits.copy_gap, 6);
   EXPECT_EQ(spec.limits.copy_error, 0.3);
+  EXPECT_EQ(spec.limits.longest_strip, 290);
   EXPECT_EQ(spec.tolerance->length, 0.05);
   EXPECT_EQ(spec.tolerance->play, 0.02);
   EXPECT_EQ(spec.tool.follower_radius, 3);
@@ -132,14 +160,15 @@ gap_mm = 8
   EXPECT_EQ(spec.mechanism->VB, 35);
   EXPECT_EQ(spec.mechanism->assembly_mode, 3);
   EXPECT_EQ(spec.mechanism->layers, (std::array{1, 2, 3, 4}));
+  EXPECT_EQ(spec.cutting.process, Process::drill);
   EXPECT_EQ(spec.cutting.hole_fit, 0.1);
   EXPECT_EQ(spec.cutting.kerf, 0.2);
-  EXPECT_EQ(spec.cutting.sheet, Point(600, 300));
+  EXPECT_EQ(spec.cutting.stock_sheet, Point(600, 300));
   EXPECT_EQ(spec.cutting.gap, 8);
 }
 
 TEST(SpecReader, ReadsStockLengthsInOrderAndOnce) {
-  EXPECT_EQ(read_or_fail(shortest + "[links]\nstock_mm = [120, 60, 90.5, 60]\n").links.workshop.stock,
+  EXPECT_EQ(read_or_fail(shortest + "[links]\nstock_mm = [120, 60, 90.5, 60]\n").links.stock_lengths.stock,
             (std::vector<double>{60, 90.5, 120}));
 }
 
@@ -240,6 +269,88 @@ std::string ring_text(const Ring& ring) {
   return text + "]\n";
 }
 
+const std::string with_bodies = shortest + R"(
+[[bodies]]
+name = "router"
+at = "pen"
+circle_mm = {centre = [1, 2], radius = 60}
+layers = [3, 8]
+[[bodies]]
+at = "tracer"
+polygon_mm = [[-4, -3], [4, -3], [0, 5]]
+[table]
+rectangle_mm = {at = [-50, -40], size = [600, 400]}
+)";
+
+TEST(SpecReader, ReadsBodiesAndTheTable) {
+  const Spec spec = read_or_fail(with_bodies);
+  ASSERT_EQ(spec.bodies.size(), 2u);
+  EXPECT_EQ(spec.bodies[0].name, "router");
+  EXPECT_EQ(spec.bodies[0].at, Carrier::pen);
+  EXPECT_EQ(spec.bodies[0].lowest_layer, 3);
+  EXPECT_EQ(std::get<Disc>(spec.bodies[0].shape).centre, Point(1, 2));
+  EXPECT_EQ(std::get<Disc>(spec.bodies[0].shape).radius, 60);
+  EXPECT_EQ(spec.bodies[1].name, "body 2");
+  EXPECT_EQ(spec.bodies[1].at, Carrier::tracer);
+  EXPECT_EQ(spec.bodies[1].highest_layer, 8);
+  EXPECT_EQ(std::get<Polygon>(spec.bodies[1].shape).outer.size(), 3u);
+  ASSERT_TRUE(spec.table);
+  EXPECT_EQ(signed_area(spec.table->outer), 600 * 400);
+}
+
+TEST(SpecReader, ReadsShortFormsAndInchesOfBodiesAndTheTable) {
+  const std::string in_mm =
+      shortest +
+      "[[bodies]]\nat = \"pen\"\ncircle_mm = [25.4, 50.8, 127]\n[table]\nrectangle_mm = [0, 0, 508, 254]\n";
+  const std::string in_inches =
+      "units = \"in\"\n[copy]\nscale = 1.4\nrotation_deg = 90\n[region]\ncircle_in = [2.5, 0, 0.1]\n"
+      "[[bodies]]\nat = \"pen\"\ncircle_in = [1, 2, 5]\n[table]\nrectangle_in = {at = [0, 0], size = [20, "
+      "10]}\n";
+  for (const std::string& text : {in_mm, in_inches}) {
+    const Spec spec = read_or_fail(text);
+    ASSERT_EQ(spec.bodies.size(), 1u);
+    const Disc& disc = std::get<Disc>(spec.bodies[0].shape);
+    EXPECT_NEAR((disc.centre - Point(25.4, 50.8)).norm(), 0, 1e-12);
+    EXPECT_NEAR(disc.radius, 127, 1e-12);
+    ASSERT_TRUE(spec.table);
+    EXPECT_NEAR(signed_area(spec.table->outer), 508 * 254, 1e-6);
+  }
+}
+
+TEST(SpecReader, WritesBodiesAndTheTableSoThatTheyAreReadBack) {
+  const Spec spec = read_or_fail(with_bodies), again = read_or_fail(spec_as_toml(spec));
+  ASSERT_EQ(again.bodies.size(), spec.bodies.size());
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+    EXPECT_EQ(again.bodies[i].name, spec.bodies[i].name);
+    EXPECT_EQ(again.bodies[i].at, spec.bodies[i].at);
+    EXPECT_EQ(again.bodies[i].lowest_layer, spec.bodies[i].lowest_layer);
+  }
+  EXPECT_EQ(std::get<Disc>(again.bodies[0].shape).radius, 60);
+  EXPECT_EQ(again.table, spec.table);
+}
+
+TEST(SpecReader, RefusesBodiesAndTablesThatSayNothingDefinite) {
+  const std::pair<const char*, const char*> faults[] = {
+      {"bodies = 3\n", "bodies"},
+      {"[[bodies]]\ncircle_mm = {centre = [0, 0], radius = 5}\n", "bodies.at"},
+      {"[[bodies]]\nat = \"hand\"\ncircle_mm = {centre = [0, 0], radius = 5}\n", "bodies.at"},
+      {"[[bodies]]\nat = \"pen\"\n", "bodies"},
+      {"[[bodies]]\nat = \"pen\"\ncircle_mm = {centre = [0, 0], radius = 0}\n", "bodies.circle_mm.radius"},
+      {"[[bodies]]\nat = \"pen\"\npolygon_mm = [[0, 0], [1, 1], [2, 2]]\n", "bodies.polygon_mm"},
+      {"[[bodies]]\nat = \"pen\"\nlayers = [4, 3]\ncircle_mm = {centre = [0, 0], radius = 5}\n",
+       "bodies.layers"},
+      {"[table]\n", "table"},
+      {"[table]\npolygon_mm = [[0, 0], [9, 9], [9, 0], [0, 9]]\n", "table.polygon_mm"},
+      {"[tolerance]\nlength_mm = 0.1\nrobust = true\n[table]\ncircle_mm = {centre = [0, 0], radius = 500}\n",
+       "tolerance.robust"}};
+  for (const auto& [text, key] : faults) {
+    const std::string whole = std::string(text).starts_with("bodies") ? text + shortest : shortest + text;
+    const auto spec = read_spec(whole, "spec.toml", {});
+    ASSERT_FALSE(spec) << text;
+    EXPECT_EQ(spec.error().key, key) << spec.error().message();
+  }
+}
+
 TEST(SpecReader, ReadsRegionsOfAMillionCorners) {
   Ring ring;
   for (int i = 0; i < 1'000'000; ++i) {
@@ -288,7 +399,7 @@ TEST(SpecReader, ReadsBackRandomSpecs) {
     EXPECT_EQ(spec.links.longest, longest);
     EXPECT_EQ(spec.limits.clearance, clearance);
     EXPECT_DOUBLE_EQ(spec.limits.transmission, transmission * pi / 180);
-    EXPECT_EQ(spec.limits.sheets_gap, gap);
+    EXPECT_EQ(spec.limits.copy_gap, gap);
   }
 }
 

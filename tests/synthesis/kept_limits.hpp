@@ -51,8 +51,10 @@ inline std::string first_limit_missed(const Spec& spec, const Design& design, do
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     if (below(lengths[i], spec.links.shortest)) return "shortest_mm";
     if (above(lengths[i], spec.links.longest)) return "longest_mm";
+    if (spec.limits.longest_strip && above(lengths[i] + spec.links.style.width, *spec.limits.longest_strip))
+      return "longest_strip_mm";
     if (below(lengths[i], pin + std::max(spec.cutting.hole_fit, 0.0) + wall)) return "wall_mm";
-    const auto& locked = spec.links.workshop.locked[i];
+    const auto& locked = spec.links.stock_lengths.locked[i];
     if (locked && std::abs(lengths[i] - *locked) > 1e-9 * *locked) return "locked length";
   }
   if (design.layers.highest() > spec.links.layers) return "layers";
@@ -61,9 +63,9 @@ inline std::string first_limit_missed(const Spec& spec, const Design& design, do
     return "groundings";
   if (below(design.quality.transmission_min, spec.limits.transmission)) return "transmission_deg";
   if (below(design.quality.clearance_min, spec.limits.clearance)) return "clearance_mm";
-  if (spec.limits.sheets_gap) {
+  if (spec.limits.copy_gap) {
     const double gap = gap_between_sheets(spec.region, linkage.k(), linkage.pole());
-    if (gap <= 0 || below(gap, *spec.limits.sheets_gap)) return "sheets_gap_mm";
+    if (gap <= 0 || below(gap, *spec.limits.copy_gap)) return "sheets_gap_mm";
   }
   if (spec.limits.copy_error && above(design.quality.copy_error_worst.value_or(0), *spec.limits.copy_error))
     return "copy_error_mm";

@@ -113,6 +113,23 @@ live("Dragging the tracer moves the linkage, keeps its lengths and draws both li
   });
 });
 
+live("A body moves with its point, and its name with it", async () => {
+  await on("router", {}, async (page) => {
+    const off = () => page.evaluate(() => {
+      const { here } = window.kempe.report, [x, y] = here.pen, box = document.querySelector(".m-bodies .thing").getBoundingClientRect();
+      const wanted = new DOMPoint(x + 3, -(y - 4)).matrixTransform(document.getElementById("map").getScreenCTM());
+      const name = document.querySelector(".words .bodies").getBoundingClientRect();
+      return { body: Math.hypot(box.x + box.width / 2 - wanted.x, box.y + box.height / 2 - wanted.y), name: [name.x - box.x, name.y - box.y] };
+    });
+    const first = await off();
+    assert.ok(first.body < 1, `${first.body} px off at first`);
+    await page.evaluate(() => window.kempe.report.moveTo([40, 40]));
+    const then = await off();
+    assert.ok(then.body < 1, `${then.body} px off after a move`);
+    first.name.forEach((part, i) => assert.ok(Math.abs(part - then.name[i]) < 1));
+  });
+});
+
 live("Dragging far outside leaves the tracer at the edge of its reach", async () => {
   await on("plagiograph", {}, async (page) => {
     const start = await shown(page), from = await screenOf(page, start.tracer), to = await screenOf(page, [start.tracer[0] * 0.2, start.tracer[1] + 2]);
@@ -174,6 +191,7 @@ live("Pointing at a place says whether the tracer can go there, and why not", as
       await page.mouse.move(at.x, at.y);
       return page.locator("#tip").innerText();
     };
+    await page.locator("#zoom-all").click();
     assert.match(await said([67.5, 5]), /Free/);
     assert.match(await said([-68, 3]), /Transmission\s+\d/);
     assert.match(await said([-68, 3]), /Copy error\s+\d.*worst/);
@@ -294,6 +312,80 @@ live("Zooming moves map and linkage together, and back", async () => {
   });
 });
 
+live("The window shows the job at first and the whole map on demand", async () => {
+  await on("plagiograph", {}, async (page) => {
+    const outside = (box) => page.evaluate((name) => {
+      const { stage, model } = window.kempe.report, [x1, y1, x2, y2] = stage.board.getBoundingBox(), [left, top, right, bottom] = model[name];
+      return Math.max(x1 - left, top - y1, right - x2, y2 - bottom);
+    }, box);
+    assert.ok((await outside("job")) <= 0, "some of the job is cut off");
+    await page.locator("#zoom-all").click();
+    assert.ok((await outside("whole")) <= 0, "some of the map is cut off");
+    await page.locator("#live-board").focus();
+    await page.keyboard.press("0");
+    assert.ok((await outside("job")) <= 0);
+    assert.ok((await outside("whole")) > 0, "the job's window is no nearer than the whole map's");
+  });
+});
+
+live("Mechanism and Play stand above the fold of a laptop", async () => {
+  for (const name of ["matlab-circle", "half-turn", "router"])  // the others begin with a front
+    await on(name, { viewport: { width: 1400, height: 900 } }, async (page) => {
+      const play = await page.locator("#play").boundingBox(), map = await page.locator("#map").boundingBox();
+      assert.ok(play.y + play.height < 900, `${name}: Play ends at ${play.y + play.height}`);
+      assert.ok(map.y + map.height <= 900, `${name}: the mechanism's picture ends at ${map.y + map.height}`);
+    });
+});
+
+/** Pairs of words on the map that lie on each other, of all that are visible. */
+const collisions = (page) => page.evaluate(() => {
+  const visible = [...document.querySelectorAll("#map text, .live-board text")].filter((node) => getComputedStyle(node).visibility === "visible" && node.textContent.trim());
+  const boxes = visible.map((node) => ({ words: node.textContent, css: node.getAttribute("class"), box: node.getBoundingClientRect() }));
+  const found = [];
+  for (const [i, a] of boxes.entries())
+    for (const b of boxes.slice(i + 1)) {
+      const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left), high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+      if (wide > 1 && high > 3) found.push(`${a.words} (${a.css}) on ${b.words} (${b.css})`);
+    }
+  return found;
+});
+
+test("With every layer on no word lies on another", async () => {
+  for (const name of specimens)
+    for (const javaScriptEnabled of [true, false])
+      await on(name, { viewport: { width: 1400, height: 900 } }, async (page) => {
+        for (const box of await page.locator(".legend input").all()) await box.setChecked(true);
+        assert.deepEqual(await collisions(page), [], name);
+      });
+});
+
+test("The tolerance bars are as long as their figures say, whatever the font", async () => {
+  for (const fontSize of [12, 16, 30])
+    await on("plagiograph", {}, async (page) => {
+      const rows = await page.evaluate((size) => {
+        document.documentElement.style.fontSize = `${size}px`;
+        document.body.style.fontSize = `${size}px`;
+        return [...document.querySelectorAll(".budget tbody tr")].map((row) => {
+          const bar = row.querySelector(".bar rect").getBoundingClientRect(), scroller = row.closest(".scroll").getBoundingClientRect();
+          return { value: Number(row.querySelectorAll("td")[1].textContent), length: bar.width, left: bar.left, right: bar.right, shown: [scroller.left, scroller.right] };
+        });
+      }, fontSize);
+      assert.ok(rows.length >= 8);
+      for (const { value, length, left, right, shown } of rows) {
+        assert.ok(Math.abs(length / rows[0].length - value / rows[0].value) < 0.01, `${length} px for ${value} mm, ${rows[0].length} px for ${rows[0].value} mm`);
+        assert.ok(left >= shown[0] - 0.5 && right <= shown[1] + 0.5, "a bar is cut off");
+      }
+    });
+});
+
+test("A legend speaks in one unit of area", async () => {
+  for (const name of specimens)
+    await on(name, {}, async (page) => {
+      const text = await page.locator(".legend").innerText();
+      assert.ok(!(text.includes("mm²") && text.includes("cm²")), name);
+    });
+});
+
 live("On a phone nothing overflows, and a tap brings the tracer", async () => {
   for (const name of specimens)
     await on(name, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 }, async (page) => {
@@ -301,6 +393,7 @@ live("On a phone nothing overflows, and a tap brings the tracer", async () => {
       assert.ok(content <= screen, `${name}: ${content} wide on a screen of ${screen}`);
       if (name !== "plagiograph") return;
       await page.locator("#board").scrollIntoViewIfNeeded();
+      await page.locator("#zoom-all").click();
       const at = await screenOf(page, [-60, -31]);
       await page.touchscreen.tap(at.x, at.y);
       const end = await shown(page);

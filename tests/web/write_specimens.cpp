@@ -61,8 +61,8 @@ std::string positions(const ReportSpecimen& specimen) {
                                    .transmission = 0,
                                    .obstacles = design.obstacles,
                                    .region = {},
-                                   .sheets_gap = {}});
-  const auto radii = linkage.radii_over(linkage.assembly_interval());
+                                   .copy_gap = {}});
+  const auto radii = linkage.radii_over(linkage.assembly_mode().openings);
   std::mt19937_64 random(11);
   const auto uniform = [&] { return kempe::test::share(random); };
   Json all = Json::array();

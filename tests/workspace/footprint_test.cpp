@@ -70,9 +70,19 @@ std::vector<Specimen> specimens(const Point& pole) {
   for (const Grounding grounding : {Grounding::pole, Grounding::tracer, Grounding::pen})
     for (const Complex k : {Complex(0, 1.4), Complex(0.5, 0.2), Complex(-0.8, 0)}) {
       const CopyingLinkage linkage = *CopyingLinkage::make(k, grounding, 60, 45, 0, pole);
-      all.push_back({linkage, linkage.radius_at(linkage.assembly_interval().middle())});
+      all.push_back({linkage, linkage.radius_at(linkage.assembly_mode().openings.middle())});
     }
   return all;
+}
+
+TEST(Footprint, IsNotToldWhereItWasStopped) {
+  const auto [linkage, radius] = specimens({3, -8}).front();
+  const Region region{{{disc_at(as_complex(linkage.pole()) + radius, 0.1 * radius), {}}}};
+  const StopFlag stopped([] { return true; });
+  EXPECT_FALSE(footprint_unless(stopped, linkage, style, region));
+  const auto whole = footprint_unless({}, linkage, style, region);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->area, footprint(linkage, style, region).area);
 }
 
 TEST(Footprint, IsWhatTheBarsPassOver) {

@@ -27,7 +27,7 @@ std::vector<GridCell> random_cells(Dice& dice, int share) {
 AngleGrid some_grid(int assembly_mode) {
   const CopyingLinkage linkage =
       *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, assembly_mode, Point(3, 4));
-  return {linkage, shrink(linkage.assembly_interval(), 0.2)};
+  return {linkage, shrink(linkage.assembly_mode().openings, 0.2)};
 }
 
 TEST(GridOutline, EnclosesTheAreaOfItsCells) {

@@ -26,7 +26,7 @@ TEST(LinkageMotion, JointsStandWhereTheClosedFormPutsThem) {
   Dice dice(31);
   for (int i = 0; i < 500; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
-    const OpeningInterval& all = linkage.assembly_interval();
+    const OpeningInterval& all = linkage.assembly_mode().openings;
     const double opening = dice.between(all.lower, all.upper), bearing = dice.between(-pi, pi);
     const MovingJoints joints = LinkageMotion(linkage).over(opening, 0, bearing, 0);
     const Pose pose = linkage.pose_at(opening, bearing);
@@ -40,7 +40,7 @@ TEST(LinkageMotion, VelocityIsTheDifferenceQuotient) {
   Dice dice(32);
   for (int i = 0; i < 300; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
-    const OpeningInterval middle = shrink(linkage.assembly_interval(), 0.05);
+    const OpeningInterval middle = shrink(linkage.assembly_mode().openings, 0.05);
     if (middle.empty()) continue;
     const double opening = dice.between(middle.lower, middle.upper), bearing = dice.between(-pi, pi),
                  h = 1e-6;
@@ -58,7 +58,7 @@ TEST(LinkageMotion, JointsStayWithinTheirBoundsAllOverTheRectangle) {
   Dice dice(33);
   for (int i = 0; i < 2000; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
-    const Patch patch = random_patch(dice, linkage.assembly_interval());
+    const Patch patch = random_patch(dice, linkage.assembly_mode().openings);
     const MovingJoints joints =
         LinkageMotion(linkage).over(patch.opening, patch.half_opening, patch.bearing, patch.half_bearing);
     for (int sample = 0; sample < 10; ++sample) {
@@ -84,7 +84,7 @@ TEST(GapBounds, HoldTheDistanceAllOverTheRectangle) {
   for (int i = 0; i < 3000; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
     const LinkStyle style = test::random_style(dice);
-    const Patch patch = random_patch(dice, linkage.assembly_interval());
+    const Patch patch = random_patch(dice, linkage.assembly_mode().openings);
     const Link link = all_links[static_cast<std::size_t>(dice.below(4))];
     const auto hulls = axis_of({Part::Kind::link, link}, linkage.shape(), style.plate);
     const JointHull& hull = hulls[static_cast<std::size_t>(dice.below(static_cast<int>(hulls.size())))];

@@ -76,7 +76,7 @@ TEST(Parts, OutlineIsTheAxisGrownByHalfTheWidth) {
   for (int i = 0; i < 300; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
     const LinkStyle style = test::random_style(dice);
-    const Pose pose = linkage.pose_at(linkage.assembly_interval().middle(), dice.between(-pi, pi));
+    const Pose pose = linkage.pose_at(linkage.assembly_mode().openings.middle(), dice.between(-pi, pi));
     const Link link = all_links[static_cast<std::size_t>(dice.below(4))];
     const ArcPolygon outline = link_outline(link, pose, style);
     const Ring ring = flattened(outline, 1e-4, Flatten::shrinks).outer;

@@ -52,7 +52,7 @@ TEST(Reach, EveryPoseOfAnIntervalStandsInItsAnnulus) {
   for (int i = 0; i < 500; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
     const Annulus annulus = reachable_annulus(linkage);
-    const OpeningInterval& all = linkage.assembly_interval();
+    const OpeningInterval& all = linkage.assembly_mode().openings;
     const Point tracer = linkage.tracer_at(dice.between(all.lower, all.upper), dice.between(-pi, pi));
     const double distance = (tracer - linkage.pole()).norm();
     EXPECT_GE(distance, annulus.inner - 1e-9);

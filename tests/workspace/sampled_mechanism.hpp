@@ -40,7 +40,7 @@ inline std::optional<Joints> joints_with_tracer_at(const CopyingLinkage& linkage
     const Z A = V + way / c * Z(along, side * std::sqrt(squared));
     const Z q = s * (X - A);  // AX = q/s
     const double opening = std::arg(q / (A - V));
-    if (!linkage.assembly_interval().contains(opening)) continue;
+    if (!linkage.assembly_mode().openings.contains(opening)) continue;
     return Joints{V, A, V + q, A + q, X, Y};
   }
   return std::nullopt;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "tests/kinematics/planar/random_linkages.hpp"
 
 namespace kempe {

@@ -64,14 +64,28 @@ TEST(DesignJson, IsReadBackToTheLastBit) {
     EXPECT_EQ(read->region, design.region);
     EXPECT_EQ(read->style, design.style);
     EXPECT_EQ(read->layers, design.layers);
-    EXPECT_EQ(read->mechanism.orientation, design.linkage.orientation());
+    EXPECT_EQ(read->mechanism.sides, design.linkage.assembly_mode().sides);
     EXPECT_NEAR(read->rotation, design.rotation, 1e-15);
     EXPECT_NEAR(read->mechanism.opening.lower, design.opening.lower, 1e-15);
     const auto linkage = linkage_of(*read, "d.json");
     ASSERT_TRUE(linkage) << linkage.error().message();
-    EXPECT_EQ(linkage->assembly_mode(), design.linkage.assembly_mode());
+    EXPECT_EQ(linkage->assembly_mode().number, design.linkage.assembly_mode().number);
     EXPECT_EQ(linkage->pole(), design.linkage.pole());
     EXPECT_NEAR(std::abs(linkage->k() - design.linkage.k()), 0, 1e-14);
+  }
+}
+
+TEST(DesignJson, KeepsATitleWhateverItSays) {
+  Design design = testing::plagiograph();
+  EXPECT_EQ(design_json(design).find("title"), std::string::npos);
+  const Region region = design.region;
+  for (const std::string title : {"Sign", "\"region\": null, {", "für <b> \\ %"}) {
+    design.title = title;
+    const auto stored = read_design(design_json(design), "design.json");
+    ASSERT_TRUE(stored) << stored.error().message();
+    EXPECT_EQ(stored->title, title);
+    EXPECT_TRUE(stored->unknown_keys.empty());
+    EXPECT_EQ(area(stored->region), area(region));
   }
 }
 
@@ -101,19 +115,19 @@ TEST(DesignJson, KeepsAMechanismWithoutAUsableOpening) {
   const auto read = read_design(design_json(design), "d.json");
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_TRUE(read->mechanism.opening.empty());
-  EXPECT_EQ(linkage_of(*read, "d.json")->assembly_mode(), design.linkage.assembly_mode());
+  EXPECT_EQ(linkage_of(*read, "d.json")->assembly_mode().number, design.linkage.assembly_mode().number);
 }
 
 TEST(DesignJson, KeepsTheLimitsTheTolerancesAndTheObstacles) {
   Design design = plagiograph();
   design.limits.transmission = radians(25);
-  design.limits.sheets_gap = 5;
+  design.limits.copy_gap = 5;
   design.tolerance = Tolerance{0.05, 0.02};
   design.obstacles = {{.shape = {{{0, 0}, {10, 0}, {0, 10}}, {}}, .lowest_layer = 1, .highest_layer = 4}};
   const auto read = read_design(design_json(design), "d.json");
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->limits->transmission, radians(25));
-  EXPECT_EQ(read->limits->sheets_gap, 5);
+  EXPECT_EQ(read->limits->copy_gap, 5);
   EXPECT_EQ(read->tolerance->play, 0.02);
   ASSERT_EQ(read->obstacles.size(), 1U);
   EXPECT_EQ(read->obstacles[0].shape, design.obstacles[0].shape);
@@ -127,10 +141,10 @@ TEST(DesignJson, KeepsWhatTheSpecAllowed) {
   allowed.layers = 4;
   allowed.shortest = 12.5;
   allowed.longest = 600;
-  allowed.workshop = {.grid = std::nullopt, .stock = {35, 50, 100}, .locked = {}};
-  allowed.workshop.locked[1] = 35;
+  allowed.stock_lengths = {.grid = std::nullopt, .stock = {35, 50, 100}, .locked = {}};
+  allowed.stock_lengths.locked[1] = 35;
   allowed.groundings = {Grounding::pen, Grounding::pole};
-  design.cutting = {.hole_fit = -0.1, .kerf = 0.2, .sheet = Point(600, 300), .gap = 7};
+  design.cutting = {.hole_fit = -0.1, .kerf = 0.2, .stock_sheet = Point(600, 300), .gap = 7};
   design.map.map_tolerance = 0.02;
   const auto read = read_design(design_json(design), "d.json");
   ASSERT_TRUE(read) << read.error().message();
@@ -139,14 +153,14 @@ TEST(DesignJson, KeepsWhatTheSpecAllowed) {
   EXPECT_EQ(read->allowed->layers, 4);
   EXPECT_EQ(read->allowed->shortest, 12.5);
   EXPECT_EQ(read->allowed->longest, 600);
-  EXPECT_FALSE(read->allowed->workshop.grid);
-  EXPECT_EQ(read->allowed->workshop.stock, allowed.workshop.stock);
-  EXPECT_EQ(read->allowed->workshop.locked, allowed.workshop.locked);
+  EXPECT_FALSE(read->allowed->stock_lengths.grid);
+  EXPECT_EQ(read->allowed->stock_lengths.stock, allowed.stock_lengths.stock);
+  EXPECT_EQ(read->allowed->stock_lengths.locked, allowed.stock_lengths.locked);
   EXPECT_EQ(read->allowed->groundings, allowed.groundings);
   ASSERT_TRUE(read->cutting);
   EXPECT_EQ(read->cutting->hole_fit, -0.1);
   EXPECT_EQ(read->cutting->kerf, 0.2);
-  EXPECT_EQ(read->cutting->sheet, design.cutting.sheet);
+  EXPECT_EQ(read->cutting->stock_sheet, design.cutting.stock_sheet);
   EXPECT_EQ(read->cutting->gap, 7);
   EXPECT_EQ(read->map.map_tolerance, 0.02);
   EXPECT_TRUE(read->unknown_keys.empty());
@@ -157,11 +171,11 @@ TEST(DesignJson, KeepsWhatTheSpecAllowed) {
 TEST(DesignJson, NamesEveryKeyItDoesNotKnow) {
   Json json = written();
   for (const char* pointer :
-       {"/title", "/copy/skew", "/mechanism/links/2/colour", "/quality/mass_kg", "/limits/sag_mm"})
+       {"/colour", "/copy/skew", "/mechanism/links/2/colour", "/quality/mass_kg", "/limits/sag_mm"})
     json[Json::json_pointer(pointer)] = 1;
   const auto read = read_design(json.dump(), "d.json");
   ASSERT_TRUE(read) << read.error().message();
-  EXPECT_EQ(read->unknown_keys, (std::vector<std::string>{"title", "copy.skew", "mechanism.links[2].colour",
+  EXPECT_EQ(read->unknown_keys, (std::vector<std::string>{"colour", "copy.skew", "mechanism.links[2].colour",
                                                           "quality.mass_kg", "limits.sag_mm"}));
   EXPECT_EQ(audit(*read, "d.json").error().key, "limits.sag_mm");
 }

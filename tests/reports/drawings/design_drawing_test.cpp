@@ -44,7 +44,7 @@ Json expectation(const std::filesystem::path& dxf, const Design& design, const C
 
 TEST(DesignDrawing, IsJudgedFaultlessByEzdxf) {
   std::vector<std::pair<Design, CuttingSpec>> cases{
-      {plagiograph(), {}}, {plagiograph(), {.hole_fit = 0.1, .kerf = 0.2, .sheet = {}}}};
+      {plagiograph(), {}}, {plagiograph(), {.hole_fit = 0.1, .kerf = 0.2, .stock_sheet = {}}}};
   for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
     for (const Grounding grounding : all_groundings)
       for (const Complex k : {Complex(2.5), Complex(-1.0 / 3), std::polar(1.0, radians(60)), Complex(0, -1),
@@ -110,14 +110,14 @@ TEST(PartDrawings, KeepThePlatesTurnedTheRightWayRound) {
     for (const double turn : {90.0, -120.0, 17.0})
       for (const int assembly_mode : {0, 1, 2, 3}) {
         const Design design = sample_design(std::polar(1.3, radians(turn)), grounding, 90, 70, assembly_mode);
-        const auto expected = design.linkage.orientation();
-        const auto sign_of = [&](Link link) {
+        const auto expected = design.linkage.assembly_mode().sides;
+        const auto side_turned = [&](Link link) {
           const auto holes = cut_part(design, link, {}).holes;
           const double turned = cross(holes[1].centre - holes[0].centre, holes[2].centre - holes[1].centre);
-          return turned > 0 ? 1 : -1;
+          return side_of(turned);
         };
-        EXPECT_EQ(sign_of(Link::ACX), expected.plate_ACX);
-        EXPECT_EQ(sign_of(Link::BCY), expected.plate_BCY);
+        EXPECT_EQ(side_turned(Link::ACX), expected.plate_ACX);
+        EXPECT_EQ(side_turned(Link::BCY), expected.plate_BCY);
       }
 }
 

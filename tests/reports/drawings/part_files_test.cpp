@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <tuple>
 
 #include "reports/audit/recheck.hpp"
 #include "reports/data/design_json.hpp"
+#include "reports/design_package.hpp"
 #include "reports/drawings/bom.hpp"
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/drawings/dxf_writer.hpp"
@@ -61,6 +63,34 @@ std::vector<OutputFile> with_drawing(std::vector<OutputFile> files, const Design
   return files;
 }
 
+struct Package {
+  std::vector<std::string> names, left_out;
+};
+Package package_of(const Design& design, const TimeToFinish& time) {
+  Package package;
+  package.left_out = *make_design_package(
+      design, {}, {},
+      [&](const OutputFile& file) -> tl::expected<void, std::string> {
+        package.names.push_back(file.name.string());
+        return {};
+      },
+      time);
+  return package;
+}
+
+TEST(DesignPackage, IsTheDesignAndItsTablesOnceTheTimeIsOver) {
+  const StopFlag set([] { return true; });
+  const Package whole = package_of(plagiograph(), {}), late = package_of(plagiograph(), {set, set}),
+                hurried = package_of(plagiograph(), {.enough = set});
+  EXPECT_THAT(late.names, ::testing::ElementsAre("design.json", "links.csv", "bom.csv"));
+  for (const std::string& name : whole.names)
+    if (std::find(late.names.begin(), late.names.end(), name) == late.names.end()) {
+      EXPECT_THAT(late.left_out, ::testing::Contains(HasSubstr(name)));
+      EXPECT_EQ(std::find(hurried.names.begin(), hurried.names.end(), name) == hurried.names.end(),
+                name == "parts/assembly.step");
+    }
+}
+
 TEST(Nesting, KeepsPartsApartAndOnTheSheet) {
   const Point sheet(300, 250);
   const double gap = 4;
@@ -106,7 +136,7 @@ TEST(Nesting, TurnsAPartThatFitsOnlyAslant) {
 TEST(Nesting, NamesThePartThatDoesNotFit) {
   const Design design = sample_design(2.5, Grounding::tracer, 90, 70, 1);
   CuttingSpec cutting;
-  cutting.sheet = Point(100, 30);
+  cutting.stock_sheet = Point(100, 30);
   const PartFiles parts = part_files(design, cutting);
   ASSERT_EQ(parts.left_out.size(), 1U);
   EXPECT_THAT(parts.left_out[0], HasSubstr("no nested.dxf: link "));
@@ -139,7 +169,7 @@ TEST(PartFiles, AreWholeOrLeftOutHoweverThinTheWall) {
           CuttingSpec cutting;
           cutting.hole_fit = fit;
           cutting.kerf = kerf;
-          cutting.sheet = Point(600, 400);
+          cutting.stock_sheet = Point(600, 400);
           const PartFiles made = part_files(design, cutting);
           const double hole = design.style.pin_diameter + fit;
           const bool has_wall = 0.5 * (design.style.width - hole) > 0.001 * hole;
@@ -205,16 +235,16 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
   Design design = plagiograph();
   design.layers.of = {1, 4, 2, 3};
   const std::string csv = bom_csv(design);
-  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX; countersunk head"));
-  EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,\"joins VB and BCY\""));
+  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,,,\"joins VA and ACX; countersunk head"));
+  EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,,,\"joins VB and BCY\""));
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
   EXPECT_THAT(
       csv,
-      HasSubstr("spacer,spacer V,1,6,8,12,,\"between the links; clearance is certified for 6 mm diameter"));
+      HasSubstr("spacer,spacer V,1,6,8,12,,,,\"between the links; clearance is certified for 6 mm diameter"));
   EXPECT_THAT(
       csv,
       HasSubstr(
-          "spacer,spacer Y,1,6,8,12,,\"under the lowest link; clearance is certified for 6 mm diameter"));
+          "spacer,spacer Y,1,6,8,12,,,,\"under the lowest link; clearance is certified for 6 mm diameter"));
   EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
 }
 
@@ -223,15 +253,15 @@ TEST(Bom, LiftsALinkageOnSpacers) {
   design.layers.of = {2, 3, 3, 2};
   design.quality.clearance_min = 3;  // a spacer as wide as a link just fits
   const std::string csv = bom_csv(design);
-  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,\"joins VA and ACX\""));
-  EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,\"joins VB and BCY\""));
-  EXPECT_THAT(csv, HasSubstr("pin,pin C,1,6,8,,,\"joins ACX and BCY\""));
+  EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,,,\"joins VA and ACX\""));
+  EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,,,\"joins VB and BCY\""));
+  EXPECT_THAT(csv, HasSubstr("pin,pin C,1,6,8,,,,,\"joins ACX and BCY\""));
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,12,,,"));
   EXPECT_THAT(csv, HasSubstr("post,tracer X,1,6,12,,,"));
   EXPECT_THAT(csv, HasSubstr("post,pen Y,1,6,8,,,"));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,4,12,,\"under the lowest link\""));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer X,1,6,8,12,,\"under the lowest link\""));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,4,12,,\"under the lowest link\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,4,12,,,,\"under the lowest link\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer X,1,6,8,12,,,,\"under the lowest link\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,4,12,,,,\"under the lowest link\""));
   EXPECT_THAT(csv, Not(HasSubstr("countersunk head")));
 }
 
@@ -261,7 +291,7 @@ TEST(Recheck, FindsNothingWrongWithWhatWasWritten) {
     CuttingSpec cutting;
     cutting.hole_fit = 0.1;
     cutting.kerf = 0.2;
-    cutting.sheet = Point(600, 400);
+    cutting.stock_sheet = Point(600, 400);
     const WrittenFolder folder(design, cutting);
     EXPECT_TRUE(std::filesystem::exists(folder.path / "nested.dxf"));
     EXPECT_THAT(recheck(folder.path, design, cutting), IsEmpty());

@@ -114,7 +114,7 @@ TEST(DxfReader, KeepsEntitiesAsTheyStand) {
 TEST(DxfReader, RefusesWhatIsNoDxf) {
   const auto message = [](const std::string& text) { return read_dxf(text, "d.dxf").error().message(); };
   EXPECT_THAT(message(""), HasSubstr("empty"));
-  EXPECT_THAT(message("hello\nworld\n"), HasSubstr("no DXF"));
+  EXPECT_THAT(message("hello\nworld\n"), HasSubstr("not DXF"));
   EXPECT_THAT(message("AutoCAD Binary DXF\r\n\x1a"), HasSubstr("binary"));
   const std::string whole = contents(oracle_folder() / "r2000.dxf");
   EXPECT_THAT(message(whole.substr(0, whole.size() / 2)), HasSubstr("d.dxf"));

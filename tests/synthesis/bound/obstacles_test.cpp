@@ -30,7 +30,7 @@ std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& li
                      .transmission = 0,
                      .obstacles = spec.obstacles,
                      .region = spec.region,
-                     .sheets_gap = std::nullopt};
+                     .copy_gap = std::nullopt};
   const auto figure = smallest_clearance(task);
   return figure ? std::optional(figure->gap) : std::nullopt;
 }
@@ -41,11 +41,12 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
   for (int i = 0; i < test::samples(150); ++i) {
     const Spec spec = spec_with_obstacles(dice);
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
-    const int number = i % static_cast<int>(assembly_modes(shape_of(spec.copy.k(), grounding)).size());
+    const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
+    const AssemblyMode& mode = modes[static_cast<std::size_t>(i) % modes.size()];
     const auto layers = layer_assignments(2);
     const bounding::Branch branch = bounding::make_branch(
-        spec, grounding, number, bounding::layer_choices(spec.copy.k(), grounding, 2, {}));
-    const bounding::ObstacleTest test(spec, branch.assembly_mode, layers);
+        spec, grounding, mode, bounding::layer_choices(spec.copy.k(), grounding, 2, {}));
+    const bounding::ObstacleTest test(spec, branch.mode, layers);
     for (int j = 0; j < 30; ++j) {
       const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),
                    grow = std::exp(dice.uniform(0.0005, 0.04));
@@ -61,9 +62,9 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
         const double one_w = dice.log_uniform(box.lengths.w.lower, box.lengths.w.upper);
         const Point pole =
             box.pole + box.radius * as_point(std::polar(dice.uniform(0, 1), dice.uniform(-pi, pi)));
-        const auto linkage = CopyingLinkage::make(
-            spec.copy.k(), grounding, std::sqrt(one_w / one_t / 2),
-            std::sqrt(one_w * one_t / 2) * std::abs(branch.assembly_mode.s), number, pole);
+        const auto linkage =
+            CopyingLinkage::make(spec.copy.k(), grounding, std::sqrt(one_w / one_t / 2),
+                                 std::sqrt(one_w * one_t / 2) * std::abs(branch.mode.s), mode.number, pole);
         if (!linkage) continue;
         for (std::size_t one = 0; one < layers.size(); ++one) {
           if (left.has(one)) continue;

@@ -158,18 +158,18 @@ std::optional<Figures> check(const Spec& spec, const Candidate& design) {
   if (inside(spec.region, design.pole)) return std::nullopt;
   nearest -= 1e-3 * farthest;  // between two steps of the walk it may be a little nearer
 
-  if (spec.limits.sheets_gap) {
+  if (spec.limits.copy_gap) {
     std::vector<Point> copy;
     for (const Point& place : walk(spec.region, 10))
       copy.push_back(design.pole + as_point(k * as_complex(place - design.pole)));
     for (const Point& one : copy) {
       if (inside(spec.region, one)) return std::nullopt;
       for (const Point& other : walk(spec.region, 10))
-        if ((one - other).norm() < *spec.limits.sheets_gap + 4) return std::nullopt;
+        if ((one - other).norm() < *spec.limits.copy_gap + 4) return std::nullopt;
     }
   }
 
-  const OpeningInterval whole = assembly_modes(s)[design.assembly_mode];
+  const OpeningInterval whole = assembly_modes(s)[design.assembly_mode].openings;
   Figures figures{std::abs(any.A - any.V) + std::abs(any.B - any.V) + half_perimeter(any.A, any.C, any.X) +
                       half_perimeter(any.B, any.C, any.Y),
                   pi};
@@ -231,7 +231,7 @@ Spec random_spec(Chance& chance) {
   spec.limits.transmission = radians(chance.uniform(15, 35));
   spec.tolerance = Tolerance{0.05, 0.02};
   if (chance.below(4) == 0) spec.limits.copy_error = chance.uniform(0.2, 1.5);
-  if (chance.below(4) == 0) spec.limits.sheets_gap = 5 * scale;
+  if (chance.below(4) == 0) spec.limits.copy_gap = 5 * scale;
   return spec;
 }
 
@@ -350,7 +350,7 @@ TEST(ProvenBound, IsTheSmallestOfAFineScanForAFixedPole) {
   for (int n = 0; n < test::samples(20); ++n) {
     Spec spec = random_spec(chance);
     spec.pole.place = Point(0, 0);
-    spec.limits.sheets_gap.reset();
+    spec.limits.copy_gap.reset();
     spec.limits.copy_error.reset();
     const auto bound =
         proven_bound(spec, Objective::size, {.tolerance = 1e-6, .self_contact = false}).value();
@@ -398,7 +398,7 @@ Spec scaled(const Spec& spec, double factor) {
   result.links.shortest *= factor;
   result.links.longest *= factor;
   result.limits.clearance *= factor;
-  if (result.limits.sheets_gap) *result.limits.sheets_gap *= factor;
+  if (result.limits.copy_gap) *result.limits.copy_gap *= factor;
   if (result.limits.copy_error) *result.limits.copy_error *= factor;
   result.tolerance = Tolerance{spec.tolerance->length * factor, spec.tolerance->play * factor};
   return result;
@@ -512,7 +512,7 @@ TEST(ProvenBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
   int designs = 0;
   for (int n = 0; n < test::samples(40); ++n) {
     Spec spec = random_spec(chance);
-    spec.limits.sheets_gap.reset();  // the check wants a margin of some millimetres there
+    spec.limits.copy_gap.reset();  // the check wants a margin of some millimetres there
     const auto bound = proven_bound(spec, Objective::size).value();
     EXPECT_EQ(bound.design.has_value(), bound.relaxation.has_value());
     if (!bound.design) continue;
@@ -582,10 +582,10 @@ TEST(ProvenBound, LockedLengthsRaiseIt) {
   spec.copy = Copy::of(1.4, pi / 2);
   spec.region = rectangle(100, -30, 80, 60);
   const double free = proven_bound(spec, Objective::size).value().value;
-  spec.links.workshop.locked[0] = 250;
+  spec.links.stock_lengths.locked[0] = 250;
   const auto locked = proven_bound(spec, Objective::size).value();
   EXPECT_TRUE(locked.no_design || locked.value > free);
-  spec.links.workshop.locked[3] = 260;  // BC = VA in every linkage
+  spec.links.stock_lengths.locked[3] = 260;  // BC = VA in every linkage
   EXPECT_TRUE(proven_bound(spec, Objective::size).value().no_design);
 }
 

@@ -6,7 +6,7 @@
 
 #include "geometry/region_reach.hpp"
 #include "geometry/regions/region_algebra.hpp"
-#include "synthesis/bound/sheets.hpp"
+#include "synthesis/bound/copy_gap.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "tests/samples.hpp"
@@ -128,7 +128,7 @@ TEST(SharedAssumptions, OnlyItsFootprintDiffersAndTheSearchLooksAtBoth) {
     if (!found) continue;
     const CopyingLinkage& linkage = found->linkage;
     const auto twin = CopyingLinkage::make(linkage.k(), linkage.grounding(), linkage.VA(), linkage.VB(),
-                                           1 - linkage.assembly_mode(), linkage.pole());
+                                           1 - linkage.assembly_mode().number, linkage.pole());
     ASSERT_TRUE(twin);
     const double area = footprint(*twin, spec.links.style, spec.region).area;
     differ += std::abs(area - found->value) > 1e-4 * area;
@@ -204,17 +204,17 @@ TEST(SharedAssumptions, SheetsSaidToBeTooNearForABoxOfPolesAreTooNearForEach) {
     spec.region = any_region(dice, i % 3);
     const double scale = dice.log_uniform(0.3, 3);
     spec.copy = Copy::of(scale, dice.uniform(-pi, pi));
-    spec.limits.sheets_gap = dice.uniform(0, 20);
+    spec.limits.copy_gap = dice.uniform(0, 20);
     const RegionReach reach(spec.region);
-    const bounding::SheetsGap sheets(spec, reach);
+    const bounding::CopyGap sheets(spec, reach);
     for (int j = 0; j < 10; ++j) {
       const Point pole = as_point(std::polar(dice.uniform(0, 200), dice.uniform(-pi, pi)));
       const double radius = dice.log_uniform(0.1, 20);
-      if (sheets.verdict(pole, radius) != bounding::SheetsGap::Verdict::too_near) continue;
+      if (sheets.verdict(pole, radius) != bounding::CopyGap::Verdict::too_near) continue;
       ++too_near;
       const Point one = pole + as_point(std::polar(radius * dice.uniform(0, 1), dice.uniform(-pi, pi)));
       EXPECT_FALSE(
-          are_apart(spec.region, similar_image(spec.region, spec.copy.k(), one), *spec.limits.sheets_gap))
+          are_apart(spec.region, similar_image(spec.region, spec.copy.k(), one), *spec.limits.copy_gap))
           << i << " " << j;
     }
   }

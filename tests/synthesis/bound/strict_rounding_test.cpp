@@ -46,7 +46,8 @@ std::array<long double, 4> exact_ends(Exact s) {
 }
 
 bounding::Branch branch_of(const Spec& spec, Grounding grounding, int number) {
-  return bounding::make_branch(spec, grounding, number, {});
+  const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
+  return bounding::make_branch(spec, grounding, modes[static_cast<std::size_t>(number)], {});
 }
 
 TEST(StrictRounding, EndsOfTheOpeningsAreRoundedOutwards) {
@@ -67,7 +68,7 @@ TEST(StrictRounding, EndsOfTheOpeningsAreRoundedOutwards) {
     };
     const auto count = assembly_modes(shape_of(spec.copy.k(), grounding)).size();
     for (std::size_t number = 0; number < count; ++number) {
-      const auto mode = branch_of(spec, grounding, static_cast<int>(number)).assembly_mode;
+      const auto mode = branch_of(spec, grounding, static_cast<int>(number)).mode;
       const long double far = nearest(mode.far_end), near = nearest(mode.near_end);
       if (near - far < 1e-6L) continue;
       ++compared;
@@ -89,7 +90,7 @@ struct ExactDesign {
   long double t, w;
   Exact pole;
 };
-std::array<Exact, 6> exact_joints(const ExactDesign& design, const bounding::AssemblyMode& mode, Complex k,
+std::array<Exact, 6> exact_joints(const ExactDesign& design, const bounding::ModeFacts& mode, Complex k,
                                   const Point& place, long double cosine) {
   const JointRoles roles = roles_of(mode.grounding);
   const Exact s = exact_shape(k, mode.grounding);
@@ -111,7 +112,7 @@ std::array<Exact, 6> exact_joints(const ExactDesign& design, const bounding::Ass
 }
 
 /// cos psi of a design with the tracer at a place, by the law of cosines.
-long double exact_cosine(const ExactDesign& design, const bounding::AssemblyMode& mode, Complex k,
+long double exact_cosine(const ExactDesign& design, const bounding::ModeFacts& mode, Complex k,
                          const Point& place) {
   const long double chain = mode.grounding == Grounding::pen ? std::abs(exact(k)) : 1.0L;
   const long double r = std::abs(exact(place) - design.pole) * chain;
@@ -129,7 +130,7 @@ TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
     if (std::abs(k - 1.0) < 0.05) continue;
     spec.copy = Copy::of(k);
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
-    const auto mode = branch_of(spec, grounding, 0).assembly_mode;
+    const auto mode = branch_of(spec, grounding, 0).mode;
     const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5);
     const double grow = i % 4 == 0 ? 1 : 1 + std::pow(10, dice.uniform(-15, -2));
     const Point pole{dice.uniform(-50, 50), dice.uniform(-50, 50)};

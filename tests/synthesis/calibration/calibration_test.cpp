@@ -245,7 +245,7 @@ TEST(Calibration, RefusesReadingsAtOneOpening) {
   CalibrationTask task = task_over_the_reach(linkage, links, Measures::Zero(), 0, 0, chance);
   std::vector<Point> inputs;
   for (int i = 0; i < 10; ++i)
-    inputs.push_back(linkage.tracer_at(linkage.assembly_interval().middle(), 0.1 * i));
+    inputs.push_back(linkage.tracer_at(linkage.assembly_mode().openings.middle(), 0.1 * i));
   task.readings = drawn_readings(task.setups[0], Measures::Zero(), inputs, 0, chance);
   EXPECT_NE(refusal(task).find("one opening"), std::string::npos) << refusal(task);
 }

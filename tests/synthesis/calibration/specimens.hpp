@@ -62,7 +62,7 @@ inline std::vector<Point> on_the_axis(double arm, int count) {
 
 /// Places all over the reach of a linkage.
 inline std::vector<Point> over_the_reach(const CopyingLinkage& linkage, int count, Chance& chance) {
-  const OpeningInterval openings = shrink(linkage.assembly_interval(), 0.3);
+  const OpeningInterval openings = shrink(linkage.assembly_mode().openings, 0.3);
   std::vector<Point> inputs;
   for (int i = 0; i < count; ++i)
     inputs.push_back(

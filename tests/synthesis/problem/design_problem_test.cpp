@@ -11,14 +11,19 @@ namespace kempe {
 namespace {
 
 constexpr std::array goals{Goal::size,     Goal::transmission, Goal::copy_error, Goal::clearance,
-                           Goal::shortest, Goal::longest,      Goal::sheets_gap, Goal::pole_margin};
+                           Goal::shortest, Goal::longest,      Goal::copy_gap,   Goal::pole_margin};
 
-/// A spec with everything in it: obstacles, sheets, tolerance.
+/// A spec with everything in it: obstacles, bodies, a table, sheets, tolerance.
 Spec full_spec(test::SpecDice& dice) {
   Spec spec = dice.spec();
   spec.tolerance = Tolerance{0.05, 0.02};
-  spec.limits.sheets_gap = dice.uniform(0, 10);
+  spec.limits.copy_gap = dice.uniform(0, 10);
   for (int i = 0; i < 3; ++i) spec.obstacles.push_back(dice.obstacle_beside(spec));
+  spec.bodies.push_back({Carrier::pen, Polygon{{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}, {}}, 1, 8, "router"});
+  spec.bodies.push_back({Carrier::tracer, Polygon{{{-5, -4}, {6, -4}, {4, 7}}, {}}, 1, 8, "hand"});
+  const Box around = bounding_box(spec.region);
+  spec.table = Region::rectangle(around.lower - Point(90, 120), around.upper - around.lower + Point(200, 220))
+                   .polygons.front();
   return spec;
 }
 
@@ -110,7 +115,8 @@ TEST(DesignProblem, EveryDerivativeIsThatOfItsValue) {
     // A contact's rows stand at its worst opening, and a gap of two axes that cross has its kink right there.
     EXPECT_LT(tally.kinks, (kind == Row::Kind::contact ? 0.2 : 0.05) * tally.seen + 3);
     EXPECT_LT(tally.rough, 0.05 * tally.seen + 3);
-    EXPECT_LT(tally.gradient, 5e-6);
+    // Near a dead point an obstacle's row bends so much that the differences themselves are off by 1e-5.
+    EXPECT_LT(tally.gradient, kind == Row::Kind::obstacle ? 2e-5 : 5e-6);
     EXPECT_LT(tally.hessian, 2e-4);
   }
   EXPECT_EQ(rows.size(), 13U) << "a kind of row was never met";

@@ -54,7 +54,7 @@ Spec times(Spec spec, double factor) {
   spec.links.shortest *= factor;
   spec.links.longest *= factor;
   spec.limits.clearance *= factor;
-  if (spec.limits.sheets_gap) *spec.limits.sheets_gap *= factor;
+  if (spec.limits.copy_gap) *spec.limits.copy_gap *= factor;
   return spec;
 }
 
@@ -74,7 +74,7 @@ TEST(LocalFrame, BoundIsTheSameFarFromTheOrigin) {
   test::SpecDice dice(2);
   for (int i = 0; i < test::samples(100); ++i) {
     Spec spec = spec_on_grid(dice, dice.one_in(3));
-    if (dice.one_in(3)) spec.limits.sheets_gap = dice.uniform(0, 10);
+    if (dice.one_in(3)) spec.limits.copy_gap = dice.uniform(0, 10);
     const Point shift = whole_shift(dice);
     const auto here = proven_bound(spec, {.boxes = 1000}),
                there = proven_bound(shifted(spec, shift), {.boxes = 1000});
@@ -118,7 +118,7 @@ TEST(LocalFrame, DesignsAreTheSameFarFromTheOriginAndVerified) {
     const Design whole = assemble_design(far, *design, {.largest_sheets = false});
     EXPECT_TRUE(whole.map.coverage.covered) << i << whole.map.coverage.why_not;
     const Verification verified = verify(verification_task(whole));
-    EXPECT_TRUE(verified.certified) << i << verified.failure;
+    EXPECT_TRUE(verified.holds) << i << verified.failure;
   }
 }
 
@@ -136,7 +136,7 @@ TEST(LocalFrame, DesignsAreTheSameAtAnySize) {
     const Design whole = assemble_design(other, *design, {.largest_sheets = false});
     EXPECT_TRUE(whole.map.coverage.covered) << i << whole.map.coverage.why_not;
     const Verification verified = verify(verification_task(whole));
-    EXPECT_TRUE(verified.certified) << i << verified.failure;
+    EXPECT_TRUE(verified.holds) << i << verified.failure;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(LocalFrame, DesignsChangeSmoothlyTowardsStraightPlates) {
       const Design design = assemble_design(spec, *found, {.largest_sheets = false});
       EXPECT_TRUE(design.map.coverage.covered) << i << " " << bend << design.map.coverage.why_not;
       const Verification verified = verify(verification_task(design));
-      EXPECT_TRUE(verified.certified) << i << " " << bend << " " << verified.failure;
+      EXPECT_TRUE(verified.holds) << i << " " << bend << " " << verified.failure;
     }
   }
 }
@@ -187,7 +187,7 @@ TEST(LocalFrame, DesignsWithoutATransmissionLimitAreVerified) {
       EXPECT_GE(found->value, *found->proven_bound) << i;
     }
     const Verification verified = verify(verification_task(design));
-    EXPECT_TRUE(verified.certified) << i << verified.failure;
+    EXPECT_TRUE(verified.holds) << i << verified.failure;
   }
   EXPECT_GT(near_the_end, test::expected(1));
 }

@@ -1,5 +1,5 @@
 // Exit 3: what is in the way, and the least that would do.
-#include "synthesis/search/diagnosis.hpp"
+#include "synthesis/search/diagnosis/diagnosis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,11 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "specs/hardware.hpp"
 #include "specs/spec_reader.hpp"
-#include "synthesis/search/best_design.hpp"
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/pareto.hpp"
-#include "synthesis/search/plain_reasons.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
@@ -30,7 +31,7 @@ Requirements with(Requirements limits, Goal goal, double value) {
     case Goal::clearance: limits.clearance = value; break;
     case Goal::shortest: limits.shortest = value; break;
     case Goal::longest: limits.longest = value; break;
-    case Goal::sheets_gap: limits.sheets_gap = value; break;
+    case Goal::copy_gap: limits.copy_gap = value; break;
     case Goal::copy_error: limits.copy_error = value; break;
     case Goal::pole_margin: limits.pole_margin = value; break;
     default: ADD_FAILURE() << "not a limit";
@@ -72,7 +73,7 @@ Region grown_box(const Region& area, double margin) {
 void leave_out_lock(Spec& spec, const std::string& key) {
   for (std::size_t i = 0; i < 8; ++i)
     if (key == "links." + std::string(LinkLengths::names[i]) + "_mm")
-      spec.links.workshop.locked[i] = std::nullopt;
+      spec.links.stock_lengths.locked[i] = std::nullopt;
 }
 
 /// What a person makes of a relaxation who reads nothing but its key and its sentence.
@@ -82,17 +83,23 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
   if (key == "limits.transmission_deg") spec.limits.transmission = radians(value());
   if (key == "limits.clearance_mm") spec.limits.clearance = value();
   if (key == "limits.sheets_gap_mm")
-    spec.limits.sheets_gap = left_out ? std::nullopt : std::optional<double>(value());
+    spec.limits.copy_gap = left_out ? std::nullopt : std::optional<double>(value());
   if (key == "limits.copy_error_mm")
     spec.limits.copy_error = left_out ? std::nullopt : std::optional<double>(value());
   if (key == "links.longest_mm") spec.links.longest = value();
+  if (key == "limits.longest_strip_mm") spec.limits.longest_strip = value();
+  if (key == "links.hardware") {
+    const std::size_t from = sentence.rfind('"', sentence.rfind('"') - 1) + 1;
+    spec.links.hardware = sentence.substr(from, sentence.rfind('"') - from);
+    spec.links.style.pin_diameter = hardware_named(spec.links.hardware)->pin;
+  }
   if (key == "links.shortest_mm") spec.links.shortest = value();
   if (key == "links.wall_mm") spec.links.wall = value();
   if (key == "links.pin_diameter_mm") spec.links.style.pin_diameter = value();
   if (key == "links.width_mm") spec.links.style.width = value();
   if (key == "links.layers") spec.links.layers = static_cast<int>(value());
-  if (key == "links.grid_mm") spec.links.workshop.grid = std::nullopt;
-  if (key == "links.stock_mm") spec.links.workshop.stock.clear();
+  if (key == "links.grid_mm") spec.links.stock_lengths.grid = std::nullopt;
+  if (key == "links.stock_mm") spec.links.stock_lengths.stock.clear();
   if (key == "objective.groundings")
     spec.objective.groundings = {all_groundings.begin(), all_groundings.end()};
   leave_out_lock(spec, key);
@@ -151,6 +158,16 @@ TEST(Diagnosis, OfLinksTooShortForTheRegion) {
   check(spec, none);
 }
 
+TEST(Diagnosis, OfAStripTooShortForTheRegion) {
+  Spec spec = example("nameplate");
+  spec.limits.longest_strip = 60 + spec.links.style.width;
+  const NoDesign none = nothing_for(spec);
+  ASSERT_FALSE(none.relaxations.empty());
+  EXPECT_EQ(none.requirement, "limits.longest_strip_mm");
+  for (const Relaxation& relaxation : none.relaxations) EXPECT_NE(relaxation.key, "links.longest_mm");
+  check(spec, none);
+}
+
 /// A plagiograph with lengths up to 72 mm, which leave joints 41.8 mm apart at most.
 Spec short_arms(double pin, std::optional<double> wall = std::nullopt) {
   Spec spec = example("plagiograph");
@@ -195,13 +212,13 @@ TEST(Diagnosis, OfHolesThatKeepJointsApartNamesWallOrPin) {
   }
 }
 
-TEST(Diagnosis, ALengthOfTheWorkshopNearerThanItsHolesIsNamedWithoutASearch) {
+TEST(Diagnosis, AStockLengthNearerThanItsHolesIsNamedWithoutASearch) {
   const Spec base = example("plagiograph");
   const double pin = base.links.style.pin_diameter;
   std::vector<Spec> specs(4, base);
-  specs[0].links.workshop.locked[4] = 1.05 * pin;
-  specs[1].links.workshop.stock = {0.5 * pin, pin, 1.09 * pin};
-  specs[2].links.workshop.grid = 1.09 * pin;
+  specs[0].links.stock_lengths.locked[4] = 1.05 * pin;
+  specs[1].links.stock_lengths.stock = {0.5 * pin, pin, 1.09 * pin};
+  specs[2].links.stock_lengths.grid = 1.09 * pin;
   specs[2].links.longest = 2 * pin;
   specs[3].links.longest = 1.09 * pin;
   for (Spec& spec : specs) {
@@ -297,7 +314,7 @@ Spec copy_on_its_original(double gap) {
   spec.pole.place = Point(0, 0);
   spec.links = LinkSpec{};
   spec.limits = Limits{};
-  spec.limits.sheets_gap = gap;
+  spec.limits.copy_gap = gap;
   return spec;
 }
 
@@ -335,13 +352,72 @@ TEST(Diagnosis, APoleThatMayStandNowhereWithoutOverlapLosesTheGap) {
   check(spec, none);
 }
 
+NoDesign nothing_within(const Spec& spec, std::uint64_t evaluations) {
+  SearchOptions options;
+  options.budgets.diagnosis.evaluations = evaluations;
+  const SearchOutcome outcome = synthesize(spec, options);
+  const auto* none = std::get_if<NoDesign>(&outcome);
+  EXPECT_TRUE(none) << "there is a design";
+  return none ? *none : NoDesign{};
+}
+
+std::uint64_t evaluations_undiagnosed(const Spec& spec) {
+  const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+  const auto* none = std::get_if<NoDesign>(&outcome);
+  EXPECT_TRUE(none) << "there is a design";
+  return none ? none->evaluations : 0;
+}
+
+bool says_it_may_be_smaller(const std::string& sentence) {
+  return sentence.find("a smaller change may do") != std::string::npos;
+}
+
+/// Too short links, and too large an angle of transmission.
+std::vector<Spec> specs_without_designs() {
+  Spec short_links = example("nameplate");
+  short_links.links.longest = 60;
+  Spec large_angle = example("plagiograph");
+  large_angle.limits.transmission = radians(75);
+  return {short_links, large_angle};
+}
+
+TEST(Diagnosis, EndsWithItsBudgetAndSaysWhatNeedNotBeTheLeast) {
+  int not_least = 0;
+  for (const Spec& spec : specs_without_designs()) {
+    const std::uint64_t before = evaluations_undiagnosed(spec);
+    const NoDesign whole = nothing_for(spec);
+    EXPECT_TRUE(whole.diagnosed);
+    for (const Relaxation& one : whole.relaxations) EXPECT_TRUE(one.is_least) << one.sentence;
+    std::uint64_t last = before;
+    // Each search counts as 20 000 evaluations at least: so many searches may begin.
+    for (const std::uint64_t searches : {0U, 1U, 3U, 5U, 7U}) {
+      SCOPED_TRACE(searches);
+      const NoDesign none = nothing_within(spec, searches * DiagnosisBudget{}.least_of_search);
+      EXPECT_FALSE(none.diagnosed);
+      EXPECT_GE(none.evaluations, last) << "more budget, more work";
+      EXPECT_LE(none.evaluations, whole.evaluations);
+      EXPECT_TRUE(searches > 0 || none.evaluations == before) << "no budget, no search";
+      last = none.evaluations;
+      for (const Relaxation& one : none.relaxations) {
+        EXPECT_EQ(one.is_least, !says_it_may_be_smaller(one.sentence)) << one.sentence;
+        EXPECT_TRUE(has_design(as_told(spec, one.key, one.sentence))) << one.sentence;
+        not_least += !one.is_least;
+      }
+      const NoDesign again = nothing_within(spec, searches * DiagnosisBudget{}.least_of_search);
+      EXPECT_EQ(again.sentence, none.sentence);
+      EXPECT_EQ(again.evaluations, none.evaluations);
+    }
+  }
+  EXPECT_GT(not_least, 0);
+}
+
 /// Every single key that restricts designs, left out or at the loosest value that a spec may state.
 std::vector<std::pair<std::string, Spec>> each_left_out(const Spec& spec) {
   std::vector<std::pair<std::string, Spec>> specs;
   const auto add = [&](const char* key) -> Spec& { return specs.emplace_back(key, spec).second; };
   add("transmission").limits.transmission = 0;
   add("clearance").limits.clearance = 0;
-  add("sheets gap").limits.sheets_gap = std::nullopt;
+  add("sheets gap").limits.copy_gap = std::nullopt;
   add("copy error").limits.copy_error = std::nullopt;
   add("longest").links.longest = 1e6;
   add("shortest").links.shortest = 1e-3;
@@ -351,8 +427,8 @@ std::vector<std::pair<std::string, Spec>> each_left_out(const Spec& spec) {
   add("layers").links.layers = 4;
   add("groundings").objective.groundings = {all_groundings.begin(), all_groundings.end()};
   add("obstacles").obstacles.clear();
-  add("grid").links.workshop.grid = std::nullopt;
-  add("locks").links.workshop.locked[0] = std::nullopt;
+  add("grid").links.stock_lengths.grid = std::nullopt;
+  add("locks").links.stock_lengths.locked[0] = std::nullopt;
   const Box box = bounding_box(spec.region);
   const Point far(600, 600);
   add("pole").pole.place = Region::rectangle(box.lower - far, box.upper - box.lower + 2 * far);
@@ -365,9 +441,9 @@ Spec greedy_spec(test::SpecDice& dice) {
   for (int n = 0; n < 2; ++n) {
     const double kind = dice.uniform(0, 9);
     if (kind < 1)
-      spec.limits.sheets_gap = dice.uniform(0, 150);
+      spec.limits.copy_gap = dice.uniform(0, 150);
     else if (kind < 2)
-      spec.limits.sheets_gap = 0;
+      spec.limits.copy_gap = 0;
     else if (kind < 3)
       spec.limits.transmission = radians(dice.uniform(40, 85));
     else if (kind < 4)
@@ -377,15 +453,15 @@ Spec greedy_spec(test::SpecDice& dice) {
     else if (kind < 6)
       spec.links.style.width = 2 * (spec.links.style.pin_diameter = dice.uniform(15, 80));
     else if (kind < 7)
-      spec.links.workshop.locked[0] = dice.uniform(20, 600);
+      spec.links.stock_lengths.locked[0] = dice.uniform(20, 600);
     else if (kind < 8)
       spec.limits.clearance = dice.uniform(5, 80);
     else
       spec.objective.groundings = {all_groundings[static_cast<std::size_t>(dice.uniform(0, 3))]};
   }
-  if (spec.links.workshop.locked[0])
-    spec.links.workshop.locked[0] =
-        std::clamp(*spec.links.workshop.locked[0], spec.links.shortest, spec.links.longest);
+  if (spec.links.stock_lengths.locked[0])
+    spec.links.stock_lengths.locked[0] =
+        std::clamp(*spec.links.stock_lengths.locked[0], spec.links.shortest, spec.links.longest);
   return spec;
 }
 

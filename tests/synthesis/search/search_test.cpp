@@ -134,7 +134,7 @@ TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
   for (int i = 0; i < test::samples(60); ++i) {
     Spec spec = dice.spec();
     if (dice.one_in(3)) spec.objective.objective = Objective::transmission;
-    if (dice.one_in(4)) spec.limits.sheets_gap = dice.uniform(0, 10);
+    if (dice.one_in(4)) spec.limits.copy_gap = dice.uniform(0, 10);
     const auto found = found_for(spec);
     if (!found) continue;
     ++designs;
@@ -142,7 +142,7 @@ TEST(Search, DesignsOfRandomSpecsAreVerifiedAndAboveTheirBound) {
     const Design design = assembled(spec, *found);
     EXPECT_TRUE(design.map.coverage.covered) << i << design.map.coverage.why_not;
     const Verification verified = verify(verification_task(design));
-    EXPECT_TRUE(verified.certified) << i << verified.failure;
+    EXPECT_TRUE(verified.holds) << i << verified.failure;
     if (!design.quality.proven_bound) continue;
     if (is_maximized(spec.objective.objective))
       EXPECT_LE(found->value, *design.quality.proven_bound) << i;
@@ -255,7 +255,7 @@ TEST(Search, GoesRoundObstacles) {
     EXPECT_TRUE(design.map.coverage.covered) << i << design.map.coverage.why_not;
     EXPECT_GE(design.quality.clearance_min, spec.limits.clearance);
     const Verification verified = verify(verification_task(design));
-    EXPECT_TRUE(verified.certified) << i << verified.failure;
+    EXPECT_TRUE(verified.holds) << i << verified.failure;
   }
   EXPECT_GT(designs, test::expected(10));
   EXPECT_GT(moved, test::expected(2)) << "no obstacle was ever in the way";
@@ -280,12 +280,12 @@ TEST(Search, KeepsTheSheetsApart) {
   int designs = 0;
   for (int i = 0; i < test::samples(20); ++i) {
     Spec spec = dice.spec();
-    spec.limits.sheets_gap = dice.uniform(1, 15);
+    spec.limits.copy_gap = dice.uniform(1, 15);
     const auto found = found_for(spec);
     if (!found) continue;
     ++designs;
     const Region copy = similar_image(spec.region, spec.copy.k(), found->linkage.pole());
-    EXPECT_GE(boundary_distance(spec.region, copy), *spec.limits.sheets_gap * (1 - 1e-9));
+    EXPECT_GE(boundary_distance(spec.region, copy), *spec.limits.copy_gap * (1 - 1e-9));
     EXPECT_FALSE(contains(spec.region, copy.polygons[0].outer[0]));
     EXPECT_FALSE(contains(copy, spec.region.polygons[0].outer[0]));
   }

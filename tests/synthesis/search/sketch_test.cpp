@@ -145,10 +145,10 @@ TEST(Sketch, FindsItsWayBack) {
   EXPECT_NEAR(last.design->value, size, 1e-6 * size);
 }
 
-TEST(Sketch, LeavesLengthsOfTheWorkshopToTheSearch) {
+TEST(Sketch, LeavesStockLengthsToTheSearch) {
   Spec spec = example("plagiograph");
   const SketchedDesign start = sketch_of(*searched(spec));
-  spec.links.workshop.grid = 5;
+  spec.links.stock_lengths.grid = 5;
   EXPECT_FALSE(sketched(spec, start).design);
 }
 

@@ -5,7 +5,7 @@
 
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/steps/design_check.hpp"
-#include "synthesis/search/strategies/workshop_lengths.hpp"
+#include "synthesis/search/strategies/ratio_lengths.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
@@ -30,17 +30,17 @@ bool is_multiple(double length, double grid) {
   return std::abs(length / grid - std::round(length / grid)) < 1e-9;
 }
 
-TEST(Workshop, ARationalRatioKeepsItsExactCopyOnTheGrid) {
-  const WorkshopLengths lengths = workshop_lengths({.grid = 5.0, .stock = {}, .locked = {}}, 7.0 / 5, 200);
+TEST(StockLengthSearch, ARationalRatioKeepsItsExactCopyOnTheGrid) {
+  const RatioLengths lengths = stock_lengths_for({.grid = 5.0, .stock = {}, .locked = {}}, 7.0 / 5, 200);
   for (const double VA : lengths.VA) EXPECT_TRUE(is_multiple(VA, 25)) << VA;
   for (const double VB : lengths.VB) EXPECT_TRUE(is_multiple(VB, 35)) << VB;
   EXPECT_EQ(lengths.VA.size(), 5U);  // 25, 50, .. 125: 1.4 times 150 is longer than 200
   EXPECT_EQ(lengths.VB.size(), 5U);  // 35, .. 175
 }
 
-TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
+TEST(StockLengthSearch, TheGridsDesignIsTheSmallestOfAll) {
   Spec spec = quarter_turn();
-  spec.links.workshop.grid = 5;
+  spec.links.stock_lengths.grid = 5;
   const auto found = found_for(spec);
   ASSERT_TRUE(found);
   EXPECT_LT(std::abs(found->linkage.k() - spec.copy.k()), 1e-12);
@@ -66,10 +66,10 @@ TEST(Workshop, TheGridsDesignIsTheSmallestOfAll) {
   EXPECT_NEAR(found->value, best, 1e-9 * best);
 }
 
-TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
+TEST(StockLengthSearch, AnIrrationalRatioIsStatedWithItsError) {
   Spec spec = quarter_turn();
   spec.copy = Copy::of(std::sqrt(2.0), 0.6);
-  spec.links.workshop.grid = 5;
+  spec.links.stock_lengths.grid = 5;
   spec.links.longest = 300;
   const auto found = found_for(spec);
   ASSERT_TRUE(found);
@@ -88,13 +88,13 @@ TEST(Workshop, AnIrrationalRatioIsStatedWithItsError) {
   EXPECT_FALSE(design.quality.proven_bound) << "the bound is one of the exact ratio";
 }
 
-TEST(Workshop, AFineGridCostsNothing) {
+TEST(StockLengthSearch, AFineGridCostsNothing) {
   Spec spec = quarter_turn();
   spec.objective.groundings = {Grounding::pole};  // |s| = 1.4; that of the others is irrational
   const auto free = found_for(spec);
   ASSERT_TRUE(free);
   for (const double grid : {1.0, 0.1, 0.01}) {
-    spec.links.workshop.grid = grid;
+    spec.links.stock_lengths.grid = grid;
     const auto found = found_for(spec);
     ASSERT_TRUE(found) << grid;
     EXPECT_GE(found->value, free->value * (1 - 1e-9));
@@ -103,7 +103,7 @@ TEST(Workshop, AFineGridCostsNothing) {
   }
 }
 
-TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
+TEST(StockLengthSearch, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
   test::SpecDice dice(77);
   int compared = 0, small = 0;
   const int wanted = test::samples(20);
@@ -113,7 +113,7 @@ TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
     const auto free = found_for(spec);
     if (!free) continue;
     const auto lengths = free->linkage.lengths().values();
-    spec.links.workshop.grid = *std::max_element(lengths.begin(), lengths.end()) / 40;
+    spec.links.stock_lengths.grid = *std::max_element(lengths.begin(), lengths.end()) / 40;
     const auto found = found_for(spec);
     if (!found) continue;
     ++compared;
@@ -127,15 +127,15 @@ TEST(Workshop, AnInexactRatioIsTakenOnlyAsNearAsTheInstrumentStaysSmall) {
   EXPECT_GE(small, wanted < 20 ? 0 : wanted * 3 / 4);  // a share, which two cases do not tell
 }
 
-TEST(Workshop, StockLengthsAreTheOnlyOnesUsed) {
+TEST(StockLengthSearch, StockLengthsAreTheOnlyOnesUsed) {
   Spec spec = quarter_turn();
   spec.copy = Copy::of(2, pi);
-  spec.links.workshop.stock = {60, 80, 100, 120, 160, 200, 240, 300};
+  spec.links.stock_lengths.stock = {60, 80, 100, 120, 160, 200, 240, 300};
   const auto found = found_for(spec);
   ASSERT_TRUE(found);
   const LinkLengths lengths = found->linkage.lengths();
   for (const double length : {lengths.VA, lengths.VB, lengths.AX, lengths.BY}) {
-    const auto& stock = spec.links.workshop.stock;
+    const auto& stock = spec.links.stock_lengths.stock;
     EXPECT_TRUE(std::any_of(stock.begin(), stock.end(), [&](double one) {
       return std::abs(one - length) < 1e-9;
     })) << length;
@@ -144,7 +144,7 @@ TEST(Workshop, StockLengthsAreTheOnlyOnesUsed) {
 
 /// Only the pole is left to be found, often in a small part of its area and with an obstacle beside it. The best design is
 /// one of slightly stricter limits: else its pole would be the only one, to the last digit.
-TEST(Workshop, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
+TEST(StockLengthSearch, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
   test::SpecDice dice(31);
   int compared = 0;
   const int wanted = test::samples(20);
@@ -158,8 +158,8 @@ TEST(Workshop, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
     const auto best = found_for(strict);
     if (!best) continue;
     const LinkLengths lengths = best->linkage.lengths();
-    spec.links.workshop.stock = {lengths.VA, lengths.VB, lengths.AX, lengths.BY};
-    std::sort(spec.links.workshop.stock.begin(), spec.links.workshop.stock.end());
+    spec.links.stock_lengths.stock = {lengths.VA, lengths.VB, lengths.AX, lengths.BY};
+    std::sort(spec.links.stock_lengths.stock.begin(), spec.links.stock_lengths.stock.end());
     const auto again = found_for(spec);
     ASSERT_TRUE(again) << "spec " << i;
     const double worse = is_maximized(best->goal) ? best->value / again->value : again->value / best->value;
@@ -169,13 +169,13 @@ TEST(Workshop, AStockThatHoldsTheBestDesignsLengthsGivesThatDesign) {
   EXPECT_EQ(compared, wanted);
 }
 
-TEST(Workshop, ALockedLengthIsKeptAndTheRestSolved) {
+TEST(StockLengthSearch, ALockedLengthIsKeptAndTheRestSolved) {
   Spec spec = quarter_turn();
   spec.limits.transmission = radians(25);
   const auto free = found_for(spec);
   ASSERT_TRUE(free);
   for (const double VA : {125.0, 135.0, 150.0}) {
-    spec.links.workshop.locked[0] = VA;
+    spec.links.stock_lengths.locked[0] = VA;
     const auto found = found_for(spec);
     ASSERT_TRUE(found) << VA;
     EXPECT_NEAR(found->linkage.VA(), VA, 1e-9);
@@ -183,12 +183,12 @@ TEST(Workshop, ALockedLengthIsKeptAndTheRestSolved) {
   }
 }
 
-TEST(Workshop, ALockedLengthMayLieOnTheLimit) {
+TEST(StockLengthSearch, ALockedLengthMayLieOnTheLimit) {
   Spec spec = quarter_turn();
   const auto free = found_for(spec);
   ASSERT_TRUE(free);
-  spec.links.workshop.locked[0] = free->linkage.VA();
-  spec.links.workshop.locked[1] = free->linkage.VB();
+  spec.links.stock_lengths.locked[0] = free->linkage.VA();
+  spec.links.stock_lengths.locked[1] = free->linkage.VB();
   const auto lengths = free->linkage.lengths().values();
   const double least = *std::min_element(lengths.begin(), lengths.end());
   const double most = *std::max_element(lengths.begin(), lengths.end());
@@ -202,9 +202,9 @@ TEST(Workshop, ALockedLengthMayLieOnTheLimit) {
   EXPECT_FALSE(found_for(spec));
 }
 
-TEST(Workshop, AGridThatNoLengthFitsHasNoDesign) {
+TEST(StockLengthSearch, AGridThatNoLengthFitsHasNoDesign) {
   Spec spec = quarter_turn();
-  spec.links.workshop.grid = 350;
+  spec.links.stock_lengths.grid = 350;
   EXPECT_FALSE(found_for(spec));
 }
 

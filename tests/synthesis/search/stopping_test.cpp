@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "specs/spec_reader.hpp"
 #include "synthesis/bound/proven_bound.hpp"
@@ -41,19 +42,19 @@ Spec example(const std::string& name) {
   return *spec;
 }
 
-/// Specs whose searches are as different as can be: obstacles, four layers, footprint, lengths of the workshop, no design.
+/// Specs whose searches are as different as can be: obstacles, four layers, footprint, stock lengths, no design.
 std::vector<Spec> specimens() {
   Spec clamped = example("clamped-plate");
   Spec layers = example("nameplate");
   layers.links.layers = 4;
   Spec footprint = example("plagiograph");
   footprint.objective.objective = Objective::footprint;
-  Spec workshop = example("plagiograph");
-  workshop.links.workshop.grid = 5;
+  Spec stock_lengths = example("plagiograph");
+  stock_lengths.links.stock_lengths.grid = 5;
   Spec impossible = example("clamped-plate");
   impossible.links.longest = 0.7 * impossible.links.longest;
   impossible.limits.clearance = 4;
-  return {clamped, layers, footprint, workshop, impossible};
+  return {clamped, layers, footprint, stock_lengths, impossible, example("robust-plagiograph")};
 }
 
 SearchOutcome outcome_of(const Spec& spec, CountingStop& stop, double time_limit) {
@@ -178,12 +179,32 @@ TEST(Stopping, AMapStoppedEarlyCallsNothingFreeThatIsNot) {
     CountingStop stop(1 + static_cast<std::size_t>(share * static_cast<double>(none.polls())));
     const Design early = assemble_design(spec, found, {.stop = stop.flag()});
     EXPECT_FALSE(early.map.complete);
-    EXPECT_TRUE(early.map.coverage.covered);
+    EXPECT_TRUE(early.map.coverage.covered);  // as the search certified it
+    if (std::isfinite(early.map.clearance_min)) {
+      EXPECT_EQ(early.map.clearance_min, whole.map.clearance_min);
+    } else {
+      EXPECT_TRUE(early.map.clearance_min_parts.empty());
+    }
     EXPECT_LE(stop.after(), 10000U);  // a poll a cell that stays as it is
     EXPECT_LE(area(early.map.collision_free), area(whole.map.collision_free) + area(whole.map.uncertain));
     EXPECT_GE(area(early.map.collision_free) + area(early.map.uncertain),
               area(whole.map.collision_free) * (1 - 1e-9));
   }
+}
+
+TEST(Stopping, WithoutTimeEveryPhaseAfterTheSearchEndsAtOnceAndSaysSo) {
+  const Spec spec = example("clamped-plate");
+  CountingStop stop(1);
+  const auto linkage = given_linkage(spec, "");
+  ASSERT_TRUE(linkage);
+  const Design design = assemble_given(spec, *linkage, {.stop = stop.flag()});
+  EXPECT_FALSE(design.map.complete);
+  EXPECT_FALSE(design.map.coverage.covered);
+  EXPECT_TRUE(design.map.coverage.uncertain);
+  EXPECT_NE(design.map.coverage.why_not.find("stopped early"), std::string::npos);
+  EXPECT_TRUE(std::isinf(design.quality.footprint));
+  EXPECT_TRUE(design.footprint.polygons.empty());
+  EXPECT_LE(stop.polls(), 600U);
 }
 
 TEST(Stopping, AFrontStoppedEarlyIsWhatThereWas) {

@@ -1,9 +1,9 @@
 // The tree as a search among obstacles, beside the search of every choice, which shares nothing with it but the local solver.
-#include "synthesis/search/tree_search.hpp"
+#include "synthesis/search/strategies/tree_search.hpp"
 
 #include <gtest/gtest.h>
 
-#include "synthesis/search/best_design.hpp"
+#include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
@@ -69,7 +69,7 @@ TEST(TreeSearch, IsForObstaclesAndGoalsThatTheTreeKnows) {
   Spec spec = spec_among_obstacles(dice, 1);
   spec.obstacles.clear();
   EXPECT_FALSE(suits_tree_search(pose(spec, SearchControl({}))));
-  for (const Goal goal : {Goal::footprint, Goal::copy_error, Goal::clearance, Goal::sheets_gap}) {
+  for (const Goal goal : {Goal::footprint, Goal::copy_error, Goal::clearance, Goal::copy_gap}) {
     const Spec crowded = spec_among_obstacles(dice, 1);
     EXPECT_FALSE(suits_tree_search(pose(crowded, SearchControl({})).with(goal)));
   }

@@ -1,5 +1,4 @@
-// Copy error against instruments that are built wrong and closed numerically by the general solver: rigid
-// plates from three lengths by the law of cosines, holes displaced by the play. No formula of the library's
+// Copy error against instruments that are built wrong and closed numerically by the general solver. No formula of the library's
 // sensitivities is used.
 #include "synthesis/tolerance/copy_error.hpp"
 
@@ -7,91 +6,22 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <random>
 
-#include "kinematics/planar/solver.hpp"
-#include "tests/random.hpp"
+#include "tests/synthesis/tolerance/wrong_instruments.hpp"
 
 namespace kempe {
 namespace {
 
-class Chance {
- public:
-  explicit Chance(unsigned seed) : random_(seed) {}
-  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
-  double sign() { return random_() & 1 ? 1 : -1; }
-  Point on_circle(double radius) { return as_point(std::polar(radius, uniform(-pi, pi))); }
-  Point in_disc(double radius) { return on_circle(radius * std::sqrt(uniform(0, 1))); }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
-
- private:
-  std::mt19937_64 random_;
-};
-
-/// What is wrong with one instrument.
-struct Flaws {
-  std::array<double, 8> length{};
-  std::array<Point, 5> pin{Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero()};
-};
-
-/// Third corner of a triangle on its first side along x; `side` +1 if it lies to the left.
-Point third_corner(double first_side, double from_corner, double from_C, double side) {
-  const double x = (first_side * first_side + from_corner * from_corner - from_C * from_C) / (2 * first_side);
-  return {x, side * std::sqrt(from_corner * from_corner - x * x)};
-}
-
-/// A hole that a flat plate carries: `length` from the corner along its nominal direction, `out` across it.
-Point flat_hole(const Point& nominal, double length, double out) {
-  const Point along = nominal.normalized();
-  return along * length + Point(-along.y(), along.x()) * out;
-}
-
-double heading(const Point& from, const Point& to) { return std::arg(as_complex(to - from)); }
-/// `to` seen in the frame at `from` whose x axis runs towards `ahead`.
-Point seen_from(const Point& from, const Point& ahead, const Point& to) {
-  return as_point(as_complex(to - from) * std::polar(1.0, -heading(from, ahead)));
-}
+using namespace wrong_instruments;
 
 /// An instrument with these flaws and its tracer held at a place: where is the pen?
 Point pen_of(const CopyingLinkage& drawing, const Flaws& flaws, const Point& tracer) {
-  const Pose z = drawing.pose_with_tracer_at(tracer).value();
-  LinkLengths l = drawing.lengths();
-  const auto& e = flaws.length;
-  const bool flat = is_flat(drawing.shape());
-  const auto orientation = drawing.orientation();
-  const Point X = flat ? flat_hole(seen_from(z.A, z.C, z.X), l.AX + e[4], e[5])
-                       : third_corner(l.AC + e[2], l.AX + e[4], l.CX + e[5], orientation.plate_ACX);
-  const Point Y = flat ? flat_hole(seen_from(z.B, z.C, z.Y), l.BY + e[6], e[7])
-                       : third_corner(l.BC + e[3], l.BY + e[6], l.CY + e[7], orientation.plate_BCY);
-
-  PlanarLinkage linkage;
-  const int VA = linkage.add_body("VA"), VB = linkage.add_body("VB"), ACX = linkage.add_body("ACX"),
-            BCY = linkage.add_body("BCY");
-  const BodyPoint ground{0, drawing.pole()};
-  const auto& pin = flaws.pin;
-  const auto displaced = [](BodyPoint hole, const Point& by) {
-    return BodyPoint{hole.body, hole.local + by};
-  };
-  const bool pole_at_V = drawing.grounding() == Grounding::pole;
-  const BodyPoint V{VA, Point::Zero()}, X_hole{ACX, X}, Y_hole{BCY, Y};
-  linkage.add(Revolute{pole_at_V ? V : X_hole, displaced(ground, pin[0])});
-  linkage.add(Revolute{{VB, Point::Zero()}, displaced(pole_at_V ? ground : V, pin[1])});
-  linkage.add(Revolute{{ACX, Point::Zero()}, {VA, Point(l.VA + e[0], 0) + pin[2]}});
-  linkage.add(Revolute{{BCY, Point::Zero()}, {VB, Point(l.VB + e[1], 0) + pin[3]}});
-  linkage.add(Revolute{{ACX, Point(l.AC + e[2], 0) + pin[4]}, {BCY, Point(l.BC + e[3], 0)}});
-  const auto carried = [&](Joint joint) {
-    return joint == Joint::V ? V : joint == Joint::X ? X_hole : Y_hole;
-  };
-  linkage.drive_point(carried(drawing.tracer_joint()));
-
-  const PlanarPosition guess{{},
-                             {z.V, heading(z.V, z.A)},
-                             {z.V, heading(z.V, z.B)},
-                             {z.A, heading(z.A, z.C)},
-                             {z.B, heading(z.B, z.C)}};
-  const auto closed = solve_from(linkage, guess, {tracer.x(), tracer.y()});
-  EXPECT_TRUE(closed);
-  return closed ? place(closed->position, carried(drawing.pen_joint())) : Point(INFINITY, INFINITY);
+  const auto made = made_pose(drawing, flaws, tracer);
+  EXPECT_TRUE(made);
+  if (!made) return Point(INFINITY, INFINITY);
+  const auto& [VA, VB, ACX, BCY] = made->holes;
+  const Joint pen = drawing.pen_joint();
+  return pen == Joint::V ? VA[0] : pen == Joint::X ? ACX[2] : BCY[2];
 }
 
 Point true_pen(const CopyingLinkage& linkage, const Point& tracer) {
@@ -121,14 +51,14 @@ Case random_case(Chance& chance, double slimmest = 0.3) {
     const Grounding grounding = all_groundings[chance.below(3)];
     const double slim = flatness(shape_of(k, grounding));
     if (!is_flat(shape_of(k, grounding)) && slim < slimmest) continue;
-    const auto intervals = assembly_modes(shape_of(k, grounding));
-    const std::size_t assembly_mode = chance.below(intervals.size());
-    if (intervals[assembly_mode].width() < radians(60)) continue;
+    const auto modes = assembly_modes(shape_of(k, grounding));
+    const std::size_t assembly_mode = chance.below(modes.size());
+    if (modes[assembly_mode].openings.width() < radians(60)) continue;
     const auto linkage = CopyingLinkage::make(k, grounding, chance.uniform(60, 200), chance.uniform(60, 200),
                                               static_cast<int>(assembly_mode),
                                               {chance.uniform(-50, 50), chance.uniform(-50, 50)});
-    const double opening = intervals[assembly_mode].lower +
-                           chance.uniform(radians(25), intervals[assembly_mode].width() - radians(25));
+    const double opening = modes[assembly_mode].openings.lower +
+                           chance.uniform(radians(25), modes[assembly_mode].openings.width() - radians(25));
     return {*linkage, linkage->tracer_at(opening, chance.uniform(-pi, pi))};
   }
 }
@@ -185,10 +115,10 @@ TEST(CopyError, DependsOnTheOpeningAloneWhateverTheLengthsThePoleAndThePlace) {
   for (int n = 0; n < 300; ++n) {
     const auto [linkage, tracer] = random_case(chance);
     const double opening = linkage.opening_at((tracer - linkage.pole()).norm()).value();
-    const auto other =
-        CopyingLinkage::make(linkage.k(), linkage.grounding(), chance.uniform(20, 900),
-                             chance.uniform(20, 900), linkage.assembly_mode(), {chance.uniform(-9, 9), 3})
-            .value();
+    const auto other = CopyingLinkage::make(linkage.k(), linkage.grounding(), chance.uniform(20, 900),
+                                            chance.uniform(20, 900), linkage.assembly_mode().number,
+                                            {chance.uniform(-9, 9), 3})
+                           .value();
     const Point there = other.tracer_at(opening, chance.uniform(-pi, pi));
     const CopyErrorAt here = copy_error_at(linkage, tolerance, tracer).value();
     const CopyErrorAt same = copy_error_at(other, tolerance, there).value();
@@ -354,10 +284,10 @@ TEST(CopyError, OpeningsWithinALimitKeepItAndOthersDoNot) {
     const auto [linkage, tracer] = random_case(chance);
     const CopyErrorProfile profile = copy_error_profile(linkage, CopyTolerance::uniform({0.05, 0.02}));
     const double limit = copy_error_at(linkage, profile.tolerance(), tracer).value().worst;
-    const auto kept = profile.openings_within(limit, linkage.assembly_interval());
+    const auto kept = profile.openings_within(limit, linkage.assembly_mode().openings);
     for (int m = 1; m < 200; ++m) {
       const double opening =
-          linkage.assembly_interval().lower + linkage.assembly_interval().width() * m / 200;
+          linkage.assembly_mode().openings.lower + linkage.assembly_mode().openings.width() * m / 200;
       bool inside = false;
       double to_edge = 10;
       for (const OpeningInterval& each : kept) {
@@ -378,8 +308,8 @@ TEST(CopyError, OpeningsNotRuledOutHoldAllThatAreWithinTheLimitAndLittleElse) {
     const CopyErrorProfile profile = copy_error_profile(linkage, CopyTolerance::uniform({0.05, 0.02}));
     const double limit =
         copy_error_at(linkage, profile.tolerance(), tracer).value().worst * chance.uniform(0.8, 1.5);
-    const auto within = profile.openings_within(limit, linkage.assembly_interval());
-    const OpeningInterval hull = profile.openings_not_ruled_out(limit, linkage.assembly_interval());
+    const auto within = profile.openings_within(limit, linkage.assembly_mode().openings);
+    const OpeningInterval hull = profile.openings_not_ruled_out(limit, linkage.assembly_mode().openings);
     EXPECT_LE(within.empty() ? 0 : 1, hull.empty() ? 0 : 1);
     if (within.empty()) continue;
     EXPECT_LE(hull.lower, within.front().lower);
@@ -396,7 +326,7 @@ TEST(CopyError, LargestOverAnIntervalIsNotExceededInside) {
   for (int n = 0; n < 50; ++n) {
     const auto [linkage, tracer] = random_case(chance);
     const CopyErrorProfile profile = copy_error_profile(linkage, CopyTolerance::uniform({0.05, 0.02}));
-    const OpeningInterval within = shrink(linkage.assembly_interval(), radians(15));
+    const OpeningInterval within = shrink(linkage.assembly_mode().openings, radians(15));
     const auto largest = profile.largest(within);
     for (int m = 0; m <= 500; ++m) {
       const CopyErrorAt here = profile.at(within.lower + within.width() * m / 500);
@@ -404,12 +334,6 @@ TEST(CopyError, LargestOverAnIntervalIsNotExceededInside) {
       EXPECT_LE(here.rss, largest.rss.rss * (1 + 1e-6));
     }
   }
-}
-
-Region square_about(const Point& centre, double half) {
-  return {{{{centre + Point(-half, -half), centre + Point(half, -half), centre + Point(half, half),
-             centre + Point(-half, half)},
-            {}}}};
 }
 
 struct Placed {
@@ -490,7 +414,7 @@ TEST(CopyErrorOver, DoesNotLoseItselfInOtherFrames) {
     ErrorPlaces places_elsewhere{RegionReach(elsewhere), {}};
     for (const Point& place : places.places) places_elsewhere.places.push_back(moved(place));
     const auto other = CopyingLinkage::make(linkage.k(), linkage.grounding(), linkage.VA(), linkage.VB(),
-                                            linkage.assembly_mode(), moved(linkage.pole()))
+                                            linkage.assembly_mode().number, moved(linkage.pole()))
                            .value();
     const auto here = copy_error_over(linkage, tolerance, places).value();
     const auto there = copy_error_over(other, tolerance, places_elsewhere).value();

@@ -1,5 +1,4 @@
-// Robust designs against instruments that are built wrong within the tolerances and closed by the general planar solver:
-// plates from three lengths by the law of cosines, holes displaced by the play, gaps from segments' distances. No formula of
+// Robust designs against instruments that are built wrong within the tolerances: gaps from segments' distances. No formula of
 // check_robust() is used.
 #include "synthesis/tolerance/robust.hpp"
 
@@ -7,102 +6,19 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
 
-#include "geometry/complex_vectors.hpp"
-#include "kinematics/planar/solver.hpp"
 #include "specs/spec_reader.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
-#include "tests/random.hpp"
 #include "tests/samples.hpp"
+#include "tests/synthesis/tolerance/wrong_instruments.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
 
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double uniform(double lower, double upper) { return test::uniform(random_, lower, upper); }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
-  bool one_in(std::size_t n) { return below(n) == 0; }
-  double sign() { return one_in(2) ? 1 : -1; }
-  Point on_circle(double radius) { return as_point(std::polar(radius, uniform(-pi, pi))); }
-  Point in_disc(double radius) { return on_circle(radius * std::sqrt(uniform(0, 1))); }
-
- private:
-  std::mt19937_64 random_;
-};
-
-struct Flaws {
-  std::array<double, 8> length{};
-  std::array<Point, 5> pin{Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero(), Point::Zero()};
-};
-
-/// Holes of each link on the table, in the order of the link's name, and of the tracer.
-struct MadePose {
-  std::array<std::vector<Point>, 4> holes;
-  Point tracer = Point::Zero(), pole = Point::Zero();
-};
-
-Point third_corner(double a, double b, double c, double side) {
-  const double x = (a * a + b * b - c * c) / (2 * a);
-  return {x, side * std::sqrt(b * b - x * x)};
-}
-
-double heading(const Point& from, const Point& to) { return std::arg(as_complex(Point(to - from))); }
-
-/// Where a flat plate carries its third hole.
-Point flat_hole(const Pose& z, Joint corner, Joint third, double length, double out) {
-  const Point along = as_point(std::polar(1.0, heading(z[corner], z[third]) - heading(z[corner], z.C)));
-  return along * length + Point(-along.y(), along.x()) * out;
-}
-
-std::optional<MadePose> made_pose(const CopyingLinkage& drawing, const Flaws& flaws, const Point& tracer) {
-  const Pose z = drawing.pose_with_tracer_at(tracer).value();
-  const LinkLengths l = drawing.lengths();
-  const auto& e = flaws.length;
-  const bool flat = is_flat(drawing.shape());
-  const auto turn = drawing.orientation();
-  const Point X = flat ? flat_hole(z, Joint::A, Joint::X, l.AX + e[4], e[5])
-                       : third_corner(l.AC + e[2], l.AX + e[4], l.CX + e[5], turn.plate_ACX);
-  const Point Y = flat ? flat_hole(z, Joint::B, Joint::Y, l.BY + e[6], e[7])
-                       : third_corner(l.BC + e[3], l.BY + e[6], l.CY + e[7], turn.plate_BCY);
-  PlanarLinkage linkage;
-  const int VA = linkage.add_body("VA"), VB = linkage.add_body("VB"), ACX = linkage.add_body("ACX"),
-            BCY = linkage.add_body("BCY");
-  const auto& pin = flaws.pin;
-  const bool pole_at_V = drawing.grounding() == Grounding::pole;
-  const BodyPoint V{VA, Point::Zero()}, X_hole{ACX, X}, Y_hole{BCY, Y};
-  linkage.add(Revolute{pole_at_V ? V : X_hole, {0, drawing.pole() + pin[0]}});
-  linkage.add(Revolute{{VB, Point::Zero()},
-                       pole_at_V ? BodyPoint{0, drawing.pole() + pin[1]} : BodyPoint{VA, pin[1]}});
-  linkage.add(Revolute{{ACX, Point::Zero()}, {VA, Point(l.VA + e[0], 0) + pin[2]}});
-  linkage.add(Revolute{{BCY, Point::Zero()}, {VB, Point(l.VB + e[1], 0) + pin[3]}});
-  linkage.add(Revolute{{ACX, Point(l.AC + e[2], 0) + pin[4]}, {BCY, Point(l.BC + e[3], 0)}});
-  const auto carried = [&](Joint joint) {
-    return joint == Joint::V ? V : joint == Joint::X ? X_hole : Y_hole;
-  };
-  linkage.drive_point(carried(drawing.tracer_joint()));
-  const PlanarPosition guess{{},
-                             {z.V, heading(z.V, z.A)},
-                             {z.V, heading(z.V, z.B)},
-                             {z.A, heading(z.A, z.C)},
-                             {z.B, heading(z.B, z.C)}};
-  const auto closed = solve_from(linkage, guess, {tracer.x(), tracer.y()});
-  if (!closed) return std::nullopt;
-  const auto at = [&](int body, const Point& local) {
-    return place(closed->position, BodyPoint{body, local});
-  };
-  return MadePose{{{{at(VA, Point::Zero()), at(VA, {l.VA + e[0], 0})},
-                    {at(VB, Point::Zero()), at(VB, {l.VB + e[1], 0})},
-                    {at(ACX, Point::Zero()), at(ACX, {l.AC + e[2], 0}), at(ACX, X)},
-                    {at(BCY, Point::Zero()), at(BCY, {l.BC + e[3], 0}), at(BCY, Y)}}},
-                  tracer,
-                  drawing.pole()};
-}
+using namespace wrong_instruments;
 
 double point_to_segment(const Point& p, const Point& a, const Point& b) {
   const Point along = b - a;
@@ -194,14 +110,8 @@ std::array<int, 4> turns(const MadePose& z) {
           sign(turn_of(BCY[0], BCY[1], BCY[2]))};
 }
 
-Region square_about(const Point& centre, double half) {
-  return {{{{centre + Point(-half, -half), centre + Point(half, -half), centre + Point(half, half),
-             centre + Point(-half, half)},
-            {}}}};
-}
-
 /// Any ratio and grounding, one in four with straight plates, a few near a dead or change point.
-MapTask random_task(Dice& dice, bool near_the_end) {
+MapTask random_task(Chance& dice, bool near_the_end) {
   for (;;) {
     const double rotation = dice.one_in(4) ? (dice.one_in(2) ? pi : 0) : dice.uniform(-pi, pi);
     const Complex k = copy_ratio(std::exp(dice.uniform(-1.2, 1.2)), rotation);
@@ -210,12 +120,13 @@ MapTask random_task(Dice& dice, bool near_the_end) {
     const auto modes = assembly_modes(shape_of(k, grounding));
     const std::size_t mode = dice.below(modes.size());
     const double away = radians(near_the_end ? dice.uniform(0.5, 8) : 20);
-    if (modes[mode].width() < 2 * away + radians(20)) continue;
+    if (modes[mode].openings.width() < 2 * away + radians(20)) continue;
     const auto linkage =
         CopyingLinkage::make(k, grounding, dice.uniform(60, 200), dice.uniform(60, 200),
                              static_cast<int>(mode), {dice.uniform(-50, 50), dice.uniform(-50, 50)});
-    const double opening = near_the_end ? modes[mode].lower + away
-                                        : dice.uniform(modes[mode].lower + away, modes[mode].upper - away);
+    const double opening =
+        near_the_end ? modes[mode].openings.lower + away
+                     : dice.uniform(modes[mode].openings.lower + away, modes[mode].openings.upper - away);
     const Point tracer = linkage->tracer_at(opening, dice.uniform(-pi, pi));
     MapTask task{.linkage = *linkage, .style = {}, .layers = {}};
     task.style.width = dice.uniform(0.5, 8);
@@ -232,7 +143,7 @@ MapTask random_task(Dice& dice, bool near_the_end) {
   }
 }
 
-Flaws random_flaws(Dice& dice, const Tolerance& tolerance) {
+Flaws random_flaws(Chance& dice, const Tolerance& tolerance) {
   Flaws flaws;
   const bool at_limits = dice.one_in(2);
   for (double& each : flaws.length) each = tolerance.length * (at_limits ? dice.sign() : dice.uniform(-1, 1));
@@ -241,14 +152,14 @@ Flaws random_flaws(Dice& dice, const Tolerance& tolerance) {
   return flaws;
 }
 
-Point place_in(Dice& dice, const Region& region) {
+Point place_in(Chance& dice, const Region& region) {
   const Ring& corners = region.polygons[0].outer;
   if (dice.one_in(3)) return corners[dice.below(4)];
   return {dice.uniform(corners[0].x(), corners[2].x()), dice.uniform(corners[0].y(), corners[2].y())};
 }
 
 /// The instrument with the smallest gap that changing one flaw at a time comes to.
-Flaws worst_flaws(Dice& dice, const Tolerance& tolerance, const std::function<double(const Flaws&)>& gap) {
+Flaws worst_flaws(Chance& dice, const Tolerance& tolerance, const std::function<double(const Flaws&)>& gap) {
   Flaws worst = random_flaws(dice, tolerance);
   for (double& each : worst.length) each = std::copysign(tolerance.length, each);
   double least = gap(worst);
@@ -272,7 +183,7 @@ Flaws worst_flaws(Dice& dice, const Tolerance& tolerance, const std::function<do
 }
 
 TEST(Robust, EveryInstrumentClosesOnItsAssemblyAndKeepsTheStatedClearance) {
-  Dice dice(1);
+  Chance dice(1);
   int proven = 0;
   int measured = 0;
   double most = 0, sum = 0;
@@ -327,7 +238,7 @@ TEST(Robust, EveryInstrumentClosesOnItsAssemblyAndKeepsTheStatedClearance) {
 }
 
 TEST(Robust, NoToleranceIsTheDrawnInstrument) {
-  Dice dice(2);
+  Chance dice(2);
   for (int n = 0; n < test::samples(60); ++n) {
     const MapTask task = random_task(dice, false);
     const RobustCheck check = check_robust(task, {});
@@ -346,7 +257,7 @@ TEST(Robust, NoToleranceIsTheDrawnInstrument) {
 }
 
 TEST(Robust, ToleratesLessWhereMoreIsAllowed) {
-  Dice dice(3);
+  Chance dice(3);
   for (int n = 0; n < test::samples(40); ++n) {
     const MapTask task = random_task(dice, dice.one_in(3));
     double before = INFINITY;
@@ -360,7 +271,7 @@ TEST(Robust, ToleratesLessWhereMoreIsAllowed) {
 }
 
 TEST(Robust, InstrumentsKeepTheStatedClearanceToObstacles) {
-  Dice dice(4);
+  Chance dice(4);
   int looked_at = 0;
   for (int n = 0; n < test::samples(60); ++n) {
     MapTask task = random_task(dice, false);
@@ -383,7 +294,7 @@ TEST(Robust, InstrumentsKeepTheStatedClearanceToObstacles) {
 }
 
 TEST(Robust, IsTheSameWhereverTheLinkageStands) {
-  Dice dice(5);
+  Chance dice(5);
   for (int n = 0; n < test::samples(30); ++n) {
     const MapTask task = random_task(dice, false);
     const CopyTolerance tolerance = CopyTolerance::uniform({0.05, 0.02});
@@ -392,7 +303,7 @@ TEST(Robust, IsTheSameWhereverTheLinkageStands) {
     const Point by(dice.uniform(-300, 300), 70);
     other.linkage =
         CopyingLinkage::make(task.linkage.k(), task.linkage.grounding(), task.linkage.VA(), task.linkage.VB(),
-                             task.linkage.assembly_mode(), task.linkage.pole() + by)
+                             task.linkage.assembly_mode().number, task.linkage.pole() + by)
             .value();
     for (Point& corner : other.region.polygons[0].outer) corner += by;
     const RobustCheck there = check_robust(other, tolerance);
@@ -417,9 +328,7 @@ Spec plagiograph(const Tolerance& tolerance) {
 }
 
 RobustCheck check_of(const Spec& spec, const FoundDesign& found) {
-  return check_robust(
-      map_task(found.linkage, spec.links.style, found.layers, spec.limits, spec.obstacles, spec.region),
-      CopyTolerance::uniform(*spec.tolerance));
+  return check_robust(map_task(found.linkage, found.layers, spec), CopyTolerance::uniform(*spec.tolerance));
 }
 
 TEST(RobustSearch, MakesTheOptimumRobustAndTellsWhatThatCosts) {

@@ -23,7 +23,7 @@ class Random {
 TraceTask task(Complex k, Grounding grounding, double VA, double VB, int assembly_mode,
                Point pole = Point::Zero()) {
   const auto linkage = *CopyingLinkage::make(k, grounding, VA, VB, assembly_mode, pole);
-  const OpeningInterval all = linkage.assembly_interval();
+  const OpeningInterval all = linkage.assembly_mode().openings;
   return {MapTask{linkage, {}, {}, 0, 0, {}, {}, std::nullopt}, shrink(all, 0.15 * all.width())};
 }
 

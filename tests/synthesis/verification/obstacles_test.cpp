@@ -27,7 +27,7 @@ CopyingLinkage random_linkage(std::mt19937_64& random, double far) {
     const Point pole = place(random, far);
     const auto made = CopyingLinkage::make(std::polar(scale, turn), grounding, VA, VB,
                                            static_cast<int>(random() % 2), pole);
-    if (made && made->assembly_interval().width() > radians(40)) return *made;
+    if (made && made->assembly_mode().openings.width() > radians(40)) return *made;
   }
 }
 
@@ -77,7 +77,7 @@ TEST(ObstacleWatch, GapIsThatOfManyPoints) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 100; ++i) {
     const CopyingLinkage linkage = random_linkage(random, 300);
-    const OpeningInterval& openings = linkage.assembly_interval();
+    const OpeningInterval& openings = linkage.assembly_mode().openings;
     const double opening = uniform(random, openings.lower, openings.upper);
     const Pose pose = linkage.pose_at(opening, uniform(random, -pi, pi));
     VerificationTask task;
@@ -144,10 +144,10 @@ TEST(ObstacleWatch, FindsWhatStandsInTheWayWhereverThePoleStands) {
     const CopyingLinkage linkage = random_linkage(random, i % 2 ? 1e5 : 0);
     VerificationTask task;
     const OpeningInterval openings =
-        shrink(linkage.assembly_interval(), 0.2 * linkage.assembly_interval().width());
+        shrink(linkage.assembly_mode().openings, 0.2 * linkage.assembly_mode().openings.width());
     task.region = sector(linkage, openings, uniform(random, -3, 3));
     task.mechanism = {linkage.lengths(),
-                      linkage.orientation(),
+                      linkage.assembly_mode().sides,
                       linkage.pole_joint(),
                       linkage.tracer_joint(),
                       linkage.pen_joint(),

@@ -24,7 +24,7 @@ Region rectangle(const Point& lower, const Point& upper) {
 VerificationTask task_for(const CopyingLinkage& linkage, double bearing) {
   VerificationTask task;
   const OpeningInterval opening =
-      linkage.openings_with_transmission(0.15 * linkage.assembly_interval().width());
+      linkage.openings_with_transmission(0.15 * linkage.assembly_mode().openings.width());
   const auto radii = linkage.radii_over(opening);
   Ring ring;
   for (int i = 0; i <= 12; ++i)
@@ -35,7 +35,7 @@ VerificationTask task_for(const CopyingLinkage& linkage, double bearing) {
                    radii.lower * 1.02 * Point(std::cos(bearing + i * 0.05), std::sin(bearing + i * 0.05)));
   task.region.polygons.push_back({ring, {}});
   task.mechanism = {linkage.lengths(),
-                    linkage.orientation(),
+                    linkage.assembly_mode().sides,
                     linkage.pole_joint(),
                     linkage.tracer_joint(),
                     linkage.pen_joint(),
@@ -53,9 +53,9 @@ CopyingLinkage random_linkage(std::mt19937_64& random) {
     const auto made =
         CopyingLinkage::make(k, grounding, std::exp(uniform(random, 3, 6)), std::exp(uniform(random, 3, 6)),
                              static_cast<int>(random() % count), Point(uniform(random, -90, 90), 20));
-    if (!made || made->assembly_interval().width() < radians(40)) continue;
+    if (!made || made->assembly_mode().openings.width() < radians(40)) continue;
     const auto radii =
-        made->radii_over(made->openings_with_transmission(0.15 * made->assembly_interval().width()));
+        made->radii_over(made->openings_with_transmission(0.15 * made->assembly_mode().openings.width()));
     if (radii.lower * 1.03 < radii.upper && radii.lower > 0.1 * made->VA()) return *made;
   }
 }
@@ -65,7 +65,7 @@ TEST(Verification, CertifiesEveryExactLinkage) {
   for (int i = 0; i < 60; ++i) {
     const CopyingLinkage linkage = random_linkage(random);
     const Verification found = verify(task_for(linkage, uniform(random, -3, 3)));
-    EXPECT_TRUE(found.certified) << found.failure;
+    EXPECT_TRUE(found.holds) << found.failure;
     EXPECT_EQ(found.flips, 0);
     EXPECT_GT(found.samples, 300U);
     EXPECT_LT(found.copy_error_max, 1e-9 * linkage.size());
@@ -87,7 +87,7 @@ TEST(Verification, SeesALengthThatNoLongerCopies) {
                         &task.mechanism.lengths.BY, &task.mechanism.lengths.CY};
     *length[which] += 1e-3;
     const Verification found = verify(task);
-    EXPECT_FALSE(found.certified) << LinkLengths::names[static_cast<std::size_t>(which)];
+    EXPECT_FALSE(found.holds) << LinkLengths::names[static_cast<std::size_t>(which)];
     EXPECT_GT(found.copy_error_max, 1e-5);
   }
 }
@@ -98,27 +98,27 @@ TEST(Verification, SeesLengthsThatDoNotClose) {
   EXPECT_NE(verify(task).failure.find("triangle"), std::string::npos);
   task = task_for(report(), 0.3);
   task.mechanism.lengths.VA = 500;
-  EXPECT_FALSE(verify(task).certified);
+  EXPECT_FALSE(verify(task).holds);
   task = task_for(report(), 0.3);
   task.mechanism.lengths.VB = std::nan("");
-  EXPECT_FALSE(verify(task).certified);
+  EXPECT_FALSE(verify(task).holds);
 }
 
 TEST(Verification, SeesTheOtherTurnOfAPlate) {
   VerificationTask task = task_for(report(), 0.3);
-  task.mechanism.orientation.plate_BCY *= -1;
-  EXPECT_FALSE(verify(task).certified);
+  task.mechanism.sides.plate_BCY = opposite(task.mechanism.sides.plate_BCY);
+  EXPECT_FALSE(verify(task).holds);
 }
 
 TEST(Verification, SeesARegionBeyondReach) {
   VerificationTask task = task_for(report(), 0.3);
   task.region = rectangle({60, 0}, {90, 10});
   const Verification found = verify(task);
-  EXPECT_FALSE(found.certified);
+  EXPECT_FALSE(found.holds);
   EXPECT_NE(found.failure.find("tracer at"), std::string::npos);
   task.region_covered = false;
-  task.mechanism.opening = report().assembly_interval();
-  EXPECT_TRUE(verify(task).certified) << "the part within reach still copies: " << verify(task).failure;
+  task.mechanism.opening = report().assembly_mode().openings;
+  EXPECT_TRUE(verify(task).holds) << "the part within reach still copies: " << verify(task).failure;
 }
 
 TEST(Verification, SeesALimitThatIsNotKept) {
@@ -136,26 +136,26 @@ TEST(Verification, SeesALimitThatIsNotKept) {
 TEST(Verification, SeesAnotherRatio) {
   VerificationTask task = task_for(report(), 0.3);
   task.k = copy_ratio(1.4000001, pi / 2);
-  EXPECT_FALSE(verify(task).certified);
+  EXPECT_FALSE(verify(task).holds);
 }
 
 TEST(Verification, CrossesToAPartOfTheRegionOnTheOtherSideOfThePole) {
   VerificationTask task = task_for(report(), 0.3);
   task.region = rectangle({60, -5}, {68, 5});
   task.region.polygons.push_back(rectangle({-68, -5}, {-60, 5}).polygons.front());
-  task.mechanism.opening = report().assembly_interval();
+  task.mechanism.opening = report().assembly_mode().openings;
   const Verification found = verify(task);
-  EXPECT_TRUE(found.certified) << found.failure;
+  EXPECT_TRUE(found.holds) << found.failure;
   EXPECT_EQ(found.flips, 0);
 }
 
 TEST(Verification, CarriesTheReportsMechanismAsFarAsItsOwnLimits) {
   VerificationTask task = task_for(report(), 0.3);
-  task.mechanism.opening = report().assembly_interval();
+  task.mechanism.opening = report().assembly_mode().openings;
   task.region = rectangle({56, -1}, {74.9, 1});
-  EXPECT_TRUE(verify(task).certified) << verify(task).failure;
+  EXPECT_TRUE(verify(task).holds) << verify(task).failure;
   task.region = rectangle({30, -1}, {74.9, 1});  // through the change point
-  EXPECT_FALSE(verify(task).certified);
+  EXPECT_FALSE(verify(task).holds);
 }
 
 /// A linkage whose plates miss a straight line by `bend`, rad.
@@ -168,7 +168,7 @@ std::optional<CopyingLinkage> nearly_straight(std::mt19937_64& random, double be
   if (std::abs(k - 1.0) < 0.05) return std::nullopt;
   for (std::size_t i = 0; i < assembly_modes(shape_of(k, grounding)).size(); ++i)
     if (const auto made = CopyingLinkage::make(k, grounding, VA, VB, static_cast<int>(i), Point(30, -20));
-        made && made->assembly_interval().width() > 3)
+        made && made->assembly_mode().openings.width() > 3)
       return *made;
   return std::nullopt;
 }
@@ -188,7 +188,7 @@ TEST(Verification, CertifiesPlatesHoweverNearToStraight) {
     if (!linkage) continue;
     ++seen;
     const Verification found = verify(with_shape(*linkage), {.outline_samples = 60, .hatch_lines = 2});
-    EXPECT_TRUE(found.certified) << bend << " " << found.failure;
+    EXPECT_TRUE(found.holds) << bend << " " << found.failure;
     EXPECT_LT(found.copy_error_max, 1e-11 * linkage->size()) << bend;
   }
   EXPECT_GT(seen, 200);
@@ -207,7 +207,7 @@ TEST(Verification, SeesALengthOrAShapeOfANearlyStraightPlateThatNoLongerCopies) 
       *length[which] += (random() % 2 ? 1e-6 : -1e-6) * linkage->size();
     else
       *task.mechanism.shape *= std::polar(1.0, 1e-6);
-    EXPECT_FALSE(verify(task, {.outline_samples = 60, .hatch_lines = 2}).certified) << which;
+    EXPECT_FALSE(verify(task, {.outline_samples = 60, .hatch_lines = 2}).holds) << which;
   }
 }
 
@@ -217,8 +217,9 @@ TEST(Verification, SeesTheOtherTurnOfANearlyStraightPlate) {
     const auto linkage = nearly_straight(random, std::pow(10, uniform(random, -11, -1)));
     if (!linkage) continue;
     VerificationTask task = with_shape(*linkage);
-    (i % 2 ? task.mechanism.orientation.plate_ACX : task.mechanism.orientation.plate_BCY) *= -1;
-    EXPECT_FALSE(verify(task).certified);
+    Side& turned = i % 2 ? task.mechanism.sides.plate_ACX : task.mechanism.sides.plate_BCY;
+    turned = opposite(turned);
+    EXPECT_FALSE(verify(task).holds);
   }
 }
 
@@ -228,9 +229,9 @@ TEST(Verification, LosesNoDigitFarFromTheTablesOrigin) {
     const CopyingLinkage near = random_linkage(random);
     const double x = uniform(random, -1e7, 1e7), y = uniform(random, -1e7, 1e7);
     const auto far = CopyingLinkage::make(near.k(), near.grounding(), near.VA(), near.VB(),
-                                          near.assembly_mode(), Point(x, y));
+                                          near.assembly_mode().number, Point(x, y));
     const Verification found = verify(task_for(*far, uniform(random, -3, 3)));
-    EXPECT_TRUE(found.certified) << found.failure;
+    EXPECT_TRUE(found.holds) << found.failure;
     EXPECT_LT(found.copy_error_max, 1e-11 * near.size());
   }
 }
@@ -241,11 +242,11 @@ TEST(Verification, KnowsNoSize) {
     const CopyingLinkage one = random_linkage(random);
     const double factor = std::pow(10, uniform(random, -8, 4));
     const auto other = CopyingLinkage::make(one.k(), one.grounding(), factor * one.VA(), factor * one.VB(),
-                                            one.assembly_mode(), factor * one.pole());
+                                            one.assembly_mode().number, factor * one.pole());
     VerificationTask task = task_for(*other, uniform(random, -3, 3));
-    EXPECT_TRUE(verify(task).certified) << factor << verify(task).failure;
+    EXPECT_TRUE(verify(task).holds) << factor << verify(task).failure;
     task.mechanism.lengths.CX *= 1 + 1e-5;
-    EXPECT_FALSE(verify(task).certified) << factor;
+    EXPECT_FALSE(verify(task).holds) << factor;
   }
 }
 
@@ -266,9 +267,22 @@ TEST(Verification, DrivesAsNearToDeadAndChangePointsAsADesignMayStand) {
     task.region.polygons.push_back(
         {{at(radii.lower, 0), at(radii.upper, 0), at(0.5 * (radii.lower + radii.upper), 1e-3)}, {}});
     const Verification found = verify(task, {.outline_samples = 20, .hatch_lines = 1});
-    EXPECT_TRUE(found.certified) << i << " " << found.failure;
+    EXPECT_TRUE(found.holds) << i << " " << found.failure;
     EXPECT_EQ(found.flips, 0);
   }
+}
+
+TEST(Verification, StoppedEarlyItDrivesToFewPlacesAllOver) {
+  const VerificationTask task = task_for(report(), 0.3);
+  const VerificationRun whole = run_verification(task, {});
+  EXPECT_TRUE(whole.complete);
+  const VerificationRun run = run_verification(task, {.stop = StopFlag([] { return true; })});
+  EXPECT_FALSE(run.complete);
+  EXPECT_TRUE(run.found.holds) << run.found.failure;
+  EXPECT_GE(run.found.samples, 10U);
+  EXPECT_LE(run.found.samples, 20U);
+  EXPECT_LT(run.found.samples, whole.found.samples);
+  EXPECT_NEAR(run.found.scale, whole.found.scale, 1e-9);
 }
 
 TEST(Verification, DrivesOverTheFreeWorkspaceWhereThereIsNoRegion) {
@@ -283,7 +297,7 @@ TEST(Verification, DrivesOverTheFreeWorkspaceWhereThereIsNoRegion) {
     spec.limits.transmission = radians(10);
     const Design design = assemble_given(spec, linkage, {.largest_sheets = false});
     const Verification found = verify(verification_task(design));
-    EXPECT_TRUE(found.certified) << i << " " << found.failure;
+    EXPECT_TRUE(found.holds) << i << " " << found.failure;
     EXPECT_TRUE(found.over_workspace);
     driven += found.samples > 200;
   }
@@ -299,14 +313,14 @@ TEST(Verification, DrivesOverTheFreeWorkspaceWhereTheRegionIsCoveredInPart) {
     Spec spec = dice.spec();
     if (i % 2) spec.obstacles.push_back(dice.obstacle_beside(spec));
     spec.limits.transmission = radians(10);
-    const auto reach = linkage.radii_over(linkage.assembly_interval());
+    const auto reach = linkage.radii_over(linkage.assembly_mode().openings);
     const double middle = 0.5 * (reach.lower + reach.upper), half = 0.6 * (reach.upper - reach.lower);
     spec.region = rectangle(linkage.pole() + Point(middle - half, -0.2 * half),
                             linkage.pole() + Point(middle + half, 0.2 * half));
     const Design design = assemble_given(spec, linkage, {.largest_sheets = false});
     ASSERT_FALSE(design.map.coverage.covered) << i;
     const Verification found = verify(verification_task(design));
-    EXPECT_TRUE(found.certified) << i << " " << found.failure;
+    EXPECT_TRUE(found.holds) << i << " " << found.failure;
     in_part += found.over_workspace && found.samples > 200;
   }
   EXPECT_GT(in_part, 20);
@@ -319,7 +333,7 @@ TEST(Verification, DrivesOverTheFreeWorkspaceWhereNothingOfTheRegionIsReached) {
   const Design design = assemble_given(spec, report(), {.largest_sheets = false});
   ASSERT_FALSE(design.map.coverage.covered);
   const Verification found = verify(verification_task(design));
-  EXPECT_TRUE(found.certified) << found.failure;
+  EXPECT_TRUE(found.holds) << found.failure;
   EXPECT_TRUE(found.over_workspace);
 }
 

@@ -38,8 +38,8 @@ TEST(ContactScene, ItsSlackHoldsTheRoundingOfJointsNearThePoleToo) {
     const CopyingLinkage some = test::random_linkage(dice);
     // Bars VA and VB/|s| of nearly the same length let the tracer come near the pole.
     const double VB = some.VA() * std::abs(some.shape()) * (1 + std::pow(10, dice.between(-5, -1)));
-    const CopyingLinkage linkage =
-        *CopyingLinkage::make(some.k(), some.grounding(), some.VA(), VB, some.assembly_mode(), some.pole());
+    const CopyingLinkage linkage = *CopyingLinkage::make(some.k(), some.grounding(), some.VA(), VB,
+                                                         some.assembly_mode().number, some.pole());
     const double limit = std::pow(10, dice.between(-4, -0.5));
     const OpeningInterval openings = linkage.openings_with_transmission(limit);
     if (openings.empty()) continue;
@@ -50,7 +50,7 @@ TEST(ContactScene, ItsSlackHoldsTheRoundingOfJointsNearThePoleToo) {
                  .transmission = limit,
                  .obstacles = {},
                  .region = {},
-                 .sheets_gap = std::nullopt};
+                 .copy_gap = std::nullopt};
     const Point corner = linkage.pole() + Point(10, 10);
     const Ring square{corner, corner + Point(20, 0), corner + Point(20, 20), corner + Point(0, 20)};
     task.obstacles = {{.shape = {square, {}}, .lowest_layer = 1, .highest_layer = 4}};

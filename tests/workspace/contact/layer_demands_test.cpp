@@ -199,7 +199,7 @@ Case random_case(Dice& dice, const CopyingLinkage& linkage, int layers, int obst
   }
   for (int pose = 0; pose < 8; ++pose) {
     const double share = dice.between(0.05, 0.95), turn = dice.between(-pi, pi);
-    const OpeningInterval all = linkage.assembly_interval();
+    const OpeningInterval all = linkage.assembly_mode().openings;
     const Scene scene{bodies_in(linkage.pose_at(all.lower + share * all.width(), turn), style), bodies};
     std::vector<std::vector<double>> gaps(10, std::vector<double>(10)), to_obstacles(10);
     for (std::size_t i = 0; i < 10; ++i) {

@@ -36,7 +36,7 @@ TEST(SelfContact, GapIsTheDistanceOfTheAxesLessTheHalfWidths) {
   for (int i = 0; i < 60; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
     const LinkStyle style = test::random_style(dice);
-    const OpeningInterval& all = linkage.assembly_interval();
+    const OpeningInterval& all = linkage.assembly_mode().openings;
     const Pose pose = linkage.pose_at(dice.between(all.lower, all.upper), dice.between(-pi, pi));
     for (const ContactPair& pair : contact_pairs(linkage, test::random_layers(dice))) {
       const double exact = gap(pair, pose, linkage.shape(), style);
@@ -54,7 +54,7 @@ TEST(SelfContact, FreeOpeningsAreThoseOfADenseSampling) {
     const LinkStyle style = test::random_style(dice);
     const LayerAssignment layers = test::random_layers(dice);
     const double clearance = dice.between(0, 2);
-    const OpeningInterval within = linkage.assembly_interval();
+    const OpeningInterval within = linkage.assembly_mode().openings;
     const auto free = contact_free_openings(linkage, style, layers, clearance, within);
     for (int sample = 0; sample < 400; ++sample) {
       const double opening = within.lower + within.width() * (sample + 0.5) / 400;
@@ -75,7 +75,7 @@ TEST(SelfContact, EndsStandAtTheContactTheyName) {
     const LinkStyle style = test::random_style(dice);
     const LayerAssignment layers = test::random_layers(dice);
     for (const FreeOpenings& free :
-         contact_free_openings(linkage, style, layers, 0.5, linkage.assembly_interval(), 1e-9))
+         contact_free_openings(linkage, style, layers, 0.5, linkage.assembly_mode().openings, 1e-9))
       for (const auto& [pair, at] :
            {std::pair(free.below, free.interval.lower), std::pair(free.above, free.interval.upper)})
         if (pair) {
@@ -94,7 +94,7 @@ TEST(SelfContact, SmallestGapOverAnIntervalIsNeverBelowItAndIsAttained) {
     const CopyingLinkage linkage = test::random_linkage(dice);
     const LinkStyle style = test::random_style(dice);
     const LayerAssignment layers = test::random_layers(dice);
-    const OpeningInterval& all = linkage.assembly_interval();
+    const OpeningInterval& all = linkage.assembly_mode().openings;
     double a = dice.between(all.lower, all.upper), b = dice.between(all.lower, all.upper);
     const OpeningInterval within{std::min(a, b), std::max(a, b)};
     const Tightest tightest = smallest_gap_over(linkage, style, layers, within);
@@ -122,7 +122,7 @@ TEST(SelfContact, TwoBarsOfOneLayerMeetNearTheChangePoint) {
 TEST(SelfContact, NothingIsFreeWhenTheLinksAreWiderThanTheLinkage) {
   const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   EXPECT_TRUE(
-      contact_free_openings(linkage, {100, 6, 4, PlateStyle::bent}, {}, 0.5, linkage.assembly_interval())
+      contact_free_openings(linkage, {100, 6, 4, PlateStyle::bent}, {}, 0.5, linkage.assembly_mode().openings)
           .empty());
 }
 
@@ -131,7 +131,8 @@ TEST(SelfContact, ScalesWithTheMechanismFromMicrometresToKilometres) {
     const CopyingLinkage linkage =
         *CopyingLinkage::make({0, 1.4}, Grounding::tracer, 50 * scale, 35 * scale, 0);
     const LinkStyle style{6 * scale, 3 * scale, 4, PlateStyle::bent};
-    const auto free = contact_free_openings(linkage, style, {}, 0.5 * scale, linkage.assembly_interval());
+    const auto free =
+        contact_free_openings(linkage, style, {}, 0.5 * scale, linkage.assembly_mode().openings);
     ASSERT_EQ(free.size(), 1u);
     EXPECT_NEAR(free[0].interval.lower, std::asin(6.5 / 35) - pi, 3e-9);
   }

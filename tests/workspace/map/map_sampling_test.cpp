@@ -145,7 +145,7 @@ TEST(ClearanceSampling, FigureIsThatOfThePlainGapsWhereverTheObstaclesStand) {
     const LinkStyle thin{1, 0.5, 4, dice.below(2) == 0 ? PlateStyle::bent : PlateStyle::triangle};
     MapTask task{linkage, thin, test::random_layers(dice), 0.5, 0, {}, {}, {}};
     const Annulus reach = reachable_annulus(linkage);
-    const double out = reach.outer, radius = linkage.radius_at(linkage.assembly_interval().middle());
+    const double out = reach.outer, radius = linkage.radius_at(linkage.assembly_mode().openings.middle());
     const test::Z centre = as_complex(linkage.pole()) + std::polar(radius, dice.between(-pi, pi));
     const double size = 0.4 * std::min(radius - reach.inner, reach.outer - radius);
     Ring disc;

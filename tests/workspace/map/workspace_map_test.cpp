@@ -320,12 +320,12 @@ TEST(Coverage, PartsCutOffFromEachOtherAreNamed) {
 TEST(Coverage, SheetsThatOverlapAreRefusedAndThoseApartAreNot) {
   MapTask task = report_task();
   task.region = {{box(60, -5, 8, 10)}};
-  task.sheets_gap = 5;
+  task.copy_gap = 5;
   EXPECT_TRUE(map_workspace(task, no_sheets).coverage.covered);
-  task.sheets_gap = 100;
+  task.copy_gap = 100;
   const WorkspaceMap map = map_workspace(task, no_sheets);
   EXPECT_FALSE(map.coverage.covered);
-  EXPECT_EQ(map.coverage.cause, Cause::sheet_overlap);
+  EXPECT_EQ(map.coverage.cause, Cause::copy_overlap);
   EXPECT_GT(area(map.lost.back().area), 0);
 }
 
@@ -431,7 +431,8 @@ TEST(LayerChoice, BestHasTheLargestGapAndTheReasonAgainstFewerIsGiven) {
     EXPECT_LE(finding.gap, choice.findings.front().gap + 1e-9);
   EXPECT_GT(choice.best.highest(), 2);
   ASSERT_FALSE(choice.why_not_fewer.empty());
-  EXPECT_NE(choice.why_not_fewer[0].find("2 layers fail"), std::string::npos) << choice.why_not_fewer[0];
+  EXPECT_NE(choice.why_not_fewer[0].find("2 layers are not enough"), std::string::npos)
+      << choice.why_not_fewer[0];
 }
 
 TEST(LayerChoice, ObstacleInALayerDrivesTheLinksOutOfIt) {
@@ -456,12 +457,13 @@ TEST(LayerChoice, LinksStandAboveAnEmptyLayerWhereThatHelpsAndItSaysSo) {
                .transmission = radians(25),
                .obstacles = {block(box(6, -200, 8, 400), 1, 1), block(box(-14, -200, 8, 400), 1, 1)},
                .region = {{box(62, -28, 56, 56)}},
-               .sheets_gap = std::nullopt};
+               .copy_gap = std::nullopt};
   const LayerChoice choice = choose_layers(task, 3);
   EXPECT_FALSE(choice.best.has_links_in(1));
   ASSERT_EQ(choice.why_not_fewer.size(), 2u);
-  EXPECT_EQ(choice.why_not_fewer[0].find("2 layers fail"), 0u) << choice.why_not_fewer[0];
-  EXPECT_EQ(choice.why_not_fewer[1].find("With links in each of them 3 layers fail"), 0u)
+  EXPECT_EQ(choice.why_not_fewer[0].find("2 layers are not enough"), 0u) << choice.why_not_fewer[0];
+  EXPECT_EQ(choice.why_not_fewer[1].find("3 layers, none of them empty, are not enough: with the tracer at"),
+            0u)
       << choice.why_not_fewer[1];
 }
 

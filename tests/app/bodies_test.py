@@ -1,0 +1,404 @@
+#!/usr/bin/env python3
+"""Bodies and the table's edge against an oracle that shares no line with the program: joints by intersecting circles, gaps edge by
+edge. Random given mechanisms are mapped; no place called free is in contact, no place well clear is called lost, and `kempe verify`
+says of a region that is not free that it is not, and of one that is that it is.
+
+usage: bodies_test.py KEMPE SOURCE_DIR [--specs N] [--seed N] [unittest arguments]
+"""
+import argparse
+import cmath
+import json
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from program import Case, kempe
+
+# Places where a joint moves much faster than the tracer: outlines flattened to 0.01 mm there stand for larger gaps.
+LOST_SLACK = 1.0
+ROUNDING = 1e-6
+
+
+def shape_of(k, vertex):
+    return {"pole": k, "tracer": 1 - k, "pen": 1 - 1 / k}[vertex]
+
+
+def modes(s):
+    """The intervals of the opening, upward from -pi, between neighbours among 0, pi, arg s (mod pi)."""
+    a = cmath.phase(s)
+    ends = sorted({-math.pi, 0.0, math.pi} | {x for x in (a, a - math.pi, a + math.pi) if -math.pi < x < math.pi})
+    kept = [ends[0]]
+    for end in ends[1:]:
+        if end - kept[-1] > 1e-12:
+            kept.append(end)
+    return list(zip(kept, kept[1:]))
+
+
+class Mechanism:
+    """A copying linkage from its ratio, two lengths and its assembly mode."""
+
+    def __init__(self, k, vertex, va, vb, mode, pole):
+        self.k, self.vertex, self.va, self.vb, self.pole = k, vertex, va, vb, pole
+        self.s = shape_of(k, vertex)
+        self.mode = modes(self.s)[mode]
+        self.carrier = {"pole": {"tracer": "X", "pen": "Y"}, "tracer": {"tracer": "V", "pen": "Y"},
+                        "pen": {"tracer": "Y", "pen": "V"}}[vertex]
+        self.pole_joint = "V" if vertex == "pole" else "X"
+
+    def pose(self, tracer):
+        """The joints with the tracer at a place, and the transmission angle's distance from the mode's ends; or None."""
+        pen = self.pole + self.k * (tracer - self.pole)
+        V, X, Y = {"pole": (self.pole, tracer, pen), "tracer": (tracer, self.pole, pen), "pen": (pen, self.pole, tracer)}[self.vertex]
+        way, ax = X - V, self.vb / abs(self.s)
+        c = abs(way)
+        if c < 1e-9:
+            return None
+        along = (c * c + self.va ** 2 - ax ** 2) / (2 * c)
+        squared = self.va ** 2 - along ** 2
+        if squared < 0:
+            return None
+        for side in (1, -1):
+            A = V + way / c * complex(along, side * math.sqrt(squared))
+            q = self.s * (X - A)
+            d = cmath.phase(q / (A - V))
+            if self.mode[0] < d < self.mode[1]:
+                return {"V": V, "A": A, "B": V + q, "C": A + q, "X": X, "Y": Y}, min(d - self.mode[0], self.mode[1] - d)
+        return None
+
+
+def to_segment(p, a, b):
+    d = b - a
+    if d == 0:
+        return abs(p - a)
+    t = ((p - a) * d.conjugate()).real / abs(d) ** 2
+    return abs(p - a - max(0.0, min(1.0, t)) * d)
+
+
+def side(a, b, p):
+    return ((b - a).conjugate() * (p - a)).imag
+
+
+def between(a, b, c, d):
+    if side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0:
+        return 0.0
+    return min(to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b))
+
+
+def edges(ring):
+    return [(ring[0], ring[-1])] if len(ring) < 3 else list(zip(ring, ring[1:] + ring[:1]))
+
+
+def inside(ring, p):
+    found = False
+    if len(ring) < 3:
+        return found
+    for a, b in edges(ring):
+        if (a.imag > p.imag) != (b.imag > p.imag) and p.real < a.real + (p.imag - a.imag) / (b.imag - a.imag) * (b.real - a.real):
+            found = not found
+    return found
+
+
+def apart(one, other):
+    """Of two rings, filled where they have three corners."""
+    if inside(one, other[0]) or inside(other, one[0]):
+        return 0.0
+    return min(between(*e, *f) for e in edges(one) for f in edges(other))
+
+
+class Thing:
+    def __init__(self, name, rings, around, low, high, joints=(), post=False):
+        self.name, self.rings, self.around, self.low, self.high, self.joints, self.post = name, rings, around, low, high, set(joints), post
+
+
+def gap(one, other):
+    return min(apart(a, b) for a in one.rings for b in other.rings) - one.around - other.around
+
+
+class World:
+    """A spec's parts, bodies, obstacles and table in a pose."""
+
+    def __init__(self, spec):
+        self.spec, self.linkage = spec, spec["linkage"]
+
+    def parts(self, J):
+        spec, layer = self.spec, dict(zip(("VA", "VB", "ACX", "BCY"), self.spec["layers"]))
+        w, r, all_ = spec["width"] / 2, spec["pin"] / 2, []
+        for link, plate in (("VA", None), ("VB", None), ("ACX", "A"), ("BCY", "B")):
+            if plate is None:
+                rings = [[J[link[0]], J[link[1]]]]
+            elif spec["plate"] == "triangle":
+                rings = [[J[j] for j in link]]
+            else:
+                rings = [[J["C"], J[plate]], [J[plate], J[link[2]]]]
+            all_.append(Thing("link " + link, rings, w, layer[link], layer[link], link))
+        for joint, (one, other) in {"V": ("VA", "VB"), "A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY")}.items():
+            low, high = sorted((layer[one], layer[other]))
+            if high - low > 1:
+                all_.append(Thing("pin " + joint, [[J[joint]]], r, low + 1, high - 1, joint))
+        for joint in (self.linkage.pole_joint, *self.linkage.carrier.values()):
+            lowest = min(layer[link] for link in layer if joint in link)
+            all_.append(Thing("post " + joint, [[J[joint]]], r, 1, lowest - 1, joint, True))
+        return all_
+
+    def bodies(self, J):
+        found = []
+        for body in self.spec["bodies"]:
+            at = J[self.linkage.carrier[body["at"]]]
+            ring, around = ([body["centre"]], body["radius"]) if "radius" in body else (body["ring"], 0.0)
+            found.append((self.linkage.carrier[body["at"]], Thing(body["name"], [[at + z for z in ring]], around, *body["layers"])))
+        return found
+
+    def tightest(self, tracer):
+        """The smallest gap of anything, and of what; None out of reach."""
+        found = self.linkage.pose(tracer)
+        if not found:
+            return None
+        J, margin = found
+        parts, bodies = self.parts(J), self.bodies(J)
+        obstacles = [Thing(o["name"], [o["ring"]], 0.0, *o["layers"]) for o in self.spec["obstacles"]]
+        best = (math.inf, "nothing")
+
+        def look(one, other, always=False):
+            nonlocal best
+            if always or max(one.low, other.low) <= min(one.high, other.high):
+                best = min(best, (gap(one, other), f"{one.name} and {other.name}"))
+
+        for i, one in enumerate(parts):
+            for other in parts[:i]:
+                if not one.joints & other.joints:
+                    look(one, other, one.post and other.post)
+            for obstacle in obstacles:
+                # The pole's post is looked at in layer 1 even where a link lies there.
+                stands = one.post and one.joints == {self.linkage.pole_joint} and obstacle.low == 1
+                look(one, obstacle, stands)
+        for i, (joint, body) in enumerate(bodies):
+            for part in parts:
+                if joint not in part.joints:
+                    look(part, body)
+            for obstacle in obstacles:
+                look(body, obstacle)
+            for other_joint, other in bodies[:i]:
+                if other_joint != joint:
+                    look(body, other)
+        table = self.spec["table"]
+        if table:
+            # A post above nothing is as wide as a pin at most: the link that holds it is wider.
+            for thing in [p for p in parts if p.low <= p.high or p.joints == {self.linkage.pole_joint}] + [b for _, b in bodies]:
+                for ring in thing.rings:
+                    on = inside(table, ring[0])
+                    edge = min(between(*e, *f) for e in edges(ring) for f in edges(table)) if on else 0.0
+                    best = min(best, (edge - thing.around, f"{thing.name} and the table's edge"))
+        return best[0], best[1], margin
+
+
+def random_spec(dice):
+    """A given mechanism that works somewhere, with bodies, and perhaps a table and obstacles."""
+    vertex = dice.choice(["pole", "tracer", "pen"])
+    scale, rotation = dice.uniform(0.4, 2.2), dice.choice([0, 0, 180, dice.uniform(-170, 170)])
+    k = cmath.rect(scale, math.radians(rotation))
+    s = shape_of(k, vertex)
+    if not 0.25 < abs(s) < 4 or 0 < abs(math.sin(cmath.phase(s))) < 0.15:
+        return None
+    va, vb = dice.uniform(80, 200), dice.uniform(80, 200)
+    ax = vb / abs(s)
+    if not 40 < ax < 300:
+        return None
+    pole = complex(dice.uniform(-50, 50), dice.uniform(-50, 50))
+    mode = dice.randrange(len(modes(s)))
+    linkage = Mechanism(k, vertex, va, vb, mode, pole)
+    for _ in range(200):
+        tracer = pole + cmath.rect(dice.uniform(20, 500), dice.uniform(-math.pi, math.pi))
+        found = linkage.pose(tracer)
+        if found and found[1] > 0.6:
+            break
+    else:
+        return None
+    layers = dice.choice([[1, 2, 2, 1], [2, 1, 1, 2], [1, 2, 3, 4], [1, 3, 3, 1], [2, 3, 1, 4]])
+    spec = {"linkage": linkage, "scale": scale, "rotation": rotation, "vertex": vertex, "mode": mode, "layers": layers,
+            "width": dice.uniform(6, 16), "plate": dice.choice(["bent", "bent", "triangle"]), "clearance": dice.uniform(0.2, 3),
+            "bodies": [], "obstacles": [], "table": None}
+    spec["pin"] = spec["width"] * dice.uniform(0.3, 0.8)
+    for i in range(dice.randrange(1, 4)):
+        low = dice.randrange(1, 6)
+        body = {"name": f"thing {i + 1}", "at": dice.choice(["tracer", "pen"]), "layers": [low, dice.randrange(low, 9)]}
+        if dice.random() < 0.4:
+            body.update(centre=complex(dice.uniform(-25, 25), dice.uniform(-25, 25)) * dice.choice([0, 1]), radius=dice.uniform(4, 50))
+        else:
+            corners, start = dice.randrange(3, 8), dice.uniform(0, 6)  # star-shaped about the point: simple, perhaps not convex
+            body["ring"] = [cmath.rect(dice.uniform(6, 50), start + 2 * math.pi * j / corners) for j in range(corners)]
+            away = complex(dice.uniform(-20, 20), dice.uniform(-20, 20))
+            body["ring"] = [z + away for z in body["ring"]]
+        spec["bodies"].append(body)
+    joints = list(linkage.pose(tracer)[0].values())
+    for i in range(dice.randrange(0, 3)):
+        corners, centre, low = dice.randrange(3, 7), tracer + cmath.rect(dice.uniform(30, 250), dice.uniform(-3, 3)), dice.randrange(1, 4)
+        spec["obstacles"].append({"name": f"block {i + 1}", "layers": [low, dice.randrange(low, 9)], "ring": [
+            centre + cmath.rect(dice.uniform(5, 40), 2 * math.pi * j / corners) for j in range(corners)]})
+    if dice.random() < 0.7:
+        left, right = min(z.real for z in joints) - dice.uniform(10, 120), max(z.real for z in joints) + dice.uniform(10, 120)
+        low, high = min(z.imag for z in joints) - dice.uniform(10, 120), max(z.imag for z in joints) + dice.uniform(10, 120)
+        spec["table"] = [complex(left, low), complex(right, low), complex(right, high), complex(left, high)]
+        if dice.random() < 0.4:  # a notch: not convex
+            spec["table"].insert(3, complex((left + right) / 2, high - dice.uniform(1, 0.3 * (high - low))))
+    size = dice.uniform(4, 14)
+    spec["region"] = (tracer - complex(size, size) / 2, size)
+    return spec
+
+
+def pair(z):
+    return f"[{z.real!r}, {z.imag!r}]"
+
+
+def ring_text(ring):
+    return "[" + ", ".join(map(pair, ring)) + "]"
+
+
+def toml(spec):
+    at, size = spec["region"]
+    linkage = spec["linkage"]
+    text = f"""[copy]
+scale = {spec["scale"]!r}
+rotation_deg = {spec["rotation"]!r}
+[region]
+rectangle_mm = {{at = {pair(at)}, size = [{size!r}, {size!r}]}}
+[pole]
+at_mm = {pair(linkage.pole)}
+[links]
+width_mm = {spec["width"]!r}
+pin_diameter_mm = {spec["pin"]!r}
+plate = "{spec["plate"]}"
+layers = 8
+longest_mm = 3000
+shortest_mm = 1
+[limits]
+clearance_mm = {spec["clearance"]!r}
+transmission_deg = 8
+[mechanism]
+vertex = "{spec["vertex"]}"
+VA_mm = {linkage.va!r}
+VB_mm = {linkage.vb!r}
+assembly = {spec["mode"]}
+layers = {spec["layers"]}
+"""
+    for body in spec["bodies"]:
+        text += f'[[bodies]]\nname = "{body["name"]}"\nat = "{body["at"]}"\nlayers = {body["layers"]}\n'
+        if "radius" in body:
+            text += f'circle_mm = {{centre = {pair(body["centre"])}, radius = {body["radius"]!r}}}\n'
+        else:
+            text += f"polygon_mm = {ring_text(body['ring'])}\n"
+    for obstacle in spec["obstacles"]:
+        text += f'[[obstacles]]\nname = "{obstacle["name"]}"\nlayers = {obstacle["layers"]}\npolygon_mm = {ring_text(obstacle["ring"])}\n'
+    if spec["table"]:
+        text += f"[table]\npolygon_mm = {ring_text(spec['table'])}\n"
+    return text
+
+
+def polygons(features, layer):
+    for feature in features:
+        if feature["properties"]["layer"] == layer:
+            geometry = feature["geometry"]
+            for polygon in geometry["coordinates"] if geometry["type"] == "MultiPolygon" else [geometry["coordinates"]]:
+                yield [[complex(*at) for at in ring[:-1]] for ring in polygon]
+
+
+def holds(polygon, p):
+    return inside(polygon[0], p) and not any(inside(hole, p) for hole in polygon[1:])
+
+
+def within(areas, p):
+    return any(holds(polygon, p) for polygon in areas)
+
+
+def places_in(areas, count, dice):
+    """Random places of polygons."""
+    if not areas:
+        return
+    boxes = [(min(z.real for z in a[0]), max(z.real for z in a[0]), min(z.imag for z in a[0]), max(z.imag for z in a[0])) for a in areas]
+    weights = [(b[1] - b[0]) * (b[3] - b[2]) for b in boxes]
+    for _ in range(count):
+        i = dice.choices(range(len(areas)), weights)[0]
+        p = complex(dice.uniform(*boxes[i][:2]), dice.uniform(*boxes[i][2:]))
+        if holds(areas[i], p):
+            yield p
+
+
+class Bodies(Case):
+    specs, seed = 40, 22
+
+    def test_maps_and_verification_agree_with_a_plain_sampling(self):
+        dice = random.Random(self.seed)
+        seen = {"specs": 0, "free places": 0, "lost places": 0, "covered": 0, "not covered": 0, "told apart by bodies or table": 0}
+        while seen["specs"] < self.specs:
+            spec = random_spec(dice)
+            if spec:
+                self.look_at(spec, seen, dice, f"spec {seen['specs']}")
+                seen["specs"] += 1
+        print(", ".join(f"{count} {what}" for what, count in seen.items()), file=sys.stderr)
+        self.assertGreater(seen["covered"], self.specs // 20)
+        self.assertGreater(seen["told apart by bodies or table"], self.specs // 10)
+
+    def look_at(self, spec, seen, dice, label):
+        world, clearance = World(spec), spec["clearance"]
+        file = self.scratch / "spec.toml"
+        file.write_text(toml(spec))
+        out = self.scratch / "out"
+        run = kempe("workspace", file, "-o", out, "--quiet")
+        self.assertEqual(run.returncode, 0, f"{label}: {run.stderr}\n{toml(spec)}")
+        features = json.loads((out / "workspace.geojson").read_text())["features"]
+        free, lost = list(polygons(features, "collision_free")), []
+        for feature in features:
+            if feature["properties"].get("cause") == "contact":
+                lost += list(polygons([feature], feature["properties"]["layer"]))
+        for place in places_in(free, 60, dice):
+            found = world.tightest(place)
+            self.assertIsNotNone(found, f"{label}: {place} is called free and out of reach")
+            self.assertGreaterEqual(found[0], clearance - ROUNDING, f"{label}: {found[1]} at {place}, called free\n{toml(spec)}")
+            seen["free places"] += 1
+        for place in places_in(lost, 60, dice):
+            found = world.tightest(place)
+            if found and not within(free, place):
+                self.assertLess(found[0], clearance + LOST_SLACK, f"{label}: {found[1]} at {place}, called lost\n{toml(spec)}")
+                seen["lost places"] += 1
+        self.verify(world, spec, out, seen, label)
+
+    def verify(self, world, spec, out, seen, label):
+        at, size = spec["region"]
+        steps = 16
+        grid = [at + complex(i, j) * size / steps for i in range(steps + 1) for j in range(steps + 1)]
+        found = [world.tightest(place) for place in grid]
+        least = min((one or (-1.0, "out of reach") for one in found), key=lambda one: one[0])
+        design = json.loads((out / "design.json").read_text())
+        covered = design["workspace"]["region_covered"]
+        if covered:
+            seen["covered"] += 1
+            self.assertGreaterEqual(least[0], spec["clearance"] - ROUNDING, f"{label}: {least[1]} in a region that is called covered")
+            self.assertGreaterEqual(least[0], design["quality"]["clearance_min_mm"] - 0.02, f"{label}: the smallest gap is {least}")
+        else:
+            seen["not covered"] += 1
+        run = kempe("verify", out / "design.json", "--json")
+        self.assertEqual(run.returncode, 0, f"{label}: {run.stdout}{run.stderr}\n{toml(spec)}")
+        if covered or least[0] >= spec["clearance"] - ROUNDING:
+            return
+        if "thing" in least[1] or "table" in least[1]:
+            seen["told apart by bodies or table"] += 1
+        forged = dict(design, workspace=dict(design["workspace"], region_covered=True))
+        place = self.scratch / "forged.json"
+        place.write_text(json.dumps(forged))
+        run = kempe("verify", place, "--json")
+        self.assertEqual(run.returncode, 4, f"{label}: {least} is not found: {run.stdout}{run.stderr}\n{toml(spec)}")
+        broken = {one["limit"] for one in json.loads(run.stdout)["broken"]}
+        self.assertIn("region", broken, f"{label}: {broken}")
+
+
+if __name__ == "__main__":
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("kempe")
+    arguments.add_argument("source")
+    arguments.add_argument("--specs", type=int, default=Bodies.specs)
+    arguments.add_argument("--seed", type=int, default=Bodies.seed)
+    known, rest = arguments.parse_known_args()
+    Bodies.specs, Bodies.seed = known.specs, known.seed
+    unittest.main(argv=[sys.argv[0], *rest])

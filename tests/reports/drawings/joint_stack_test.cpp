@@ -1,0 +1,154 @@
+#include "reports/drawings/joint_stack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reports/drawings/bom.hpp"
+#include "tests/reports/sample_designs.hpp"
+
+namespace kempe {
+namespace {
+
+using testing::plagiograph;
+
+/// Every assignment to up to five layers: the items fill what is gripped without gap or overlap, each link lies at the height
+/// of its layer, and the bill's pins and posts are the stacks.
+TEST(JointStack, IsFilledFromEndToEnd) {
+  Design design = plagiograph();
+  for (const LayerAssignment& layers : layer_assignments(5)) {
+    design.layers = layers;
+    const auto stacks = joint_stacks(design);
+    ASSERT_EQ(stacks.size(), 6U);
+    for (const JointStack& stack : stacks) {
+      double height = stack.from, links = 0;
+      for (const StackItem& item : stack.items) {
+        EXPECT_DOUBLE_EQ(item.from, height);
+        EXPECT_GT(item.to, item.from);
+        height = item.to;
+        if (item.kind == StackItem::Kind::link) ++links;
+      }
+      EXPECT_DOUBLE_EQ(height, stack.to);
+      EXPECT_EQ(links, stack.links.size());
+      EXPECT_EQ(stack.from, stack.is_post ? 0 : (stack.lowest - 1) * design.style.thickness);
+      EXPECT_EQ(stack.to, stack.highest * design.style.thickness);
+      EXPECT_GE(stack.grip(), links * design.style.thickness);
+      for (const Link link : stack.links) EXPECT_TRUE(has_joint(link, stack.joint));
+    }
+    std::size_t billed = 0;
+    for (const BomItem& item : bill_of_materials(design))
+      if (item.item == "pin" || item.item == "post") {
+        EXPECT_EQ(item.name, stacks[billed].name);
+        EXPECT_EQ(item.length, stacks[billed++].grip());
+      }
+    EXPECT_EQ(billed, 6U);
+  }
+}
+
+/// Every hardware in every assignment: what a pin is bought as grips the whole stack, what stands outside touches nothing
+/// of it and does not overlap, and the shopping list has each piece of the stacks.
+TEST(JointStack, IsGrippedWholeByWhatIsBought) {
+  Design design = plagiograph();
+  for (const Hardware& hardware : all_hardware()) {
+    design.hardware = hardware.name;
+    design.style = {
+        .width = 60, .pin_diameter = hardware.pin, .thickness = std::max(4.0, hardware.seat_width)};
+    for (const LayerAssignment& layers : layer_assignments(4)) {
+      design.layers = layers;
+      const auto stacks = joint_stacks(design);
+      std::map<std::string, int> pieces;
+      for (const JointStack& stack : stacks) {
+        for (std::size_t i = 1; i < stack.items.size(); ++i)
+          EXPECT_GE(stack.items[i].from, stack.items[i - 1].to - 1e-9) << hardware.name;
+        double links = 0;
+        for (const StackItem& item : stack.items)
+          if (item.kind == StackItem::Kind::link || item.kind == StackItem::Kind::spacer)
+            links += item.to - item.from;
+        EXPECT_NEAR(links, stack.grip(), 1e-9);
+        if (stack.is_post) {
+          EXPECT_FALSE(stack.fastener);
+          continue;
+        }
+        if (!stack.fastener) continue;
+        EXPECT_LE(stack.fastener->from, stack.from + 1e-9);
+        EXPECT_GE(stack.fastener->to, stack.to - 1e-9);
+        EXPECT_NEAR(stack.fastener->to - stack.fastener->from, stack.fastener->length, 1e-9);
+        EXPECT_GE(stack.fastener->play, -1e-9);
+        ++pieces[stack.fastener->name];
+        for (const StackItem& item : stack.items)
+          if (item.kind != StackItem::Kind::link && item.kind != StackItem::Kind::spacer &&
+              item.kind != StackItem::Kind::head)
+            ++pieces[item.name];
+        const bool screwed = !hardware.thread.empty() && hardware.kind != HardwareKind::shoulder_screw;
+        if (screwed) {
+          EXPECT_GE(stack.fastener->to, stack.items.back().to + thread_of(hardware)->pitch - 1e-9);
+        }
+      }
+      std::map<std::string, int> billed;
+      for (const BomItem& item : bill_of_materials(design))
+        if (pieces.contains(item.name)) billed[item.name] += item.quantity;
+      for (const auto& [piece, count] : pieces) EXPECT_EQ(billed[piece], count) << piece;
+    }
+  }
+}
+
+TEST(JointStack, OfTheShopHasM6ShoulderBoltsOf16) {
+  Design design = plagiograph();
+  design.style = {.width = 20, .pin_diameter = 8, .thickness = 5};
+  design.hardware = "M6 shoulder bolt";
+  const JointStack pin = joint_stacks(design)[0];
+  ASSERT_TRUE(
+      pin.fastener);  // two links of 5 mm: the shortest shoulder made is 16, three washers of 1.6 fill 4.8 of 6
+  EXPECT_EQ(pin.fastener->name, "shoulder screw ISO 7379 8 x 16 M6");
+  EXPECT_NEAR(pin.fastener->play, 1.2, 1e-9);
+  EXPECT_EQ(std::count_if(pin.items.begin(), pin.items.end(),
+                          [](const StackItem& item) { return item.kind == StackItem::Kind::shim; }),
+            3);
+  EXPECT_NEAR(raised_by(joint_stacks(design)), 5.5, 1e-9);
+  for (const BomItem& item : bill_of_materials(design))
+    for (const JointStack& stack : joint_stacks(design))
+      if (stack.is_post && item.name == stack.name) {
+        EXPECT_NEAR(item.length, stack.grip() + 5.5, 1e-9);
+      }
+}
+
+/// The least distance of two joints against 2000 openings.
+TEST(HardwareFaults, KnowHowNearJointsCome) {
+  for (const Grounding grounding : all_groundings)
+    for (const double turn : {0.0, 40.0, 110.0, -75.0})
+      for (int mode = 0; mode < 2; ++mode) {
+        const Design design = testing::sample_design(std::polar(1.6, radians(turn)), grounding, 90, 70, mode);
+        for (const Joint one : all_joints)
+          for (const Joint other : all_joints) {
+            double least = HUGE_VAL;
+            for (int i = 0; i <= 2000; ++i) {
+              const double opening = design.opening.lower + design.opening.width() * i / 2000;
+              const Pose pose = design.linkage.pose_at(opening, 0.4);
+              least = std::min(least, (pose[one] - pose[other]).norm());
+            }
+            EXPECT_NEAR(least_distance(design, one, other), least, 0.2);
+            EXPECT_LE(least_distance(design, one, other), least + 1e-9);
+          }
+      }
+}
+
+TEST(HardwareFaults, TellOfNutsThatMeetAndOfLengthsThatNobodyMakes) {
+  Design design = plagiograph();  // A and C are 35 mm apart, B and C 50 mm
+  design.style.width = 40;
+  design.style.thickness = 8;
+  design.hardware = "608 bearing";
+  design.style.pin_diameter = 8;
+  EXPECT_TRUE(hardware_faults(design).empty()) << hardware_faults(design).front();
+  Design small = testing::sample_design(copy_ratio(1.4, radians(90)), Grounding::pole, 15, 10, 3);
+  small.style = {.width = 25, .pin_diameter = 12, .thickness = 4};
+  small.hardware = "M12 bolt";  // nuts 20 mm wide, A and C 10 mm apart
+  EXPECT_FALSE(hardware_faults(small).empty());
+  design.style.thickness = 90;
+  ASSERT_FALSE(hardware_faults(design).empty());
+  EXPECT_NE(hardware_faults(design).front().find("is made that grips 180 mm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kempe

@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+"""workshop.pdf, read by a reader that shares nothing with its writer: dimensions and lines against design.json, parts against
+bom.csv, the ruler as poppler renders it, letters that keep clear of each other and inside the frame.
+
+usage: workshop_test.py KEMPE SOURCE_DIR [unittest arguments]
+"""
+import csv
+import itertools
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import program
+from pdf_reader import pages_of
+from program import EXAMPLES, TEN_LINES, kempe
+
+EXACT = 1e-3  # mm
+PAPER = {"A4": (210, 297), "A3": (297, 420)}
+FRAME = (20, 10)  # mm: from the left edge of the paper, from the others
+LINKS = ["VA", "VB", "ACX", "BCY"]
+
+
+def drawing_of(page):
+    """What the title block says of a sheet: its drawing and scale."""
+    def value(field):
+        name = next(one for one in page.texts if one.text == field)
+        return next(one.text for one in page.texts if abs(one.x - name.x) < 0.01 and 0 < name.y - one.y < 9 and one is not name)
+
+    over, under = (float(one) for one in value("Scale").split(":")) if ":" in value("Scale") else (1, 1)
+    return value("Drawing"), over / under
+
+
+def outlined_circles(page, radius):
+    """Centres of the circles drawn as visible edges with this radius."""
+    found = [path.circle() for path in page.paths if abs(path.pen - 0.5) < 0.01 and path.stroked]
+    return [(x, y) for x, y, r in filter(None, found) if abs(r - radius) < EXACT]
+
+
+def apart(one, other):
+    """True if two boxes, turned or not, do not overlap: some side of one separates them."""
+    for box in (one, other):
+        for i in range(2):
+            axis = (box[i + 1][0] - box[i][0], box[i + 1][1] - box[i][1])
+            spans = [[axis[0] * x + axis[1] * y for x, y in corners] for corners in (one, other)]
+            slack = 1e-6 * math.hypot(*axis)
+            if max(spans[0]) <= min(spans[1]) + slack or max(spans[1]) <= min(spans[0]) + slack:
+                return True
+    return False
+
+
+class Case(program.Case):
+    def drawn(self, text, name="job.toml", paper=None, folder="out"):
+        """The folder that a spec becomes."""
+        spec, out = self.scratch / name, self.scratch / folder
+        spec.write_text(text)
+        command = "workspace" if "[mechanism]" in text else "synthesize"
+        run = kempe(command, spec, "-o", out, "--quiet", *(["--paper", paper] if paper else []))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return out
+
+    def pages(self, out):
+        return pages_of((out / "workshop.pdf").read_bytes())
+
+    def check_letters(self, pages, where):
+        faults = []
+        for number, page in enumerate(pages, 1):
+            boxes = [(one.text, one.corners()) for one in page.texts if one.text.strip()]
+            for (text, box), (other, second) in itertools.combinations(boxes, 2):
+                if not apart(box, second):
+                    faults.append(f"sheet {number}: '{text}' lies on '{other}'")
+            for text, box in boxes:
+                if not all(FRAME[0] <= x <= page.size[0] - FRAME[1] and FRAME[1] <= y <= page.size[1] - FRAME[1] for x, y in box):
+                    faults.append(f"sheet {number}: '{text}' leaves the frame")
+        self.assertEqual(faults, [], where)
+
+
+class Dimensions(Case):
+    def check_link(self, pages, link, design):
+        mechanism = design["mechanism"]
+        lengths = {frozenset(name): value for name, value in mechanism["lengths_mm"].items()}
+        pairs = [frozenset(pair) for pair in itertools.combinations(link, 2)]
+        hole = mechanism["pin_diameter_mm"] + design["cutting"]["hole_fit_mm"]
+        sheets = [page for page in pages if drawing_of(page)[0].startswith(f"Link {link},")]
+        first = sheets[0]
+        # the tables
+        rows = {frozenset(row[0]): float(row[1]) for row in first.table("Between holes", 45) if len(row) == 2 and row[0] != "Holes"}
+        self.assertEqual(set(rows), set(pairs))
+        for pair in pairs:
+            self.assertLessEqual(abs(rows[pair] - lengths[pair]), EXACT)
+        heading = next(one.text for one in first.texts if one.text.startswith("Holes, from "))
+        places = {row[0]: (float(row[1]), float(row[2])) for row in first.table(heading, 78) if len(row) == 4 and row[0] != "Hole"}
+        self.assertEqual(places[heading[-1]], (0, 0))
+        for pair in pairs:
+            one, other = (places[joint] for joint in pair)
+            self.assertLessEqual(abs(math.dist(one, other) - lengths[pair]), 2 * EXACT)
+        # the lines, on every sheet that shows the whole link
+        for sheet in sheets:
+            scale = drawing_of(sheet)[1]
+            centres = outlined_circles(sheet, 0.5 * hole * scale)
+            if len(centres) != len(link):
+                self.assertIn("tile", drawing_of(sheet)[0])
+                continue
+            found = sorted(math.dist(a, b) / scale for a, b in itertools.combinations(centres, 2))
+            for drawn, wanted in zip(found, sorted(lengths[pair] for pair in pairs)):
+                self.assertLessEqual(abs(drawn - wanted), EXACT)
+        # what stands at the arrows
+        said = {one.text for one in first.texts}
+        for x, y in places.values():
+            for value in (x, abs(y)):
+                self.assertTrue(value == 0 or any(re.fullmatch(r"[\d.]+", one) and float(one) == value for one in said))
+
+    def test_agree_with_the_design(self):
+        for example in sorted(EXAMPLES.glob("*.toml")):
+            with self.subTest(example.name):
+                out = self.drawn(example.read_text(), example.name, folder=example.stem)
+                design = json.loads((out / "design.json").read_text())
+                pages = self.pages(out)
+                for link in LINKS:
+                    self.check_link(pages, link, design)
+
+    def test_tiles_join(self):
+        out = self.drawn((EXAMPLES / "pantorouter.toml").read_text())
+        tiles = [page for page in self.pages(out) if "Link VA" in drawing_of(page)[0] and "tile" in drawing_of(page)[0]]
+        self.assertEqual(len(tiles), 2)
+        marks = []
+        for tile in tiles:
+            rings = [path.circle() for path in tile.paths if not path.clipped]
+            rings = sorted((x, y) for x, y, r in filter(None, rings) if abs(r - 2) < EXACT)
+            self.assertEqual(len(rings), 2)
+            hole, = [(x, y) for x, y in outlined_circles(tile, 5) if FRAME[0] < x < tile.size[0] - FRAME[1]]
+            marks.append([(x - hole[0], y - hole[1]) for x, y in rings])
+        for (x, y), (u, v) in zip(*marks):  # laid on each other the holes are as far apart as the bar is long
+            self.assertLessEqual(abs(math.hypot(x - u, y - v) - 270), EXACT)
+
+
+class Parts(Case):
+    def test_of_the_bill_are_drawn_and_no_others(self):
+        for example in ("plagiograph.toml", "pantorouter.toml", "clamped-plate.toml"):
+            with self.subTest(example):
+                out = self.drawn((EXAMPLES / example).read_text(), example, folder=pathlib.Path(example).stem)
+                bill = list(csv.DictReader((out / "bom.csv").read_text().splitlines()))
+                pages = self.pages(out)
+                listed = {}
+                for page in pages:
+                    if "Parts list" in {one.text for one in page.texts}:
+                        for row in page.table("Parts list", 240):
+                            if row and row[0].isdigit() and len(row) > 2:
+                                listed[int(row[0])] = row[2].removeprefix("link ")
+                self.assertEqual(listed, {i: one["name"] for i, one in enumerate(bill, 1)})
+                stack = next(page for page in pages if drawing_of(page)[0].startswith("Stack"))
+                assembly = next(page for page in pages if drawing_of(page)[0].startswith("Assembly"))
+                said = {int(m[1]): m[2] for m in (re.fullmatch(r"(\d+)  (.+)", one.text) for one in stack.texts) if m}
+                for number, one in enumerate(bill, 1):
+                    if one["item"] == "strip":  # what links are sawn off
+                        continue
+                    self.assertIn(number, said, one["name"])
+                    if one["item"] in ("link", "pin", "post"):
+                        self.assertIn(str(number), {text.text for text in assembly.texts}, one["name"])
+                    if one["item"] == "link":
+                        self.assertTrue(any(f"Link {one['name']}, item {number}" in drawing_of(page)[0] for page in pages))
+                self.assertEqual({bill[number - 1]["name"] for number in said} - {"washer"}, {name for name in said.values() if "washer" not in name})
+
+
+class Sheets(Case):
+    def test_are_of_the_paper_asked_for(self):
+        for paper, (width, height) in PAPER.items():
+            for page in self.pages(self.drawn(TEN_LINES, paper=paper, folder=paper)):
+                self.assertLess(abs(min(page.size) - width) + abs(max(page.size) - height), 1e-3)
+        run = kempe("synthesize", self.scratch / "job.toml", "-o", self.scratch / "no", "--paper", "A5")
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("A5", run.stderr)
+
+    def test_are_the_same_bytes_each_time(self):
+        texts = [(self.drawn(TEN_LINES, folder=folder) / "workshop.pdf").read_bytes() for folder in ("one", "two")]
+        self.assertEqual(*texts)
+        self.assertNotIn(b"Date", texts[0])
+
+    def test_name_their_design(self):
+        out = self.drawn(TEN_LINES)
+        sum_of = subprocess.run(["sha1sum", out / "design.json"], capture_output=True, text=True).stdout[:16]
+        pages = self.pages(out)
+        for number, page in enumerate(pages, 1):
+            self.assertTrue(page.says(sum_of))
+            self.assertTrue(page.says(f"{number} of {len(pages)}"))
+
+    def test_stand_any_title(self):
+        long_name = "a long name " * 15
+        for name in (long_name, "(brackets) \\ and %", "Größe ½ Ω Жук 中文", "tab\tand\x01bell\x07", "  "):
+            with self.subTest(name):
+                self.check_letters(self.pages(self.drawn(TEN_LINES, name + ".toml")), name)
+
+    def test_letters_keep_clear_of_each_other(self):
+        for example in sorted(EXAMPLES.glob("*.toml")):
+            for paper in PAPER:
+                out = self.drawn(example.read_text(), example.name, paper, f"{example.stem}-{paper}")
+                self.check_letters(self.pages(out), f"{example.name} on {paper}")
+
+    def test_letters_keep_clear_on_random_specs(self):
+        chance = random.Random(7)
+        for i in range(24):
+            text = f"""
+[copy]
+scale = {round(math.exp(chance.uniform(-1.5, 1.5)), 3)}
+rotation_deg = {chance.choice([0, 180, 37, 90, -120, round(chance.uniform(-170, 170), 1)])}
+[region]
+rectangle_mm = {{at = [{chance.uniform(40, 200):.1f}, {chance.uniform(-60, 60):.1f}], size = [{chance.uniform(4, 60):.1f}, {chance.uniform(4, 60):.1f}]}}
+[links]
+width_mm = {chance.uniform(5, 30):.2f}
+pin_diameter_mm = {chance.uniform(1, 4.9):.2f}
+thickness_mm = {chance.uniform(1, 12):.2f}
+layers = {chance.randint(2, 4)}
+longest_mm = 3000
+"""
+            spec, out = self.scratch / "random.toml", self.scratch / f"random{i}"
+            spec.write_text(text)
+            run = kempe("synthesize", spec, "-o", out, "--quiet")
+            if run.returncode == 3:  # no such linkage
+                continue
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.check_letters(self.pages(out), text)
+
+
+class Ruler(Case):
+    def test_measures_100_mm_as_rendered(self):
+        out = self.drawn(TEN_LINES)
+        number, page = next((n, page) for n, page in enumerate(self.pages(out), 1) if drawing_of(page)[1] == 1 and page.says("100 mm:"))
+        dots = 300 / 25.4
+        image = subprocess.run(["pdftoppm", "-r", "300", "-gray", "-f", str(number), "-l", str(number), out / "workshop.pdf"],
+                               capture_output=True).stdout
+        header = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", image)
+        width, height = int(header[1]), int(header[2])
+        zero, hundred = (next(one for one in page.texts if one.text == text) for text in ("0", "100"))
+        row = round(height - (zero.y + 0.9 + 2.5 + 3.6) * dots)  # near the tops of the long ticks
+        line = image[header.end() + row * width: header.end() + (row + 1) * width]
+
+        def tick_near(text):
+            middle = (text.x + 0.5 * text.width) * dots
+            ink = [(x, 255 - line[x]) for x in range(round(middle - 5), round(middle + 6))]
+            return sum((x + 0.5) * dark for x, dark in ink) / sum(dark for _, dark in ink)
+
+        self.assertLessEqual(abs(tick_near(hundred) - tick_near(zero) - 100 * dots), 0.5)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

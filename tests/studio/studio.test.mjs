@@ -1,0 +1,248 @@
+// The studio in a browser, as a file and without a network. Claims, one a test; scripts/studio --test runs them.
+// KEMPE names the native program that the engine is compared with.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { after, test } from "node:test";
+import { answerOf, file, pages, rested, template, textOf } from "./browser.mjs";
+import { drag, memory } from "./dragging.mjs";
+import { comparable, compare, inPage, natively, program, randomSpecs, verdictOn } from "./equality.mjs";
+
+const scratch = mkdtempSync(path.join(tmpdir(), "kempe-studio-"));
+after(() => rmSync(scratch, { recursive: true }));
+const on = pages();
+
+test("Every template designs, and its values are the native program's to 12 digits", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    const names = await page.evaluate(() => window.kempe.studio.data.templates.map(({ name }) => name));
+    assert.ok(names.length >= 9);
+    for (const name of names) {
+      const { design: native } = natively(template(name));
+      const here = await page.evaluate((text) => window.kempe.design(text), template(name));
+      for (const { quality, objective } of [native, here]) {
+        const bound = quality.lower_bound;  // each is proven, and both are near to the value
+        if (bound !== undefined && bound !== null && objective === undefined) assert.ok(bound <= quality.size * (1 + 1e-9) && bound > quality.size * (1 - 2e-3), `${name}: bound ${bound}`);
+      }
+      compare(comparable(native), comparable(here), name);
+    }
+  });
+});
+
+test("Random specs have the native program's answers too", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    for (const [i, text] of randomSpecs(8, 1).entries()) {  // node bench/studio_equality.mjs tries more
+      const verdict = verdictOn(natively(text), await inPage(page, text));
+      assert.match(verdict, /^(equal|both none)$/, `spec ${i}`);
+    }
+  });
+});
+
+test("One third has a width, and without it the page refuses to start", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    assert.equal(await page.evaluate(async () => (await window.kempe.studio.searcher.ask("check", {})).holds), true);
+  });
+  const altered = readFileSync(file, "utf8").replace(/const holds = JSON\.parse\([^;]*;/, "const holds = false;");
+  const other = path.join(scratch, "flat.html");
+  writeFileSync(other, altered);
+  await on({ page: other }, async (page) => {
+    await page.waitForFunction(() => document.body.classList.contains("refused"));
+    assert.match(await page.locator("#verdict").textContent(), /Interval arithmetic does not hold/);
+    assert.equal(await answerOf(page), undefined);
+  });
+});
+
+test("A drag is answered at once, kept as one step, and undone", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    const before = await textOf(page);
+    const knob = page.locator('.handle[data-id="region.polygon_mm.0.2"] .reach');
+    const box = await knob.boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2;
+    await page.evaluate(() => {
+      const { studio } = window.kempe, take = studio.takeSketch.bind(studio);
+      window.sketched = [];
+      studio.takeSketch = (answer) => { take(answer); window.sketched.push([answer.kind, studio.sketchTime]); };
+    });
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 60; ++i) await page.mouse.move(x + 10 * Math.sin(i / 9), y + 8 * Math.sin(i / 13));
+    await page.mouse.up();
+    await rested(page);
+    const sketches = await page.evaluate(() => window.sketched), times = sketches.map(([, ms]) => ms).sort((a, b) => a - b);
+    assert.ok(sketches.length >= 10 && sketches.some(([kind]) => kind === "sketch"), `${sketches.length} sketches`);
+    console.log(`${sketches.length} sketches: median ${times[times.length >> 1].toFixed(1)} ms, 95 % ${times[Math.floor(0.95 * (times.length - 1))].toFixed(1)} ms from question to answer`);
+    const moved = await textOf(page);
+    assert.notEqual(moved, before);
+    assert.match(moved, /# all of it 56 to 75 mm/, "a note of the spec was lost");
+    await page.locator("#undo").click();
+    await rested(page);
+    assert.equal(await textOf(page), before);
+    await page.locator("#redo").click();
+    await rested(page);
+    assert.equal(await textOf(page), moved);
+  });
+});
+
+test("Arrow keys move a handle, and every handle has a name", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    const names = await page.locator(".handle").evaluateAll((nodes) => nodes.map((node) => node.getAttribute("aria-label")));
+    assert.ok(names.length >= 6 && names.every(Boolean) && new Set(names).size === names.length, names.join());
+    await page.locator('.handle[data-id="pole.at_mm"]').focus();
+    await page.keyboard.press("ArrowRight");
+    await rested(page);
+    assert.match(await textOf(page), /at_mm = \[1, 0\]/);
+  });
+});
+
+test("Where nothing exists, the reason is said and a button finds the way out", async () => {
+  const text = template("plagiograph") + "\n[limits]\ntransmission_deg = 88\n";
+  await on({}, async (page) => {
+    await rested(page);
+    await page.evaluate((spec) => window.kempe.studio.open(spec), text);
+    await page.waitForFunction(() => document.body.dataset.answer === "none");
+    assert.ok((await page.locator("#verdict").textContent()).length > 20);
+    await page.locator("#changes button").first().click();
+    await page.waitForFunction(() => document.body.dataset.answer === "design");
+  });
+});
+
+test("Faults of the text stand at their lines; a decimal comma is a number", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    await page.locator("#text-part summary").click();
+    const good = await textOf(page);
+    await page.locator("#spec").fill(good.replace("scale = 1.4", "scale = -1").replace("width_mm = 6", "widht_mm = 6"));
+    await page.waitForFunction(() => document.body.dataset.answer === "faults");
+    const faults = await page.locator("#faults li").allTextContents();
+    assert.equal(faults.length, 2);
+    assert.ok(faults.every((words) => /^Line \d+: /.test(words)), faults.join());
+    await page.locator("#spec").fill(good);
+    await page.waitForFunction(() => document.body.dataset.answer === "design");
+    await page.locator('[id="field-copy.scale"]').fill("1,5");
+    await page.keyboard.press("Enter");
+    await page.keyboard.press("Tab");
+    await page.waitForFunction(() => /scale = 1\.5/.test(window.kempe.studio.text));
+    await rested(page);
+    assert.equal(await answerOf(page), "design");
+  });
+});
+
+test("An address restores the spec, and hostile addresses leave the page alive", async () => {
+  let fragment;
+  await on({}, async (page) => {
+    await rested(page);
+    fragment = await page.evaluate(() => window.kempe.fragmentOf('# ünïcode "note"\n[copy]\nscale = 2\n\n[region]\ncircle_mm = {centre = [90, 0], radius = 10}\n'));
+  });
+  await on({ fragment }, async (page) => {
+    await rested(page);
+    assert.match(await textOf(page), /^# ünïcode "note"\n\[copy\]\nscale = 2\n/);
+    assert.equal(await answerOf(page), "design");
+  });
+  const bomb = await (async () => {
+    const stream = new Blob([new Uint8Array(8 << 20)]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+    return Buffer.from(await new Response(stream).arrayBuffer()).toString("base64url");
+  })();
+  for (const hostile of ["#k1:", "#k1:AAAA", "#k1:%00%ff", "#k2:abcd", "#k1:<script>window.hostile=1</script>", `#k1:${"A".repeat(50000)}`, `#k1:${bomb}`, fragment.slice(0, -9)])
+    await on({ fragment: hostile }, async (page) => {
+      await rested(page);
+      assert.equal(await page.evaluate(() => window.hostile), undefined);
+      assert.ok(["design", "faults"].includes(await answerOf(page)), hostile.slice(0, 40));
+    });
+});
+
+test("Hostile specs leave the page alive with a message", async () => {
+  const hostile = ["", "[", "[copy]\nscale = nan\n", "x".repeat(200000), `[copy]\nscale = ${"[".repeat(5000)}`, "[region]\nfile = \"/etc/passwd\"\n[copy]\nscale = 2\n",
+    '[copy]\nscale = 2\n[region]\nrectangle_mm = {at = [1e300, 0], size = [1, 1]}\n', '[[obstacles]]\nname = "<img src=x onerror=window.hostile=1>"\ncircle_mm = {centre = [0, 0], radius = -1}\n'];
+  await on({}, async (page) => {
+    await rested(page);
+    for (const text of hostile) {
+      await page.evaluate((spec) => window.kempe.studio.open(spec), text);
+      await rested(page);
+      assert.ok(["faults", "none"].includes(await answerOf(page)), text.slice(0, 40));
+      assert.ok((await page.locator("#verdict").textContent()).length > 5);
+    }
+    await page.evaluate((spec) => window.kempe.studio.open(spec), template("half-turn"));
+    await rested(page);
+    assert.equal(await answerOf(page), "design");
+    assert.equal(await page.evaluate(() => window.hostile), undefined);
+  });
+});
+
+test("What is taken away is what the program writes", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#download").click()]);
+    const zip = path.join(scratch, "design.zip"), folder = path.join(scratch, "unpacked");
+    await download.saveAs(zip);
+    execFileSync("python3", ["-m", "zipfile", "-e", zip, folder]);
+    const names = readdirSync(folder);
+    for (const name of ["design.json", "report.html", "spec.toml", "bom.csv"]) assert.ok(names.includes(name), names.join());
+    execFileSync(program, ["verify", path.join(folder, "design.json"), "--quiet"]);
+  });
+});
+
+test("A change of one value leaves all else of a text as it is", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    const checked = await page.evaluate(() => {
+      let state = 1, count = 0;
+      const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+      for (const { text } of window.kempe.studio.data.templates) {
+        const doc = new window.kempe.Doc(text), paths = [...doc.values.keys()];
+        for (let i = 0; i < 60; ++i) {
+          const path = paths[Math.floor(random() * paths.length)], value = Number((200 * random() - 100).toPrecision(6));
+          const changed = new window.kempe.Doc(doc.with(path, value));
+          if (changed.get(path) !== value) throw new Error(`${path} was not changed`);
+          for (const other of paths) if (other !== path && JSON.stringify(changed.get(other)) !== JSON.stringify(doc.get(other))) throw new Error(`${other} changed with ${path}`);
+          const added = new window.kempe.Doc(doc.with("limits.new_key", value));
+          if (added.get("limits.new_key") !== value || [...added.values.keys()].length !== paths.length + 1) throw new Error("a key was not added");
+          if (added.without("limits.new_key").replace(/\n+\[limits\]\n$/, "\n") !== text.replace(/\n*$/, "\n")) throw new Error("a key was not removed");
+          ++count;
+        }
+      }
+      return count;
+    });
+    assert.ok(checked >= 500);
+  });
+});
+
+test("Memory after a long drag is what it was after a short one", async () => {
+  await on({}, async (page) => {
+    const after = async (count) => {
+      const { steps } = await page.evaluate(drag, count);
+      await rested(page);
+      return { steps, ...(await memory(page)) };
+    };
+    await rested(page);
+    // The engine's memory grows once more with the second search of a page; from then on it must not.
+    const short = [await after(60), await after(60)][1], long = await after(600);
+    assert.ok(long.steps > 300, `${long.steps} steps`);
+    assert.ok(long.heap_bytes < short.heap_bytes + (1 << 20), `${short.heap_bytes} bytes before, ${long.heap_bytes} after`);
+    assert.equal(long.engine_bytes, short.engine_bytes);
+  });
+});
+
+test("On a phone nothing is wider than the screen, and no word lies on a handle or on another word", async () => {
+  await on({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }, async (page) => {
+    await rested(page);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+    assert.ok(await page.locator("#size").isVisible());
+    for (const name of await page.evaluate(() => window.kempe.studio.data.templates.map((of) => of.name))) {
+      await page.evaluate((spec) => window.kempe.studio.open(spec), template(name));
+      await rested(page);
+      const clashes = await page.evaluate(() => {
+        const boxes = (css) => [...document.querySelectorAll(`#map ${css}`)].filter((node) => node.textContent || node.tagName === "circle").map((node) => ({ word: node.textContent, box: node.getBoundingClientRect() }));
+        const words = [...boxes(".names text"), ...boxes(".m-mechanism .role"), ...boxes(".says")], knobs = boxes(".knob"), table = document.getElementById("map").getBoundingClientRect();
+        const meet = (one, other) => Math.min(one.right, other.right) - Math.max(one.left, other.left) > 1 && Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 3;
+        const outside = ({ box }) => box.left < table.left || box.right > table.right;
+        return [...words.filter(outside), ...words.filter(({ box }, i) => words.some((of, j) => j < i && meet(box, of.box)) || knobs.some((of) => meet(box, of.box)))].map(({ word }) => word);
+      });
+      assert.deepEqual(clashes, [], name);
+    }
+  });
+});
