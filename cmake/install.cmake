@@ -14,6 +14,10 @@ if(TARGET kempe_program)
   file(RELATIVE_PATH from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/kempe)
   set_target_properties(kempe_program PROPERTIES INSTALL_RPATH "$ORIGIN/${from_program}")
   install(TARGETS kempe_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET kempe_manual)
+    install(DIRECTORY ${PROJECT_BINARY_DIR}/app/share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
+  endif()
+  install(FILES out/studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/kempe OPTIONAL)  # if scripts/studio has built it
 endif()
 if(TARGET kempe_step)
   install(TARGETS kempe_step LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kempe)
@@ -24,4 +28,4 @@ configure_package_config_file(cmake/kempe-config.cmake.in ${PROJECT_BINARY_DIR}/
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/kempe-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/kempe-config.cmake ${PROJECT_BINARY_DIR}/kempe-config-version.cmake
-  cmake/FindIpopt.cmake cmake/FindCminpack.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
+  cmake/FindIpopt.cmake cmake/FindCminpack.cmake cmake/FindHaru.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
