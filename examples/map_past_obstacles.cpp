@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <kempe/kempe.hpp>
+#include <variant>
 
 namespace {
 
@@ -49,6 +50,7 @@ int main() {
   }
   std::cout << "(70, 0): " << map.at({70, 0}).sentence << '\n';
 
-  const kempe::CopiedDrawing copy = kempe::trace(*outcome, {circle({66, 0}, 4)});
-  std::cout << "drawn " << copy.drawn_length << " mm, missing " << copy.missing_length << " mm\n";
+  const auto traced = kempe::trace(*outcome, {circle({66, 0}, 4)});
+  if (const auto* copy = std::get_if<kempe::CopiedDrawing>(&traced))
+    std::cout << "drawn " << copy->drawn_length << " mm, missing " << copy->missing_length << " mm\n";
 }
