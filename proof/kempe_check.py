@@ -116,9 +116,10 @@ LENGTH, OBJECTIVE = number(0), word("size", "transmission")  # of others no log 
 TASK = {"scale": ("copy.scale", number(1e-6)), "degrees": ("copy.rotation_deg", number(-3600, 3600)),
         "region": ("region", polygons), "obstacles": ("obstacles", listed(obstacle)), "clearance": ("limits.clearance_mm", LENGTH),
         "transmission": ("limits.transmission_deg", number(0, 90)), "sheets_gap": ("limits.sheets_gap_mm", optional(LENGTH)),
-        "copy_error": ("limits.copy_error_mm", optional(LENGTH)), "strip": ("limits.longest_strip_mm", optional(LENGTH)), "length": ("tolerance.length_mm", optional(LENGTH)),
-        "play": ("tolerance.play_mm", optional(LENGTH))}
-CHOICE = {"longest": ("links.longest_mm", LENGTH), "shortest": ("links.shortest_mm", LENGTH), "wall": ("links.wall_mm", LENGTH), "seat": ("links.seat_mm", optional(LENGTH)),
+        "copy_error": ("limits.copy_error_mm", optional(LENGTH)), "strip": ("limits.longest_strip_mm", optional(LENGTH)),
+        "length": ("tolerance.length_mm", optional(LENGTH)), "play": ("tolerance.play_mm", optional(LENGTH))}
+CHOICE = {"longest": ("links.longest_mm", LENGTH), "shortest": ("links.shortest_mm", LENGTH),
+          "wall": ("links.wall_mm", LENGTH), "seat": ("links.seat_mm", optional(LENGTH)),
           "hole_fit": ("cutting.hole_fit_mm", number(-10, 10)), "most_layers": ("links.layers", number(1, 8, [int])),
           "grid": ("links.grid_mm", optional(LENGTH)), "stock": ("links.stock_mm", optional(listed(LENGTH))),
           "locked": ("links", lambda table: {n: v for n in LENGTHS if (v := optional(LENGTH)(table.get(n + "_mm")))}),

@@ -52,7 +52,8 @@ std::string contours(const MapScene& scene, const std::vector<ContourCircle>& ci
     const std::string level = words(circle.level);
     std::vector<PictureBox> places;
     for (int i = 0; i < bearings; ++i) {
-      const double turn = (i % 2 == 0 ? 1 : -1) * pi * ((i + 1) / 2) / (bearings / 2);
+      const int step = i % 2 == 0 ? (i + 1) / 2 : -(i + 1) / 2;
+      const double turn = 2 * pi * step / bearings;
       places.push_back({pole + as_point(std::polar(circle.radius, bearing + turn)),
                         half_of_small_words(level, scene.view.unit)});
     }
