@@ -456,9 +456,11 @@ class Verify(unittest.TestCase):
         stated["obstacles"][0]["height_mm"] = 3
         self.assertEqual(self.verify(stated).returncode, 2)
         stated = copy.deepcopy(self.designs["everything"])
-        stated["title"], stated["quality"]["mass_kg"] = "shop sign", 1.2
-        found = self.assertCertified(self.verify(stated))
-        self.assertLessEqual({"title", "quality.mass_kg"}, {one["key"] for one in found["not_checked"]})
+        stated["title"] = "Shop sign"
+        stated["engraver"], stated["quality"]["mass_kg"] = "Ada", 1.2
+        unchecked = {one["key"] for one in self.assertCertified(self.verify(stated))["not_checked"]}
+        self.assertLessEqual({"engraver", "quality.mass_kg"}, unchecked)
+        self.assertNotIn("title", unchecked)
 
     def test_rings_that_are_no_region_are_refused(self):
         stated = copy.deepcopy(self.designs["plagiograph"])
