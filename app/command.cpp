@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 std::string_view name(ExitCode code) {
   switch (code) {
-    case no_design: return "no design was found";
+    case no_design: return "none exists";
     case verification_failed: return "verification failed";
     case cannot_write: return "cannot write";
     case stopped:
@@ -48,6 +48,11 @@ Json json_of(const InputError& fault) {
 int fail(const Session& session, ExitCode code, const std::string& message) {
   if (session.json) print(json_text(Json{{"error", std::string(name(code))}, {"sentence", message}}));
   return fail_told(code, message);
+}
+
+int fail_unproven(const Session& session, const std::string& message) {
+  if (session.json) print(json_text(Json{{"error", none_found}, {"sentence", message}, {"proven", false}}));
+  return fail_told(stopped, message);
 }
 
 int fail(const Session& session, const InputError& error) {

@@ -15,10 +15,10 @@ enum ExitCode : int {
   done = 0,
   failed = 1,
   bad_input = 2,
-  no_design = 3,
+  no_design = 3,  ///< none exists
   verification_failed = 4,
   cannot_write = 5,
-  stopped = 6,  ///< by a limit of time or work, before an answer
+  stopped = 6,  ///< by a limit of time or work, before an answer: nothing found, nothing proven
   interrupted = 130
 };
 
@@ -36,6 +36,10 @@ CLI::App* add_command(CLI::App& program, Session& session, const std::string& na
 /// Prints "kempe: MESSAGE" to stderr and, with --json, one object to stdout; returns the code. For a command that has
 /// printed nothing yet.
 int fail(const Session& session, ExitCode code, const std::string& message);
+/// The verdict on a search that ended without a design and without a proof that there is none.
+inline constexpr const char* none_found = "no design was found";
+/// The same for that verdict, with `proven` false in the object: a search says nothing about what it did not find. Returns `stopped`.
+int fail_unproven(const Session& session, const std::string& message);
 /// Bad input, every fault of it: {"error": {"faults": [{"file", "line", "key", "found", "allowed"}, ...]}}.
 int fail(const Session& session, const InputError& error);
 

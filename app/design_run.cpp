@@ -282,8 +282,10 @@ std::string limit_word(const Relaxation& relaxation) {
 }  // namespace
 
 int tell_no_design(const Session& session, const NoDesign& none, const std::optional<ProofFolder>& proof) {
-  const std::string verdict = none.proven ? "no design exists" : "no design was found";
-  std::string message = verdict + (none.proven ? " (proven: no linkage can): " : ": ") + none.sentence + "\n";
+  const std::string verdict = none.proven ? "no design exists" : none_found;
+  std::string message = verdict +
+                        (none.proven ? " (proven: no linkage can): " : " (not proven: one may exist): ") +
+                        none.sentence + "\n";
   std::vector<std::string> files, left_out;
   if (none.proven && proof) {
     const auto log = certificate_of_none(proof->spec.spec, proof->stop);
@@ -323,7 +325,7 @@ int tell_no_design(const Session& session, const NoDesign& none, const std::opti
                                        {"VB_mm", relaxation.design.linkage.VB()}});
     print(json_text(object));
   }
-  return fail_told(no_design, message);
+  return fail_told(none.proven ? no_design : stopped, message);
 }
 
 CLI::Option* add_paper_option(CLI::App& command, Paper& paper) {

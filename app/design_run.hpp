@@ -49,7 +49,7 @@ struct ProofFolder {
 };
 
 /// Says why no design exists and what would make one possible; a proof's log goes into the folder, if one is given. Returns
-/// `no_design`, or `cannot_write`.
+/// `no_design` where that is proven, else `stopped`: the search's work was spent without an answer; or `cannot_write`.
 int tell_no_design(const Session& session, const NoDesign& none,
                    const std::optional<ProofFolder>& proof = std::nullopt);
 

@@ -169,6 +169,11 @@ std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int
   return text;
 }
 
+ExitCode code_of(const PlanarRun& run) {
+  if (!run.stop) return done;
+  return run.stop->end == PathEnd::gave_up ? stopped : no_design;
+}
+
 int write_output(const Session& session, const std::string& path, const std::string& contents) {
   const auto written = write_whole(path, contents);
   return written ? static_cast<int>(done) : fail(session, cannot_write, written.error());

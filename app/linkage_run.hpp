@@ -41,6 +41,9 @@ tl::expected<PlanarRun, int> drive_to(const Session& session, const LoadedLinkag
 /// "dead point at step 17.33 of 36 (...): A, B and C in line (crank, rod)"
 std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps);
 
+/// Of a motion that ended early: `no_design` where the linkage cannot go on, `stopped` where the work allowed was spent.
+ExitCode code_of(const PlanarRun& run);
+
 /// Writes an output file; on failure tells why and returns cannot_write.
 int write_output(const Session& session, const std::string& path, const std::string& contents);
 

@@ -98,10 +98,10 @@ def report(rows):
         if gaps:
             print(f"{kind:20s} {len(gaps)} with a bound; within 0.1 %: {sum(g <= 1e-3 for g in gaps)}, 1 %: "
                   f"{sum(g <= 1e-2 for g in gaps)}, 5 %: {sum(g <= 0.05 for g in gaps)}; worst {100 * gaps[-1]:.1f} %")
-    none = [row for row in rows if row["status"] == "no design"]
+    none = [row for row in rows if row["status"] in ("no design", "none found")]
     print(f"no design            {len(none)}, proven {sum(bool(row.get('proven')) for row in none)}")
     for row in rows:
-        if row["status"] not in ("design", "no design"):
+        if row["status"] not in ("design", "no design", "none found"):
             print("FAILED", json.dumps(row)[:300])
 
 

@@ -12,7 +12,7 @@ for (const name of templates) {
   await rested(page);
   await page.evaluate((wanted) => {
     const { studio } = window.kempe;
-    studio.open(studio.data.templates.find(({ name }) => name === wanted).text);
+    studio.open([studio.data.first, ...studio.data.templates, ...studio.data.examples].find(({ name }) => name === wanted).text);
   }, name);
   await rested(page);
   await page.evaluate(drag, Math.min(50, steps));  // what is made once

@@ -28,16 +28,20 @@ MechanismSpec mechanism_of(const StoredDesign& stored, const CopyingLinkage& lin
 /// The spec that the file states, its mechanism given.
 Spec task_of(const StoredDesign& stored, const CopyingLinkage& linkage) {
   Spec spec;
+  spec.title = stored.title;
   spec.copy = stored.wanted ? Copy::of(stored.wanted->scale, stored.wanted->rotation)
                             : Copy::of(stored.scale, stored.rotation);
   spec.region = stored.region;
   spec.pole.place = stored.mechanism.pole_position;
   spec.links.style = stored.style;
+  spec.links.hardware = stored.hardware;
   spec.links.layers = std::max(spec.links.layers, stored.layers.highest());
   spec.limits = stored.limits.value_or(no_limits());
   spec.tolerance = stored.tolerance;
   if (stored.tool) spec.tool = {stored.tool->follower_radius, stored.tool->cutter_radius};
   spec.obstacles = stored.obstacles;
+  spec.bodies = stored.bodies;
+  spec.table = stored.table;
   spec.objective.objective = stored.objective.value_or(spec.objective.objective);
   spec.mechanism = mechanism_of(stored, linkage);
   spec.cutting = stored.cutting.value_or(CuttingSpec{});

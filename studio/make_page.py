@@ -17,7 +17,8 @@ STYLES = [ROOT / "reports/web/report.css", PAGE / "studio.css"]
 SCRIPTS = [ROOT / "reports/web/kinematics.js", ROOT / "reports/web/frame.js"] + [
     PAGE / name for name in ("toml.js", "shapes.js", "labels.js", "stage.js", "share.js", "engine.js", "panel.js", "homography.js", "drawing.js", "photo.js",
                             "main.js")]
-TEMPLATES = ["plagiograph", "nameplate", "clamped-plate", "pantorouter", "half-turn", "matlab-circle", "sixty", "two-layer",
+# Shown in the gallery below the templates of kempe init; the first is what the page opens with, and not shown.
+EXAMPLES = ["plagiograph", "nameplate", "clamped-plate", "pantorouter", "half-turn", "matlab-circle", "sixty", "two-layer",
              "robust-plagiograph"]
 # What stands on the table is drawn, not typed; the rest of a spec gets a field a key, in this order.
 DRAWN = {"region", "pole", "obstacles", "bodies", "table", "mechanism"}
@@ -41,15 +42,21 @@ def keys():
     return sorted(found, key=lambda key: first.index(key["table"]) if key["table"] in first else len(first))
 
 
-def template(name):
-    text = (ROOT / "specs/examples" / f"{name}.toml").read_text(encoding="utf-8")
+def templates():
+    """Those of kempe init, in its order."""
+    folder = ROOT / "specs/templates"
+    return [card(folder / f"{name}.toml") for name in (folder / "order.txt").read_text(encoding="utf-8").split()]
+
+
+def card(path):
+    text = path.read_text(encoding="utf-8")
     words = []
     for line in text.splitlines():
         if not line.startswith("# ") or line.startswith("# Run:"):
             break
         words.append(line[2:])
     sentence = " ".join(words).split(". ")[0].rstrip(".")
-    return {"name": name, "title": sentence.split(":")[0] if len(sentence) > 120 else sentence, "text": text}
+    return {"name": path.stem, "title": sentence.split(":")[0] if len(sentence) > 120 else sentence, "text": text}
 
 
 def inside_script(text):
@@ -66,7 +73,8 @@ def page(engine):
     script = inside_script("\n".join(path.read_text(encoding="utf-8") for path in SCRIPTS) + "\nkempe.begin();\n")
     worker = inside_script((engine / "engine.js").read_text(encoding="utf-8") + "\n" + (PAGE / "worker.js").read_text(encoding="utf-8"))
     wasm = base64.b64encode(gzip.compress((engine / "engine.wasm").read_bytes(), 9, mtime=0)).decode()
-    data = json.dumps({"keys": keys(), "templates": [template(name) for name in TEMPLATES]}, ensure_ascii=False)
+    first, *examples = [card(ROOT / "specs/examples" / f"{name}.toml") for name in EXAMPLES]
+    data = json.dumps({"keys": keys(), "first": first, "templates": templates(), "examples": examples}, ensure_ascii=False)
     policy = (f"default-src 'none'; base-uri 'none'; form-action 'none'; img-src data: blob:; worker-src blob:; "
               f"style-src {source(style)}; script-src {source(script)} 'wasm-unsafe-eval'")
     return f"""<!DOCTYPE html>

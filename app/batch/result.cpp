@@ -86,7 +86,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   const auto* found = std::get_if<FoundDesign>(&outcome);
   if (found == nullptr) {
     const auto* none = std::get_if<NoDesign>(&outcome);
-    line["status"] = none != nullptr ? "no design" : "stopped";
+    line["status"] = none == nullptr ? "stopped" : none->proven ? "no design" : "none found";
     line["message"] =
         none != nullptr ? none->sentence : "stopped before a design was found or proven impossible";
     if (none != nullptr) line["proven"] = none->proven;
@@ -97,7 +97,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   map.stop = deadline.flag(given.stop, 1, time_to_map(given.time_limit));
   auto certified = certified_design(*spec, *found, map, Detail::figures);
   if (!certified) {
-    line["status"] = "no design";
+    line["status"] = "none found";
     line["proven"] = false;
     line["message"] = certified.error();
     return line_of(line);
@@ -123,7 +123,8 @@ bool is_batch_result(const std::string& line) {
   const auto number = [](const nlohmann::json& value) { return value.is_number(); };
   if (!object || !object->is_object() || !holds("name", text) || !holds("status", text)) return false;
   const std::string status = object->at("status");
-  if (status == "bad input" || status == "no design" || status == "stopped") return holds("message", text);
+  if (status == "bad input" || status == "no design" || status == "none found" || status == "stopped")
+    return holds("message", text);
   if (status != "design" && status != "verification failed") return false;
   return holds("vertex", text) && holds("VA_mm", number) && holds("VB_mm", number) &&
          holds("size_mm", number);

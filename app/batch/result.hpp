@@ -8,8 +8,8 @@
 
 namespace kempe::app {
 
-/// One line of JSON: name, status ("design", "no design", "stopped", "bad input", "verification failed"), and for a design
-/// its figures. Depends on the task and the seed alone, unless the options' time limit or flag stops the search: then a
+/// One line of JSON: name, status ("design"; "no design" if that is proven, else "none found"; "stopped", "bad input",
+/// "verification failed"), and for a design its figures. Depends on the task and the seed alone, unless the options' time limit or flag stops the search: then a
 /// design has `complete` false, and without one the status is "stopped".
 std::string batch_result(const BatchTask& task, const SearchOptions& options);
 

@@ -26,7 +26,7 @@ tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage
   auto run = drive_to(session, loaded, start, step);
   if (!run) return tl::unexpected(run.error());
   if (!run->stop) return run->frames.back();
-  return tl::unexpected(fail(session, no_design,
+  return tl::unexpected(fail(session, code_of(*run),
                              fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
                                          stop_sentence(loaded, *run, loaded.file.steps))));
 }

@@ -165,7 +165,9 @@ int run(const Session& session, const FunctionArguments& arguments) {
   const auto task = task_of(*spec, arguments.spec_file);
   if (!task) return fail(session, task.error());
   const auto design = generate_function(*task);
-  if (!design) return fail(session, no_design, "no design found: " + design.error().sentence);
+  if (!design && design.error().proven)
+    return fail(session, no_design, "no design exists: " + design.error().sentence);
+  if (!design) return fail_unproven(session, "no design found: " + design.error().sentence);
   if (!arguments.plot_file.empty()) {
     const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted_text(*spec)));
     if (!written) return fail(session, cannot_write, written.error());

@@ -95,10 +95,10 @@ int run(const Session& session, const std::string& file) {
     print(json_text(object));
     return done;
   }
-  std::string why = "no design found";
+  std::string why = "no design found (not proven: lengths are searched)";
   for (const InversorAnswer& answer : answers)
     why += "\n  " + std::string(name(answer.kind)) + ": " + answer.why_not;
-  return fail(session, no_design, why);
+  return fail_unproven(session, why);
 }
 
 }  // namespace

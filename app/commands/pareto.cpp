@@ -168,7 +168,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (!front) return tell_no_design(session, front.error());
   if (front->empty() && !complete)
     return tell_stopped(session, stopping, "before a point of the front was found; nothing is written");
-  if (front->empty()) return fail(session, no_design, "no design was found");
+  if (front->empty()) return fail_unproven(session, none_found);
   const TimeToFinish time{stopping.flag(time_to_map(stopping.limit())),
                           stopping.flag(time_to_write(stopping.limit()))};
   auto files = draft_front(*front, *loaded, arguments.folder, *first, *second, time);

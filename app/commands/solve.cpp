@@ -154,7 +154,7 @@ int run(const Session& session, const SolveArguments& arguments) {
       return code;
   tell(session, arguments, *loaded, table, *motion);
   if (!motion->stop) return done;
-  return fail_told(no_design,
+  return fail_told(code_of(*motion),
                    printable(arguments.linkage) + ": " + stop_sentence(*loaded, *motion, loaded->file.steps));
 }
 

@@ -69,7 +69,7 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   const auto& found = std::get<FoundDesign>(outcome);
   auto design =
       certified_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map});
-  if (!design) return fail(session, no_design, design.error());
+  if (!design) return fail_unproven(session, none_found + (": " + design.error()));
   const StopFlag to_write = stopping.flag(time_to_write(stopping.limit()));
   const int code = publish_design(session, *design, *loaded, arguments.folder, {to_map, to_write}, *studio,
                                   arguments.paper);

@@ -57,10 +57,11 @@ std::string synopsis(const CommandWords& command) {
 }
 
 constexpr const char* exit_codes =
-    ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n2\nbad input\n.TP\n3\nno design exists, or none was "
-    "found\n.TP\n4\na verification "
+    ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n2\nbad input\n.TP\n3\nno design exists; of a linkage, "
+    "no such position\n.TP\n4\na verification "
     "failed\n.TP\n5\nthe output cannot be written\n.TP\n6\nstopped by a limit of time or work, without an "
-    "answer\n.TP\n130\nstopped by Ctrl\\-C\n.TP\n1\nanything else\n";
+    "answer: none was found, and it is not proven that none exists\n.TP\n130\nstopped by "
+    "Ctrl\\-C\n.TP\n1\nanything else\n";
 
 }  // namespace
 

@@ -58,7 +58,7 @@
       }
       const inside = this.inside();
       if (!text && inside) this.name = inside.name;
-      this.open(text || (inside ? inside.text : this.data.templates[0].text));
+      this.open(text || (inside ? inside.text : this.data.first.text));
       document.body.classList.add("started");
     }
 
@@ -274,7 +274,7 @@
       this.ghost = this.ghost || null;
       this.stage.showMap(null);
       this.figures(null, false);
-      this.say("bad", (answer.proven ? "Proven: no design exists. " : "") + answer.reason);
+      this.say("bad", (answer.proven ? "Proven: no design exists. " : "None found, which proves nothing: ") + answer.reason);
       one("changes").replaceChildren(...answer.changes.map((change) => this.changeButton(change)));
       this.place();
     }
@@ -526,7 +526,7 @@
 
     listen() {
       const gallery = one("gallery");
-      one("templates").replaceChildren(...this.data.templates.map((template) => this.card(template)));
+      for (const group of ["templates", "examples"]) one(group).replaceChildren(...this.data[group].map((spec) => this.card(spec)));
       one("open-gallery").addEventListener("click", () => gallery.showModal());
       one("close-gallery").addEventListener("click", () => gallery.close());
       one("undo").addEventListener("click", () => this.undo(this.history, this.future));

@@ -60,7 +60,7 @@ tl::expected<FunctionDesign, NoFunctionDesign> verdict(const std::optional<Funct
         most == FunctionDefect::none
             ? "no four-bar came near enough to be measured"
             : "every four-bar measured has a defect; the most frequent: " + std::string(name(most));
-    return tl::unexpected(NoFunctionDesign{most, found + ". Searched: " + extent});
+    return tl::unexpected(NoFunctionDesign{most, found + ". Searched: " + extent, false});
   }
   FunctionDesign design = *chosen;
   design.rejected_branch = count(seen, FunctionDefect::branch);
@@ -79,7 +79,7 @@ tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionT
   const WantedAngles wanted(task);
   if (!wanted.usable())
     return tl::unexpected(
-        NoFunctionDesign{FunctionDefect::none, "the function is constant or not finite on its range"});
+        NoFunctionDesign{FunctionDefect::none, "the function is constant or not finite on its range", true});
   if (task.method == FunctionMethod::precision_points) {
     PrecisionSearch precise = search_precision_points(task, wanted);
     if (precise.best) complete_design(task, wanted, *precise.best);

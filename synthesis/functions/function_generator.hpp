@@ -68,6 +68,7 @@ struct FunctionDesign {
 struct NoFunctionDesign {
   FunctionDefect commonest = FunctionDefect::none;  ///< of the candidates
   std::string sentence;  ///< what was searched and what was found; claims no more than that
+  bool proven = false;  ///< true: no four-bar can, because the function has no dial; else a search found none
 };
 
 /// The best design without defect that is found: smallest largest structural error (least squares: smallest mean

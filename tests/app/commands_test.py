@@ -249,6 +249,23 @@ class BadInput(Case):
         enough = re.search(r"([0-9.]+) would do", said["relaxations"][0]["sentence"])
         self.assertEqual(self.synthesize(asking(enough[1])).returncode, 0)
 
+    def test_a_search_that_found_none_is_no_proof(self):
+        spec = self.spec(TEN_LINES + "[tolerance]\nlength_mm = 2\nplay_mm = 1\nrobust = true\n")
+        run = kempe("synthesize", spec, "-o", self.scratch / "out", "--json")
+        self.assertRefused(run, 6, "no design was found (not proven: one may exist)")
+        self.assertNotIn("no design exists", run.stderr)
+        said = json.loads(run.stdout)
+        self.assertEqual((said["error"], said["proven"], said["files"]), ("no design was found", False, []))
+        lines, out = self.scratch / "specs.jsonl", self.scratch / "batch"
+        far = {"rectangle_mm": {"at": [6000, -5], "size": [10, 10]}}
+        near = {"rectangle_mm": {"at": [60, -5], "size": [10, 10]}}
+        links = {"width_mm": 6, "pin_diameter_mm": 3}
+        specs = [{"region": near, "tolerance": {"length_mm": 2, "play_mm": 1, "robust": True}}, {"region": far}]
+        lines.write_text("".join(json.dumps({"copy": {"scale": 1.4, "rotation_deg": 90}, "links": links, **one}) + "\n" for one in specs))
+        self.assertEqual(kempe("synthesize", "--batch", lines, "-o", out).returncode, 0)
+        told = [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
+        self.assertEqual([(one["status"], one["proven"]) for one in told], [("none found", False), ("no design", True)])
+
     def test_joints_stand_no_nearer_than_their_holes_and_a_wall(self):
         def spec(keys, cutting=""):
             return ("[copy]\nscale = 3.5\n[region]\npolygon_mm = [[-190, 34], [-202, 17], [-180, -1]]\n[links]\n"
@@ -647,8 +664,9 @@ class Words(Case):
     def test_an_answer_that_does_not_exist_is_json_too(self):
         lens = self.spec("[lens]\nfocal_length_mm = 100\nmagnification = [0.5, 2]\n[links]\nlongest_mm = 1\n", "lens.toml")
         run = kempe("inversor", lens, "--json")
-        self.assertEqual(run.returncode, 3)
-        self.assertEqual(json.loads(run.stdout)["error"], "no design was found")
+        self.assertEqual(run.returncode, 6)
+        told = json.loads(run.stdout)
+        self.assertEqual((told["error"], told["proven"]), ("no design was found", False))
 
     def test_a_file_of_another_kind_is_told_its_command(self):
         design = kempe("synthesize", self.spec(), "-o", self.scratch / "made") and self.scratch / "made" / "design.json"

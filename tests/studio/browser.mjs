@@ -37,6 +37,8 @@ export function pages() {
   };
 }
 
+/** All specs that the gallery offers, and what the page opens with: name and text as they stand in the page. */
+export const gallery = (page) => page.evaluate(() => ["templates", "examples"].flatMap((group) => window.kempe.studio.data[group]).concat(window.kempe.studio.data.first));
 /** A shipped example's text. */
 export const template = (name) => readFileSync(`${root}specs/examples/${name}.toml`, "utf8");
 export const answerOf = (page) => page.evaluate(() => document.body.dataset.answer);

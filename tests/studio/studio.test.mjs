@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "n
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
-import { answerOf, file, pages, rested, template, textOf } from "./browser.mjs";
+import { answerOf, file, gallery, pages, rested, template, textOf } from "./browser.mjs";
 import { drag, memory } from "./dragging.mjs";
 import { comparable, compare, inPage, natively, program, randomSpecs, verdictOn } from "./equality.mjs";
 
@@ -14,14 +14,36 @@ const scratch = mkdtempSync(path.join(tmpdir(), "kempe-studio-"));
 after(() => rmSync(scratch, { recursive: true }));
 const on = pages();
 
-test("Every template designs, and its values are the native program's to 12 digits", async () => {
+test("The gallery offers the templates of kempe init, the same bytes in the same order, each with a picture", async () => {
   await on({}, async (page) => {
     await rested(page);
-    const names = await page.evaluate(() => window.kempe.studio.data.templates.map(({ name }) => name));
-    assert.ok(names.length >= 9);
-    for (const name of names) {
-      const { design: native } = natively(template(name));
-      const here = await page.evaluate((text) => window.kempe.design(text), template(name));
+    const { templates } = JSON.parse(execFileSync(program, ["init", "--json"], { encoding: "utf8" }));
+    const offered = await page.evaluate(() => window.kempe.studio.data.templates);
+    assert.deepEqual(offered.map(({ name }) => name), templates.map(({ name }) => name));
+    for (const [i, { name, title, text }] of offered.entries()) {
+      assert.equal(text, execFileSync(program, ["init", name], { encoding: "utf8" }));
+      assert.equal(`${title}.`, templates[i].purpose);
+    }
+    await page.locator("#open-gallery").click();
+    const cards = page.locator("#templates .card");
+    assert.equal(await cards.count(), templates.length);
+    for (let i = 0; i < templates.length; ++i) {
+      const shapes = await cards.nth(i).locator(".preview path").evaluateAll((paths) => paths.map((path) => { const { width, height } = path.getBoundingClientRect(); return width * height; }));
+      assert.ok(shapes.filter((area) => area > 30).length >= 2, `${templates[i].name}: original and copy are seen`);
+    }
+    await page.locator("#templates .card", { hasText: "eidograph" }).click();
+    assert.equal(await textOf(page), offered.find(({ name }) => name === "eidograph").text);
+  });
+});
+
+test("Every spec of the gallery designs, and its values are the native program's to 12 digits", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    const specs = await gallery(page);
+    assert.ok(specs.length >= 19);
+    for (const { name, text } of specs) {
+      const { design: native } = natively(text);
+      const here = await page.evaluate((spec) => window.kempe.design(spec), text);
       for (const { quality, objective } of [native, here]) {
         const bound = quality.lower_bound;  // each is proven, and both are near to the value
         if (bound !== undefined && bound !== null && objective === undefined) assert.ok(bound <= quality.size * (1 + 1e-9) && bound > quality.size * (1 - 2e-3), `${name}: bound ${bound}`);
@@ -189,10 +211,10 @@ test("What is taken away is what the program writes", async () => {
 test("A change of one value leaves all else of a text as it is", async () => {
   await on({}, async (page) => {
     await rested(page);
-    const checked = await page.evaluate(() => {
+    const checked = await page.evaluate((specs) => {
       let state = 1, count = 0;
       const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
-      for (const { text } of window.kempe.studio.data.templates) {
+      for (const { text } of specs) {
         const doc = new window.kempe.Doc(text), paths = [...doc.values.keys()];
         for (let i = 0; i < 60; ++i) {
           const path = paths[Math.floor(random() * paths.length)], value = Number((200 * random() - 100).toPrecision(6));
@@ -206,8 +228,8 @@ test("A change of one value leaves all else of a text as it is", async () => {
         }
       }
       return count;
-    });
-    assert.ok(checked >= 500);
+    }, await gallery(page));
+    assert.ok(checked >= 1000);
   });
 });
 
@@ -232,8 +254,8 @@ test("On a phone nothing is wider than the screen, and no word lies on a handle 
     await rested(page);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
     assert.ok(await page.locator("#size").isVisible());
-    for (const name of await page.evaluate(() => window.kempe.studio.data.templates.map((of) => of.name))) {
-      await page.evaluate((spec) => window.kempe.studio.open(spec), template(name));
+    for (const { name, text } of await gallery(page)) {
+      await page.evaluate((spec) => window.kempe.studio.open(spec), text);
       await rested(page);
       const clashes = await page.evaluate(() => {
         const boxes = (css) => [...document.querySelectorAll(`#map ${css}`)].filter((node) => node.textContent || node.tagName === "circle").map((node) => ({ word: node.textContent, box: node.getBoundingClientRect() }));

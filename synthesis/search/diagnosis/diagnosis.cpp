@@ -71,7 +71,8 @@ std::string in_vain(const NoDesign& none, const Questions& questions) {
 
 NoDesign diagnose(const SearchTask& task, const SearchResult& nothing, const Point& origin) {
   NoDesign none{.requirement = "limits",
-                .sentence = "no design keeps all limits together",
+                .sentence = nothing.proven_none ? "no design keeps all limits together"
+                                                : "the search found none that keeps all limits together",
                 .relaxations = {},
                 .proven = nothing.proven_none,
                 .obstacles_out_of_reach = names_out_of_reach(task.spec()),
