@@ -5,12 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/batch/task_spec.hpp"
 #include "kinematics/deadline.hpp"
 #include "reports/data/csv_text.hpp"
 #include "reports/drawings/parts_fault.hpp"
-#include "specs/json_spec.hpp"
 #include "specs/objective_unit.hpp"
-#include "specs/spec_reader.hpp"
 #include "specs/text/json_text.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/verification/verification.hpp"
@@ -25,11 +24,6 @@ constexpr const char* csv_columns[] = {"name",  "status",  "vertex",           "
 
 /// JSON on one line; bytes that are no UTF-8, as a file's name may have, become U+FFFD.
 std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-tl::expected<std::string, InputError> toml_of(const BatchTask& task) {
-  if (!task.text || !task.is_json) return task.text;
-  return toml_from_json(*task.text, task.name);
-}
 
 Json figures(const Design& design) {
   const CopyingLinkage& l = design.linkage;
@@ -55,12 +49,6 @@ Json figures(const Design& design) {
   return line;
 }
 
-/// The fault without its line where that is a line of the text made from one of JSON, which nobody sees.
-InputError as_told(InputError error, const BatchTask& task) {
-  if (task.is_json && error.file == task.name) error.line = 0;
-  return error;
-}
-
 /// The topmost fault, and how many more there are.
 std::string in_one_line(const InputError& error) {
   const std::size_t more = error.others.size();
@@ -72,17 +60,17 @@ std::string in_one_line(const InputError& error) {
 
 std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   Json line{{"name", task.name}};
-  const auto spec = toml_of(task).and_then(
-      [&](const std::string& text) { return read_spec(text, task.name, task.folder); });
-  if (!spec) {
+  const auto read = task_spec(task);
+  if (!read) {
     line["status"] = "bad input";
-    line["message"] = in_one_line(as_told(spec.error(), task));
+    line["message"] = in_one_line(read.error());
     return line_of(line);
   }
+  const Spec& spec = read->spec;
   const Deadline deadline(given.time_limit);
   SearchOptions options = given;
   options.diagnose = false;  // of thousands of specs: `kempe synthesize` on one of them says why
-  const SearchOutcome outcome = synthesize(*spec, options);
+  const SearchOutcome outcome = synthesize(spec, options);
   const auto* found = std::get_if<FoundDesign>(&outcome);
   if (found == nullptr) {
     const auto* none = std::get_if<NoDesign>(&outcome);
@@ -95,7 +83,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   MapOptions map;
   map.largest_sheets = false;  // not among the figures of a batch
   map.stop = deadline.flag(given.stop, 1, time_to_map(given.time_limit));
-  auto certified = certified_design(*spec, *found, map, Detail::figures);
+  auto certified = certified_design(spec, *found, map, Detail::figures);
   if (!certified) {
     line["status"] = "none found";
     line["proven"] = false;
@@ -108,7 +96,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   line["status"] = design.verification.holds ? "design" : "verification failed";
   line.update(figures(design));
   if (!design.verification.holds) line["message"] = design.verification.failure;
-  if (const auto fault = parts_fault(design, spec->cutting)) line["parts"] = fault->sentence;
+  if (const auto fault = parts_fault(design, spec.cutting)) line["parts"] = fault->sentence;
   return line_of(line);
 }
 

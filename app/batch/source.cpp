@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "specs/text/json_text.hpp"
@@ -37,7 +39,14 @@ class FolderSource : public BatchSource {
 
   BatchTask task(std::int64_t number) override {
     const std::string& name = names_[static_cast<std::size_t>(number)];
-    return {name, read_text_file(folder_ / name), folder_.string(), false};
+    const fs::path file = folder_ / name;
+    return {name, read_text_file(file), file.string(), folder_.string(), false};
+  }
+
+  std::optional<BatchTask> named(const std::string& name) override {
+    const auto place = std::lower_bound(names_.begin(), names_.end(), name);
+    if (place == names_.end() || *place != name) return std::nullopt;
+    return task(place - names_.begin());
   }
 
   std::vector<fs::path> inputs() const override {
@@ -67,9 +76,15 @@ class LineSource : public BatchSource {
     bool is_there = true;
     while (is_there && next_ <= number) is_there = read_on();
     const std::string folder = file_.parent_path().string();
-    if (is_there) return {fmt::format("line-{}", line_number_), line_, folder, true};
+    if (is_there) return {fmt::format("line-{}", line_number_), line_, file_.string(), folder, true};
     const InputError shorter{file_.string(), 0, "", "a file that became shorter meanwhile", "one that stays"};
-    return {fmt::format("task-{}", number + 1), tl::unexpected(shorter), folder, true};
+    return {fmt::format("task-{}", number + 1), tl::unexpected(shorter), file_.string(), folder, true};
+  }
+
+  std::optional<BatchTask> named(const std::string& name) override {
+    for (std::int64_t number = 0; number < size_; ++number)
+      if (BatchTask one = task(number); one.name == name) return one;
+    return std::nullopt;
   }
 
   std::vector<fs::path> inputs() const override { return {file_}; }
@@ -125,7 +140,21 @@ class SweepSource : public BatchSource {
       *at = axis->values[place];
       name.insert(0, fmt::format("-{}", place + 1));
     }
-    return {"cell" + name, spec.dump(), file_.parent_path().string(), true};
+    return {"cell" + name, spec.dump(), file_.string(), file_.parent_path().string(), true};
+  }
+
+  std::optional<BatchTask> named(const std::string& name) override {
+    std::int64_t number = 0;
+    std::string_view rest = name;
+    for (const Axis& axis : axes_) {
+      rest.remove_prefix(std::min(rest.size(), rest.find('-') + 1));
+      std::size_t place = 0;
+      std::from_chars(rest.data(), rest.data() + rest.size(), place);
+      if (place < 1 || place > axis.values.size()) return std::nullopt;
+      number = number * std::ssize(axis.values) + static_cast<std::int64_t>(place) - 1;
+    }
+    BatchTask one = task(number);
+    return one.name == name ? std::optional(std::move(one)) : std::nullopt;
   }
 
   std::vector<fs::path> inputs() const override { return {file_}; }

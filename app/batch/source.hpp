@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -18,6 +19,7 @@ struct BatchTask {
   std::string name;  ///< the file's name, line-N, or cell-I-J-...
   /// As the source holds it, or why there is none: that task's failure, not the batch's.
   tl::expected<std::string, InputError> text;
+  std::string file;      ///< that holds it
   std::string folder;    ///< where the files that it names are looked for
   bool is_json = false;  ///< the text is one line of JSON; else TOML
 };
@@ -37,6 +39,8 @@ class BatchSource {
   virtual std::int64_t size() const = 0;
   /// The task of this number. Cheapest in rising order. Not for several threads at once.
   virtual BatchTask task(std::int64_t number) = 0;
+  /// The task of this name; nothing where there is none.
+  virtual std::optional<BatchTask> named(const std::string& name) = 0;
   /// The files that the tasks come from.
   virtual std::vector<std::filesystem::path> inputs() const = 0;
 

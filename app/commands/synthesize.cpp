@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/batch/batch.hpp"
+#include "app/batch/task_spec.hpp"
 #include "app/design_run.hpp"
 #include "app/progress.hpp"
 #include "app/stopping.hpp"
@@ -20,7 +22,7 @@ namespace kempe::app {
 namespace {
 
 struct SynthesizeArguments {
-  std::string spec_file, batch_source, folder;
+  std::string spec_file, batch_source, only, folder;
   std::uint64_t seed = 1;
   int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   double time_limit = Deadline::unlimited;
@@ -38,11 +40,12 @@ std::string known_bound(Objective objective, const std::optional<double>& bound)
 }
 
 int run(const Session& session, const SynthesizeArguments& arguments) {
-  if (!arguments.batch_source.empty())
+  if (!arguments.batch_source.empty() && arguments.only.empty())
     return run_batch(session, {arguments.batch_source, arguments.folder, arguments.threads, arguments.seed,
                                arguments.time_limit});
   const Stopping stopping(arguments.time_limit);
-  const auto loaded = load_spec(arguments.spec_file);
+  const auto loaded = arguments.batch_source.empty() ? load_spec(arguments.spec_file)
+                                                     : spec_of_batch(arguments.batch_source, arguments.only);
   if (!loaded) return fail(session, loaded.error());
   const auto studio = studio_page_if(arguments.studio, *loaded);
   if (!studio) return fail(session, failed, studio.error());
@@ -105,10 +108,17 @@ void add_synthesize_command(CLI::App& program, Session& session) {
                    "Share of the free workspace that may stay uncertain")
       ->check(number_between(1e-5, 0.5))
       ->capture_default_str();
-  batch->excludes(add_studio_option(*command, arguments->studio));
-  batch->excludes(add_paper_option(*command, arguments->paper));
-  command->callback([&session, arguments, spec, batch] {
+  command
+      ->add_option("--only", arguments->only,
+                   "Of a batch the one spec that its results call so (line-17, cell-2-1), with all files")
+      ->needs(batch);
+  const std::array of_one_design{add_studio_option(*command, arguments->studio),
+                                 add_paper_option(*command, arguments->paper)};
+  command->callback([&session, arguments, spec, batch, of_one_design] {
     if (spec->empty() && batch->empty()) throw CLI::RequiredError("SPEC or --batch");
+    for (const CLI::Option* option : of_one_design)
+      if (!option->empty() && !batch->empty() && arguments->only.empty())
+        throw CLI::ExcludesError(option->get_name(), "--batch without --only");
     session.chosen = [&session, arguments] { return run(session, *arguments); };
   });
 }

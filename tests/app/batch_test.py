@@ -122,6 +122,43 @@ class Sweeps(Case):
                 self.refused(self.sweep(SPEC, axes), *words)
 
 
+class OneOfMany(Case):
+    def design(self, source, name, *options):
+        out = self.scratch / f"only-{name}"
+        run = subprocess.run([*self.command(source, out, *options), "--only", name], capture_output=True, text=True, timeout=600)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return out
+
+    def test_a_batch_s_design_has_the_files_and_the_figures_of_its_line(self):
+        sweep = self.scratch / "sweep.json"
+        sweep.write_text(json.dumps({"spec": SPEC, "axes": [{"key": "copy.scale", "values": [0.7, 1.4]},
+                                                            {"key": "links.width_mm", "values": [6, 8, 10]}]}))
+        lines = self.lines([SPEC, "", with_value(SPEC, "copy.scale", 2)])
+        folder = self.scratch / "specs"
+        folder.mkdir()
+        (folder / "a.toml").write_text("[copy]\nscale = 1.4\n[region]\nrectangle_mm = [60, -5, 10, 10]\n")
+        (folder / "b.toml").write_text("[copy]\nscale = 3\n")
+        for source, name in ((sweep, "cell-2-3"), (sweep, "cell-1-1"), (lines, "line-3"), (folder, "a.toml")):
+            results = self.run_batch(source, self.scratch / f"all-{source.name}")["results.jsonl"]
+            told = next(one for one in map(json.loads, results.splitlines()) if one["name"] == name)
+            out = self.design(source, name)
+            design = json.loads((out / "design.json").read_text())
+            self.assertEqual(design["mechanism"]["lengths_mm"]["VA"], told["VA_mm"], name)
+            self.assertEqual(design["quality"]["size_mm"], told["size_mm"], name)
+            self.assertTrue((out / "report.html").exists() and (out / "workshop.pdf").exists())
+
+    def test_a_name_that_no_spec_has_is_refused(self):
+        sweep = self.scratch / "sweep.json"
+        sweep.write_text(json.dumps({"spec": SPEC, "axes": [{"key": "copy.scale", "values": [0.7, 1.4]}]}))
+        for source, names in ((sweep, ("cell-3", "cell-0", "cell-1-1", "cell", "cell-", "cell--1", "cell-01", "cell-1x", "line-1", "")),
+                              (self.lines([SPEC]), ("line-2", "line-0", "line-01", "cell-1"))):
+            for name in names:
+                run = subprocess.run([*self.command(source, self.scratch / "none"), f"--only={name}"], capture_output=True, text=True)
+                self.assertEqual(run.returncode, 2, (name, run.stderr))
+                self.assertIn("--only", run.stderr)
+        self.assertFalse((self.scratch / "none").exists())
+
+
 class Kills(Case):
     """A spec that was finished is never done again, and the results are those of a run that nothing disturbed."""
 
