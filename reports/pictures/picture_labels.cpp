@@ -16,6 +16,14 @@ double distance_of_boxes(const PictureBox& box, const Point& from, const Point& 
   return below.cwiseMax(above).cwiseMax(0.0).norm();
 }
 
+/// The distance of a segment from a box.
+double distance_from_box(const PictureBox& box, const Point& from, const Point& to) {
+  const Point lower = box.lower(), upper = box.upper();
+  const Hull segment{{from, to}, 2};
+  return std::min(distance(Hull{{lower, {upper.x(), lower.y()}, upper}, 3}, segment),
+                  distance(Hull{{lower, {lower.x(), upper.y()}, upper}, 3}, segment));
+}
+
 /// Free space between two boxes along the wider gap; negative if they overlap.
 double space_between(const PictureBox& a, const PictureBox& b) {
   const Point gap = (a.centre - b.centre).cwiseAbs() - a.half - b.half;
@@ -74,6 +82,20 @@ std::optional<Point> LabelPlacer::place_if_clear(const std::vector<PictureBox>& 
     if (inset(candidate, frame_) < 0) continue;
     const auto meets = [&](const PictureBox& box) { return space_between(candidate, box) < 2 * unit_; };
     if (std::any_of(boxes_.begin(), boxes_.end(), meets)) continue;
+    boxes_.push_back(candidate);
+    return candidate.centre;
+  }
+  return std::nullopt;
+}
+
+std::optional<Point> LabelPlacer::place_if_apart(const std::vector<PictureBox>& candidates, double space) {
+  for (const PictureBox& candidate : candidates) {
+    const auto near = [&](const Line& line) {
+      const double least = space + line.half_width;
+      return distance_of_boxes(candidate, line.from, line.to) < least &&
+             distance_from_box(candidate, line.from, line.to) < least;
+    };
+    if (clearness(candidate) < 0 || std::any_of(lines_.begin(), lines_.end(), near)) continue;
     boxes_.push_back(candidate);
     return candidate.centre;
   }

@@ -33,6 +33,8 @@ class LabelPlacer {
   Point place_beside(const PictureBox& box, const Point& half);
   /// The first of the boxes that lies within the frame and on no other label; from then on it is kept free.
   std::optional<Point> place_if_clear(const std::vector<PictureBox>& candidates);
+  /// The first of the boxes that keeps `space` from lines and labels, and lies within the frame; from then on it is kept free.
+  std::optional<Point> place_if_apart(const std::vector<PictureBox>& candidates, double space);
 
  private:
   double clearness(const PictureBox& label) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/pictures/picture_labels.hpp"
@@ -72,6 +73,17 @@ void draw_region(Sheet& sheet, const View& view, const Region& region, Pen pen, 
   }
 }
 
+Region on_paper_of(const View& view, Region region) {
+  const auto put = [&](Ring& ring) {
+    for (Point& point : ring) point = view.at(point);
+  };
+  for (Polygon& polygon : region.polygons) {
+    put(polygon.outer);
+    for (Ring& hole : polygon.holes) put(hole);
+  }
+  return region;
+}
+
 /// Keeps labels clear of a region's edges, as far as few edges can say it.
 void avoid_edges(LabelPlacer& labels, const View& view, const Region& region) {
   constexpr double detail = 2;  // mm on paper
@@ -98,15 +110,42 @@ class Words {
 
   LabelPlacer& placer() { return placer_; }
   void write(const std::string& text, const Point& anchor, double radius, double height) {
-    const Point half(0.5 * lettering_(text, height), 0.5 * height);
-    const Point place = placer_.place_around(anchor, radius, half + Point(0.4, 0.8), Point(1, 1));
+    const Point half = Point(0.5 * lettering_(text, height), 0.5 * height);
+    const Point room = half + Point(0.2, 0.2);
+    std::vector<PictureBox> near;
+    for (const double away : {0.5, 1.0, 1.7, 2.5, 3.5, 5.0})
+      for (const int turn : {1, 7, 3, 5, 0, 2, 4, 6}) {  // of a circle's eighths; corners first
+        const Point direction = as_point(std::polar(1.0, turn * pi / 4));
+        near.push_back(
+            {anchor + (radius + away) * direction + room.cwiseProduct(direction.cwiseSign()), room});
+      }
+    constexpr double apart = 0.25;  // mm, from any line
+    const auto clear = placer_.place_if_apart(near, apart);
+    const Point place = clear ? *clear : placer_.place_around(anchor, radius, room, Point(1, 1));
     sheet_.text(text, place - Point(0, half.y()), height, Align::middle);
   }
 
-  void write_beside(const std::string& text, const Box& box, double height) {
+  /// In a region, given on paper, where it is clear there, nearest to its middle; else beside it.
+  void write_in(const std::string& text, const Region& region, double height) {
     const Point half(0.5 * lettering_(text, height), 0.5 * height);
-    const PictureBox named{0.5 * (box.lower + box.upper), 0.5 * (box.upper - box.lower)};
-    const Point place = placer_.place_beside(named, half + Point(0.4, 0.8));
+    const Box box = bounding_box(region);
+    const Point middle = 0.5 * (box.lower + box.upper);
+    constexpr int steps = 24;  // each way
+    std::vector<PictureBox> places;
+    for (int i = 1; i < steps; ++i)
+      for (int j = 1; j < steps; ++j) {
+        const Point share(static_cast<double>(i) / steps, static_cast<double>(j) / steps);
+        const Point at = box.lower + share.cwiseProduct(box.upper - box.lower);
+        if (contains(region, at)) places.push_back({at, half + Point(0.4, 0.8)});
+      }
+    std::stable_sort(places.begin(), places.end(), [&](const PictureBox& a, const PictureBox& b) {
+      return (a.centre - middle).norm() < (b.centre - middle).norm();
+    });
+    constexpr double apart = 0.2;  // mm, from any line
+    const auto clear = placer_.place_if_apart(places, apart);
+    const Point place =
+        clear ? *clear
+              : placer_.place_beside({middle, 0.5 * (box.upper - box.lower)}, half + Point(0.4, 0.8));
     sheet_.text(text, place - Point(0, half.y()), height, Align::middle);
   }
 
@@ -164,7 +203,7 @@ Sheet bench_sheet(const Task& task) {
   sheet.rectangle(on_paper, Pen::outline);
   Words words(sheet, task.lettering, on_paper);
   const Region table_edges = Region::rectangle(edges.lower, extent);
-  for (const Region* region : {&design.region, &copy, &table_edges})
+  for (const Region* region : {&design.region, &copy, &design.footprint, &table_edges})
     avoid_edges(words.placer(), view, *region);
   for (const Obstacle& obstacle : design.obstacles)
     avoid_edges(words.placer(), view, Region{{obstacle.shape}});
@@ -177,18 +216,17 @@ Sheet bench_sheet(const Task& task) {
   words.placer().avoid({pole.x(), on_paper.lower.y()}, pole, 0.3);
   for (const Mark& mark : marks)
     words.placer().avoid(PictureBox{view.at(mark.at), Point(cross_half, cross_half)});
+  // Names first: numbers find room beside their crosses, names only where the regions have it.
+  const auto name_region = [&](const std::string& text, const Region& region) {
+    if (!region.empty()) words.write_in(text, on_paper_of(view, region), text_height);
+  };
+  name_region("original", design.region);
+  name_region("copy", copy);
   int number = 0;
   for (const Mark& mark : marks) {
     draw_cross(sheet, view.at(mark.at));
     words.write(fmt::format("{}", ++number), view.at(mark.at), cross_half, heading_height);
   }
-  const auto name_region = [&](const std::string& text, const Region& region) {
-    if (region.empty()) return;
-    const Box box = bounding_box(region);
-    words.write_beside(text, {view.at(box.lower), view.at(box.upper)}, text_height);
-  };
-  name_region("original", design.region);
-  name_region("copy", copy);
   const Point from_edges = design.linkage.pole() - edges.lower;
   dimension_along_x(sheet, on_paper.lower, pole, on_paper.lower.y() - dimension_step - 2,
                     figure(from_edges.x()), task.lettering, true);
