@@ -79,6 +79,18 @@ function(kempe_wasm_dxflib)
   kempe_wasm_library(dxflib dxflib include src/dl_dxf.cpp src/dl_writer_ascii.cpp)
 endfunction()
 
+function(kempe_wasm_haru)
+  # Without PNG images. Of zlib only what compresses.
+  kempe_wasm_library(zlib ZLIB::ZLIB . adler32.c compress.c crc32.c deflate.c trees.c zutil.c)
+  set(root ${KEMPE_WASM_SOURCES}/libharu)
+  file(GLOB sources RELATIVE ${root} CONFIGURE_DEPENDS ${root}/src/*.c)
+  list(FILTER sources EXCLUDE REGEX "_png\\.c$")
+  kempe_wasm_library(libharu Haru::haru include ${sources})
+  target_link_libraries(wasm_libharu PRIVATE ZLIB::ZLIB)
+  file(WRITE ${CMAKE_BINARY_DIR}/libharu/hpdf_config.h "#define LIBHPDF_HAVE_NOPNGLIB\n")
+  target_include_directories(wasm_libharu PUBLIC ${CMAKE_BINARY_DIR}/libharu)
+endfunction()
+
 # The answer to find_package().
 macro(kempe_wasm_provide method package)
   enable_language(C)
@@ -109,6 +121,8 @@ macro(kempe_wasm_provide method package)
   elseif("${package}" STREQUAL "pugixml" AND NOT TARGET pugixml::pugixml)
     kempe_wasm_library(pugixml pugixml::pugixml src src/pugixml.cpp)
     kempe_wasm_dxflib()  # which comes without a package to be found
+  elseif("${package}" STREQUAL "Haru" AND NOT TARGET Haru::haru)
+    kempe_wasm_haru()
   endif()
   set(${package}_FOUND TRUE)
 endmacro()

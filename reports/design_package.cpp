@@ -58,10 +58,8 @@ tl::expected<std::vector<std::string>, std::string> make_design_package(
          return workshop_pdf(design, {title_of(design, extras), extras.program_version, extras.paper});
        }},
       {"report.html", [&] { return html_report(design, extras); }}};
-  const auto no_drawings = why_no_workshop_pdf();
-  if (no_drawings) left_out.push_back(*no_drawings);
   for (const auto& [name, text] : files)
-    if (!(no_drawings && name == workshop_name) && has_time_for(name))
+    if (has_time_for(name))
       if (auto taken = take({name, text()}); !taken) return tl::unexpected(taken.error());
   PartFiles parts = part_files(design, cutting, time.enough);
   for (const OutputFile& file : parts.files)

@@ -187,11 +187,8 @@ std::string given_pictures(const std::vector<PartPicture>& pictures) {
 std::string files_note(const ReportExtras& extras) {
   if (extras.pareto) return "";  // a front's folder holds no drawings
   const std::string drawings =
-      why_no_workshop_pdf()
-          ? ""
-          : "<p class=\"note\">To work from: <a href=\"workshop.pdf\">workshop.pdf</a>, every link with its "
-            "dimensions at "
-            "1:1, the stack, the assembly, the bench plan and the parts list, to print.</p>\n";
+      "<p class=\"note\">To work from: <a href=\"workshop.pdf\">workshop.pdf</a>, every link with its "
+      "dimensions at 1:1, the stack, the assembly, the bench plan and the parts list, to print.</p>\n";
   if (!extras.why_no_parts.empty())
     return drawings + fmt::format(
                           "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "

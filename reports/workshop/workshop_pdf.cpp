@@ -29,8 +29,6 @@ std::vector<Sheet> all_sheets(const workshop::Task& task) {
 
 }  // namespace
 
-std::optional<std::string> why_no_workshop_pdf() { return std::nullopt; }
-
 std::string workshop_pdf(const Design& design, const WorkshopJob& job) {
   workshop::Pdf pdf;
   const workshop::Lettering lettering = pdf.lettering();

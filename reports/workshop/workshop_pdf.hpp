@@ -1,17 +1,12 @@
 #pragma once
 // workshop.pdf: the drawings to make a design from.
 
-#include <optional>
 #include <string>
 
 #include "reports/workshop/paper.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {
-
-/// Nothing where this build writes workshop.pdf; else the sentence that says where it comes from: the browser's engine is built
-/// without the library that writes PDF files.
-std::optional<std::string> why_no_workshop_pdf();
 
 /// What the drawings say beside the design. Every text may be anything.
 struct WorkshopJob {
@@ -23,7 +18,6 @@ struct WorkshopJob {
 /// The file: assembly, stack, each link with its dimensions (1:1, in tiles where the paper is smaller), the bench plan, parts list and
 /// cutting list, on the paper that the job names. It depends on its arguments alone: no date of today. Every dimension is that of
 /// design.json to 0.0005 mm; lines lie within 1e-4 mm of where they should.
-/// Precondition: !why_no_workshop_pdf().
 std::string workshop_pdf(const Design& design, const WorkshopJob& job);
 
 }  // namespace kempe

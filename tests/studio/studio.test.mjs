@@ -203,8 +203,15 @@ test("What is taken away is what the program writes", async () => {
     await download.saveAs(zip);
     execFileSync("python3", ["-m", "zipfile", "-e", zip, folder]);
     const names = readdirSync(folder);
-    for (const name of ["design.json", "report.html", "spec.toml", "bom.csv"]) assert.ok(names.includes(name), names.join());
+    for (const name of ["design.json", "report.html", "spec.toml", "bom.csv", "workshop.pdf"]) assert.ok(names.includes(name), names.join());
     execFileSync(program, ["verify", path.join(folder, "design.json"), "--quiet"]);
+    const native = path.join(scratch, "native");
+    execFileSync(program, ["report", path.join(folder, "design.json"), "-o", native, "--quiet"]);
+    // Without title and hash: each folder has a design.json of its own.
+    const drawings = (from) => execFileSync("pdftotext", ["-layout", path.join(from, "workshop.pdf"), "-"], { encoding: "utf8" })
+      .replace(/[0-9a-f]{16}/g, "").replace(/^ *design(\.json)? +/gm, "").replace(/ +/g, " ");
+    assert.match(drawings(folder), /Cutting list/i);
+    assert.equal(drawings(folder), drawings(native));
   });
 });
 
