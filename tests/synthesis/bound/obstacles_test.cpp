@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/region_reach.hpp"
 #include "synthesis/bound/branch.hpp"
 #include "synthesis/bound/contact.hpp"
 #include "synthesis/bound/proven_bound.hpp"
@@ -48,6 +49,12 @@ std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& li
   return figure ? std::optional(figure->gap) : std::nullopt;
 }
 
+/// All of the region: a body may meet an obstacle with the tracer where a linkage does not get to.
+bool reaches(const CopyingLinkage& linkage, const RegionReach& region) {
+  const DistanceRange range = region.range(linkage.pole());
+  return range.nearest > 0 && linkage.opening_at(range.nearest) && linkage.opening_at(range.farthest);
+}
+
 struct ThrownAway {
   int boxes = 0, designs = 0;
 };
@@ -59,6 +66,7 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
   int boxes_hit = 0, designs = 0;
   for (int i = 0; i < specs; ++i) {
     const Spec spec = make_spec(dice);
+    const RegionReach region(spec.region);
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
     const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
     const AssemblyMode& mode = modes[static_cast<std::size_t>(i) % modes.size()];
@@ -78,6 +86,7 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
       for (std::size_t one = 0; one < layers.size(); ++one)
         if (!left.has(one)) gone.push_back(one);
       if (gone.empty()) continue;
+      if (gone.size() > 3) gone = {gone.front(), gone[gone.size() / 2], gone.back()};
       ++boxes_hit;
       for (int n = 0; n < 12; ++n) {
         const double one_t = dice.log_uniform(box.lengths.t.lower, box.lengths.t.upper);
@@ -87,7 +96,7 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
         const auto linkage =
             CopyingLinkage::make(spec.copy.k(), grounding, std::sqrt(one_w / one_t / 2),
                                  std::sqrt(one_w * one_t / 2) * std::abs(branch.mode.s), mode.number, pole);
-        if (!linkage) continue;
+        if (!linkage || !reaches(*linkage, region)) continue;
         for (const std::size_t one : gone) {
           const auto gap = gap_over_region(spec, *linkage, layers[one]);
           if (!gap) continue;  // does not reach the region: no design either
@@ -112,9 +121,9 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayForABodyIsHit) {
   std::vector<LayerAssignment> layers;  // every seventh: high and low ones, with gaps and without
   for (std::size_t i = 0; const LayerAssignment& each : layer_assignments(4))
     if (i++ % 7 == 0) layers.push_back(each);
-  const ThrownAway seen = look_into_boxes(dice, test::samples(100), layers, spec_with_bodies);
-  EXPECT_GT(seen.boxes, test::expected(100));
-  EXPECT_GT(seen.designs, test::expected(200));
+  const ThrownAway seen = look_into_boxes(dice, test::samples(40), layers, spec_with_bodies);
+  EXPECT_GT(seen.boxes, test::expected(60));
+  EXPECT_GT(seen.designs, test::expected(100));
 }
 
 struct Compared {
@@ -152,8 +161,8 @@ TEST(ProvenBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
 
 TEST(ProvenBoundObstacles, NoDesignWithBodiesIsBelowAndTheBoundIsNear) {
   test::SpecDice dice(101);
-  const auto [compared, near] = compare_with_designs(dice, test::samples(20), spec_with_bodies);
-  EXPECT_GT(compared, test::expected(6));
+  const auto [compared, near] = compare_with_designs(dice, test::samples(10), spec_with_bodies);
+  EXPECT_GT(compared, test::expected(2));
   EXPECT_TRUE(test::shortened() || near > 0.9 * compared) << near << " of " << compared;
 }
 
