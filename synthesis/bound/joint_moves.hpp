@@ -42,8 +42,8 @@ std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const Desig
 
 /// The same for the tracer and the pen alone, in the order of Joint, infinite for the others. The copy fixes these two whatever the
 /// lengths are, so it is said of places, too, that the middle design does not reach.
-JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box, const Point& place,
-                                       const std::array<Complex, 6>& joints,
+JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box,
+                                       const Point& place, const std::array<Complex, 6>& joints,
                                        std::optional<Joint> seen_from = std::nullopt);
 
 }  // namespace kempe::bounding

@@ -91,8 +91,9 @@ std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const Desig
   return moves;
 }
 
-JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box, const Point& place,
-                                       const std::array<Complex, 6>& joints, std::optional<Joint> seen_from) {
+JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box,
+                                       const Point& place, const std::array<Complex, 6>& joints,
+                                       std::optional<Joint> seen_from) {
   const OutwardRounding rounding;
   const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
   const IntervalComplex of_pole = exactly(seen_from ? 0.0 : 1.0);

@@ -43,8 +43,7 @@ std::vector<Obstruction> obstructions_of(const Spec& spec) {
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
                            const std::vector<LayerAssignment>& layers, StopFlag stop)
     : ObstacleTest(spec, mode, layers,
-                   std::make_shared<const std::vector<ObstacleShape>>(
-                       obstacle_shapes(obstructions_of(spec))),
+                   std::make_shared<const std::vector<ObstacleShape>>(obstacle_shapes(obstructions_of(spec))),
                    std::move(stop)) {}
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
@@ -118,7 +117,8 @@ struct ObstacleTest::Look {
     const auto& of_one = test.places_[place].layers;
     if (of_one && !alive.has(*of_one)) return least;
     const PlacedJoints joints = joints_at(place);
-    std::array<std::optional<JointMoves>, 1 + all_joints.size()> moves;  // as seen from the table and from each joint
+    std::array<std::optional<JointMoves>, 1 + all_joints.size()>
+        moves;  // as seen from the table and from each joint
     bool is_reached = true;
     for (std::size_t i = first; i < last; ++i) {
       const Term& term = test.terms_[i];
@@ -131,12 +131,13 @@ struct ObstacleTest::Look {
       if (gap >= clearance) continue;
       double here = 0;
       if (term.is_of_the_copy) {
-        here = moved_of(term.what,
-                        copying_joints_move_at_most(test.mode_, test.k_, box, test.places_[place].at,
-                                                    joints.all(), term.what.seen_from));
+        here =
+            moved_of(term.what, copying_joints_move_at_most(test.mode_, test.k_, box, test.places_[place].at,
+                                                            joints.all(), term.what.seen_from));
       } else {
         auto& seen = moves[frame_of(term.what)];
-        if (is_reached && !seen) is_reached = (seen = moved_at(place, joints, term.what.seen_from)).has_value();
+        if (is_reached && !seen)
+          is_reached = (seen = moved_at(place, joints, term.what.seen_from)).has_value();
         if (!is_reached) continue;
         here = moved_of(term.what, *seen);
       }

@@ -72,7 +72,7 @@ class ObstacleTest {
  private:
   struct Term {
     ObstacleTerm what;
-    LayerSet layers{};           ///< in which it counts
+    LayerSet layers{};            ///< in which it counts
     bool is_of_the_copy = false;  ///< of tracer's and pen's places alone
   };
   struct Place {

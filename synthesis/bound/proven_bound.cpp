@@ -75,10 +75,10 @@ class Tree {
     for (const Grounding grounding : all_groundings) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
-      const auto layers = bounding::layer_choices(
-          spec_.copy.k(), grounding, spec_.links.layers,
-          sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
-          sees_obstacles() ? spec_.bodies : std::vector<Body>{}, trials_ != nullptr);
+      const auto layers =
+          bounding::layer_choices(spec_.copy.k(), grounding, spec_.links.layers,
+                                  sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
+                                  sees_obstacles() ? spec_.bodies : std::vector<Body>{}, trials_ != nullptr);
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));

@@ -159,11 +159,10 @@ bool ObstacleLeaves::hits(const ObstacleGuess& guess, const DesignCell& cell) co
   const PartPoint& point = guess.leaf.point;
   const Target& target = targets_[guess.leaf.obstacle];
   const bounding::MaterialPoint at = material_point(point, task_.root.mode.s), origin = origin_of(target);
-  const auto range = point_over(task_.root, cell, guess.place,
-                                {at.of_a - origin.of_a, at.of_b - origin.of_b}, target.seen_from.has_value());
+  const auto range = point_over(task_.root, cell, guess.place, {at.of_a - origin.of_a, at.of_b - origin.of_b},
+                                target.seen_from.has_value());
   if (!range) return false;
-  return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge,
-               needed(point.part, guess.leaf.obstacle)) >
+  return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, needed(point.part, guess.leaf.obstacle)) >
          of_the_way * range->away + slack::in_hand;
 }
 
@@ -210,8 +209,8 @@ bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Mid
   const double need = needed(part, obstacle);
   const Point origin =
       target.seen_from ? middle.joints[static_cast<std::size_t>(*target.seen_from)] : Point(Point::Zero());
-  if (!target.seen_from &&
-      of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest) return true;
+  if (!target.seen_from && of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest)
+    return true;
   if (points_[part.number].size() == 1) return false;  // as quickly looked at
   return axis_distance(part, task_.spec.links.style.plate, middle.joints, origin + target.centre) >
          need + target.radius;

@@ -68,7 +68,8 @@ class SpecDice {
     const double away = spec.region.polygons[0].outer[0].norm(), radius = away * uniform(0.03, 0.3);
     const Carrier at = one_in(2) ? Carrier::pen : Carrier::tracer;
     const Point centre = one_in(2) ? Point::Zero() : as_point(std::polar(0.8 * radius, uniform(-pi, pi)));
-    const int lowest = 1 + static_cast<int>(random_() % 2), highest = lowest + static_cast<int>(random_() % 3);
+    const int lowest = 1 + static_cast<int>(random_() % 2),
+              highest = lowest + static_cast<int>(random_() % 3);
     if (one_in(3)) return {at, Disc{centre, radius}, lowest, highest, "router"};
     const int corners = 3 + static_cast<int>(random_() % 5);
     return {at, star(centre, radius, corners), lowest, highest, "hand"};

@@ -80,8 +80,7 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
                                     Point(dice.uniform(-20, 20), dice.uniform(-20, 20)),
                                     dice.uniform(0, 2)};
       bounding::Sight sight;
-      const bounding::LayerSet left =
-          test.not_hit(box, bounding::LayerSet::all(layers.size()), sight, false);
+      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(layers.size()), sight, false);
       std::vector<std::size_t> gone;
       for (std::size_t one = 0; one < layers.size(); ++one)
         if (!left.has(one)) gone.push_back(one);
@@ -111,7 +110,8 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
 
 TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
   test::SpecDice dice(83);
-  const ThrownAway seen = look_into_boxes(dice, test::samples(150), layer_assignments(2), spec_with_obstacles);
+  const ThrownAway seen =
+      look_into_boxes(dice, test::samples(150), layer_assignments(2), spec_with_obstacles);
   EXPECT_GT(seen.boxes, test::expected(100));
   EXPECT_GT(seen.designs, test::expected(200));
 }
