@@ -101,8 +101,6 @@ std::string bound_line(const Design& design) {
                   in_file_unit(design.search->objective, bound),
                   1 + (angle ? 3 : decimals_for(design.linkage)), angle ? "degrees" : "mm");
   if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
-  if (!design.bodies.empty() || design.table)
-    text += fmt::format("; {} left out of it", left_out_of_bound(design));
   return text + "\n";
 }
 

@@ -39,11 +39,12 @@ def beside_scipy(context):
 
 
 def costs(context):
-    for on, name, target in (("plagiograph, no obstacle", "plagiograph", 0.5),
-                             ("nameplate, pole free, no obstacle", "nameplate", 0.5),
-                             ("clamped plate, three obstacles", "clamped-plate", 0.6),
-                             ("pantorouter, three obstacles", "pantorouter", 0.6)):
-        runs = [designed(context, EXAMPLES / f"{name}.toml") for _ in range(1 if context.quick else 5)]
+    for on, spec, target in (("plagiograph, no obstacle", EXAMPLES / "plagiograph.toml", 0.5),
+                             ("nameplate, pole free, no obstacle", EXAMPLES / "nameplate.toml", 0.5),
+                             ("clamped plate, three obstacles", EXAMPLES / "clamped-plate.toml", 0.6),
+                             ("router, three obstacles", HOME / "tasks" / "router-among-obstacles.toml", 0.6),
+                             ("pantorouter, three obstacles, two bodies, a table", EXAMPLES / "pantorouter.toml", 1.5)):
+        runs = [designed(context, spec) for _ in range(1 if context.quick else 5)]
         cpu, memory = min(run.cpu_s for run in runs), max(run.memory_mb for run in runs)
         if runs[0].code != 0:
             on += f" (exit {runs[0].code})"

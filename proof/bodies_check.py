@@ -1,5 +1,5 @@
-"""The part of kempe_check.py that bodies and the table's edge need, in claim 2. It is imported for a design that has one of
-the two. The theorems stand in docs/proof.md.
+"""The part of kempe_check.py that bodies and the table's edge need, in claims 2 to 4. It is imported for a design or a log that has
+one of the two. The theorems stand in docs/proof.md.
 
 A body keeps its direction, so it is at rest seen from the joint that carries it, and parts keep away from it there as they keep
 away from obstacles in the table's frame. Two polygons that do not overlap come within a distance of each other exactly if the
@@ -7,7 +7,7 @@ origin comes as near to an edge of one less a corner of the other, or to a corne
 """
 from types import SimpleNamespace
 
-from enclosures import Tree, edges_of, listed, must, number, point, polygons, tree_of, where, word
+from enclosures import AT_REST, Tree, edges_of, listed, must, number, point, polygons, tree_of, where, word
 
 CARRIERS = {"pole": {"tracer": "X", "pen": "Y"}, "tracer": {"tracer": "V", "pen": "Y"}, "pen": {"tracer": "Y", "pen": "V"}}
 
@@ -26,6 +26,15 @@ def body(value):
     else:
         ring, beyond = ring_of(value["shape"]), 0.0
     return SimpleNamespace(name=name, at=at, ring=ring, beyond=beyond, layers=range(low, high + 1))
+
+
+def blocks_of(log, vertex):
+    """What a log names by numbers that follow the obstacles': bodies, seen from the joints that carry them; the table's edge, with
+    an empty ring more, so that it can be met by its edges alone."""
+    task, table = log.data["task"], log.data["task"].get("table")
+    found = [SimpleNamespace(rings=[one.ring * 2 if len(one.ring) == 1 else one.ring], layers=one.layers, beyond=one.beyond,
+                             joint=CARRIERS[vertex][one.at], rest=0.0) for one in listed(body)(task.get("bodies") or [])]
+    return found + ([SimpleNamespace(rings=[ring_of(table), []], layers=range(1, 65), **AT_REST)] if table else [])
 
 
 def less(p, q):

@@ -11,6 +11,7 @@ from itertools import product
 from math import hypot, inf, nextafter
 
 EPS_MM, EPS_DEG = 1e-6, 1e-6
+AT_REST = {"joint": "pole", "beyond": 0.0, "rest": 1.0}  # seen from; what its rings are grown by; 1 in the table's frame
 MOST_CELLS = 200_000  # of one search; then the answer is "not proven"
 
 

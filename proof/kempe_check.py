@@ -20,8 +20,8 @@ from itertools import combinations, product
 from math import hypot, inf
 from types import SimpleNamespace
 
-from enclosures import (EPS_DEG, EPS_MM, NIL, ONE, SPOT, UNIT, ZERO, I, Open, Refuted, Z, apart, cloud, convex, corners, cover,
-                        edges_of, listed, must, number, optional, point, polygons, squared_distances, to_segment, tree_of,
+from enclosures import (AT_REST, EPS_DEG, EPS_MM, NIL, ONE, SPOT, UNIT, ZERO, I, Open, Refuted, Z, apart, cloud, convex, corners,
+                        cover, edges_of, listed, must, number, optional, point, polygons, squared_distances, to_segment, tree_of,
                         unit_circle, ways_around, where, word)
 
 LINKS = ("VA", "VB", "ACX", "BCY")
@@ -59,7 +59,7 @@ class Shape:
         # (alpha, beta) of joint - pole = alpha p + beta q/s
         seen = {"V": (NIL, NIL), "A": (UNIT, NIL), "B": (NIL, s), "C": (UNIT, s), "X": (UNIT, UNIT), "Y": (s, s)}
         pole = seen["V" if vertex == "pole" else "X"]
-        self.seen = {j: (alpha - pole[0], beta - pole[1]) for j, (alpha, beta) in seen.items()}
+        self.seen = {**{j: (alpha - pole[0], beta - pole[1]) for j, (alpha, beta) in seen.items()}, "pole": (NIL, NIL)}
 
     def signs(self, mode):
         """Of sin psi and of sin d."""
@@ -100,7 +100,7 @@ def share(one, other, layers, obstacles):
 # Readers of tables
 def obstacle(value):
     (rings,), (low, high) = polygons(value["shape"]), listed(number(0, 64, [int]), 2)(value["layers"])
-    return SimpleNamespace(rings=rings, layers=range(low, high + 1), name=value.get("name") or "an obstacle")
+    return SimpleNamespace(rings=rings, layers=range(low, high + 1), name=value.get("name") or "an obstacle", **AT_REST)
 
 def links(value):
     found = {link["name"]: link for link in value}
@@ -171,10 +171,10 @@ def tolerances(of):
     from tolerance_check import Tolerances
     return Tolerances(of)
 
-def surroundings(of):
-    from bodies_check import pairs_of
+def surroundings(of, asked, *more):
+    import bodies_check
     try:
-        return pairs_of(of, JOINTS, Pair, occupied, pieces, half)
+        return getattr(bodies_check, asked)(of, *more)
     except (ValueError, TypeError, KeyError, AttributeError) as fault:
         raise Unreadable(f"{of.name}: bodies or table: found {plain(fault)[:60]}; allowed: as docs/design-file.md has it") from None
 
@@ -232,7 +232,7 @@ class Design:
         """The joints, from the pole, with the tracer at z; and the turns into the frames of links."""
         place = self.shape.opened(self.a, self.b, self.shape.g * z, self.sign)
         joints, p, q = {j: place(*seen) for j, seen in self.shape.seen.items()}, place(UNIT, NIL), place(NIL, self.shape.s)
-        return {**joints, "pole": NIL}, {"ACX": q.conj() / self.exact["AC"], "VA": p.conj() / self.a, "table": UNIT}
+        return joints, {"ACX": q.conj() / self.exact["AC"], "VA": p.conj() / self.a, "table": UNIT}
 
     def clear(self):
         """Claim 2, or claim 5 with losses. Contact of the linkage with itself does not change if all turns about the pole."""
@@ -253,7 +253,7 @@ class Design:
                 wide, tree, name = half(task, part) + task.clearance, tree_of(edges_of(block)), task.obstacles[i].name
                 blocked += [Pair(part, piece, name, ["pole"], "table", wide, tree, block) for piece in pieces(task, part)]
         if self.data.get("bodies") or self.data.get("table"):
-            blocked += surroundings(self)
+            blocked += surroundings(self, "pairs_of", JOINTS, Pair, occupied, pieces, half)
         self.keep_out(blocked)
         for rings in self.region[1:] if blocked else ():
             self.way(self.region[0][0], rings[0], blocked)
@@ -358,7 +358,7 @@ Node = namedtuple("Node", "box window assignments")
 class Certificate:
     """Claims 3 and 4: a log is read line by line, and every line must close or divide the next node."""
     def __init__(self, name, lines):
-        self.data, self.lines, self.at = lines[0] if lines else None, lines, 0
+        self.name, self.data, self.lines, self.at = name, lines[0] if lines else None, lines, 0
         task = self.task = read_keys(name, self.data, LOG)
         self.claim, self.objective, self.bound = task.claim, task.objective, task.bound
         self.by = self.objective if self.bound is not None else None
@@ -385,7 +385,8 @@ class Certificate:
 
     def prove(self):
         for vertex in (v for v in VERTICES if v in self.task.groundings):
-            self.shape = Shape(self.task, vertex)
+            self.shape, beside = Shape(self.task, vertex), any(map(self.data["task"].get, ("bodies", "table")))
+            self.blocks = self.task.obstacles + (surroundings(self, "blocks_of", vertex) if beside else [])
             for mode in range(self.shape.modes):
                 (self.sign, self.sign_d), todo = self.shape.signs(mode), [self.root(mode)]
                 while todo:
@@ -429,9 +430,9 @@ class Certificate:
 
     def share(self, node, line):
         one, other = line["share"]
-        if one not in JOINTS or other not in JOINTS and not 0 <= other < len(self.task.obstacles):
+        if one not in JOINTS or other not in JOINTS and not 0 <= other < len(self.blocks):
             raise Open("unknown parts")
-        return [node._replace(assignments=[l for l in node.assignments if share(one, other, l, self.task.obstacles) == wanted])
+        return [node._replace(assignments=[l for l in node.assignments if share(one, other, l, self.blocks) == wanted])
                 for wanted in (True, False)]
 
     def contact(self, node, line):
@@ -522,23 +523,23 @@ class Certificate:
         return max(way.square().hi for way in ways) < I(self.task.sheets_gap).square().lo
 
     def leaf_obstacle(self, node, line):
-        """A part's point stays, over the box, within reach of a convex piece of an obstacle."""
+        """A part's point stays, over the box, within reach of a convex piece of an obstacle, or of a body seen from its joint."""
         index, named, edge, box, seen = line["obstacle"], line["point"], line["edge"], node.box, self.shape.seen
-        if not all(share(named[0], index, l, self.task.obstacles) for l in node.assignments) or index < 0:
+        block, (ring, *holes) = self.blocks[index], self.blocks[index].rings
+        if block.joint in JOINTS[named[0]] or not all(share(named[0], index, l, self.blocks) for l in node.assignments):
             raise Open("the part does not meet this obstacle")
-        ring, *holes = self.task.obstacles[index].rings
         if edge is None and (holes or not convex(ring)) or edge is not None and not 0 <= edge < len(ring) - 1:
             raise Open("the obstacle is not convex, or has no such edge")
         K, T = ring[:-1] if edge is None else ring[edge:edge + 2], self.place(line["place"])
-        constants = [self.material(named, {j: pair[i] for j, pair in seen.items()}) for i in (0, 1)]
+        constants = [self.material(named, {j: pair[i] - seen[block.joint][i] for j, pair in seen.items()}) for i in (0, 1)]
         names, middle = [v for v in "abxy" if box[v].lo < box[v].hi], {v: I(i.middle()) for v, i in box.items()}
 
         def point_at(a, b, x, y):
-            return Z(x, y) + self.shape.opened(a, b, self.shape.g * (T - Z(x, y)), self.sign)(*constants)
+            return Z(x, y) * block.rest + self.shape.opened(a, b, self.shape.g * (T - Z(x, y)), self.sign)(*constants)
         wide = {v: I(i.lo, i.hi, {v: ONE} if v in names else None) for v, i in box.items()}
         ways = [{v: c - middle[v] for v, c in zip(names, corner)} for corner in corners(box, names)]
         points, radius, _ = cloud(point_at(**middle), point_at(**wide), ways)
-        allowed = (half(self.task, named[0]) + self.task.clearance) * (1 - 1e-15)
+        allowed = (half(self.task, named[0]) + self.task.clearance + block.beyond) * (1 - 1e-15)
         slack = 1e-14 * max(abs(c) for p in points + K for c in p)  # apart() is off by less
         return all(hypot(*apart([p], K)) + radius + slack < allowed for p in points)
 

@@ -59,8 +59,6 @@ std::string bound_explanation(const Design& design, const std::string& proof_log
   std::string text = fmt::format(
       "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
       number_text(share, share < 1 ? 3 : 1));
-  if (const std::string without = left_out_of_bound(design); !without.empty())
-    text += fmt::format(" It leaves {} out, without which designs can only be better.", without);
   if (!proof_log.empty())
     text += fmt::format(
         " The proof's log is <code>{}</code>; the program kempe_check.py checks it without Kempe.",

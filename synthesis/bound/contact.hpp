@@ -26,10 +26,11 @@ struct LayerChoice {
 };
 
 /// The least demanding layer assignments of a grounding (layer_demands.hpp): if no design keeps its clearance in one of
-/// these, none does in any. With obstacles more contact among the links may be worth it. `as_searched`: those that the search
-/// looks at, the lower of two that are as good among them.
+/// these, none does in any. With obstacles or bodies more contact among the links may be worth it. `as_searched`: those that the
+/// search looks at, the lower of two that are as good among them.
 std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
-                                       const std::vector<Obstacle>& obstacles, bool as_searched = false);
+                                       const std::vector<Obstacle>& obstacles,
+                                       const std::vector<Body>& bodies, bool as_searched = false);
 
 /// A joint as a material point, for plates of shape s.
 MaterialPoint material_point(Joint joint, Complex s);

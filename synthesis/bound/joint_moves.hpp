@@ -8,7 +8,8 @@
 // rho_0 and O within R of O_0
 //     |M - M_0| <= |det M| delta / (|D_0| (|D_0| - |Q_tracer - Q_pole| delta)),
 //     |Z - Z_0| <= R |1 - M| + |T - O_0| |M - M_0|.
-// All of it in intervals.
+// Seen from a joint that carries a body it stands at (T - O) M with the difference M of the two joints' maps, so that R |M| takes the
+// place of R |1 - M|. All of it in intervals.
 
 #include <array>
 #include <optional>
@@ -33,8 +34,16 @@ using JointMoves = std::array<double, 6>;
 
 /// No joint of any design of the box that has its tracer at `place` is farther than its figure from its place in `joints`;
 /// nothing if the middle design does not reach the place, or the box is too large for a statement. `joints`: about where
-/// the middle design's are, in the order of Joint, table's frame, mm; an error there only makes the figure larger.
+/// the middle design's are, in the order of Joint, table's frame, mm; an error there only makes the figure larger. With
+/// `seen_from` places are differences from that joint's.
 std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
-                                              const std::array<Complex, 6>& joints);
+                                              const std::array<Complex, 6>& joints,
+                                              std::optional<Joint> seen_from = std::nullopt);
+
+/// The same for the tracer and the pen alone, in the order of Joint, infinite for the others. The copy fixes these two whatever the
+/// lengths are, so it is said of places, too, that the middle design does not reach.
+JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box,
+                                       const Point& place, const std::array<Complex, 6>& joints,
+                                       std::optional<Joint> seen_from = std::nullopt);
 
 }  // namespace kempe::bounding

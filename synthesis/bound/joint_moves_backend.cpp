@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/grounding.hpp"
 #include "synthesis/bound/contact.hpp"
@@ -38,13 +39,19 @@ struct FromPole {
   IntervalComplex P, Q;
 };
 
+IntervalComplex place_in(const std::array<Complex, 6>& joints, Joint joint, std::optional<Joint> seen_from) {
+  const IntervalComplex at = exactly(joints[static_cast<std::size_t>(joint)]);
+  return seen_from ? at - exactly(joints[static_cast<std::size_t>(*seen_from)]) : at;
+}
+
 }  // namespace
 
 double DesignBox::t() const { return std::sqrt(lengths.t.lower * lengths.t.upper); }
 double DesignBox::w() const { return std::sqrt(lengths.w.lower * lengths.w.upper); }
 
 std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
-                                              const std::array<Complex, 6>& joints) {
+                                              const std::array<Complex, 6>& joints,
+                                              std::optional<Joint> seen_from) {
   const OutwardRounding rounding;
   const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
   const Interval distance = length(arm);
@@ -65,15 +72,42 @@ std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const Desig
   if (!(least.inf() > 0.05 * D_length.sup())) return std::nullopt;
   const IntervalComplex per_D = exactly(1.0) / D;
   const Interval spread = delta / (D_length * least);
+  // What the pole adds to a joint's place: all of its own, or nothing where both places have it.
+  const IntervalComplex of_pole = exactly(seen_from ? 0.0 : 1.0), origin = seen_from ? exactly(0.0) : pole;
   JointMoves moves;
   for (const Joint joint : all_joints) {
-    const FromPole at = from_pole(joint);
+    FromPole at = from_pole(joint);
+    if (seen_from) {
+      const FromPole carrier = from_pole(*seen_from);
+      at = {at.P - carrier.P, at.Q - carrier.Q};
+    }
     const IntervalComplex M = (at.P + at.Q * rho) * per_D;
     const Interval map_moves = length(at.Q * tracer.P - at.P * tracer.Q) * spread;
-    const Interval beside = length(exactly(1.0) - M) + map_moves;
-    const Interval off = length(pole + arm * M - exactly(joints[static_cast<std::size_t>(joint)]));
+    const Interval beside = length(of_pole - M) + map_moves;
+    const Interval off = length(origin + arm * M - place_in(joints, joint, seen_from));
     moves[static_cast<std::size_t>(joint)] =
         (Interval(box.radius) * beside + distance * map_moves + off).sup();
+  }
+  return moves;
+}
+
+JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box,
+                                       const Point& place, const std::array<Complex, 6>& joints,
+                                       std::optional<Joint> seen_from) {
+  const OutwardRounding rounding;
+  const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
+  const IntervalComplex of_pole = exactly(seen_from ? 0.0 : 1.0);
+  const JointRoles roles = roles_of(mode.grounding);
+  const auto map_of = [&](Joint joint) {
+    return joint == roles.tracer ? exactly(1.0) : IntervalComplex{widened(k)};
+  };
+  JointMoves moves;
+  moves.fill(std::numeric_limits<double>::infinity());
+  for (const Joint joint : {roles.tracer, roles.pen}) {
+    if (seen_from && *seen_from != roles.tracer && *seen_from != roles.pen) continue;
+    const IntervalComplex M = seen_from ? map_of(joint) - map_of(*seen_from) : map_of(joint);
+    const Interval off = length(of_pole * pole + arm * M - place_in(joints, joint, seen_from));
+    moves[static_cast<std::size_t>(joint)] = (Interval(box.radius) * length(of_pole - M) + off).sup();
   }
   return moves;
 }

@@ -1,6 +1,7 @@
 #include "synthesis/bound/obstacles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,6 +19,8 @@ constexpr std::size_t most_places = 240;
 constexpr int many_places = 2000;
 /// Factor: at no place do joints move farther than this times what they do at others, more or less.
 constexpr double moves_of_others = 3;
+/// Convex parts of an obstruction that take no longer than one piece of a part does anyway.
+constexpr std::size_t parts_as_one = 16;
 
 /// Equal for terms that ask the same.
 using TermKey = std::tuple<std::size_t, double, std::vector<Joint>>;
@@ -26,29 +29,39 @@ TermKey key_of(const ObstacleTerm& term) {
   return {term.obstacle, term.piece.half_width, {hull.joints.begin(), hull.joints.begin() + hull.count}};
 }
 
+/// What a term's joints move, as seen from the joint that carries its obstruction: 0 for the table's frame.
+std::size_t frame_of(const ObstacleTerm& term) {
+  return term.seen_from ? 1 + static_cast<std::size_t>(*term.seen_from) : 0;
+}
+
 }  // namespace
+
+std::vector<Obstruction> obstructions_of(const Spec& spec) {
+  return kempe::obstructions_of(spec.obstacles, spec.bodies, spec.table);
+}
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
                            const std::vector<LayerAssignment>& layers, StopFlag stop)
     : ObstacleTest(spec, mode, layers,
-                   std::make_shared<const std::vector<ObstacleShape>>(
-                       obstacle_shapes(obstructions_of(spec.obstacles, {}, {}))),
+                   std::make_shared<const std::vector<ObstacleShape>>(obstacle_shapes(obstructions_of(spec))),
                    std::move(stop)) {}
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
                            const std::vector<LayerAssignment>& layers, KnownShapes shapes, StopFlag stop)
-    : mode_(mode), reach_(spec.copy.k(), mode.grounding, mode.assembly_mode.number),
+    : mode_(mode), k_(spec.copy.k()), reach_(k_, mode.grounding, mode.assembly_mode.number),
       roles_(roles_of(mode.grounding)), clearance_(spec.limits.clearance), shapes_(std::move(shapes)),
       many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
   for (const Point& place : tracer_places(spec.region, first_places)) places_.push_back({place});
   const auto any = CopyingLinkage::make(spec.copy.k(), mode.grounding, 100, 100, mode.assembly_mode.number);
-  // Bodies and the table's edge are left out: what is proven without them holds with them.
-  const std::vector<Obstruction> obstructions = obstructions_of(spec.obstacles, {}, {});
+  const std::vector<Obstruction> obstructions = obstructions_of(spec);
   std::map<TermKey, std::size_t> known;
   for (std::size_t i = 0; any && i < layers.size() && !stop_(); ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec.links.style, obstructions)) {
       const auto at = known.emplace(key_of(what), terms_.size()).first;
-      if (at->second == terms_.size()) terms_.push_back(Term{what});
+      if (at->second == terms_.size()) {
+        terms_.push_back(Term{what, {}, obstructions[what.obstacle].met.has_value()});
+        convex_pairs_ += 1 + (*shapes_)[what.obstacle].parts.size() / parts_as_one;
+      }
       terms_[at->second].layers.add(i);
     }
 }
@@ -81,8 +94,9 @@ struct ObstacleTest::Look {
     return {test.reach_, test.roles_, middle, box.pole, test.places_[place].at};
   }
 
-  std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints) {
-    const auto moves = joints_move_at_most(test.mode_, box, test.places_[place].at, joints.all());
+  std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints,
+                                     std::optional<Joint> seen_from) {
+    const auto moves = joints_move_at_most(test.mode_, box, test.places_[place].at, joints.all(), seen_from);
     moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end()))
                   : std::numeric_limits<double>::infinity();
     return moves;
@@ -103,18 +117,30 @@ struct ObstacleTest::Look {
     const auto& of_one = test.places_[place].layers;
     if (of_one && !alive.has(*of_one)) return least;
     const PlacedJoints joints = joints_at(place);
-    std::optional<JointMoves> moves;
+    std::array<std::optional<JointMoves>, 1 + all_joints.size()>
+        moves;  // as seen from the table and from each joint
+    bool is_reached = true;
     for (std::size_t i = first; i < last; ++i) {
       const Term& term = test.terms_[i];
       if (of_one ? !term.layers.has(*of_one) : !term.layers.meets(alive)) continue;
+      if (!is_reached && !term.is_of_the_copy) continue;
       const double clearance = test.clearance_;
       const double gap =
           obstacle_gap(term.what, (*test.shapes_)[term.what.obstacle], joints, clearance);  // exact below it
       least = std::min(least, gap - clearance);
       if (gap >= clearance) continue;
-      if (!moves) moves = moved_at(place, joints);
-      if (!moves) return least;
-      const double here = moved_of(term.what, *moves);
+      double here = 0;
+      if (term.is_of_the_copy) {
+        here =
+            moved_of(term.what, copying_joints_move_at_most(test.mode_, test.k_, box, test.places_[place].at,
+                                                            joints.all(), term.what.seen_from));
+      } else {
+        auto& seen = moves[frame_of(term.what)];
+        if (is_reached && !seen)
+          is_reached = (seen = moved_at(place, joints, term.what.seen_from)).has_value();
+        if (!is_reached) continue;
+        here = moved_of(term.what, *seen);
+      }
       if (gap + here + test.gap_rounding(term, joints) < clearance) {
         hit = Hit{place, i};
         of_one ? alive.remove(*of_one) : alive.remove(term.layers);
@@ -144,12 +170,12 @@ LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sigh
   return alive;
 }
 
-/// Keeps the places where an obstacle can be hit in a part of the box. That joints move alike at all places is not certain, but
+/// Keeps the places where an obstruction can be hit in a part of the box. That joints move alike at all places is not certain, but
 /// a place left out can only make the bound looser.
 void ObstacleTest::judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen,
                          Sight& sight) const {
   if (seen.empty() || stop_()) return;
-  if (look.moved == 0) look.moved_at(seen.front().first, look.joints_at(seen.front().first));
+  if (look.moved == 0) look.moved_at(seen.front().first, look.joints_at(seen.front().first), std::nullopt);
   auto near = std::make_shared<std::vector<std::size_t>>();
   for (const auto& [place, gap] : seen)
     if (gap < moves_of_others * look.moved) near->push_back(place);

@@ -1,9 +1,12 @@
 #pragma once
-// Obstacles for the proven bound: is a part in an obstacle in every design of a box, with the tracer at some place?
+// Obstacles, bodies and the table's edge for the proven bound: is a part in one of them in every design of a box, with the tracer at
+// some place?
 //
 // Around the middle design of the box no joint moves farther than joint_moves.hpp says. Signed distances of convex sets change
 // by no more than their corners move, so an overlap in the middle that is deeper than the corners of the part's piece move is
-// an overlap in every design.
+// an overlap in every design. A body is at rest seen from the joint that carries it, so there the same holds of what joints move as
+// seen from that joint. That a body meets an obstacle, the edge or another body is a matter of places of tracer and pen alone, which
+// the copy fixes: it is so in every design, reached or not.
 
 #include <memory>
 #include <optional>
@@ -17,15 +20,15 @@
 
 namespace kempe::bounding {
 
-/// A part in an obstacle, with the tracer at a place: where to look first.
+/// A part in an obstruction, with the tracer at a place: where to look first.
 struct Hit {
   std::size_t place = 0, term = 0;
 };
 
 /// What a box hands down to those it is split into.
 struct Sight {
-  std::optional<Hit> hit{};  ///< where an obstacle came nearest to being in the way
-  /// Of the first `judged` places those from which an obstacle can be hit in some part of the box; absent: all of them.
+  std::optional<Hit> hit{};  ///< where an obstruction came nearest to being in the way
+  /// Of the first `judged` places those from which one can be hit in some part of the box; absent: all of them.
   std::shared_ptr<const std::vector<std::size_t>> near{};
   std::size_t judged = 0;
 };
@@ -33,27 +36,30 @@ struct Sight {
 /// Many tests share them: to divide outlines of many corners into convex parts takes long.
 using KnownShapes = std::shared_ptr<const std::vector<ObstacleShape>>;
 
-/// The obstacles of a spec, seen by one grounding and assembly.
+/// The obstacles, bodies and table's edge of a spec, in the order of obstructions_of().
+std::vector<Obstruction> obstructions_of(const Spec& spec);
+
+/// They, seen by one grounding and assembly.
 class ObstacleTest {
  public:
   /// Assignments are known by their place in `layers`. Once `stop` is set, no more is ruled out and no design is found clear.
   ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
                StopFlag stop = {});
-  /// With shapes that are known: those of the spec's obstacles.
+  /// With shapes that are known: those of the spec's obstructions.
   ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
                KnownShapes shapes, StopFlag stop);
 
-  /// The assignments of `alive` in which no obstacle is surely hit. `sight`: of the box this one was split from; becomes its
+  /// The assignments of `alive` in which nothing is surely hit. `sight`: of the box this one was split from; becomes its
   /// own. With `only_hit` nothing but the hit is looked at.
   LayerSet not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const;
 
-  /// From now on obstacles are kept away by `margin` (mm) more, at these places too.
+  /// From now on obstructions are kept away by `margin` (mm) more, at these places too.
   void demand_more(double margin, const std::vector<Point>& places);
 
   /// What not_hit() costs where it looks at all, in tests of a box for reach.
   std::size_t cost(const Sight& sight) const {
     const std::size_t near = sight.near ? sight.near->size() : 0;
-    return 1 + (near + places_.size() - sight.judged) * terms_.size() / 300;
+    return 1 + (near + places_.size() - sight.judged) * convex_pairs_ / 300;
   }
 
   /// True if a design keeps its clearance at very many places. One where it does not is looked at in every box from then on.
@@ -66,7 +72,8 @@ class ObstacleTest {
  private:
   struct Term {
     ObstacleTerm what;
-    LayerSet layers{};  ///< in which it counts
+    LayerSet layers{};            ///< in which it counts
+    bool is_of_the_copy = false;  ///< of tracer's and pen's places alone
   };
   struct Place {
     Point at;
@@ -77,6 +84,7 @@ class ObstacleTest {
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 
   ModeFacts mode_;
+  Complex k_;
   Reach reach_;
   JointRoles roles_;
   double clearance_;
@@ -84,6 +92,7 @@ class ObstacleTest {
   std::vector<Place> places_;       ///< looked at in every box
   std::vector<Point> many_places_;  ///< looked at for single designs
   std::vector<Term> terms_;
+  std::size_t convex_pairs_ = 0;  ///< of the terms with the parts of their shapes, those of few parts as one
   StopFlag stop_;
 };
 

@@ -75,9 +75,10 @@ class Tree {
     for (const Grounding grounding : all_groundings) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
-      const auto layers = bounding::layer_choices(
-          spec_.copy.k(), grounding, spec_.links.layers,
-          sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{}, trials_ != nullptr);
+      const auto layers =
+          bounding::layer_choices(spec_.copy.k(), grounding, spec_.links.layers,
+                                  sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
+                                  sees_obstacles() ? spec_.bodies : std::vector<Body>{}, trials_ != nullptr);
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
@@ -112,19 +113,21 @@ class Tree {
     open_.push(node);
   }
 
-  bool sees_obstacles() const { return options_.self_contact && !spec_.obstacles.empty(); }
+  bool sees_obstacles() const {
+    return options_.self_contact && (!spec_.obstacles.empty() || !spec_.bodies.empty() || spec_.table);
+  }
 
   void add_obstacle_test(const Branch& branch) {
     std::vector<LayerAssignment> layers;
     for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
     if (!obstacle_shapes_)
       obstacle_shapes_ = std::make_shared<const std::vector<ObstacleShape>>(
-          obstacle_shapes(obstructions_of(spec_.obstacles, {}, {})));
+          obstacle_shapes(bounding::obstructions_of(spec_)));
     obstacle_tests_.push_back(std::make_unique<bounding::ObstacleTest>(spec_, branch.mode, layers,
                                                                        obstacle_shapes_, options_.stop));
   }
 
-  /// Drops layer assignments in which every design of the box has a part in an obstacle; false if none is left.
+  /// Drops layer assignments in which every design of the box has a part in an obstacle, body or the table's edge; false if none is left.
   bool rule_out_by_obstacles(TreeNode& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
     if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost(node.sight);

@@ -4,7 +4,7 @@
 //
 // Branch and bound with interval arithmetic over a relaxation of the problem: the reach, the transmission
 // limit, the lengths' limits, the copy error, the gap between original and copy and the linkage's contact with
-// itself and with obstacles (at places of the tracer) are kept; the stock lengths are not. Steps and
+// itself, with obstacles, bodies and the table's edge (at places of the tracer) are kept; the stock lengths are not. Steps and
 // proof: docs/proven-bound.md.
 
 #include <array>

@@ -15,6 +15,8 @@ namespace {
 /// What the way from the middle design is multiplied by before it is compared with a depth: another order of the same operations may
 /// find the way this much longer.
 constexpr double of_the_way = 2;
+/// A table of more edges is left out of the log: every part is looked at beside every edge.
+constexpr std::size_t most_table_edges = 64;
 
 /// The least width of a convex outline, across one of its edges.
 double least_width(const Ring& outline) {
@@ -42,13 +44,14 @@ double axis_distance(PartName part, PlateStyle plate, const std::array<Point, 6>
 
 }  // namespace
 
-/// Obstacles that are convex can be taken as a whole, others by their edges.
-ObstacleLeaves::Target ObstacleLeaves::target_of(const Obstacle& obstacle) {
-  const Ring& outline = obstacle.shape.outer;
-  const Box box = bounding_box(Region{{obstacle.shape}});
+/// Outlines that are convex can be taken as a whole, others by their edges.
+ObstacleLeaves::Target ObstacleLeaves::target_of(const Ring& outline, bool by_edges_alone) {
+  const Box box = bounding_box(Region{{{outline, {}}}});
   Target target{{}, {}, 0.5 * (box.lower + box.upper), 0.5 * (box.upper - box.lower).norm()};
   for (const Point& corner : outline) target.corners.push_back(as_complex(corner));
-  if (convex_parts(obstacle.shape).size() == 1) {
+  if (outline.size() == 1) {
+    target.edges = {std::nullopt};
+  } else if (!by_edges_alone && convex_parts({outline, {}}).size() == 1) {
     target.edges = {std::nullopt};
     target.deepest = 0.5 * least_width(outline);
   } else {
@@ -57,8 +60,41 @@ ObstacleLeaves::Target ObstacleLeaves::target_of(const Obstacle& obstacle) {
   return target;
 }
 
-ObstacleLeaves::ObstacleLeaves(const RootTask& task) : task_(task) {
-  for (const Obstacle& obstacle : task.spec.obstacles) targets_.push_back(target_of(obstacle));
+std::vector<ObstacleLeaves::Target> ObstacleLeaves::targets_of(const Spec& spec, const JointRoles& roles) {
+  std::vector<Target> targets;
+  for (const Obstacle& obstacle : spec.obstacles) {
+    targets.push_back(target_of(obstacle.shape.outer, false));
+    targets.back().lowest_layer = obstacle.lowest_layer;
+    targets.back().highest_layer = obstacle.highest_layer;
+  }
+  for (const Body& body : spec.bodies) {
+    const auto* disc = std::get_if<Disc>(&body.shape);
+    targets.push_back(target_of(disc ? Ring{disc->centre} : std::get<Polygon>(body.shape).outer, false));
+    Target& target = targets.back();
+    target.lowest_layer = body.lowest_layer;
+    target.highest_layer = body.highest_layer;
+    target.seen_from = body.at == Carrier::tracer ? roles.tracer : roles.pen;
+    if (disc) target.beyond = disc->radius;
+  }
+  if (spec.table && spec.table->outer.size() <= most_table_edges)
+    targets.push_back(target_of(spec.table->outer, true));
+  return targets;
+}
+
+bool ObstacleLeaves::may_meet(PartName part, const Target& target) const {
+  if (!target.seen_from) return true;
+  const Part named = part_of(part);
+  return named.kind == Part::Kind::link ? !has_joint(named.link, *target.seen_from)
+                                        : named.joint != *target.seen_from;
+}
+
+bounding::MaterialPoint ObstacleLeaves::origin_of(const Target& target) const {
+  const Joint pole = roles_of(task_.root.mode.grounding).pole;
+  return bounding::material_point(target.seen_from.value_or(pole), task_.root.mode.s);
+}
+
+ObstacleLeaves::ObstacleLeaves(const RootTask& task)
+    : task_(task), targets_(targets_of(task.spec, roles_of(task.root.mode.grounding))) {
   const Complex shape = task.root.mode.s;
   const bounding::MaterialPoint pole =
       bounding::material_point(roles_of(task.root.mode.grounding).pole, shape);
@@ -74,7 +110,7 @@ ObstacleLeaves::ObstacleLeaves(const RootTask& task) : task_(task) {
 }
 
 std::optional<Step> ObstacleLeaves::step(const Node& node) const {
-  if (task_.spec.obstacles.empty()) return std::nullopt;
+  if (targets_.empty()) return std::nullopt;
   if (node.guess)
     if (auto step = leaf_for(node, *node.guess)) return step;
   if (!small_enough(node.cell)) return std::nullopt;
@@ -96,11 +132,11 @@ std::optional<Step> ObstacleLeaves::step(const Node& node) const {
 
 std::vector<ObstacleLeaves::Meeting> ObstacleLeaves::meetings_in(const Assignments& assignments) const {
   std::vector<Meeting> meetings;
-  for (std::size_t obstacle = 0; obstacle < task_.spec.obstacles.size(); ++obstacle)
+  for (std::size_t obstacle = 0; obstacle < targets_.size(); ++obstacle)
     for (std::uint8_t part = 0; part < part_count; ++part)
-      if (std::any_of(assignments.begin(), assignments.end(), [&](std::uint32_t i) {
-            return task_.filled[i].share(PartName{part}, task_.spec.obstacles[obstacle]);
-          }))
+      if (may_meet({part}, targets_[obstacle]) &&
+          std::any_of(assignments.begin(), assignments.end(),
+                      [&](std::uint32_t i) { return share(i, {part}, targets_[obstacle]); }))
         meetings.push_back({{part}, obstacle});
   return meetings;
 }
@@ -114,25 +150,26 @@ double ObstacleLeaves::depth(const Point& at, std::size_t obstacle, const std::o
   return needed - distance_from(as_complex(at), ends);
 }
 
-double ObstacleLeaves::needed(PartName part) const {
-  return half_width(part_of(part), task_.spec.links.style) + task_.spec.limits.clearance;
+double ObstacleLeaves::needed(PartName part, std::size_t obstacle) const {
+  return half_width(part_of(part), task_.spec.links.style) + task_.spec.limits.clearance +
+         targets_[obstacle].beyond;
 }
 
 bool ObstacleLeaves::hits(const ObstacleGuess& guess, const DesignCell& cell) const {
   const PartPoint& point = guess.leaf.point;
-  const bounding::MaterialPoint at = material_point(point, task_.root.mode.s),
-                                pole = bounding::material_point(roles_of(task_.root.mode.grounding).pole,
-                                                                task_.root.mode.s);
-  const auto range = point_over(task_.root, cell, guess.place, {at.of_a - pole.of_a, at.of_b - pole.of_b});
+  const Target& target = targets_[guess.leaf.obstacle];
+  const bounding::MaterialPoint at = material_point(point, task_.root.mode.s), origin = origin_of(target);
+  const auto range = point_over(task_.root, cell, guess.place, {at.of_a - origin.of_a, at.of_b - origin.of_b},
+                                target.seen_from.has_value());
   if (!range) return false;
-  return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, needed(point.part)) >
+  return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, needed(point.part, guess.leaf.obstacle)) >
          of_the_way * range->away + slack::in_hand;
 }
 
 Assignments ObstacleLeaves::sharing(const Assignments& all, PartName part, std::size_t obstacle) const {
   Assignments some;
   for (const std::uint32_t i : all)
-    if (task_.filled[i].share(part, task_.spec.obstacles[obstacle])) some.push_back(i);
+    if (share(i, part, targets_[obstacle])) some.push_back(i);
   return some;
 }
 
@@ -169,10 +206,13 @@ std::optional<ObstacleLeaves::Middle> ObstacleLeaves::middle_at(const DesignCell
 /// True if no point of the part can lie so deep in the obstacle that it does all over the cell.
 bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Middle& middle) const {
   const Target& target = targets_[obstacle];
-  const double need = needed(part);
-  if (of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest) return true;
+  const double need = needed(part, obstacle);
+  const Point origin =
+      target.seen_from ? middle.joints[static_cast<std::size_t>(*target.seen_from)] : Point(Point::Zero());
+  if (!target.seen_from && of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest)
+    return true;
   if (points_[part.number].size() == 1) return false;  // as quickly looked at
-  return axis_distance(part, task_.spec.links.style.plate, middle.joints, target.centre) >
+  return axis_distance(part, task_.spec.links.style.plate, middle.joints, origin + target.centre) >
          need + target.radius;
 }
 
@@ -180,17 +220,21 @@ bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Mid
 std::optional<ObstacleGuess> ObstacleLeaves::deepest(PartName part, std::size_t obstacle,
                                                      const KnownPlace& place, const Middle& middle) const {
   if (out_of_reach(part, obstacle, middle)) return std::nullopt;
-  const double need = needed(part);
+  const double need = needed(part, obstacle);
+  const Target& target = targets_[obstacle];
+  const bounding::MaterialPoint from = origin_of(target);
   ObstacleGuess best;
   double most = 0;
   const auto joint = [&](Joint name) { return as_complex(middle.joints[static_cast<std::size_t>(name)]); };
   const Complex V = joint(Joint::V), p = joint(Joint::A) - V,
                 q = joint(Joint::X) - joint(Joint::A);  // q: q/s
+  const Complex origin = target.seen_from ? joint(*target.seen_from) : 0;
   for (const auto& [point, m, strays] : points_[part.number]) {
-    const Point at = as_point(V + m.of_a * p + m.of_b * q);
-    const double least = of_the_way * strays * middle.unsteady;
+    const Point at = as_point(V + m.of_a * p + m.of_b * q - origin);
+    const double share = target.seen_from ? std::abs((m.of_a - from.of_a) - (m.of_b - from.of_b)) : strays;
+    const double least = of_the_way * share * middle.unsteady;
     if (!(circle_depth(at, obstacle, need) > most + least)) continue;
-    for (const auto& edge : targets_[obstacle].edges)
+    for (const auto& edge : target.edges)
       if (const double here = depth(at, obstacle, edge, need) - least; here > most) {
         most = here;
         best = {{obstacle, edge, place.place, point}, place.at};

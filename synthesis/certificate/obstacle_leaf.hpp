@@ -1,11 +1,13 @@
 #pragma once
-// Obstacles in a proof's tree: a point of the linkage that is too near to one, for every design of a node.
+// Obstacles, bodies and the table's edge in a proof's tree: a point of the linkage that is too near to one, for every design of a node.
+// A body is looked at from the joint that carries it, where it is at rest.
 
 #include <array>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "specs/spec_keys.hpp"
 #include "synthesis/certificate/proof_node.hpp"
 
 namespace kempe::certificate {
@@ -22,7 +24,7 @@ class ObstacleLeaves {
   double depth(const Point& at, std::size_t obstacle, const std::optional<std::size_t>& edge,
                double needed) const;
   double circle_depth(const Point& at, std::size_t obstacle, double need) const;
-  double needed(PartName part) const;
+  double needed(PartName part, std::size_t obstacle) const;
   bool hits(const ObstacleGuess& guess, const DesignCell& cell) const;
   Assignments sharing(const Assignments& all, PartName part, std::size_t obstacle) const;
   std::optional<Step> leaf_for(const Node& node, const ObstacleGuess& guess) const;
@@ -49,8 +51,18 @@ class ObstacleLeaves {
     std::vector<Complex> corners;
     Point centre = Point::Zero();    ///< of a circle around it
     double radius = 0, deepest = 0;  ///< mm; no place lies deeper in it
+    int lowest_layer = 1, highest_layer = most_layers;
+    double beyond = 0;                 ///< mm: the outline is grown by this
+    std::optional<Joint> seen_from{};  ///< the joint that carries it; absent: it rests on the table
   };
-  static Target target_of(const Obstacle& obstacle);
+  static Target target_of(const Ring& outline, bool by_edges_alone);
+  static std::vector<Target> targets_of(const Spec& spec, const JointRoles& roles);
+  bool may_meet(PartName part, const Target& target) const;
+  bool share(std::uint32_t assignment, PartName part, const Target& target) const {
+    return task_.filled[assignment].share(part, target.lowest_layer, target.highest_layer);
+  }
+  /// The joint from which a target is seen, as a material point: the pole's for what rests on the table.
+  bounding::MaterialPoint origin_of(const Target& target) const;
   /// A point of a part, and the share of Middle::unsteady that it strays at least.
   struct AxisPoint {
     PartPoint point;
@@ -59,7 +71,7 @@ class ObstacleLeaves {
   };
 
   const RootTask& task_;
-  std::vector<Target> targets_;  ///< of each obstacle
+  std::vector<Target> targets_;  ///< of each obstacle, body and the table's edge, by their numbers in the log
   std::array<std::vector<AxisPoint>, part_count> points_;
   std::array<double, part_count> steadiest_{};  ///< the least share of its points
 };

@@ -13,9 +13,9 @@ struct PointRange {
   double away = 0;
 };
 
-/// Nothing if some design of the cell cannot be proven to reach the place. `of_a`, `of_b`: the point less the pole's joint,
-/// V + of_a p + of_b q/s.
+/// Nothing if some design of the cell cannot be proven to reach the place. `from`: the point V + of_a p + of_b q/s less the pole's
+/// joint; of what is `seen_from_a_joint` less that joint, and then the range is of the difference.
 std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
-                                     const bounding::MaterialPoint& from_pole);
+                                     const bounding::MaterialPoint& from, bool seen_from_a_joint = false);
 
 }  // namespace kempe::certificate

@@ -1,6 +1,7 @@
 // With z = T - P, w = g z, r = |w|^2, h = +-sqrt(4 a^2 b^2 - (r - a^2 - b^2)^2) and zeta = (1 + (a^2 - b^2 - i h)/r)/2:
 //     p = w zeta,   q/s = w - p,   J = P + A p + B q/s = P + w ((A - B) zeta + B)
-// for the constants A, B of a material point seen from the pole's joint. J's derivatives over the cell bound its way from the
+// for the constants A, B of a material point seen from the pole's joint. Seen from another joint it is J = w ((A - B) zeta + B), with
+// the constants seen from there. J's derivatives over the cell bound its way from the
 // middle design (mean value theorem).
 
 #include <algorithm>
@@ -52,17 +53,18 @@ IntervalComplex times_i(const IntervalComplex& z) { return {-z.im, z.re}; }
 }  // namespace
 
 std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
-                                     const bounding::MaterialPoint& from_pole) {
+                                     const bounding::MaterialPoint& from, bool seen_from_a_joint) {
   const OutwardRounding rounding;
-  const IntervalComplex B = widened(from_pole.of_b), A_less_B = widened(from_pole.of_a - from_pole.of_b);
+  const IntervalComplex B = widened(from.of_b), A_less_B = widened(from.of_a - from.of_b);
+  const double of_pole = seen_from_a_joint ? 0 : 1;
   const auto middle = terms_of(root, figures_of(cell, true), place);
   const Figures whole = figures_of(cell, false);
   const auto over = terms_of(root, whole, place);
   if (!middle || !over) return std::nullopt;
   const auto turned = [&](const Terms& t) { return A_less_B * t.zeta + B; };
   const IntervalComplex at = middle->w * turned(*middle);
-  const Point J(cell.middle(Variable::x) + 0.5 * (at.re.inf() + at.re.sup()),
-                cell.middle(Variable::y) + 0.5 * (at.im.inf() + at.im.sup()));
+  const Point J(of_pole * cell.middle(Variable::x) + 0.5 * (at.re.inf() + at.re.sup()),
+                of_pole * cell.middle(Variable::y) + 0.5 * (at.im.inf() + at.im.sup()));
 
   const Terms& t = *over;
   const Interval per_r = Interval(0.5) / t.r;
@@ -75,8 +77,8 @@ std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, c
   const IntervalComplex zeta_by_r{-(t.difference * per_r / t.r), (t.h / t.r - h_by_r) * per_r};
   const Interval g2 = CGAL::square(widened(std::abs(root.g)));
   const IntervalComplex by_r = base * zeta_by_r, direct = widened(root.g) * turned(t);
-  const IntervalComplex by_x = exactly(1.0) - direct + (-2.0 * g2 * t.z.re) * by_r;
-  const IntervalComplex by_y = exactly(Complex(0, 1)) - times_i(direct) + (-2.0 * g2 * t.z.im) * by_r;
+  const IntervalComplex by_x = exactly(of_pole) - direct + (-2.0 * g2 * t.z.re) * by_r;
+  const IntervalComplex by_y = exactly(Complex(0, of_pole)) - times_i(direct) + (-2.0 * g2 * t.z.im) * by_r;
 
   Interval away = Interval((at.re.sup() - at.re.inf()) + (at.im.sup() - at.im.inf()));
   const auto add = [&](Variable variable, const IntervalComplex& slope) {

@@ -83,9 +83,8 @@ bool FilledLayers::share(PartName one, PartName other) const {
          std::min(highest_[one.number], highest_[other.number]);
 }
 
-bool FilledLayers::share(PartName part, const Obstacle& obstacle) const {
-  return std::max(lowest_[part.number], obstacle.lowest_layer) <=
-         std::min(highest_[part.number], obstacle.highest_layer);
+bool FilledLayers::share(PartName part, int lowest, int highest) const {
+  return std::max(lowest_[part.number], lowest) <= std::min(highest_[part.number], highest);
 }
 
 PartPoint part_point(PartName part, const bounding::MaterialPoint& at, Complex shape, PlateStyle plate) {

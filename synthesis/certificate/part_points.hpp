@@ -19,7 +19,8 @@ class FilledLayers {
  public:
   FilledLayers(const CopyingLinkage& any, const LayerAssignment& layers);
   bool share(PartName one, PartName other) const;
-  bool share(PartName part, const Obstacle& obstacle) const;
+  /// With what takes these layers.
+  bool share(PartName part, int lowest, int highest) const;
 
  private:
   std::array<int, part_count> lowest_, highest_;  // highest < lowest: none

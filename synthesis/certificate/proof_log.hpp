@@ -43,7 +43,7 @@ struct Split {
   Variable variable{};
   double at = 0;
 };
-/// The layer assignments in which both parts, or the part and the obstacle, share a layer; and the others.
+/// The layer assignments in which both parts, or the part and the obstacle (or body, by the same numbers), share a layer; and the others.
 struct Share {
   PartName one;
   std::variant<PartName, std::size_t> other;
@@ -75,7 +75,8 @@ struct PoleLeaf {};
 struct CopyGapLeaf {
   Place one, other;
 };
-/// With the tracer at the place, the point is too near to an edge of the obstacle's outline, or to all of a convex one.
+/// With the tracer at the place, the point is too near to an edge of the obstacle's outline, or to all of a convex one. The numbers
+/// after the obstacles' are those of the bodies, each seen from the joint that carries it, and then that of the table's edge.
 struct ObstacleLeaf {
   std::size_t obstacle = 0;
   std::optional<std::size_t> edge;

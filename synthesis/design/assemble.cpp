@@ -180,11 +180,6 @@ MapTask map_task(const Design& design) {
           .copy_gap = design.limits.copy_gap};
 }
 
-std::string left_out_of_bound(const Design& design) {
-  if (design.bodies.empty()) return design.table ? "the table's edge" : "";
-  return design.table ? "bodies and the table's edge" : "bodies";
-}
-
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options, Detail detail) {
   Design design = assembled(spec, found.linkage, found.layers, options, detail, From::search);
   if (detail == Detail::full && found.layers.highest() > 2 && !options.stop()) {

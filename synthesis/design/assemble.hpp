@@ -44,7 +44,4 @@ Design assemble_given(const Spec& spec, const CopyingLinkage& linkage, const Map
 /// What map_workspace() and verdict_at() need to know about a design. The task's region is the design's.
 MapTask map_task(const Design& design);
 
-/// What the proven bound does not see, for a person: "bodies and the table's edge"; empty if nothing.
-std::string left_out_of_bound(const Design& design);
-
 }  // namespace kempe

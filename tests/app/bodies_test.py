@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Bodies and the table's edge against an oracle that shares no line with the program: joints by intersecting circles, gaps edge by
 edge. Random given mechanisms are mapped; no place called free is in contact, no place well clear is called lost, and `kempe verify`
-says of a region that is not free that it is not, and of one that is that it is.
+says of a region that is not free that it is not, and of one that is that it is. Random tasks are designed; of many linkages drawn
+at random below the bound none does the task, though some would without the bodies. And the shipped example with bodies.
 
-usage: bodies_test.py KEMPE SOURCE_DIR [--specs N] [--seed N] [unittest arguments]
+usage: bodies_test.py KEMPE SOURCE_DIR [--specs N] [--tasks N] [--seed N] [unittest arguments]
 """
 import argparse
 import cmath
+import itertools
 import json
 import math
 import pathlib
@@ -411,12 +413,235 @@ class Bodies(Case):
         self.assertIn("region", broken, f"{label}: {broken}")
 
 
+def size_of(linkage):
+    """Half the perimeter round each link's joints, summed."""
+    s, va, vb = linkage.s, linkage.va, linkage.vb
+    plates = (vb, vb / abs(s), abs(1 - s) * vb / abs(s)), (va, va * abs(s), va * abs(1 - s))
+    return va + vb + sum(map(sum, plates)) / 2
+
+
+def lengths_of(linkage):
+    s, va, vb = linkage.s, linkage.va, linkage.vb
+    return va, vb, vb / abs(s), abs(1 - s) * vb / abs(s), va * abs(s), va * abs(1 - s)
+
+
+def stacks(most):
+    """All layers of VA, VB, ACX, BCY in which links that share a joint differ."""
+    for va, vb, acx, bcy in itertools.product(range(1, most + 1), repeat=4):
+        if va not in (vb, acx) and bcy not in (vb, acx):
+            yield [va, vb, acx, bcy]
+
+
+def random_task(dice):
+    """A copy, a region and a pole, with what moves along and what stands about."""
+    scale, rotation = dice.choice([dice.uniform(0.4, 0.7), dice.uniform(1.5, 2)]), dice.choice([0, 0, 180, dice.uniform(40, 140)])
+    away, size = cmath.rect(dice.uniform(180, 320), dice.uniform(-math.pi, math.pi)), (dice.uniform(40, 110), dice.uniform(40, 110))
+    at, k = away - complex(*size) / 2, cmath.rect(scale, math.radians(rotation))
+    task = {"k": k, "scale": scale, "rotation": rotation, "at": at, "size": size, "width": 14.0, "pin": 6.0, "plate": "bent",
+            "clearance": 1.0, "transmission": 20.0, "shortest": 30.0, "longest": 600.0, "most": dice.choice([2, 3, 4]), "bodies": [],
+            "obstacles": [], "table": None, "pole": 0j}
+    for i in range(dice.randrange(1, 3)):
+        low = dice.randrange(1, 3)
+        body = {"name": f"thing {i + 1}", "at": dice.choice(["tracer", "pen"]), "layers": [low, dice.randrange(low, 9)]}
+        if dice.random() < 0.5:
+            body.update(centre=complex(dice.uniform(-15, 15), dice.uniform(-15, 15)), radius=dice.uniform(15, 50))
+        else:
+            body["ring"] = [cmath.rect(dice.uniform(15, 55), 2 * math.pi * j / 5) for j in range(5)]
+        task["bodies"].append(body)
+    if dice.random() < 0.5:
+        centre = away * cmath.rect(dice.uniform(0.3, 1.4), dice.choice([-1, 1]) * dice.uniform(0.5, 1.5))
+        task["obstacles"].append({"name": "block", "layers": [1, dice.randrange(1, 5)],
+                                  "ring": [centre + cmath.rect(dice.uniform(10, 30), 2 * math.pi * j / 4) for j in range(4)]})
+    if dice.random() < 0.3:
+        xs, ys = (0, at.real, at.real + size[0]), (0, at.imag, at.imag + size[1])
+        beyond = [dice.uniform(60, 160) for _ in range(4)]
+        low, high = complex(min(xs) - beyond[0], min(ys) - beyond[1]), complex(max(xs) + beyond[2], max(ys) + beyond[3])
+        task["table"] = [low, complex(high.real, low.imag), high, complex(low.real, high.imag)]
+    return task
+
+
+def things_toml(task):
+    text = ""
+    for body in task["bodies"]:
+        text += f'[[bodies]]\nname = "{body["name"]}"\nat = "{body["at"]}"\nlayers = {body["layers"]}\n'
+        text += (f"circle_mm = {{centre = {pair(body['centre'])}, radius = {body['radius']!r}}}\n" if "radius" in body
+                 else f"polygon_mm = {ring_text(body['ring'])}\n")
+    for obstacle in task["obstacles"]:
+        text += f'[[obstacles]]\nname = "{obstacle["name"]}"\nlayers = {obstacle["layers"]}\npolygon_mm = {ring_text(obstacle["ring"])}\n'
+    return text + (f"[table]\npolygon_mm = {ring_text(task['table'])}\n" if task["table"] else "")
+
+
+def task_toml(task):
+    return f"""[copy]
+scale = {task["scale"]!r}
+rotation_deg = {task["rotation"]!r}
+[region]
+rectangle_mm = {{at = {pair(task["at"])}, size = {list(task["size"])}}}
+[links]
+width_mm = {task["width"]}
+pin_diameter_mm = {task["pin"]}
+shortest_mm = {task["shortest"]}
+longest_mm = {task["longest"]}
+layers = {task["most"]}
+[limits]
+clearance_mm = {task["clearance"]}
+transmission_deg = {task["transmission"]}
+""" + things_toml(task)
+
+
+class Rivals:
+    """Linkages drawn at random for a task, and whether they do it, looked at place by place."""
+
+    def __init__(self, task, vertices=("pole", "tracer", "pen")):
+        self.task, self.vertices = task, vertices
+
+    def places(self, steps):
+        """Of the region, its corners first."""
+        at, (wide, high) = self.task["at"], self.task["size"]
+        grid = [at + complex(i * wide, j * high) / steps for i in range(steps + 1) for j in range(steps + 1)]
+        corner = [at, at + wide, at + complex(wide, high), at + complex(0, high)]
+        return corner + [z for z in grid if z not in corner]
+
+    def drawn(self, dice, low, high):
+        """A linkage with a size between two, its lengths within the limits; or None."""
+        task, vertex = self.task, dice.choice(self.vertices)
+        mode = dice.randrange(len(modes(shape_of(task["k"], vertex))))
+        va = math.exp(dice.uniform(-1.2, 1.2))
+        one = Mechanism(task["k"], vertex, va, 1.0, mode, task["pole"])
+        grow = dice.uniform(low, high) / size_of(one)
+        one = Mechanism(task["k"], vertex, va * grow, grow, mode, task["pole"])
+        return one if task["shortest"] <= min(lengths_of(one)) and max(lengths_of(one)) <= task["longest"] else None
+
+    def reaches(self, linkage, places):
+        poses = [linkage.pose(place) for place in places]
+        return all(poses) and min(pose[1] for pose in poses) >= math.radians(self.task["transmission"])
+
+    def is_free(self, linkage, layers, places, without_bodies=False):
+        found = dict(self.task, linkage=linkage, layers=layers)
+        if without_bodies:
+            found.update(bodies=[], table=None)
+        world = World(found)
+        return all((at := world.tightest(place)) and at[0] >= self.task["clearance"] for place in places)
+
+    def winner(self, linkage, seen):
+        """Layers in which a linkage does the task as far as many places tell."""
+        few = self.places(4)
+        if not self.reaches(linkage, few):
+            return None
+        free = [layers for layers in stacks(self.task["most"]) if self.is_free(linkage, layers, few[:4], True)]
+        seen["would do without bodies"] += any(self.is_free(linkage, layers, few, True) for layers in free)
+        many = self.places(40)
+        return next((layers for layers in free if self.is_free(linkage, layers, few) and self.is_free(linkage, layers, many)), None)
+
+
+class Bound(Case):
+    tasks, seed = 8, 7
+
+    def test_no_linkage_below_the_bound_does_the_task(self):
+        dice = random.Random(self.seed)
+        seen = {"designs": 0, "without a design": 0, "linkages drawn": 0, "would do without bodies": 0}
+        for i in range(self.tasks):
+            task = random_task(dice)
+            file, out = self.scratch / "task.toml", self.scratch / "designed"
+            file.write_text(task_toml(task))
+            run = kempe("synthesize", file, "-o", out, "--quiet", "-j", "1", "--json")
+            self.assertIn(run.returncode, (0, 3), f"task {i}: {run.stderr}\n{task_toml(task)}")
+            if run.returncode == 0:
+                bound = json.loads((out / "design.json").read_text())["quality"]["lower_bound"]
+                low, high = 0.7 * bound, bound * (1 - 1e-9)
+                seen["designs"] += 1
+            elif "proven" in run.stdout + run.stderr:
+                low, high = 500.0, 2500.0
+                seen["without a design"] += 1
+            else:
+                continue
+            self.look_for_winners(Rivals(task), dice, low, high, seen, 300, f"task {i}")
+        print(", ".join(f"{count} {what}" for what, count in seen.items()), file=sys.stderr)
+        self.assertGreater(seen["designs"], self.tasks // 4)
+        self.assertGreater(seen["would do without bodies"], self.tasks)
+
+    def look_for_winners(self, rivals, dice, low, high, seen, count, label):
+        for _ in range(count):
+            linkage = rivals.drawn(dice, low, high)
+            if not linkage:
+                continue
+            seen["linkages drawn"] += 1
+            layers = rivals.winner(linkage, seen)
+            self.assertIsNone(layers, f"{label}: {linkage.vertex} at the vertex, mode {linkage.mode}, VA {linkage.va}, VB {linkage.vb}, layers "
+                              f"{layers}: {size_of(linkage)} beats the bound {high}\n{task_toml(rivals.task)}")
+
+
+class Pantorouter(Case):
+    """The shipped example: a router at the pen, the follower's holder at the tracer, a backboard."""
+
+    def setUp(self):
+        super().setUp()
+        self.out = self.scratch / "pantorouter"
+        run = kempe("synthesize", EXAMPLE, "-o", self.out, "--quiet", "-j", "1")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.design = json.loads((self.out / "design.json").read_text())
+
+    def task(self):
+        """What the file says, as the oracle reads it."""
+        design, (corners,) = self.design, self.design["region"]["coordinates"][0]
+        at, size = complex(*map(min, zip(*corners))), [max(axis) - min(axis) for axis in zip(*corners)]
+
+        def ring(shape):
+            ((outer,),) = shape["coordinates"]
+            return [complex(*corner) for corner in outer[:-1]]
+        bodies = [dict(b, **({"centre": complex(*b["circle_mm"]["centre"]), "radius": b["circle_mm"]["radius"]} if "circle_mm" in b
+                             else {"ring": ring(b["shape"])})) for b in design["bodies"]]
+        mechanism, limits = design["mechanism"], design["limits"]
+        return {"k": complex(*[design["copy"]["scale"], 0]), "scale": design["copy"]["scale"], "rotation": 0, "at": at, "size": size,
+                "width": mechanism["link_width_mm"], "pin": mechanism["pin_diameter_mm"], "plate": "bent",
+                "clearance": limits["clearance_mm"], "transmission": limits["transmission_deg"], "most": design["links"]["layers"],
+                "shortest": design["links"]["shortest_mm"], "longest": design["links"]["longest_mm"], "bodies": bodies,
+                "obstacles": [{"name": o["name"], "layers": o["layers"], "ring": ring(o["shape"])} for o in design["obstacles"]],
+                "table": ring(design["table"]), "pole": complex(*mechanism["pole_position_mm"])}
+
+    def world(self):
+        task, mechanism = self.task(), self.design["mechanism"]
+        linkage = Mechanism(task["k"], mechanism["vertex"], mechanism["lengths_mm"]["VA"], mechanism["lengths_mm"]["VB"],
+                            mechanism["assembly"], task["pole"])
+        return World(dict(task, linkage=linkage, layers=[link["layer"] for link in mechanism["links"]]))
+
+    def test_is_clear_at_every_place_of_a_fine_grid(self):
+        world, task = self.world(), self.task()
+        found = [world.tightest(place) for place in Rivals(task).places(60)]
+        self.assertTrue(all(found))
+        self.assertGreaterEqual(min(found)[0], task["clearance"] - ROUNDING, min(found))
+        self.assertAlmostEqual(min(found)[0], self.design["quality"]["clearance_min_mm"], delta=0.05, msg=min(found)[1])
+        self.assertGreaterEqual(min(margin for _, _, margin in found), math.radians(task["transmission"] - 1e-6))
+        self.assertIn("router", min(found)[1])
+
+    def test_verify_finds_a_router_that_is_a_little_wider(self):
+        file = self.scratch / "wider.json"
+        for wider, code in ((0.0, 0), (0.1, 4)):
+            design = json.loads(json.dumps(self.design))
+            design["bodies"][0]["circle_mm"]["radius"] += wider
+            file.write_text(json.dumps(design))
+            run = kempe("verify", file, "--json")
+            self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+            if code:
+                self.assertIn("bodies", {one["limit"] for one in json.loads(run.stdout)["broken"]})
+
+    def test_no_linkage_below_its_bound_does_its_task(self):
+        bound = self.design["quality"]["lower_bound"]
+        self.assertLess(self.design["search"]["value"], bound * (1 + 2e-4))
+        seen = {"linkages drawn": 0, "would do without bodies": 0}
+        rivals = Rivals(self.task(), self.design["objective"]["groundings"])
+        Bound.look_for_winners(self, rivals, random.Random(5), 0.97 * bound, bound * (1 - 1e-9), seen, 700, "pantorouter")
+        self.assertGreater(seen["would do without bodies"], 3)
+
+
 if __name__ == "__main__":
     arguments = argparse.ArgumentParser()
     arguments.add_argument("kempe")
     arguments.add_argument("source")
     arguments.add_argument("--specs", type=int, default=Bodies.specs)
+    arguments.add_argument("--tasks", type=int, default=Bound.tasks)
     arguments.add_argument("--seed", type=int, default=Bodies.seed)
     known, rest = arguments.parse_known_args()
-    Bodies.specs, Bodies.seed = known.specs, known.seed
+    Bodies.specs, Bodies.seed, Bound.tasks = known.specs, known.seed, known.tasks
+    EXAMPLE = pathlib.Path(known.source) / "specs/examples/pantorouter.toml"
     unittest.main(argv=[sys.argv[0], *rest])

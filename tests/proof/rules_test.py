@@ -29,7 +29,7 @@ FILES = SOURCE / "tests" / "proof" / "files"
 
 
 def checker(old=None, new=None):
-    """The checker, with a piece of its source replaced; its parts are `module.enclosures` and `module.tolerance_check`."""
+    """The checker, with a piece of its source replaced; its parts are `module.enclosures` and so on."""
     texts = dict(TEXTS)
     if old is not None:
         assert sum(text.count(old) for text in texts.values()) == 1, f"not once in the checker: {old}"
@@ -38,7 +38,7 @@ def checker(old=None, new=None):
     with unittest.mock.patch.dict(sys.modules, modules):
         for name, module in modules.items():
             exec(compile(texts[name], name + ".py", "exec"), module.__dict__)
-    for name in ("enclosures", "tolerance_check"):
+    for name in ("enclosures", "tolerance_check", "bodies_check"):
         setattr(modules["kempe_check"], name, modules[name])
     return modules["kempe_check"]
 
@@ -57,7 +57,7 @@ def run(module, design, log=None):
             names.append(str(pathlib.Path(folder) / "certificate.jsonl"))
             pathlib.Path(names[-1]).write_text("".join(json.dumps(line) + "\n" for line in log), encoding="utf-8")
         out = io.StringIO()
-        beside = {"tolerance_check": module.tolerance_check}
+        beside = {"tolerance_check": module.tolerance_check, "bodies_check": module.bodies_check}
         with contextlib.redirect_stdout(out), unittest.mock.patch.dict(sys.modules, beside):
             try:
                 return (0 if module.main(names) else 1), out.getvalue()
@@ -297,6 +297,15 @@ def too_wrong(limit, cosines):
     return lines
 
 
+def met(point, radius=500.0, **things):
+    """A log by which, with the tracer at a place, a point is in what the pen carries, or in what `things` says."""
+    lines = closed_by({"leaf": "obstacle", "obstacle": 0, "edge": None, "place": [66.0, 0.0], "point": point}, "links", "VA_mm", 60.0)
+    lines[0]["task"]["links"]["VB_mm"] = 60.0
+    router = {"name": "router", "at": "pen", "circle_mm": {"centre": [0.0, 0.0], "radius": radius}, "layers": [1, 8]}
+    lines[0]["task"].update(things or {"bodies": [router]})
+    return lines
+
+
 OUT_OF_REACH = {"leaf": "sum", "of": [["far", [0, 0, 1, 0.0], 1.0]]}
 
 
@@ -334,6 +343,12 @@ LOG_RULES = [
      lambda: altered("block", "leaf", "obstacle", point=["VA", 0.0])),
     ("an obstacle that is not convex", 'raise Open("the obstacle is not convex, or has no such edge")', "pass",
      lambda: with_task("block", "obstacles", 0, "shape", "coordinates", 0, 0, dented)),
+    ("a link that carries the body", "block.joint in JOINTS[named[0]] or ", "", lambda: met(["BCY", 0.0, 0.0])),
+    ("a body out of reach", "block.beyond) * (1 - 1e-15)", "1e9)", lambda: met(["ACX", 0.0, 0.0], 1.0)),
+    ("a body seen from elsewhere", "pair[i] - seen[block.joint][i] for", "NIL for", lambda: met(["ACX", 0.0, 0.0], 1.0)),
+    ("a body in no layer of the part", 'raise Open("the part does not meet this obstacle")', "pass", lambda: met(["pin A"])),
+    ("a place on the table", "[ring_of(table), []]", "[ring_of(table)]",
+     lambda: met(["ACX", 0.0, 0.0], table={"type": "MultiPolygon", "coordinates": [[rectangle(-900, -900, 900, 900)]]})),
     ("a copy error within its limit", "tolerances(self).exceeded(low, high)", "pass",
      lambda: too_wrong(0.8, [0.0, 0.0])),
     ("a copy error within its limit, without a design left", "tolerances(self).exceeded(low, high)", "pass",
@@ -377,6 +392,12 @@ class Logs(unittest.TestCase):
                 code, said = run(WHOLE, None, closed_by(line, *change))
                 self.assertEqual(code, 0, said)
                 self.assertIn("4 no design exists: proven (12 nodes)", said)
+
+    def test_a_body_that_is_met_proves_that_there_is_no_design(self):
+        for lines in (met(["ACX", 0.0, 0.0]), met(["ACX", 1.0, 0.0])):
+            code, said = run(WHOLE, None, lines)
+            self.assertEqual(code, 0, said)
+            self.assertIn("4 no design exists: proven (12 nodes)", said)
 
     def test_a_limit_that_no_opening_keeps_is_proven_to_be_one(self):
         """The least copy error of every mode is above 0.52 mm: one line closes every root."""

@@ -126,7 +126,7 @@ class Dimensions(Case):
                     self.check_link(pages, link, design)
 
     def test_tiles_join(self):
-        out = self.drawn((EXAMPLES / "pantorouter.toml").read_text())
+        out = self.drawn((EXAMPLES.parents[1] / "bench/tasks/router-among-obstacles.toml").read_text())
         tiles = [page for page in self.pages(out) if "Link VA" in drawing_of(page)[0] and "tile" in drawing_of(page)[0]]
         self.assertEqual(len(tiles), 2)
         marks = []

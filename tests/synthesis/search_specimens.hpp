@@ -63,6 +63,34 @@ class SpecDice {
     return {star(centre, radius, corners), 1, 1, "block"};
   }
 
+  /// What tracer or pen carries, about its point or beside it, in some of four layers.
+  Body body_beside(const Spec& spec) {
+    const double away = spec.region.polygons[0].outer[0].norm(), radius = away * uniform(0.03, 0.3);
+    const Carrier at = one_in(2) ? Carrier::pen : Carrier::tracer;
+    const Point centre = one_in(2) ? Point::Zero() : as_point(std::polar(0.8 * radius, uniform(-pi, pi)));
+    const int lowest = 1 + static_cast<int>(random_() % 2),
+              highest = lowest + static_cast<int>(random_() % 3);
+    if (one_in(3)) return {at, Disc{centre, radius}, lowest, highest, "router"};
+    const int corners = 3 + static_cast<int>(random_() % 5);
+    return {at, star(centre, radius, corners), lowest, highest, "hand"};
+  }
+
+  /// A table about region and pole, with a notch.
+  Polygon table_about(const Spec& spec) {
+    Box box{Point::Zero(), Point::Zero()};
+    for (const Point& corner : spec.region.polygons[0].outer)
+      box = {box.lower.cwiseMin(corner), box.upper.cwiseMax(corner)};
+    const double size = (box.upper - box.lower).norm();
+    const auto beyond = [&] { return Point(size * uniform(0.05, 0.8), size * uniform(0.05, 0.8)); };
+    const Point lower = box.lower - beyond(), upper = box.upper + beyond();
+    return {{lower,
+             {upper.x(), lower.y()},
+             upper,
+             {0.5 * (lower.x() + upper.x()), upper.y() - 0.04 * size},
+             {lower.x(), upper.y()}},
+            {}};
+  }
+
  private:
   std::mt19937_64 random_;
 };

@@ -1,4 +1,4 @@
-// tree                  among obstacles: the bound's tree as the search (tree_search.hpp); where it leaves nothing, that is all
+// tree                  among obstacles and beside bodies: the bound's tree as the search (tree_search.hpp); where it leaves nothing, that is all
 // prove                 the bound's tree: it proves that there is no design, or gives places to start from
 // relax                 every choice without contact: an order, and what to prune by
 // for group in order    of fixed size, so that threads change nothing

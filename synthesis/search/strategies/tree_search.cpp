@@ -80,7 +80,6 @@ class TreeSearch {
 
 bool suits_tree_search(const SearchTask& task) {
   const Requirements& limits = task.limits;
-  if (!task.spec().bodies.empty() || task.spec().table) return false;  // the tree knows of obstacles alone
   return !has_stock_lengths(task.spec()) && (task.goal == Goal::size || task.goal == Goal::transmission) &&
          !task.space().obstacles().empty() && limits.pole_margin == 0 && !limits.size && !limits.footprint;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The search among obstacles by the tree of the proven bound: it divides the designs into boxes, the local solver makes designs
+// The search among obstacles and beside bodies by the tree of the proven bound: it divides the designs into boxes, the local solver makes designs
 // of what is promising in them, and what is certified rules out other boxes.
 
 #include "synthesis/search/steps/search_result.hpp"
@@ -7,7 +7,7 @@
 
 namespace kempe {
 
-/// True for tasks whose limits the tree knows, with obstacles: without them the search of every choice is as quick.
+/// True for tasks whose limits the tree knows, with obstacles, bodies or a table: without them the search of every choice is as quick.
 bool suits_tree_search(const SearchTask& task);
 
 /// The best design that the tree leads to, with its bound. `exhausted`: no other choice and no other place is better by more

@@ -1,8 +1,10 @@
-// Boxes that the proven bound throws away for an obstacle, filled with random designs: each must really be hit.
+// Boxes that the proven bound throws away for an obstacle, a body or the table's edge, filled with random designs: each must really
+// be hit.
 #include "synthesis/bound/obstacles.hpp"
 
 #include <gtest/gtest.h>
 
+#include "geometry/region_reach.hpp"
 #include "synthesis/bound/branch.hpp"
 #include "synthesis/bound/contact.hpp"
 #include "synthesis/bound/proven_bound.hpp"
@@ -20,7 +22,17 @@ Spec spec_with_obstacles(test::SpecDice& dice) {
   return spec;
 }
 
-/// The smallest gap over the region by the map's own clearance search, obstacles included; nothing if it is not reached.
+Spec spec_with_bodies(test::SpecDice& dice) {
+  Spec spec = dice.spec();
+  spec.links.layers = 4;
+  if (dice.one_in(2)) spec.obstacles.push_back(dice.obstacle_beside(spec));
+  spec.bodies.push_back(dice.body_beside(spec));
+  if (dice.one_in(2)) spec.bodies.push_back(dice.body_beside(spec));
+  if (dice.one_in(4)) spec.table = dice.table_about(spec);
+  return spec;
+}
+
+/// The smallest gap over the region by the map's own clearance search, all that is in the way included; nothing if it is not reached.
 std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& linkage,
                                       const LayerAssignment& layers) {
   const MapTask task{.linkage = linkage,
@@ -29,23 +41,37 @@ std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& li
                      .clearance = spec.limits.clearance,
                      .transmission = 0,
                      .obstacles = spec.obstacles,
+                     .bodies = spec.bodies,
+                     .table = spec.table,
                      .region = spec.region,
                      .copy_gap = std::nullopt};
   const auto figure = smallest_clearance(task);
   return figure ? std::optional(figure->gap) : std::nullopt;
 }
 
-TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
-  test::SpecDice dice(83);
+/// All of the region: a body may meet an obstacle with the tracer where a linkage does not get to.
+bool reaches(const CopyingLinkage& linkage, const RegionReach& region) {
+  const DistanceRange range = region.range(linkage.pole());
+  return range.nearest > 0 && linkage.opening_at(range.nearest) && linkage.opening_at(range.farthest);
+}
+
+struct ThrownAway {
+  int boxes = 0, designs = 0;
+};
+
+/// Random boxes of random specs, each with a look at designs of those that are thrown away.
+template <typename MakeSpec>
+ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<LayerAssignment>& layers,
+                           const MakeSpec& make_spec) {
   int boxes_hit = 0, designs = 0;
-  for (int i = 0; i < test::samples(150); ++i) {
-    const Spec spec = spec_with_obstacles(dice);
+  for (int i = 0; i < specs; ++i) {
+    const Spec spec = make_spec(dice);
+    const RegionReach region(spec.region);
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
     const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
     const AssemblyMode& mode = modes[static_cast<std::size_t>(i) % modes.size()];
-    const auto layers = layer_assignments(2);
     const bounding::Branch branch = bounding::make_branch(
-        spec, grounding, mode, bounding::layer_choices(spec.copy.k(), grounding, 2, {}));
+        spec, grounding, mode, bounding::layer_choices(spec.copy.k(), grounding, 2, {}, {}));
     const bounding::ObstacleTest test(spec, branch.mode, layers);
     for (int j = 0; j < 30; ++j) {
       const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(5e3, 5e5),
@@ -54,8 +80,12 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
                                     Point(dice.uniform(-20, 20), dice.uniform(-20, 20)),
                                     dice.uniform(0, 2)};
       bounding::Sight sight;
-      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(2), sight, false);
-      if (left.has(0) && left.has(1)) continue;
+      const bounding::LayerSet left = test.not_hit(box, bounding::LayerSet::all(layers.size()), sight, false);
+      std::vector<std::size_t> gone;
+      for (std::size_t one = 0; one < layers.size(); ++one)
+        if (!left.has(one)) gone.push_back(one);
+      if (gone.empty()) continue;
+      if (gone.size() > 3) gone = {gone.front(), gone[gone.size() / 2], gone.back()};
       ++boxes_hit;
       for (int n = 0; n < 12; ++n) {
         const double one_t = dice.log_uniform(box.lengths.t.lower, box.lengths.t.upper);
@@ -65,9 +95,8 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
         const auto linkage =
             CopyingLinkage::make(spec.copy.k(), grounding, std::sqrt(one_w / one_t / 2),
                                  std::sqrt(one_w * one_t / 2) * std::abs(branch.mode.s), mode.number, pole);
-        if (!linkage) continue;
-        for (std::size_t one = 0; one < layers.size(); ++one) {
-          if (left.has(one)) continue;
+        if (!linkage || !reaches(*linkage, region)) continue;
+        for (const std::size_t one : gone) {
           const auto gap = gap_over_region(spec, *linkage, layers[one]);
           if (!gap) continue;  // does not reach the region: no design either
           ++designs;
@@ -76,19 +105,43 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
       }
     }
   }
-  EXPECT_GT(boxes_hit, test::expected(100));
-  EXPECT_GT(designs, test::expected(200));
+  return {boxes_hit, designs};
 }
 
-TEST(ProvenBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
-  test::SpecDice dice(89);
+TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayIsHit) {
+  test::SpecDice dice(83);
+  const ThrownAway seen =
+      look_into_boxes(dice, test::samples(150), layer_assignments(2), spec_with_obstacles);
+  EXPECT_GT(seen.boxes, test::expected(100));
+  EXPECT_GT(seen.designs, test::expected(200));
+}
+
+TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayForABodyIsHit) {
+  test::SpecDice dice(97);
+  std::vector<LayerAssignment> layers;  // every seventh: high and low ones, with gaps and without
+  for (std::size_t i = 0; const LayerAssignment& each : layer_assignments(4))
+    if (i++ % 7 == 0) layers.push_back(each);
+  const ThrownAway seen = look_into_boxes(dice, test::samples(40), layers, spec_with_bodies);
+  EXPECT_GT(seen.boxes, test::expected(60));
+  EXPECT_GT(seen.designs, test::expected(100));
+}
+
+struct Compared {
+  int designs = 0, near = 0;
+};
+
+template <typename MakeSpec>
+Compared compare_with_designs(test::SpecDice& dice, int specs, const MakeSpec& make_spec) {
   int compared = 0, near = 0;
-  for (int i = 0; i < test::samples(20); ++i) {
-    Spec spec = spec_with_obstacles(dice);
+  for (int i = 0; i < specs; ++i) {
+    Spec spec = make_spec(dice);
     spec.pole.place = Point(Point::Zero());
     const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
     const auto bound = proven_bound(spec);
-    ASSERT_TRUE(bound);
+    if (!bound) {
+      ADD_FAILURE() << i;
+      continue;
+    }
     if (const auto* found = std::get_if<FoundDesign>(&outcome)) {
       ++compared;
       EXPECT_FALSE(bound->no_design) << i;
@@ -96,7 +149,20 @@ TEST(ProvenBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
       near += bound->value > 0.99 * found->value;
     }
   }
+  return {compared, near};
+}
+
+TEST(ProvenBoundObstacles, NoDesignIsBelowAndTheBoundIsNear) {
+  test::SpecDice dice(89);
+  const auto [compared, near] = compare_with_designs(dice, test::samples(20), spec_with_obstacles);
   EXPECT_GT(compared, test::expected(6));
+  EXPECT_TRUE(test::shortened() || near > 0.9 * compared) << near << " of " << compared;
+}
+
+TEST(ProvenBoundObstacles, NoDesignWithBodiesIsBelowAndTheBoundIsNear) {
+  test::SpecDice dice(101);
+  const auto [compared, near] = compare_with_designs(dice, test::samples(10), spec_with_bodies);
+  EXPECT_GT(compared, test::expected(2));
   EXPECT_TRUE(test::shortened() || near > 0.9 * compared) << near << " of " << compared;
 }
 

@@ -152,6 +152,13 @@ TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
     std::transform(joints.begin(), joints.end(), about.begin(), [](Exact z) { return Complex(z); });
     const auto moves = bounding::joints_move_at_most(mode, box, place, about);
     if (!moves) continue;
+    const JointRoles roles = roles_of(grounding);
+    const Joint carrier = i % 2 == 0 ? roles.tracer : roles.pen;
+    const auto c = static_cast<std::size_t>(carrier);
+    const auto beside = bounding::joints_move_at_most(mode, box, place, about, carrier);
+    ASSERT_TRUE(beside);
+    const auto of_copy = bounding::copying_joints_move_at_most(mode, k, box, place, about);
+    const auto of_copy_beside = bounding::copying_joints_move_at_most(mode, k, box, place, about, carrier);
     at_the_end += i % 3 == 0;
     for (int n = 0; n < 6; ++n) {
       const ExactDesign one{n == 0   ? box.lengths.t.lower
@@ -167,6 +174,17 @@ TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
       const auto at = exact_joints(one, mode, k, place, cosine);
       for (std::size_t j = 0; j < 6; ++j)
         ASSERT_LE(std::abs(at[j] - exact(about[j])), (*moves)[j]) << i << " joint " << j;
+      for (std::size_t j = 0; j < 6; ++j)
+        ASSERT_LE(std::abs(at[j] - at[c] - (exact(about[j]) - exact(about[c]))), (*beside)[j])
+            << i << " joint " << j << " from " << c;
+      for (const Joint joint : {roles.tracer, roles.pen}) {
+        const auto j = static_cast<std::size_t>(joint);
+        // The tracer's place is known exactly: what is left is the rounding of long doubles.
+        const long double own = 1e-18L * (std::abs(exact(place)) + std::abs(one.pole) + std::abs(at[j]));
+        ASSERT_LE(std::abs(at[j] - exact(about[j])), of_copy[j] + own) << i << " joint " << j;
+        ASSERT_LE(std::abs(at[j] - at[c] - (exact(about[j]) - exact(about[c]))), of_copy_beside[j] + own)
+            << i << " joint " << j << " from " << c;
+      }
     }
   }
   EXPECT_GT(compared, test::expected(8'000));
