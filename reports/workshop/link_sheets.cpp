@@ -28,10 +28,12 @@ struct DrawnLink {
 
 /// The hole farthest left, the lowest of those: all others are measured from it.
 std::size_t datum_of(const CutPart& part) {
+  constexpr double same = 1e-6;  // mm: equal but for rounding
   std::size_t datum = 0;
   for (std::size_t i = 1; i < part.holes.size(); ++i) {
     const Point &one = part.holes[i].centre, &best = part.holes[datum].centre;
-    if (one.x() < best.x() || (one.x() == best.x() && one.y() < best.y())) datum = i;
+    const bool level = std::abs(one.x() - best.x()) <= same;
+    if (level ? one.y() < best.y() : one.x() < best.x()) datum = i;
   }
   return datum;
 }
