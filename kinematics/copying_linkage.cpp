@@ -165,6 +165,18 @@ tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, C
 
 }  // namespace
 
+JointWeights weights_of(Joint joint, Complex shape) {
+  switch (joint) {
+    case Joint::V: return {0, 0};
+    case Joint::A: return {1, 0};
+    case Joint::B: return {0, 1};
+    case Joint::C: return {1, 1};
+    case Joint::X: return {1, 1.0 / shape};
+    case Joint::Y: break;
+  }
+  return {shape, 1};
+}
+
 tl::expected<Pose, Unreachable> CopyingLinkage::velocities(const Pose& pose,
                                                            const Point& tracer_velocity) const {
   // chain w = p + q/s turns as w' = i alpha' p + i beta' q/s, alpha and beta the directions of p and q.

@@ -22,6 +22,14 @@
 
 namespace kempe {
 
+/// How often a joint's place, seen from V, holds p and q.
+struct JointWeights {
+  Complex of_p, of_q;
+};
+
+/// Those of a joint of a linkage with plates of this shape.
+JointWeights weights_of(Joint joint, Complex shape);
+
 /// Why a ratio or a pair of lengths is no copying linkage.
 enum class LinkageFault {
   ratio_not_finite,      ///< k is NaN or infinite

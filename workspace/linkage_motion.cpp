@@ -7,11 +7,6 @@
 namespace kempe {
 namespace {
 
-/// Joint places as multiples of p and of q, V at the origin.
-std::array<std::array<Complex, 2>, 6> multiples(Complex s) {
-  return {{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 1.0 / s}, {s, 1}}};
-}
-
 /// The product as a point. That of std::complex asks for NaN first, which no place or turn is.
 Point rotated(Complex z, Complex turn) {
   return {z.real() * turn.real() - z.imag() * turn.imag(), z.real() * turn.imag() + z.imag() * turn.real()};
@@ -27,18 +22,18 @@ LinkageMotion::LinkageMotion(const CopyingLinkage& linkage) : LinkageMotion(link
 LinkageMotion::LinkageMotion(const CopyingLinkage& linkage, Joint seen_from)
     : VA_(linkage.VA()), VB_(linkage.VB()), chain_end_(linkage.VB() / std::abs(linkage.shape())),
       per_shape_(1.0 / linkage.shape()) {
-  const auto of = multiples(linkage.shape());
-  const auto origin = static_cast<std::size_t>(seen_from);
-  const auto pole = static_cast<std::size_t>(linkage.pole_joint());
-  const auto tracer = static_cast<std::size_t>(linkage.tracer_joint());
-  for (std::size_t joint = 0; joint < 6; ++joint) {
-    a_[joint] = of[joint][0] - of[origin][0];
-    b_[joint] = of[joint][1] - of[origin][1];
-    p_size_[joint] = std::abs(a_[joint]) * VA_;
-    q_size_[joint] = std::abs(b_[joint]) * VB_;
+  const JointWeights origin = weights_of(seen_from, linkage.shape());
+  for (const Joint joint : all_joints) {
+    const JointWeights weights = weights_of(joint, linkage.shape());
+    const auto i = static_cast<std::size_t>(joint);
+    a_[i] = weights.of_p - origin.of_p;
+    b_[i] = weights.of_q - origin.of_q;
+    p_size_[i] = std::abs(a_[i]) * VA_;
+    q_size_[i] = std::abs(b_[i]) * VB_;
   }
   // The tracer, seen from the pole, is a fixed multiple of the chain p + q/s: its multiple of p.
-  tracer_per_chain_ = of[tracer][0] - of[pole][0];
+  tracer_per_chain_ = weights_of(linkage.tracer_joint(), linkage.shape()).of_p -
+                      weights_of(linkage.pole_joint(), linkage.shape()).of_p;
 }
 
 OpeningJoints LinkageMotion::over_openings(double opening, double half_opening) const {

@@ -131,19 +131,6 @@ bool stands_out(const StackItem& item) {
   return item.kind != StackItem::Kind::link && item.kind != StackItem::Kind::spacer;
 }
 
-/// V + a p + b q are the joints' places: a and b.
-std::array<Complex, 2> place_of(Joint joint, Complex s) {
-  switch (joint) {
-    case Joint::V: return {0, 0};
-    case Joint::A: return {1, 0};
-    case Joint::B: return {0, 1};
-    case Joint::C: return {1, 1};
-    case Joint::X: return {1, 1.0 / s};
-    case Joint::Y: break;
-  }
-  return {s, 1};
-}
-
 /// How far a stack's head, washers or nut reach from its axis in heights that an item of another shares, and that item.
 std::optional<std::string> meeting(const Design& design, const JointStack& one, const JointStack& other) {
   const double apart = least_distance(design, one.joint, other.joint);
@@ -206,9 +193,9 @@ double raised_by(const std::vector<JointStack>& stacks) {
 
 double least_distance(const Design& design, Joint one, Joint other) {
   const Complex s = design.linkage.shape();
-  const auto from = place_of(one, s), to = place_of(other, s);
-  const Complex along_p = design.linkage.VA() * (to[0] - from[0]),
-                along_q = design.linkage.VB() * (to[1] - from[1]);
+  const auto from = weights_of(one, s), to = weights_of(other, s);
+  const Complex along_p = design.linkage.VA() * (to.of_p - from.of_p),
+                along_q = design.linkage.VB() * (to.of_q - from.of_q);
   const OpeningInterval openings = openings_to_show(design);
   const auto at = [&](double opening) { return std::abs(along_p + along_q * std::polar(1.0, opening)); };
   // |u + v e^id| falls until v e^id points against u and grows from there.

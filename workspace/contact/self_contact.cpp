@@ -65,23 +65,6 @@ SmallPolygon hull_of(std::span<Point> points) {
   return hull;
 }
 
-/// alpha and beta of a joint.
-struct Weights {
-  Complex alpha, beta;
-};
-
-Weights weights_of(Joint joint, Complex s) {
-  switch (joint) {
-    case Joint::V: return {0, 0};
-    case Joint::A: return {1, 0};
-    case Joint::B: return {0, 1};
-    case Joint::C: return {1, 1};
-    case Joint::X: return {1, 1.0 / s};
-    case Joint::Y: break;
-  }
-  return {s, 1};
-}
-
 /// A piece of one part against a piece of another, seen from the direction they share.
 struct RelativeMotion {
   SmallPolygon polygon;
@@ -185,11 +168,11 @@ bool seen_from_p(const ContactPair& pair) {
 
 RelativeMotion relative_motion(const CopyingLinkage& linkage, const JointHull& one, const JointHull& other,
                                bool from_p, double kept) {
-  const auto fixed = [&](const Weights& w) {
-    return from_p ? linkage.VA() * w.alpha : linkage.VB() * w.beta;
+  const auto fixed = [&](const JointWeights& w) {
+    return from_p ? linkage.VA() * w.of_p : linkage.VB() * w.of_q;
   };
-  const auto moving = [&](const Weights& w) {
-    return from_p ? linkage.VB() * w.beta : linkage.VA() * w.alpha;
+  const auto moving = [&](const JointWeights& w) {
+    return from_p ? linkage.VB() * w.of_q : linkage.VA() * w.of_p;
   };
   const auto weights = [&](const JointHull& piece, int i) {
     return weights_of(piece.joints[static_cast<std::size_t>(i)], linkage.shape());
