@@ -247,14 +247,14 @@ class Design:
                 # Parallel to VB and ACX, or to VA and BCY: seen from there such parts do not turn.
                 frame, wide = "ACX" if {"VB", "ACX"} & {one, other} else "VA", half(task, one) + half(task, other) + task.clearance
                 itself += [Pair(other, A, one, B, frame, wide) for A, B in product(pieces(task, other), pieces(task, one))]
+        around = surroundings(self) if self.data.get("bodies") or self.data.get("table") else []
+        itself += [pair for pair in around if pair.frame != "table"]
         cover([[(self.range[0].lo, 0.0), (self.range[1].hi, 0.0)]], itself, None, self.pending_in)
         for (i, block), part in product(enumerate(self.blocks), JOINTS):
             if share(part, i, self.layers, task.obstacles):
                 wide, tree, name = half(task, part) + task.clearance, tree_of(edges_of(block)), task.obstacles[i].name
                 blocked += [Pair(part, piece, name, ["pole"], "table", wide, tree, block) for piece in pieces(task, part)]
-        if self.data.get("bodies") or self.data.get("table"):
-            blocked += surroundings(self)
-        self.keep_out(blocked)
+        self.keep_out(blocked := blocked + [pair for pair in around if pair.frame == "table"])
         for rings in self.region[1:] if blocked else ():
             self.way(self.region[0][0], rings[0], blocked)
         return f" (clearance {task.clearance:g} mm, eps {EPS_MM:g} mm)"
