@@ -165,7 +165,7 @@ tl::expected<std::array<double, 2>, Unreachable> resolve(Complex a, Complex b, C
 
 }  // namespace
 
-JointWeights weights_of(Joint joint, Complex shape) {
+LinkagePoint linkage_point(Joint joint, Complex shape) {
   switch (joint) {
     case Joint::V: return {0, 0};
     case Joint::A: return {1, 0};

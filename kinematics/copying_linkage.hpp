@@ -22,13 +22,13 @@
 
 namespace kempe {
 
-/// How often a joint's place, seen from V, holds p and q.
-struct JointWeights {
+/// A point of the linkage, which seen from V stands at of_p p + of_q q.
+struct LinkagePoint {
   Complex of_p, of_q;
 };
 
-/// Those of a joint of a linkage with plates of this shape.
-JointWeights weights_of(Joint joint, Complex shape);
+/// A joint as such a point, of a linkage with plates of this shape.
+LinkagePoint linkage_point(Joint joint, Complex shape);
 
 /// Why a ratio or a pair of lengths is no copying linkage.
 enum class LinkageFault {

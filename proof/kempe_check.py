@@ -171,10 +171,10 @@ def tolerances(of):
     from tolerance_check import Tolerances
     return Tolerances(of)
 
-def surroundings(of, asked, *more):
+def surroundings(of, vertex=None):
     import bodies_check
     try:
-        return getattr(bodies_check, asked)(of, *more)
+        return bodies_check.blocks_of(of, vertex) if vertex else bodies_check.pairs_of(of, JOINTS, Pair, occupied, pieces, half)
     except (ValueError, TypeError, KeyError, AttributeError) as fault:
         raise Unreadable(f"{of.name}: bodies or table: found {plain(fault)[:60]}; allowed: as docs/design-file.md has it") from None
 
@@ -247,14 +247,14 @@ class Design:
                 # Parallel to VB and ACX, or to VA and BCY: seen from there such parts do not turn.
                 frame, wide = "ACX" if {"VB", "ACX"} & {one, other} else "VA", half(task, one) + half(task, other) + task.clearance
                 itself += [Pair(other, A, one, B, frame, wide) for A, B in product(pieces(task, other), pieces(task, one))]
+        met = surroundings(self) if any(map(self.data.get, ("bodies", "table"))) else []
+        itself += [pair for pair in met if pair.frame != "table"]
         cover([[(self.range[0].lo, 0.0), (self.range[1].hi, 0.0)]], itself, None, self.pending_in)
         for (i, block), part in product(enumerate(self.blocks), JOINTS):
             if share(part, i, self.layers, task.obstacles):
                 wide, tree, name = half(task, part) + task.clearance, tree_of(edges_of(block)), task.obstacles[i].name
                 blocked += [Pair(part, piece, name, ["pole"], "table", wide, tree, block) for piece in pieces(task, part)]
-        if self.data.get("bodies") or self.data.get("table"):
-            blocked += surroundings(self, "pairs_of", JOINTS, Pair, occupied, pieces, half)
-        self.keep_out(blocked)
+        self.keep_out(blocked := blocked + [pair for pair in met if pair.frame == "table"])
         for rings in self.region[1:] if blocked else ():
             self.way(self.region[0][0], rings[0], blocked)
         return f" (clearance {task.clearance:g} mm, eps {EPS_MM:g} mm)"
@@ -386,7 +386,7 @@ class Certificate:
     def prove(self):
         for vertex in (v for v in VERTICES if v in self.task.groundings):
             self.shape, beside = Shape(self.task, vertex), any(map(self.data["task"].get, ("bodies", "table")))
-            self.blocks = self.task.obstacles + (surroundings(self, "blocks_of", vertex) if beside else [])
+            self.blocks = self.task.obstacles + (surroundings(self, vertex) if beside else [])
             for mode in range(self.shape.modes):
                 (self.sign, self.sign_d), todo = self.shape.signs(mode), [self.root(mode)]
                 while todo:

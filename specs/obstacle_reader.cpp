@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "geometry/regions/region_checks.hpp"
 #include "geometry/regions/ring_loops.hpp"
+#include "kinematics/grounding.hpp"
+#include "kinematics/links.hpp"
 #include "specs/region_reader.hpp"
 #include "specs/shape_reader.hpp"
 #include "specs/spec_keys.hpp"
@@ -85,6 +90,11 @@ std::vector<Body> read_body(const TableView& table, std::size_t number, Complain
   std::string carrier;
   table.set("at", carrier);
   body.at = carrier == "tracer" ? Carrier::tracer : Carrier::pen;
+  std::string link;
+  table.set("turns_with", link);
+  const auto named =
+      std::find_if(all_links.begin(), all_links.end(), [&](const Link& each) { return name(each) == link; });
+  if (named != all_links.end()) body.turns_with = *named;
   std::vector<Body> bodies;
   if (*key == "circle_mm") {
     body.shape = read_disc(table);
@@ -98,7 +108,51 @@ std::vector<Body> read_body(const TableView& table, std::size_t number, Complain
   return bodies;
 }
 
+/// True if the link has the joint that carries the body.
+bool carries(Link link, Carrier at, Grounding grounding) {
+  const JointRoles roles = roles_of(grounding);
+  return has_joint(link, at == Carrier::tracer ? roles.tracer : roles.pen);
+}
+
+/// "VA or VB, which carry the pen"
+std::string links_that_carry(Carrier at, const std::vector<Grounding>& groundings) {
+  std::string names;
+  for (const Link link : all_links)
+    if (std::any_of(groundings.begin(), groundings.end(),
+                    [&](Grounding each) { return carries(link, at, each); }))
+      names += (names.empty() ? "" : " or ") + std::string(name(link));
+  std::string vertices;
+  for (const Grounding each : groundings)
+    vertices += (vertices.empty() ? "" : " or ") + std::string(name(each));
+  return fmt::format("{}, which has the {} with the {} at the vertex", names,
+                     at == Carrier::tracer ? "tracer" : "pen", vertices);
+}
+
 }  // namespace
+
+std::vector<Grounding> groundings_with_links_of(const toml::array& tables, std::vector<Grounding> groundings,
+                                                Complaints& complaints) {
+  for (const toml::node& node : tables) {
+    const TableView table(*node.as_table(), "bodies");
+    std::string link, carrier;
+    table.set("turns_with", link);
+    table.set("at", carrier);
+    const auto turns_with = std::find_if(all_links.begin(), all_links.end(),
+                                         [&](const Link& each) { return name(each) == link; });
+    if (turns_with == all_links.end()) continue;
+    const Carrier at = carrier == "tracer" ? Carrier::tracer : Carrier::pen;
+    std::vector<Grounding> kept;
+    for (const Grounding grounding : groundings)
+      if (carries(*turns_with, at, grounding)) kept.push_back(grounding);
+    if (kept.empty()) {
+      complaints.add(table.line_of_key("turns_with"), table.dotted("turns_with"), link,
+                     links_that_carry(at, groundings));
+      return {};
+    }
+    groundings = std::move(kept);
+  }
+  return groundings;
+}
 
 std::vector<Obstacle> read_obstacles(const toml::array& tables, Complaints& complaints) {
   std::vector<Obstacle> obstacles;

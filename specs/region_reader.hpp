@@ -26,6 +26,11 @@ std::vector<Obstacle> read_obstacles(const toml::array& tables, Complaints& comp
 /// Reads the [[bodies]] tables in the same way; a circle stays one.
 std::vector<Body> read_bodies(const toml::array& tables, Complaints& complaints);
 
+/// Those of the groundings in which every link that a body turns with has the body's point; none after a complaint about a link that has
+/// it in none of those that the bodies before leave.
+std::vector<Grounding> groundings_with_links_of(const toml::array& tables, std::vector<Grounding> groundings,
+                                                Complaints& complaints);
+
 /// Reads a [table] table whose keys have been checked: one ring that does not cross itself.
 std::optional<Polygon> read_table_edge(const TableView& table, Complaints& complaints);
 

@@ -7,6 +7,7 @@
 #include "geometry/stated_angle.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "kinematics/grounding.hpp"
+#include "kinematics/links.hpp"
 #include "kinematics/overloaded.hpp"
 #include "specs/spec_table.hpp"
 #include "specs/text/toml_access.hpp"
@@ -130,6 +131,7 @@ toml::table body_table(const Body& body) {
           },
           [&](const Polygon& polygon) { table.insert("polygon_mm", list_of(polygon.outer)); }},
       body.shape);
+  if (body.turns_with) table.insert("turns_with", std::string(name(*body.turns_with)));
   if (!body.name.empty()) table.insert("name", body.name);
   return table;
 }
@@ -230,6 +232,7 @@ tl::expected<Spec, InputError> check_spec(const Spec& spec) {
   checked.obstacles = std::move(read->obstacles);
   checked.bodies = std::move(read->bodies);
   checked.table = std::move(read->table);
+  checked.objective.groundings = std::move(read->objective.groundings);            // those that bodies leave
   checked.links.stock_lengths.stock = std::move(read->links.stock_lengths.stock);  // sorted, each once
   checked.links.style.pin_diameter = read->links.style.pin_diameter;               // its hardware's
   if (!spec.pole.is_fixed()) checked.pole = std::move(read->pole);

@@ -128,10 +128,14 @@ constexpr SpecKey keys[] = {
 
     {"bodies", "name", text, any, "", optional, "", "\"router\"",
      "what the report calls it; left out: body 1, 2, ..."},
-    {"bodies", "at", choice, any, "tracer|pen", required, "", "\"pen\"",
-     "the point that carries it; it keeps its direction"},
+    {"bodies", "at", choice, any, "tracer|pen", required, "", "\"pen\"", "the point that carries it"},
+    {"bodies", "turns_with", choice, any, "VA|VB|ACX|BCY", optional, "", "\"BCY\"",
+     "the link it is fixed to, one that has the point: its x axis runs from there to the link's nearest "
+     "other joint; "
+     "left out: it keeps its direction"},
     {"bodies", "polygon_mm", rings, coordinate, "", optional, "",
-     "[[-40, -30], [40, -30], [40, 30], [-40, 30]]", "its outline seen from that point: a ring, or several"},
+     "[[-40, -30], [40, -30], [40, 30], [-40, 30]]",
+     "its outline seen from that point, along the table's axes or the link's: a ring, or several"},
     {"bodies", "rectangle_mm", rectangle, any, "", optional, "", "{at = [-40, -30], size = [80, 60]}",
      "an upright rectangle instead"},
     {"bodies", "circle_mm", circle, any, "", optional, "", "{centre = [0, 0], radius = 60}",

@@ -97,6 +97,14 @@ void require_tables(const toml::table& root, Complaints& complaints) {
   }
 }
 
+/// A body that turns with a link leaves the groundings in which the link has its point.
+void read_bodies_into(Spec& spec, const toml::array& tables, Complaints& complaints) {
+  spec.bodies = read_bodies(tables, complaints);
+  if (spec.mechanism && groundings_with_links_of(tables, {spec.mechanism->grounding}, complaints).empty())
+    return;
+  spec.objective.groundings = groundings_with_links_of(tables, spec.objective.groundings, complaints);
+}
+
 /// Reads every table whose keys are without complaint; whatever is wrong is in `complaints`.
 Spec read_tables(const toml::table& root, const std::filesystem::path& folder, Complaints& complaints) {
   Spec spec;
@@ -122,7 +130,7 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
   if (complaints.none_about("pole"))
     spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
   if (sound("obstacles")) spec.obstacles = read_obstacles(*root.get_as<toml::array>("obstacles"), complaints);
-  if (sound("bodies")) spec.bodies = read_bodies(*root.get_as<toml::array>("bodies"), complaints);
+  if (sound("bodies")) read_bodies_into(spec, *root.get_as<toml::array>("bodies"), complaints);
   if (sound("table")) spec.table = read_table_edge(table("table"), complaints);
   check_robust_surroundings(spec, root, complaints);
   if (sound("region")) spec.region = read_region(table("region"), folder, complaints).value_or(Region{});

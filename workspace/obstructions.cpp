@@ -14,6 +14,7 @@ namespace {
 /// A body as an obstruction: a disc is its centre, grown.
 Obstruction obstruction_of(const Body& body, std::string name) {
   Obstruction obstruction{.frame = body.at,
+                          .turns_with = body.turns_with,
                           .shape = {},
                           .lowest_layer = body.lowest_layer,
                           .highest_layer = body.highest_layer,
@@ -51,6 +52,7 @@ Obstruction without(const Obstruction& other, const Obstruction& body) {
   Obstruction result = other;
   result.met = Obstruction::Met{*body.frame, body.name};
   result.grown += body.grown;
+  result.turning.clear();  // bodies that turn meet the other itself
   result.shape.polygons.clear();
   const std::vector<ConvexPart> taken = parts_of_region(body.shape);
   for (const ConvexPart& one : parts_of_region(other.shape))
@@ -81,11 +83,77 @@ std::vector<Obstruction> obstructions_of(const std::vector<Obstacle>& obstacles,
   for (std::size_t i = 0; i < bodies.size(); ++i)
     obstructions.push_back(obstruction_of(bodies[i], body_name(bodies, i)));
   const std::size_t bodies_end = obstructions.size();
-  for (std::size_t i = at_rest; i < bodies_end; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (obstructions[j].frame != obstructions[i].frame && share_layer(obstructions[j], obstructions[i]))
-        obstructions.push_back(without(obstructions[j], obstructions[i]));
+  for (std::size_t i = at_rest; i < bodies_end; ++i) {
+    const bool turns = obstructions[i].turns_with.has_value();
+    for (std::size_t j = 0; j < (turns ? bodies_end : i); ++j) {
+      Obstruction& other = obstructions[j];
+      if (other.frame == obstructions[i].frame || !share_layer(other, obstructions[i])) continue;
+      if (turns && !(other.turns_with && j > i)) other.turning.push_back(i - at_rest);
+      if (!turns && !other.turns_with) {
+        Obstruction difference = without(other, obstructions[i]);
+        obstructions.push_back(std::move(difference));
+      }
+    }
+  }
   return obstructions;
+}
+
+std::vector<Body> that_keep_direction(const std::vector<Body>& bodies) {
+  std::vector<Body> kept;
+  for (const Body& body : bodies)
+    if (!body.turns_with) kept.push_back(body);
+  return kept;
+}
+
+BodyPieces pieces_of(const Body& body) {
+  if (const auto* disc = std::get_if<Disc>(&body.shape)) return {{{as_complex(disc->centre)}}, disc->radius};
+  BodyPieces triangles;
+  for (const ConvexPart& part : convex_parts(std::get<Polygon>(body.shape)))
+    for (std::size_t i = 1; i + 1 < part.size(); ++i)
+      triangles.pieces.push_back({part[0], part[i], part[i + 1]});
+  return triangles;
+}
+
+LinkagePoint point_on_link(Complex corner, Link link, const CopyingLinkage& linkage) {
+  const Complex s = linkage.shape(), along = corner * axis_at_end(link, s);
+  switch (link) {
+    case Link::VA: return {along / linkage.VA(), 0};
+    case Link::VB: return {0, along / linkage.VB()};
+    case Link::ACX: return {1, 1.0 / s + along / linkage.VB()};
+    case Link::BCY: break;
+  }
+  return {s + along / linkage.VA(), 1};
+}
+
+namespace {
+
+/// The direction of the body's x axis, as a number of size 1.
+Complex axis_in(const Body& body, const CopyingLinkage& linkage, const Pose& pose) {
+  if (!body.turns_with) return 1;
+  const Joint toward = nearest_to_end(*body.turns_with, linkage.shape());
+  const Complex way = as_complex(pose[toward] - pose[joint_of(body.at, linkage)]);
+  return std::abs(way) > 0 ? way / std::abs(way) : Complex(1);
+}
+
+}  // namespace
+
+std::variant<Disc, Polygon> placed(const Body& body, const CopyingLinkage& linkage, const Pose& pose) {
+  const Point& at = pose[joint_of(body.at, linkage)];
+  const Complex axis = axis_in(body, linkage, pose);
+  const auto place = [&](const Point& corner) -> Point {
+    return body.turns_with ? at + as_point(axis * as_complex(corner)) : at + corner;
+  };
+  std::variant<Disc, Polygon> result = body.shape;
+  std::visit(Overloaded{[&](Disc& disc) { disc.centre = place(disc.centre); },
+                        [&](Polygon& polygon) {
+                          for (Point& corner : polygon.outer) corner = place(corner);
+                        }},
+             result);
+  return result;
+}
+
+double bearing_of(const Body& body, const CopyingLinkage& linkage, const Pose& pose) {
+  return std::arg(axis_in(body, linkage, pose));
 }
 
 Polygon off_the_table(const Polygon& table, const std::vector<Body>& bodies) {
@@ -119,7 +187,8 @@ bool may_meet(const Part& part, const Obstruction& obstruction, const CopyingLin
     return false;
   if (!obstruction.frame) return true;
   const Joint carrier = joint_of(*obstruction.frame, linkage);
-  return part.kind == Part::Kind::link ? !has_joint(part.link, carrier) : part.joint != carrier;
+  if (part.kind == Part::Kind::link) return !has_joint(part.link, carrier);
+  return part.joint != carrier && !(obstruction.turns_with && has_joint(*obstruction.turns_with, part.joint));
 }
 
 }  // namespace kempe

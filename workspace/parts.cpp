@@ -4,32 +4,6 @@
 
 namespace kempe {
 
-std::string_view name(Link link) {
-  switch (link) {
-    case Link::VA: return "VA";
-    case Link::VB: return "VB";
-    case Link::ACX: return "ACX";
-    case Link::BCY: break;
-  }
-  return "BCY";
-}
-
-LinkJoints joints_of(Link link) {
-  switch (link) {
-    case Link::VA: return {{Joint::V, Joint::A, Joint::A}, 2};
-    case Link::VB: return {{Joint::V, Joint::B, Joint::B}, 2};
-    case Link::ACX: return {{Joint::A, Joint::C, Joint::X}, 3};
-    case Link::BCY: break;
-  }
-  return {{Joint::B, Joint::C, Joint::Y}, 3};
-}
-
-bool has_joint(Link link, Joint joint) {
-  const LinkJoints of_link = joints_of(link);
-  return std::find(of_link.joints.begin(), of_link.joints.begin() + of_link.count, joint) !=
-         of_link.joints.begin() + of_link.count;
-}
-
 int LayerAssignment::highest() const { return *std::max_element(of.begin(), of.end()); }
 
 namespace {

@@ -3,29 +3,14 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geometry/arc_polygon.hpp"
 #include "kinematics/copying_linkage.hpp"
+#include "kinematics/links.hpp"
 #include "specs/spec.hpp"
 
 namespace kempe {
-
-/// The four moving links, in the order of every array over links.
-enum class Link { VA, VB, ACX, BCY };
-inline constexpr std::array<Link, 4> all_links{Link::VA, Link::VB, Link::ACX, Link::BCY};
-/// "VA", "VB", "ACX" or "BCY".
-std::string_view name(Link link);
-/// The link's joints: two for a bar (the third entry of `joints` unused), three for a plate, in the order of
-/// the name.
-struct LinkJoints {
-  std::array<Joint, 3> joints;
-  int count;
-};
-LinkJoints joints_of(Link link);
-/// True if the joint is one of the link's.
-bool has_joint(Link link, Joint joint);
 
 /// In which layer each link lies; 1 is next to the table.
 struct LayerAssignment {

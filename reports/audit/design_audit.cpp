@@ -8,6 +8,8 @@
 
 #include "geometry/fixed_text.hpp"
 #include "geometry/regions/region_checks.hpp"
+#include "kinematics/grounding.hpp"
+#include "kinematics/links.hpp"
 #include "reports/audit/record.hpp"
 #include "reports/audit/slack.hpp"
 #include "workspace/reach.hpp"
@@ -75,10 +77,27 @@ std::optional<InputError> outline_fault(const Polygon& shape, const std::string&
   return checked ? std::nullopt : std::optional(std::move(checked.error()));
 }
 
+/// A body that turns with a link that does not have its point.
+std::optional<InputError> turning_fault(const StoredDesign& design, std::size_t number,
+                                        const std::string& file) {
+  const Body& body = design.bodies[number];
+  if (!body.turns_with) return std::nullopt;
+  const JointRoles roles = roles_of(design.grounding);
+  const Joint at = body.at == Carrier::tracer ? roles.tracer : roles.pen;
+  if (has_joint(*body.turns_with, at)) return std::nullopt;
+  std::string names;
+  for (const Link link : all_links)
+    if (has_joint(link, at)) names += (names.empty() ? "" : " or ") + std::string(name(link));
+  return InputError{file, 0, fmt::format("bodies[{}].turns_with", number),
+                    std::string(name(*body.turns_with)), names};
+}
+
 std::optional<InputError> unfit_surroundings(const StoredDesign& design, const std::string& file) {
   if (design.tolerance && design.tolerance->robust && (!design.bodies.empty() || design.table))
     return InputError{file, 0, "tolerance.robust", "true beside bodies or a table",
                       "false there: what is robust is known without them alone"};
+  for (std::size_t i = 0; i < design.bodies.size(); ++i)
+    if (auto fault = turning_fault(design, i, file)) return fault;
   for (std::size_t i = 0; i < design.bodies.size(); ++i)
     if (const auto* polygon = std::get_if<Polygon>(&design.bodies[i].shape))
       if (auto fault = outline_fault(*polygon, fmt::format("bodies[{}].shape", i), file)) return fault;

@@ -60,7 +60,7 @@ void note_keys(const JsonField& root, StoredDesign& design) {
     for (const JsonField& one : obstacles->elements(0, most)) look(one, {"name", "shape", "layers"});
   if (const auto bodies = root.find("bodies"))
     for (const JsonField& one : bodies->elements(0, most)) {
-      look(one, {"name", "at", "shape", "circle_mm", "layers"});
+      look(one, {"name", "at", "turns_with", "shape", "circle_mm", "layers"});
       if (const auto circle = one.find("circle_mm")) look(*circle, {"centre", "radius"});
     }
   look_in("table", {"type", "coordinates"});

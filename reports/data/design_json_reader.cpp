@@ -292,6 +292,9 @@ Obstacle obstacle(const JsonField& field) {
 Body body(const JsonField& field) {
   Body result;
   result.at = one_of<Carrier>(field["at"], {{"tracer", Carrier::tracer}, {"pen", Carrier::pen}});
+  if (const auto link = field.find("turns_with"))
+    result.turns_with =
+        one_of<Link>(*link, {{"VA", Link::VA}, {"VB", Link::VB}, {"ACX", Link::ACX}, {"BCY", Link::BCY}});
   if (const auto circle = field.find("circle_mm")) {
     const double radius = (*circle)["radius"].number(0, largest_coordinate);
     if (!(radius > 0)) (*circle)["radius"].refuse("a number > 0");

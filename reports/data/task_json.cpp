@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/stated_angle.hpp"
+#include "kinematics/links.hpp"
 #include "kinematics/overloaded.hpp"
 #include "reports/data/geojson_geometry.hpp"
 
@@ -49,6 +50,7 @@ Json body_json(const Body& body) {
                         },
                         [&](const Polygon& polygon) { json["shape"] = multi_polygon(Region{{polygon}}); }},
              body.shape);
+  if (body.turns_with) json["turns_with"] = std::string(name(*body.turns_with));
   json["layers"] = Json::array({body.lowest_layer, body.highest_layer});
   return json;
 }

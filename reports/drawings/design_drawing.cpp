@@ -98,14 +98,12 @@ void add_bodies(Drawing& drawing, const Design& design, const Pose& pose) {
     const Point& at = pose[joint_of(body.at, design.linkage)];
     std::visit(
         Overloaded{[&](const Disc& disc) {
-                     drawing.shapes.push_back(CircleShape{bodies_layer.name, at + disc.centre, disc.radius});
+                     drawing.shapes.push_back(CircleShape{bodies_layer.name, disc.centre, disc.radius});
                    },
                    [&](const Polygon& polygon) {
-                     Ring placed = polygon.outer;
-                     for (Point& corner : placed) corner += at;
-                     drawing.shapes.push_back(straight_outline(bodies_layer.name, placed));
+                     drawing.shapes.push_back(straight_outline(bodies_layer.name, polygon.outer));
                    }},
-        body.shape);
+        placed(body, design.linkage, pose));
     drawing.shapes.push_back(TextShape{bodies_layer.name, body_name(design.bodies, i),
                                        at - Point(0, design.style.width + text_height), text_height});
   }

@@ -193,7 +193,7 @@ double raised_by(const std::vector<JointStack>& stacks) {
 
 double least_distance(const Design& design, Joint one, Joint other) {
   const Complex s = design.linkage.shape();
-  const auto from = weights_of(one, s), to = weights_of(other, s);
+  const auto from = linkage_point(one, s), to = linkage_point(other, s);
   const Complex along_p = design.linkage.VA() * (to.of_p - from.of_p),
                 along_q = design.linkage.VB() * (to.of_q - from.of_q);
   const OpeningInterval openings = openings_to_show(design);

@@ -112,6 +112,9 @@ Json other_obstructions(const Design& design, const std::vector<Part>& of_linkag
                       {"grown", one.grown},
                       {"polygons", polygons},
                       {"parts", parts}});
+    if (one.turns_with)
+      others.back()["toward"] = static_cast<int>(nearest_to_end(*one.turns_with, design.linkage.shape()));
+    for (const std::size_t body : one.turning) others.back()["turning"].push_back(body);
     if (one.met) others.back()["met"] = {{"joint", joint(one.met->by)}, {"name", one.met->name}};
   }
   return others;
@@ -122,6 +125,31 @@ Json carried(const Design& design) {
   Json names = Json::array();
   for (std::size_t i = 0; i < design.bodies.size(); ++i) names.push_back(body_name(design.bodies, i));
   return names;
+}
+
+/// Of each body that turns with a link, else null: the joint that carries it, that to which its x axis runs, and its pieces.
+Json turning(const Design& design) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < design.bodies.size(); ++i) {
+    const Body& body = design.bodies[i];
+    if (!body.turns_with) {
+      all.push_back(nullptr);
+      continue;
+    }
+    const BodyPieces covered = pieces_of(body);
+    Json pieces = Json::array();
+    for (const ConvexPart& piece : covered.pieces) {
+      Json corners = Json::array();
+      for (const Complex& corner : piece) corners.push_back(complex(corner));
+      pieces.push_back(corners);
+    }
+    all.push_back({{"name", body_name(design.bodies, i)},
+                   {"half_width", covered.grown},
+                   {"joint", static_cast<int>(joint_of(body.at, design.linkage))},
+                   {"toward", static_cast<int>(nearest_to_end(*body.turns_with, design.linkage.shape()))},
+                   {"places", pieces}});
+  }
+  return all;
 }
 
 /// [opening, worst, rss] over the assembly mode but for its ends, where the error grows beyond all bounds.
@@ -199,6 +227,7 @@ std::string report_model(const Design& design, const MapPicture& picture) {
   if (!design.bodies.empty() || design.table) {
     model["others"] = other_obstructions(design, of_linkage, detail);
     model["carried"] = carried(design);
+    model["turning"] = turning(design);
   }
   return model.dump();
 }

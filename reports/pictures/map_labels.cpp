@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "reports/pictures/html_text.hpp"
@@ -85,11 +86,6 @@ std::vector<bool> nearest_obstacles(const Design& design, std::size_t most) {
   return is_near;
 }
 
-Region shifted(Polygon polygon, const Point& by) {
-  for (Point& corner : polygon.outer) corner += by;
-  return {{std::move(polygon)}};
-}
-
 }  // namespace
 
 std::string map_labels(const MapScene& scene, LabelPlacer& placer) {
@@ -129,13 +125,13 @@ std::string map_labels(const MapScene& scene, LabelPlacer& placer) {
       beside(Region{{scene.design.obstacles[i].shape}}, "obstacles", shortened(words));
   }
   for (std::size_t i = 0; i < scene.design.bodies.size() && i < most_named; ++i) {
-    const Body& body = scene.design.bodies[i];
-    const Point& at = scene.pose[joint_of(body.at, scene.design.linkage)];
+    const std::variant<Disc, Polygon> shape =
+        placed(scene.design.bodies[i], scene.design.linkage, scene.pose);
     Region room;
-    if (const auto* disc = std::get_if<Disc>(&body.shape))
-      room = Region::circle(at + disc->centre, disc->radius);
+    if (const auto* disc = std::get_if<Disc>(&shape))
+      room = Region::circle(disc->centre, disc->radius);
     else
-      room = shifted(std::get<Polygon>(body.shape), at);
+      room = Region{{std::get<Polygon>(shape)}};
     beside(room, "bodies", shortened(body_name(scene.design.bodies, i)));
   }
   return SvgElement("g").with("class", "words").holding("\n" + svg).line();

@@ -62,23 +62,25 @@ std::string contours(const MapScene& scene, const std::vector<ContourCircle>& ci
   return lines + figures;
 }
 
-/// Bodies where their points stand; a script moves them with the joint that `data-joint` numbers, from `data-x`, `data-y` (of the picture).
+/// Bodies where their points stand; a script moves them with the joint that `data-joint` numbers, from `data-x`, `data-y` (of the picture),
+/// and turns one that is fixed to a link with the direction to the joint `data-toward`, from `data-bearing` (degrees, of the picture).
 std::string bodies(const MapScene& scene) {
   std::string all;
   for (const Body& body : scene.design.bodies) {
     const Joint joint = joint_of(body.at, scene.design.linkage);
     const Point& at = scene.pose[joint];
     SvgElement element = std::visit(
-        Overloaded{[&](const Disc& disc) { return svg_disc("thing", at + disc.centre, disc.radius); },
-                   [&](const Polygon& polygon) {
-                     Polygon placed = polygon;
-                     for (Point& corner : placed.outer) corner += at;
-                     return svg_shape("thing", svg_path(placed, scene.detail));
-                   }},
-        body.shape);
-    all += element.with("data-joint", static_cast<double>(joint))
-               .at("data-x", "data-y", {at.x(), -at.y()})
-               .line();
+        Overloaded{
+            [&](const Disc& disc) { return svg_disc("thing", disc.centre, disc.radius); },
+            [&](const Polygon& polygon) { return svg_shape("thing", svg_path(polygon, scene.detail)); }},
+        placed(body, scene.design.linkage, scene.pose));
+    element.with("data-joint", static_cast<double>(joint)).at("data-x", "data-y", {at.x(), -at.y()});
+    if (body.turns_with) {
+      const Joint toward = nearest_to_end(*body.turns_with, scene.design.linkage.shape());
+      element.with("data-toward", static_cast<double>(toward))
+          .with("data-bearing", -degrees(bearing_of(body, scene.design.linkage, scene.pose)));
+    }
+    all += element.line();
   }
   return all;
 }

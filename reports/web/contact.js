@@ -60,6 +60,14 @@
     return best;
   }
 
+  /** The direction from one place to another, of size 1. */
+  function axis([x, y], [u, v]) {
+    const length = Math.hypot(u - x, v - y);
+    return [(u - x) / length, (v - y) / length];
+  }
+  const turned = ([x, y], [c, s]) => [x * c - y * s, x * s + y * c];
+  const turnedBack = (at, [c, s]) => turned(at, [c, -s]);
+
   const shareLayer = (a, b) => Math.max(a.layers[0], b.layers[0]) <= Math.min(a.layers[1], b.layers[1]);
 
   class Contacts {
@@ -69,10 +77,12 @@
       this.encounters = [];
       for (const obstacle of model.obstacles)
         for (const part of model.parts) if (shareLayer(part, obstacle)) this.encounters.push([part, obstacle]);
-      // In the frame of its joint a body is at rest; of two bodies one's joint meets the difference of both.
+      // In the frame of its joint, or of its link, a body is at rest. Of two bodies one's joint meets the difference of both, but a body
+      // that turns meets others with all its pieces.
       for (const other of model.others || []) {
         const parts = other.met ? [{ name: other.met.name, half_width: 0, pieces: [[other.met.joint]] }] : other.parts.map((i) => model.parts[i]);
         for (const part of parts) this.encounters.push([part, other]);
+        for (const i of other.turning || []) this.encounters.push([model.turning[i], other]);
       }
     }
 
@@ -88,15 +98,24 @@
       for (const [part, obstacle] of this.encounters) {
         let best = { distance: Infinity };
         const at = obstacle.frame === undefined || obstacle.frame === null ? [0, 0] : pose[obstacle.frame];
-        for (const hull of hulls.get(part) || part.pieces.map((piece) => piece.map((joint) => pose[joint]))) {
-          const seen = hull.map(([x, y]) => [x - at[0], y - at[1]]);
+        const turn = obstacle.toward === undefined ? [1, 0] : axis(at, pose[obstacle.toward]);
+        for (const hull of hulls.get(part) || hullsOf(part, pose)) {
+          const seen = hull.map(([x, y]) => turnedBack([x - at[0], y - at[1]], turn));
           for (const rings of obstacle.polygons || [obstacle.rings]) best = nearer(best, hullToObstacle(seen, { rings }));
         }
-        if (best.from) best = { distance: best.distance, from: add(best.from, at), to: add(best.to, at) };
+        const place = (seen) => add(turned(seen, turn), at);
+        if (best.from) best = { distance: best.distance, from: place(best.from), to: place(best.to) };
         found.push(gapOf(part, obstacle, best, part.half_width + (obstacle.grown || 0)));
       }
       return found;
     }
+  }
+
+  /** What of a body meets others: its joint, or, where it turns with a link, its pieces beside that. */
+  function hullsOf(body, pose) {
+    if (!body.places) return body.pieces.map((piece) => piece.map((joint) => pose[joint]));
+    const at = pose[body.joint], turn = axis(at, pose[body.toward]);
+    return body.places.map((piece) => piece.map((corner) => add(turned(corner, turn), at)));
   }
 
   function gapOf(one, other, nearest, halfWidths) {

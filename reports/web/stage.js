@@ -181,8 +181,13 @@
       obstacles.forEach((node, i) => node.classList.toggle("touching", struck.has(this.model.obstacles[i])));
       const names = this.map.querySelectorAll(".words .bodies");
       this.map.querySelectorAll(".m-bodies .thing").forEach((node, i) => {
-        const [x, y] = pose[Number(node.dataset.joint)], moved = `translate(${x - Number(node.dataset.x)} ${-y - Number(node.dataset.y)})`;
-        for (const one of [node, names[i]]) if (one) one.setAttribute("transform", moved);
+        const { joint, toward, bearing, x, y } = node.dataset, at = pose[Number(joint)];
+        const moved = `translate(${at[0] - Number(x)} ${-at[1] - Number(y)})`;
+        // Upright on the screen y runs downward, and so does a bearing.
+        const to = toward && pose[Number(toward)];
+        const now = to && (-Math.atan2(to[1] - at[1], to[0] - at[0]) * 180) / Math.PI;
+        node.setAttribute("transform", to ? `${moved} rotate(${now - Number(bearing)} ${x} ${y})` : moved);
+        if (names[i]) names[i].setAttribute("transform", moved);
       });
       const named = (name) => touching.has(name);
       this.map.querySelectorAll(".m-bodies .thing").forEach((node, i) => node.classList.toggle("touching", named(this.model.carried[i])));

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/pictures/picture_labels.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
 #include "reports/workshop/table.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe::workshop {
 namespace {
@@ -27,6 +29,20 @@ void include(Box& box, const Region& region) {
   box.upper = box.upper.cwiseMax(other.upper);
 }
 
+/// Bodies where the drawn mechanism carries them.
+std::vector<Region> bodies_of(const Design& design) {
+  std::vector<Region> outlines;
+  const Pose pose = assembly_pose(design);
+  for (const Body& body : design.bodies) {
+    const std::variant<Disc, Polygon> shape = placed(body, design.linkage, pose);
+    if (const auto* disc = std::get_if<Disc>(&shape))
+      outlines.push_back(Region::circle(disc->centre, disc->radius));
+    else
+      outlines.push_back(Region{{std::get<Polygon>(shape)}});
+  }
+  return outlines;
+}
+
 /// The table's edges; without a table those of what a bench must hold: all that moves, the original, the copy, what stands in
 /// the way.
 Box edges_of(const Design& design, const Region& copy) {
@@ -38,6 +54,7 @@ Box edges_of(const Design& design, const Region& copy) {
   for (const Link link : all_links)
     include(box, flattened(ArcRegion{link_outline(link, pose, design.style)}, 0.1, Flatten::grows));
   for (const Obstacle& obstacle : design.obstacles) include(box, Region{{obstacle.shape}});
+  for (const Region& body : bodies_of(design)) include(box, body);
   return box;
 }
 
@@ -199,6 +216,7 @@ Sheet bench_sheet(const Task& task) {
   draw_region(sheet, view, copy, Pen::outline, Fill::paper);
   for (const Obstacle& obstacle : design.obstacles)
     draw_region(sheet, view, Region{{obstacle.shape}}, Pen::phantom);
+  for (const Region& body : bodies_of(design)) draw_region(sheet, view, body, Pen::phantom);
   draw_mechanism(sheet, design, view);
   sheet.rectangle(on_paper, Pen::outline);
   Words words(sheet, task.lettering, on_paper);
@@ -207,6 +225,7 @@ Sheet bench_sheet(const Task& task) {
     avoid_edges(words.placer(), view, *region);
   for (const Obstacle& obstacle : design.obstacles)
     avoid_edges(words.placer(), view, Region{{obstacle.shape}});
+  for (const Region& body : bodies_of(design)) avoid_edges(words.placer(), view, body);
   const Pose pose = assembly_pose(design);
   for (const Link link : all_links)
     avoid_edges(words.placer(), view,

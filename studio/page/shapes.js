@@ -88,7 +88,7 @@
     // A body's outline is seen from the point that carries it: only the linkage says where that is.
     for (let i = 0; i < doc.count("bodies"); ++i) {
       const name = String(doc.get(`bodies.${i}.name`) || `body ${i + 1}`), found = outline(doc, `bodies.${i}`, name);
-      if (found) shapes.push({ role: "body", name, at: doc.get(`bodies.${i}.at`), carried: found.rings, rings: [], handles: [] });
+      if (found) shapes.push({ role: "body", name, at: doc.get(`bodies.${i}.at`), turnsWith: doc.get(`bodies.${i}.turns_with`), carried: found.rings, rings: [], handles: [] });
     }
     let place = pole;
     if (doc.has("pole.within_mm")) {

@@ -175,12 +175,23 @@
     drawBodies(group, { shapes, model, tracer }) {
       const found = model ? this.poseOf(model, tracer) : null;
       if (!found) return void group.replaceChildren();
-      group.replaceChildren(...shapes.filter(({ role }) => role === "body").map(({ name, at, carried }) => {
-        const [x, y] = found.pose[model.joints[at === "tracer" ? "tracer" : "pen"]];
-        const shape = element("path", { class: "thing", d: path(carried.map((ring) => ring.map(([dx, dy]) => [x + dx, y + dy]))) });
+      group.replaceChildren(...shapes.filter(({ role }) => role === "body").map(({ name, at, turnsWith, carried }) => {
+        const mount = model.joints[at === "tracer" ? "tracer" : "pen"], [x, y] = found.pose[mount];
+        const [c, s] = this.axisOf(turnsWith, mount, found.pose);
+        const placed = ([dx, dy]) => [x + dx * c - dy * s, y + dx * s + dy * c];
+        const shape = element("path", { class: "thing", d: path(carried.map((ring) => ring.map(placed))) });
         shape.append(element("title", {}, name));
         return shape;
       }));
+    }
+
+    /** The direction from a joint to the nearest other one of its link, of size 1; [1, 0] without a link that has the joint. */
+    axisOf(link, mount, pose) {
+      const letters = "VABCXY", joints = [...(link || "")].map((letter) => letters.indexOf(letter));
+      if (!joints.includes(mount)) return [1, 0];
+      const ways = joints.filter((joint) => joint !== mount).map((joint) => [pose[joint][0] - pose[mount][0], pose[joint][1] - pose[mount][1]]);
+      const [x, y] = ways.reduce((near, way) => (Math.hypot(...way) < (1 - 1e-9) * Math.hypot(...near) ? way : near));
+      return [x / Math.hypot(x, y), y / Math.hypot(x, y)];
     }
 
     drawLinkage(group, model, tracer) {

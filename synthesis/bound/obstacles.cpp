@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "synthesis/bound/slack.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe::bounding {
 namespace {
@@ -37,7 +38,7 @@ std::size_t frame_of(const ObstacleTerm& term) {
 }  // namespace
 
 std::vector<Obstruction> obstructions_of(const Spec& spec) {
-  return kempe::obstructions_of(spec.obstacles, spec.bodies, spec.table);
+  return kempe::obstructions_of(spec.obstacles, that_keep_direction(spec.bodies), spec.table);
 }
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,

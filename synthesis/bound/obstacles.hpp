@@ -36,7 +36,8 @@ struct Sight {
 /// Many tests share them: to divide outlines of many corners into convex parts takes long.
 using KnownShapes = std::shared_ptr<const std::vector<ObstacleShape>>;
 
-/// The obstacles, bodies and table's edge of a spec, in the order of obstructions_of().
+/// The obstacles, bodies and table's edge of a spec, in the order of obstructions_of(). Bodies that turn with a link are left out:
+/// without them designs can only be better.
 std::vector<Obstruction> obstructions_of(const Spec& spec);
 
 /// They, seen by one grounding and assembly.

@@ -14,6 +14,7 @@
 #include "synthesis/bound/contact_cuts.hpp"
 #include "synthesis/bound/relaxed_designs.hpp"
 #include "synthesis/problem/local_frame.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -75,10 +76,12 @@ class Tree {
     for (const Grounding grounding : all_groundings) {
       const auto& permitted = spec_.objective.groundings;
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
+      // A bound leaves turning bodies out; designs that are tried keep clear of them, in layers that know them.
+      const auto bodies = trials_ != nullptr ? spec_.bodies : that_keep_direction(spec_.bodies);
       const auto layers =
           bounding::layer_choices(spec_.copy.k(), grounding, spec_.links.layers,
                                   sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
-                                  sees_obstacles() ? spec_.bodies : std::vector<Body>{}, trials_ != nullptr);
+                                  sees_obstacles() ? bodies : std::vector<Body>{}, trials_ != nullptr);
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));

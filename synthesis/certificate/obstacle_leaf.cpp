@@ -8,6 +8,7 @@
 #include "geometry/segment_distance.hpp"
 #include "synthesis/certificate/obstacle_points.hpp"
 #include "workspace/obstacle_names.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe::certificate {
 namespace {
@@ -67,7 +68,7 @@ std::vector<ObstacleLeaves::Target> ObstacleLeaves::targets_of(const Spec& spec,
     targets.back().lowest_layer = obstacle.lowest_layer;
     targets.back().highest_layer = obstacle.highest_layer;
   }
-  for (const Body& body : spec.bodies) {
+  for (const Body& body : that_keep_direction(spec.bodies)) {
     const auto* disc = std::get_if<Disc>(&body.shape);
     targets.push_back(target_of(disc ? Ring{disc->centre} : std::get<Polygon>(body.shape).outer, false));
     Target& target = targets.back();

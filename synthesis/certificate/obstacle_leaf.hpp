@@ -1,5 +1,5 @@
 #pragma once
-// Obstacles, bodies and the table's edge in a proof's tree: a point of the linkage that is too near to one, for every design of a node.
+// Obstacles, bodies that keep their direction and the table's edge in a proof's tree: a point of the linkage that is too near to one, for every design of a node.
 // A body is looked at from the joint that carries it, where it is at rest.
 
 #include <array>

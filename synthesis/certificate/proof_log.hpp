@@ -76,7 +76,7 @@ struct CopyGapLeaf {
   Place one, other;
 };
 /// With the tracer at the place, the point is too near to an edge of the obstacle's outline, or to all of a convex one. The numbers
-/// after the obstacles' are those of the bodies, each seen from the joint that carries it, and then that of the table's edge.
+/// after the obstacles' are those of the bodies that keep their direction, each seen from the joint that carries it, and then that of the table's edge.
 struct ObstacleLeaf {
   std::size_t obstacle = 0;
   std::optional<std::size_t> edge;

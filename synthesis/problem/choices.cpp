@@ -19,7 +19,7 @@ std::vector<ContactChoice> choices_of(const Spec& spec) {
       for (const LayerAssignment& layers : assignments)
         choices.push_back({{grounding, mode.number, layers},
                            {gap_terms(*linkage, layers, spec.links.style),
-                            obstacle_terms(*linkage, layers, spec.links.style, obstructions)},
+                            obstacle_terms(*linkage, layers, spec.links.style, obstructions, spec.bodies)},
                            mirrored && mode.number > 0});
     }
   }

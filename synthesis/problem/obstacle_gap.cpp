@@ -21,13 +21,47 @@ struct PieceCorners {
       : at{}, count(static_cast<std::size_t>(term.piece.hull.count)) {
     const Complex origin = term.seen_from ? joints[*term.seen_from] : 0;
     for (std::size_t i = 0; i < count; ++i) at[i] = joints[term.piece.hull.joints[i]] - origin;
+    if (term.beside)
+      for (std::size_t i = 0; i < count; ++i)
+        at[i] += joints.axis(term.beside->link) * term.beside->corners[i];
+    if (term.turns_with)
+      for (std::size_t i = 0; i < count; ++i) at[i] *= std::conj(joints.axis(*term.turns_with));
   }
   ConvexCorners span() const { return {at.data(), count}; }
 };
 
+PlacedJoints::Motion multiple(Complex factor, const PlacedJoints::Turning& of) {
+  return {factor * of.by_u, factor * of.by_v, factor * of.by_pole_x, factor * of.by_pole_y};
+}
+
+PlacedJoints::Motion multiple(Complex factor, const PlacedJoints::Motion& of) {
+  return {factor * of.by_u, factor * of.by_v, factor * of.by_pole_x, factor * of.by_pole_y};
+}
+
 PlacedJoints::Motion difference(const PlacedJoints::Motion& one, const PlacedJoints::Motion& other) {
   return {one.by_u - other.by_u, one.by_v - other.by_v, one.by_pole_x - other.by_pole_x,
           one.by_pole_y - other.by_pole_y};
+}
+
+PlacedJoints::Motion sum(const PlacedJoints::Motion& one, const PlacedJoints::Motion& other) {
+  return {one.by_u + other.by_u, one.by_v + other.by_v, one.by_pole_x + other.by_pole_x,
+          one.by_pole_y + other.by_pole_y};
+}
+
+/// How a corner of the term's piece moves in the frame of its obstruction, where it stands at `at`.
+PlacedJoints::Motion motion_of(const ObstacleTerm& term, std::size_t corner, Complex at,
+                               const PlacedJoints& joints) {
+  PlacedJoints::Motion motion = joints.motion(term.piece.hull.joints[corner]);
+  if (term.beside) {
+    const Link link = term.beside->link;
+    const Complex offset = joints.axis(link) * term.beside->corners[corner];
+    motion = sum(motion, multiple(i_unit * offset, joints.turning(link)));
+  }
+  if (term.seen_from) motion = difference(motion, joints.motion(*term.seen_from));
+  if (term.turns_with)
+    motion = difference(multiple(std::conj(joints.axis(*term.turns_with)), motion),
+                        multiple(i_unit * at, joints.turning(*term.turns_with)));
+  return motion;
 }
 
 /// Distance of a point from a bar's axis, or a lower bound of it from a plate's.
@@ -91,16 +125,27 @@ std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstr
 }
 
 std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
-                                         const LinkStyle& style,
-                                         const std::vector<Obstruction>& obstructions) {
+                                         const LinkStyle& style, const std::vector<Obstruction>& obstructions,
+                                         const std::vector<Body>& bodies) {
   std::vector<ObstacleTerm> terms;
   for (std::size_t i = 0; i < obstructions.size(); ++i) {
     const Obstruction& obstruction = obstructions[i];
     const auto seen_from =
         obstruction.frame ? std::optional(joint_of(*obstruction.frame, linkage)) : std::nullopt;
     const auto add = [&](const JointHull& hull, double half_width) {
-      terms.push_back({{hull, half_width + obstruction.grown}, i, seen_from});
+      terms.push_back({{hull, half_width + obstruction.grown}, i, seen_from, obstruction.turns_with});
     };
+    for (const std::size_t number : obstruction.turning) {
+      const Body& body = bodies[number];
+      const Joint mount = joint_of(body.at, linkage);
+      const BodyPieces all = pieces_of(body);
+      for (const ConvexPart& piece : all.pieces) {
+        add({{mount, mount, mount}, static_cast<int>(piece.size())}, all.grown);
+        BesideLink& beside = terms.back().beside.emplace();
+        beside.link = *body.turns_with;
+        std::copy(piece.begin(), piece.end(), beside.corners.begin());
+      }
+    }
     if (obstruction.met) {
       const Joint joint = joint_of(obstruction.met->by, linkage);
       add({{joint, joint, joint}, 1}, 0);
@@ -122,6 +167,19 @@ PlacedJoints::PlacedJoints(const Reach& reach, const JointRoles& roles, const Lo
   const Complex turn = reach_vector_ / arm;
   for (const Joint joint : all_joints)
     at_[static_cast<std::size_t>(joint)] = as_complex(pole) + turn * (frame_[joint] - ground);
+}
+
+Complex PlacedJoints::axis(Link link) const {
+  const Complex side = (*this)[is_along_p(link) ? Joint::A : Joint::B] - (*this)[Joint::V];
+  return side / std::abs(side) * axis_at_end(link, reach_.shape());
+}
+
+PlacedJoints::Turning PlacedJoints::turning(Link link) const {
+  const Joint end = is_along_p(link) ? Joint::A : Joint::B;
+  const Complex side = (*this)[end] - (*this)[Joint::V];
+  const Motion motion = difference(this->motion(end), this->motion(Joint::V));
+  const auto turned = [&](Complex moved) { return (moved / side).imag(); };
+  return {turned(motion.by_u), turned(motion.by_v), turned(motion.by_pole_x), turned(motion.by_pole_y)};
 }
 
 PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
@@ -175,11 +233,8 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
   PlacedJet jet{.value = nearest.distance - term.piece.half_width};
   if (!of_part) return jet;  // nothing stands there, or lengths overflow: no slope to go by
   // Unit vector along which the piece's deciding place leaves the obstacle; that place as a mixture of joints.
-  const auto joint = [&](std::size_t corner) { return term.piece.hull.joints[corner]; };
-  const auto add = [&](Joint moving, double weight, Complex normal) {
-    const PlacedJoints::Motion motion =
-        term.seen_from ? difference(joints.motion(moving), joints.motion(*term.seen_from))
-                       : joints.motion(moving);
+  const auto add = [&](std::size_t corner, double weight, Complex normal) {
+    const PlacedJoints::Motion motion = motion_of(term, corner, piece.at[corner], joints);
     jet.by_u += weight * dot(normal, motion.by_u);
     jet.by_v += weight * dot(normal, motion.by_v);
     jet.by_pole += weight * Point(dot(normal, motion.by_pole_x), dot(normal, motion.by_pole_y));
@@ -188,16 +243,16 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
     const std::size_t own = nearest.corner_of_first ? nearest.corner : nearest.from;
     const std::size_t other = nearest.corner_of_first ? nearest.from : nearest.corner;
     const Complex apart = piece.at[own] - (*of_part)[other];
-    add(joint(own), 1, std::abs(apart) > 0 ? apart / std::abs(apart) : Complex{1, 0});
+    add(own, 1, std::abs(apart) > 0 ? apart / std::abs(apart) : Complex{1, 0});
   } else if (nearest.corner_of_first) {
     const Complex edge = (*of_part)[nearest.to] - (*of_part)[nearest.from];
-    add(joint(nearest.corner), 1, nearest.side * i_unit * edge / std::abs(edge));
+    add(nearest.corner, 1, nearest.side * i_unit * edge / std::abs(edge));
   } else {
     const Complex from = piece.at[nearest.from], edge = piece.at[nearest.to] - from;
     const double share = dot((*of_part)[nearest.corner] - from, edge) / std::norm(edge);
     const Complex normal = -nearest.side * i_unit * edge / std::abs(edge);
-    add(joint(nearest.from), 1 - share, normal);
-    add(joint(nearest.to), share, normal);
+    add(nearest.from, 1 - share, normal);
+    add(nearest.to, share, normal);
   }
   return jet;
 }

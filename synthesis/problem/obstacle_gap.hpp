@@ -6,9 +6,13 @@
 //     z_j = P + (T - P) xi_j,   xi_j = (F_j - F_pole) / (F_tracer - F_pole),
 // where the opening d(u, v, P) is that at which the tracer is |T - P| from the pole, so that with r(u, v, d) of reach.hpp
 //     d_u = -r_u / r_d,   d_v = -r_v / r_d,   grad_P d = -(T - P) / (|T - P| r_d).
-// Solids that tracer or pen carries are at rest in a frame at that joint: there a joint stands at the difference of two such places.
+// Solids that tracer or pen carries are at rest in a frame at that joint: there a joint stands at the difference of two such places,
+// and where the frame turns with a link whose x axis has the direction e, |e| = 1, at that difference times conj(e). A corner c of a body
+// that turns with a link stands at z_j + e c, and e changes by  e_x = i e Im(w_x / w),  w being that side of the parallelogram, A - V or
+// B - V, with which the link turns.
 // The gap is that of convex_distance.hpp; with its features held, its derivative is that of the features' places.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -35,15 +39,25 @@ struct ObstacleShape {
 /// In the order of the obstructions.
 std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions);
 
-/// A piece of a part and an obstruction that it may meet.
+/// What a piece of a body has beyond a piece of a link: its corners stand beside the link's end, and turn with it.
+struct BesideLink {
+  Link link{};
+  std::array<Complex, 3>
+      corners{};  ///< mm, along the link's axes at its end; as many as the piece has joints, which are all that end
+};
+
+/// A piece of a part, or of a body that turns with a link, and an obstruction that it may meet.
 struct ObstacleTerm {
   AxisPiece piece{};                 ///< its half width with what the obstruction is grown by
   std::size_t obstacle = 0;          ///< in the order of the obstructions
   std::optional<Joint> seen_from{};  ///< the joint that carries the obstruction's frame; absent: the table's
+  std::optional<Link> turns_with{};  ///< the link with which that frame turns; absent: it keeps its direction
+  std::optional<BesideLink> beside{};  ///< of a body that turns; absent: the piece's corners are joints
 };
+/// `bodies` are those that the obstructions were made of.
 std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
-                                         const LinkStyle& style,
-                                         const std::vector<Obstruction>& obstructions);
+                                         const LinkStyle& style, const std::vector<Obstruction>& obstructions,
+                                         const std::vector<Body>& bodies = {});
 
 /// Value and derivatives by u, v and the pole's place, mm.
 struct PlacedJet {
@@ -59,11 +73,18 @@ class PlacedJoints {
                const Point& tracer);
   Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }
   const std::array<Complex, 6>& all() const { return at_; }  ///< in the order of Joint
+  /// The direction of the x axis of what is fixed to the link at its end, of size 1.
+  Complex axis(Link link) const;
 
   struct Motion {
     Complex by_u, by_v, by_pole_x, by_pole_y;
   };
   Motion motion(Joint joint) const;
+  /// What turns the link, rad per unit of each.
+  struct Turning {
+    double by_u, by_v, by_pole_x, by_pole_y;
+  };
+  Turning turning(Link link) const;
 
  private:
   const Reach& reach_;

@@ -22,6 +22,25 @@ bool is_of(const Part& part, Joint joint) {
   return part.kind == Part::Kind::link ? has_joint(part.link, joint) : part.joint == joint;
 }
 
+bool is_pin_on(const Part& part, const std::optional<Link>& link) {
+  return link && part.kind != Part::Kind::link && has_joint(*link, part.joint);
+}
+
+/// From a joint to the nearest other joint of the link, of size 1; of two that are equally near, but for rounding, to the first of
+/// the link's name.
+Point x_axis(Link link, Joint from, const Pose& pose) {
+  constexpr double nearer = 1 - 1e-9;
+  const LinkJoints all = joints_of(link);
+  Point way = Point::Zero();
+  for (int i = 0; i < all.count; ++i) {
+    const Joint joint = all.joints[static_cast<std::size_t>(i)];
+    if (joint == from) continue;
+    const Point other = pose[joint] - pose[from];
+    if (way.norm() == 0 || other.norm() < nearer * way.norm()) way = other;
+  }
+  return way.normalized();
+}
+
 }  // namespace
 
 BodyWatch::BodyWatch(const CopyingLinkage& linkage, const VerificationTask& task) {
@@ -45,10 +64,19 @@ BodyWatch::BodyWatch(const CopyingLinkage& linkage, const VerificationTask& task
                           },
                           [&](const Polygon& polygon) { thing.corners = polygon.outer; }},
                body.shape);
-    bodies_.push_back(
-        {body.at == Carrier::tracer ? task.mechanism.tracer : task.mechanism.pen, std::move(thing)});
+    bodies_.push_back({body.at == Carrier::tracer ? task.mechanism.tracer : task.mechanism.pen,
+                       body.turns_with, std::move(thing)});
   }
   if (task.table) table_ = moved(task.table->outer, -pole);
+}
+
+Corners BodyWatch::corners_of(const CarriedThing& body, const Pose& pose) {
+  if (!body.turns_with) return moved(body.thing.corners, pose[body.by]);
+  const Point x = x_axis(*body.turns_with, body.by, pose), y(-x.y(), x.x());
+  Corners placed;
+  for (const Point& corner : body.thing.corners)
+    placed.push_back(pose[body.by] + corner.x() * x + corner.y() * y);
+  return placed;
 }
 
 void BodyWatch::for_each_near(const Pose& pose, double within, const std::function<void(Near)>& use) const {
@@ -59,7 +87,7 @@ void BodyWatch::for_each_near(const Pose& pose, double within, const std::functi
   }
   for (const CarriedThing& body : bodies_) {
     bodies.push_back(body.thing);
-    bodies.back().corners = moved(body.thing.corners, pose[body.by]);
+    bodies.back().corners = corners_of(body, pose);
   }
   const auto look = [&](const Thing& one, const Thing& other) {
     if (std::max(one.lowest_layer, other.lowest_layer) > std::min(one.highest_layer, other.highest_layer))
@@ -71,7 +99,8 @@ void BodyWatch::for_each_near(const Pose& pose, double within, const std::functi
   };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = 0; j < parts.size(); ++j)
-      if (!is_of(pieces_[j].part, bodies_[i].by)) look(parts[j], bodies[i]);
+      if (!is_of(pieces_[j].part, bodies_[i].by) && !is_pin_on(pieces_[j].part, bodies_[i].turns_with))
+        look(parts[j], bodies[i]);
     for (const Thing& obstacle : obstacles_) look(bodies[i], obstacle);
     for (std::size_t j = 0; j < i; ++j)
       if (bodies_[j].by != bodies_[i].by) look(bodies[j], bodies[i]);

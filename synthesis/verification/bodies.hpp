@@ -1,6 +1,7 @@
 #pragma once
 // Bodies and the table's edge as the verification sees them: polygons and discs put at the joints' places, measured edge by edge.
-// No Minkowski difference and no frame that travels has a part in it.
+// No Minkowski difference and no frame that travels has a part in it; where a body turns with a link, the places of the link's joints
+// alone say how it stands.
 
 #include <functional>
 #include <optional>
@@ -41,8 +42,10 @@ class BodyWatch {
   };
   struct CarriedThing {
     Joint by;
+    std::optional<Link> turns_with;
     Thing thing;
   };
+  static plain::Corners corners_of(const CarriedThing& body, const Pose& pose);
   std::vector<Piece> pieces_;
   std::vector<Thing> obstacles_;
   std::vector<CarriedThing> bodies_;

@@ -113,6 +113,9 @@ def apart(one, other):
 class Thing:
     def __init__(self, name, rings, around, low, high, joints=(), post=False):
         self.name, self.rings, self.around, self.low, self.high, self.joints, self.post = name, rings, around, low, high, set(joints), post
+        corners = [z for ring in rings for z in ring]
+        self.middle = sum(corners) / len(corners)
+        self.reach = max(abs(z - self.middle) for z in corners) + around
 
 
 def gap(one, other):
@@ -148,10 +151,19 @@ class World:
     def bodies(self, J):
         found = []
         for body in self.spec["bodies"]:
-            at = J[self.linkage.carrier[body["at"]]]
+            joint, link = self.linkage.carrier[body["at"]], body.get("turns_with", "")
             ring, around = ([body["centre"]], body["radius"]) if "radius" in body else (body["ring"], 0.0)
-            found.append((self.linkage.carrier[body["at"]], Thing(body["name"], [[at + z for z in ring]], around, *body["layers"])))
+            axis = self.axis(J, joint, link) if link else 1
+            found.append((joint, link, Thing(body["name"], [[J[joint] + axis * z for z in ring]], around, *body["layers"])))
         return found
+
+    @staticmethod
+    def axis(J, joint, link):
+        """From a joint to the nearest other one of its link, the first of its name where two are equally near."""
+        others = [other for other in link if other != joint]
+        least = min(abs(J[other] - J[joint]) for other in others)
+        way = next(J[other] - J[joint] for other in others if abs(J[other] - J[joint]) < least * (1 + 1e-7))
+        return way / abs(way)
 
     def at_pole(self):
         """The gap between the pole's post, in layer 1, and what is at rest there: obstacles and the table's edge."""
@@ -175,6 +187,8 @@ class World:
 
         def look(one, other, always=False):
             nonlocal best
+            if abs(one.middle - other.middle) - one.reach - other.reach > best[0]:
+                return  # farther apart than what is near already
             if always or max(one.low, other.low) <= min(one.high, other.high):
                 best = min(best, (gap(one, other), f"{one.name} and {other.name}"))
 
@@ -186,19 +200,21 @@ class World:
                 # The pole's post is looked at in layer 1 even where a link lies there.
                 stands = one.post and one.joints == {self.linkage.pole_joint} and obstacle.low == 1
                 look(one, obstacle, stands)
-        for i, (joint, body) in enumerate(bodies):
+        for i, (joint, link, body) in enumerate(bodies):
             for part in parts:
-                if joint not in part.joints:
+                # Pins and posts of the link that it is fixed to do not move against it.
+                on_link = not part.name.startswith("link") and part.joints <= set(link)
+                if joint not in part.joints and not on_link:
                     look(part, body)
             for obstacle in obstacles:
                 look(body, obstacle)
-            for other_joint, other in bodies[:i]:
+            for other_joint, _, other in bodies[:i]:
                 if other_joint != joint:
                     look(body, other)
         table = self.spec["table"]
         if table:
             # A post above nothing is as wide as a pin at most: the link that holds it is wider.
-            for thing in [p for p in parts if p.low <= p.high or p.joints == {self.linkage.pole_joint}] + [b for _, b in bodies]:
+            for thing in [p for p in parts if p.low <= p.high or p.joints == {self.linkage.pole_joint}] + [b for _, _, b in bodies]:
                 for ring in thing.rings:
                     on = inside(table, ring[0])
                     edge = min(between(*e, *f) for e in edges(ring) for f in edges(table)) if on else 0.0
@@ -236,6 +252,9 @@ def random_spec(dice):
     for i in range(dice.randrange(1, 4)):
         low = dice.randrange(1, 6)
         body = {"name": f"thing {i + 1}", "at": dice.choice(["tracer", "pen"]), "layers": [low, dice.randrange(low, 9)]}
+        if dice.random() < 0.45:
+            joint = linkage.carrier[body["at"]]
+            body["turns_with"] = dice.choice([link for link in ("VA", "VB", "ACX", "BCY") if joint in link])
         if dice.random() < 0.4:
             body.update(centre=complex(dice.uniform(-25, 25), dice.uniform(-25, 25)) * dice.choice([0, 1]), radius=dice.uniform(4, 50))
         else:
@@ -297,6 +316,8 @@ layers = {spec["layers"]}
 """
     for body in spec["bodies"]:
         text += f'[[bodies]]\nname = "{body["name"]}"\nat = "{body["at"]}"\nlayers = {body["layers"]}\n'
+        if "turns_with" in body:
+            text += f'turns_with = "{body["turns_with"]}"\n'
         if "radius" in body:
             text += f'circle_mm = {{centre = {pair(body["centre"])}, radius = {body["radius"]!r}}}\n'
         else:
@@ -343,7 +364,7 @@ class Bodies(Case):
     def test_maps_and_verification_agree_with_a_plain_sampling(self):
         dice = random.Random(self.seed)
         seen = {"specs": 0, "free places": 0, "lost places": 0, "covered": 0, "not covered": 0, "told apart by bodies or table": 0,
-                "refused at the pole": 0}
+                "refused at the pole": 0, "turning bodies": 0}
         while seen["specs"] < self.specs:
             spec = random_spec(dice)
             if spec:
@@ -355,6 +376,7 @@ class Bodies(Case):
 
     def look_at(self, spec, seen, dice, label):
         world, clearance = World(spec), spec["clearance"]
+        seen["turning bodies"] += sum("turns_with" in body for body in spec["bodies"])
         file = self.scratch / "spec.toml"
         file.write_text(toml(spec))
         out = self.scratch / "out"

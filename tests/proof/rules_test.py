@@ -57,7 +57,7 @@ def run(module, design, log=None):
             names.append(str(pathlib.Path(folder) / "certificate.jsonl"))
             pathlib.Path(names[-1]).write_text("".join(json.dumps(line) + "\n" for line in log), encoding="utf-8")
         out = io.StringIO()
-        beside = {"tolerance_check": module.tolerance_check, "bodies_check": module.bodies_check}
+        beside = {name: getattr(module, name) for name in ("enclosures", "tolerance_check", "bodies_check")}
         with contextlib.redirect_stdout(out), unittest.mock.patch.dict(sys.modules, beside):
             try:
                 return (0 if module.main(names) else 1), out.getvalue()
@@ -111,6 +111,14 @@ def walled_islands():
     return out
 
 
+def with_holder(outline, *blocks):
+    """A body in layer 2 at the pen that turns with BCY, and obstacles there."""
+    out = changed("plagiograph", "obstacles", [obstacle(block, [2, 2]) for block in blocks])
+    shape = {"type": "MultiPolygon", "coordinates": [[outline]]}
+    out["bodies"] = [{"name": "holder", "at": "pen", "turns_with": "BCY", "shape": shape, "layers": [2, 2]}]
+    return out
+
+
 # name, the rule's source, what stands there without the rule, the file that only the rule refuses
 DESIGN_RULES = [
     ("a length by 0.1 %", "if (self.exact[name] - length).size() > EPS_MM:", "if False:",
@@ -126,6 +134,12 @@ DESIGN_RULES = [
     ("an obstacle around everything", "pair.rings) > 0:", "pair.rings) > 1:",
      lambda: with_obstacle("plagiograph", rectangle(-900, -900, 900, 900), [1, 1])),
     ("islands behind a wall", "self.way(self.region[0][0], rings[0], blocked)", "pass", walled_islands),
+    ("the axes of a body that turns", "one.ring = [(along * Z(*corner)).middle() for corner in one.ring]", "pass",
+     lambda: with_holder(rectangle(5, -1, 79, 1))),
+    ("a body that turns into an obstacle", 'turning(one, other.name, ["pole"], "table", wide, tree(edges_of(block))) if one.link',
+     "[] if one.link", lambda: with_holder(rectangle(5, -1, 60, 1), rectangle(-5, 71, -3, 73))),
+    ("an obstacle within a body that turns", "refuse_overlaps(design, bodies, table, parts, occupied, pieces)\n\n    def within",
+     "None\n\n    def within", lambda: with_holder(rectangle(-12, -12, 40, 12), rectangle(-1, 91.5, 1, 93.5))),
     ("original and copy too near", "if task.sheets_gap is not None:", "if False:",
      lambda: changed("free", "limits", "sheets_gap_mm", lambda v: v + 20)),
     ("a length over the limit", "off = [shortest(task) - length, length - longest(task),", "off = [",
@@ -153,6 +167,11 @@ DESIGN_RULES = [
 
 
 class Designs(unittest.TestCase):
+    def test_a_body_that_turns_clear_of_all_is_proven(self):
+        for outline in (rectangle(5, -1, 60, 1), rectangle(5, -1, 74, 1)):
+            code, said = run(WHOLE, with_holder(outline, rectangle(200, 200, 210, 210)))
+            self.assertEqual(code, 0, said)
+
     def test_stored_designs_are_proven(self):
         for name in ("plagiograph", "two-layer", "free"):
             with self.subTest(name):

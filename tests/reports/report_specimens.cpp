@@ -157,11 +157,14 @@ ReportSpecimen matlab_circle_specimen() {
   return specimen;
 }
 
-/// With a router at the pen, off its point.
+/// With a router at the pen, off its point, and with bodies that turn with links: a hand's grip at the tracer, a holder at the pen.
 ReportSpecimen router_specimen() {
   ReportSpecimen specimen = matlab_circle_specimen();
   specimen.name = "router";
-  specimen.design.bodies = {{Carrier::pen, Disc{{3, -4}, 6}, 3, 8, "router"}};
+  specimen.design.bodies = {
+      {Carrier::pen, Disc{{3, -4}, 6}, 3, 8, "router"},
+      {Carrier::tracer, Polygon{{{-4, -3}, {9, -3}, {9, 4}, {2, 1}, {-4, 4}}, {}}, 1, 8, "grip", Link::VB},
+      {Carrier::pen, Polygon{{{6, -2}, {14, -2}, {11, 7}}, {}}, 1, 2, "holder", Link::BCY}};
   return specimen;
 }
 

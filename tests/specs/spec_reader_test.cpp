@@ -329,6 +329,46 @@ TEST(SpecReader, WritesBodiesAndTheTableSoThatTheyAreReadBack) {
   EXPECT_EQ(again.table, spec.table);
 }
 
+std::string turning(const char* at, const char* link) {
+  return fmt::format(
+      "[[bodies]]\nat = \"{}\"\nturns_with = \"{}\"\ncircle_mm = {{centre = [9, 0], radius = 5}}\n", at,
+      link);
+}
+
+TEST(SpecReader, ABodyThatTurnsWithALinkLeavesTheGroundingsInWhichTheLinkHasItsPoint) {
+  using List = std::vector<Grounding>;
+  const Grounding pole = Grounding::pole, tracer = Grounding::tracer, pen = Grounding::pen;
+  const std::tuple<std::string, Link, List> cases[] = {
+      {turning("pen", "BCY"), Link::BCY, {pole, tracer}},
+      {turning("pen", "VA"), Link::VA, {pen}},
+      {turning("tracer", "ACX"), Link::ACX, {pole}},
+      {turning("tracer", "VB") + turning("pen", "BCY"), Link::VB, {tracer}}};
+  for (const auto& [text, link, groundings] : cases) {
+    const Spec spec = read_or_fail(shortest + text), again = read_or_fail(spec_as_toml(spec));
+    EXPECT_EQ(spec.bodies.front().turns_with, link);
+    EXPECT_EQ(again.bodies.front().turns_with, link);
+    EXPECT_EQ(spec.objective.groundings, groundings) << text;
+    EXPECT_EQ(again.objective.groundings, groundings) << text;
+  }
+  EXPECT_FALSE(read_or_fail(with_bodies).bodies[0].turns_with);
+}
+
+TEST(SpecReader, RefusesALinkThatDoesNotHaveTheBodysPoint) {
+  const std::string mechanism = "[mechanism]\nvertex = \"pole\"\nVA_mm = 50\nVB_mm = 35\n";
+  const std::pair<std::string, const char*> faults[] = {
+      {turning("pen", "ACX"), "VA or VB or BCY"},
+      {turning("pen", "hand"), "one of \"VA\", \"VB\", \"ACX\", \"BCY\""},
+      {turning("pen", "VA") + turning("tracer", "ACX"), "BCY"},
+      {mechanism + turning("pen", "VB"), "BCY"}};
+  for (const auto& [text, allowed] : faults) {
+    const auto spec = read_spec(shortest + text, "spec.toml", {});
+    ASSERT_FALSE(spec) << text;
+    EXPECT_EQ(spec.error().key, "bodies.turns_with");
+    EXPECT_NE(spec.error().message().find(allowed), std::string::npos) << spec.error().message();
+    EXPECT_GT(spec.error().line, 0);
+  }
+}
+
 TEST(SpecReader, RefusesBodiesAndTablesThatSayNothingDefinite) {
   const std::pair<const char*, const char*> faults[] = {
       {"bodies = 3\n", "bodies"},

@@ -60,6 +60,8 @@ std::string positions(const ReportSpecimen& specimen) {
 
                                    .transmission = 0,
                                    .obstacles = design.obstacles,
+                                   .bodies = design.bodies,
+                                   .table = design.table,
                                    .region = {},
                                    .copy_gap = {}});
   const auto radii = linkage.radii_over(linkage.assembly_mode().openings);

@@ -5,6 +5,7 @@
 #include "geometry/segment_distance.hpp"
 #include "tests/workspace/random_linkage.hpp"
 #include "workspace/contact/gap_bounds.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -74,6 +75,45 @@ TEST(LinkageMotion, JointsStayWithinTheirBoundsAllOverTheRectangle) {
             moving.at + u * patch.half_opening * moving.by_opening + v * patch.half_bearing * turned;
         EXPECT_LE((place - moving.at).norm(), moving.reach + 1e-9);
         EXPECT_LE((place - linear).norm(), moving.rest + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(LinkageMotion, SeenFromALinkJointsAndPlatesStayWithinTheirBoundsWhateverTheBearing) {
+  Dice dice(35);
+  for (int i = 0; i < 600; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const Patch patch = random_patch(dice, linkage.assembly_mode().openings);
+    const Link link = all_links[static_cast<std::size_t>(dice.below(4))];
+    const Link other = all_links[static_cast<std::size_t>(dice.below(4))];
+    const Complex corner(dice.between(-60, 60), dice.between(-60, 60));
+    const LinkageMotion motion(linkage, link, {point_on_link(corner, other, linkage)});
+    const MovingJoints joints = motion.over(patch.opening, patch.half_opening, patch.bearing, 1);
+    // A link's axes in a pose: from its end to the nearest of its other joints.
+    const auto axis_of_link = [&](Link of, const Pose& pose) {
+      const Joint end = has_joint(of, Joint::V) ? Joint::V : has_joint(of, Joint::X) ? Joint::X : Joint::Y;
+      Complex near(1e300);
+      for (const Joint joint : {Joint::A, Joint::B, Joint::C}) {
+        const Complex way = as_complex(pose[joint] - pose[end]);
+        if (has_joint(of, joint) && std::abs(way) < (1 - 1e-9) * std::abs(near)) near = way;
+      }
+      return std::pair(as_complex(pose[end]), near / std::abs(near));
+    };
+    for (int sample = 0; sample < 10; ++sample) {
+      const double u = sample < 2 ? 2 * sample - 1 : dice.between(-1, 1);
+      const Pose pose = linkage.pose_at(patch.opening + u * patch.half_opening, dice.between(-3, 3));
+      const auto [origin, axis] = axis_of_link(link, pose);
+      const auto [end, beside] = axis_of_link(other, pose);
+      for (std::size_t number = 0; number <= all_joints.size(); ++number) {
+        const Complex at =
+            number < all_joints.size() ? as_complex(pose[all_joints[number]]) : end + beside * corner;
+        const Point place = as_point((at - origin) * std::conj(axis));
+        const MovingJoint& moving = joints.of(number);
+        const Point linear = moving.at + u * patch.half_opening * moving.by_opening;
+        EXPECT_LE((place - moving.at).norm(), moving.reach + 1e-9) << i << ' ' << number;
+        EXPECT_LE((place - linear).norm(), moving.rest + 1e-9) << i << ' ' << number;
+        EXPECT_LE(place.norm(), motion.farthest(number) + 1e-9);
       }
     }
   }

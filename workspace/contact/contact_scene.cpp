@@ -10,10 +10,11 @@ namespace {
 /// Distances are rounded by less than this share of the coordinates they come from, but for the linkage's direction.
 constexpr double distance_rounding = 1e-14;
 
-double farthest_of(const LinkageMotion& motion, const JointHull& hull) {
+double farthest_of(const LinkageMotion& motion, const PointHull& hull) {
   double farthest = 0;
   for (int corner = 0; corner < hull.count; ++corner)
-    farthest = std::max(farthest, motion.farthest(hull.joints[static_cast<std::size_t>(corner)]));
+    farthest =
+        std::max(farthest, motion.farthest(std::size_t{hull.points[static_cast<std::size_t>(corner)]}));
   return farthest;
 }
 
@@ -32,9 +33,34 @@ double direction_rounding(const MapTask& task) {
 /// Distance from the origin to a box: nothing inside can be nearer.
 double distance_from_origin(const Box& box) { return distance(box, {Point::Zero(), Point::Zero()}); }
 
-SceneFrame frame_of(const std::optional<Carrier>& carrier) {
-  if (!carrier) return SceneFrame::table;
-  return *carrier == Carrier::tracer ? SceneFrame::tracer : SceneFrame::pen;
+SceneFrame frame_of(const Obstruction& obstruction) {
+  if (obstruction.turns_with)
+    return static_cast<SceneFrame>(static_cast<std::size_t>(SceneFrame::VA) +
+                                   static_cast<std::size_t>(*obstruction.turns_with));
+  if (!obstruction.frame) return SceneFrame::table;
+  return *obstruction.frame == Carrier::tracer ? SceneFrame::tracer : SceneFrame::pen;
+}
+
+bool any_turns(const std::vector<Body>& bodies) {
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.turns_with; });
+}
+
+/// The corners of all pieces of bodies that turn with a link, in their order.
+std::vector<LinkagePoint> corners_of(const MapTask& task) {
+  std::vector<LinkagePoint> corners;
+  for (const Body& body : task.bodies)
+    if (body.turns_with)
+      for (const ConvexPart& piece : pieces_of(body).pieces)
+        for (const Complex& corner : piece)
+          corners.push_back(point_on_link(corner, *body.turns_with, task.linkage));
+  return corners;
+}
+
+std::vector<LinkageMotion> seen_from_links(const MapTask& task, const std::vector<LinkagePoint>& corners) {
+  std::vector<LinkageMotion> motions;
+  if (any_turns(task.bodies))
+    for (const Link link : all_links) motions.emplace_back(task.linkage, link, corners);
+  return motions;
 }
 
 /// Pieces of the linkage's parts.
@@ -48,30 +74,60 @@ std::vector<ScenePiece> pieces_of(const MapTask& task) {
   return pieces;
 }
 
+/// A post where a body is mounted.
+Part mount_of(Carrier carrier, const CopyingLinkage& linkage) {
+  const Part::Kind kind = carrier == Carrier::tracer ? Part::Kind::tracer_post : Part::Kind::pen_post;
+  return {kind, {}, joint_of(carrier, linkage), 1, most_layers};
+}
+
 /// A body's point.
 ScenePiece point_of(const Obstruction::Met& body, const CopyingLinkage& linkage) {
-  const Joint joint = joint_of(body.by, linkage);
-  const Part::Kind kind = body.by == Carrier::tracer ? Part::Kind::tracer_post : Part::Kind::pen_post;
-  return {{kind, {}, joint, 1, most_layers}, {{joint, joint, joint}, 1}, 0, body.name};
+  const Part mount = mount_of(body.by, linkage);
+  return {mount, JointHull{{mount.joint, mount.joint, mount.joint}, 1}, 0, body.name};
+}
+
+/// Of each body its pieces, if it turns; their corners are numbered as corners_of() has them.
+std::vector<std::vector<ScenePiece>> turning_pieces_of(const MapTask& task) {
+  std::vector<std::vector<ScenePiece>> of_bodies(task.bodies.size());
+  std::size_t number = all_joints.size();
+  for (std::size_t i = 0; i < task.bodies.size(); ++i) {
+    const Body& body = task.bodies[i];
+    if (!body.turns_with) continue;
+    const BodyPieces all = pieces_of(body);
+    for (const ConvexPart& piece : all.pieces) {
+      PointHull hull;
+      hull.count = static_cast<int>(piece.size());
+      for (std::size_t corner = 0; corner < piece.size(); ++corner)
+        hull.points[corner] = static_cast<std::uint16_t>(number++);
+      of_bodies[i].push_back({mount_of(body.at, task.linkage), hull, all.grown, body_name(task.bodies, i)});
+    }
+  }
+  return of_bodies;
 }
 
 }  // namespace
 
 ContactScene::ContactScene(const MapTask& task, double within)
-    : motion(task.linkage), carried{LinkageMotion(task.linkage, task.linkage.tracer_joint()),
-                                    LinkageMotion(task.linkage, task.linkage.pen_joint())},
-      pieces(pieces_of(task)) {
+    : corners(corners_of(task)), motion(task.linkage, task.linkage.pole_joint(), corners),
+      carried{LinkageMotion(task.linkage, task.linkage.tracer_joint(), corners),
+              LinkageMotion(task.linkage, task.linkage.pen_joint(), corners)},
+      linked(seen_from_links(task, corners)), pieces(pieces_of(task)) {
   const std::size_t of_linkage = pieces.size();
+  std::vector<std::size_t> first_of_body;  // its first piece; at the end where the next would begin
+  for (std::vector<ScenePiece>& of_body : turning_pieces_of(task)) {
+    first_of_body.push_back(pieces.size());
+    for (ScenePiece& piece : of_body) pieces.push_back(std::move(piece));
+  }
+  first_of_body.push_back(pieces.size());
   const std::vector<Obstruction> obstructions = obstructions_of(task.obstacles, task.bodies, task.table);
   double size = 0;
   for (const Obstruction& obstruction : obstructions)
     for (const ScenePiece& piece : pieces)
-      size =
-          std::max(size, farthest_of(motion_in(frame_of(obstruction.frame)), piece.hull) + piece.half_width);
+      size = std::max(size, farthest_of(motion_in(frame_of(obstruction)), piece.hull) + piece.half_width);
   const double turned = direction_rounding(task) * size;
   for (std::size_t number = 0; number < obstructions.size(); ++number) {
     const Obstruction& obstruction = obstructions[number];
-    const SceneFrame frame = frame_of(obstruction.frame);
+    const SceneFrame frame = frame_of(obstruction);
     const bool at_rest = frame == SceneFrame::table;
     SceneObstacle obstacle{EdgeTree(obstruction.shape, at_rest ? task.linkage.pole() : Point::Zero()),
                            frame,
@@ -95,6 +151,8 @@ ContactScene::ContactScene(const MapTask& task, double within)
       const bool moves = !at_rest || pieces[i].part.kind != Part::Kind::pole_post;
       if (moves && may_meet(pieces[i].part, obstruction, task.linkage)) meet(i);
     }
+    for (const std::size_t body : obstruction.turning)
+      for (std::size_t i = first_of_body[body]; i < first_of_body[body + 1]; ++i) meet(i);
     if (obstruction.met) {
       pieces.push_back(point_of(*obstruction.met, task.linkage));
       meet(pieces.size() - 1);
@@ -128,7 +186,7 @@ ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double 
     const SceneObstacle& obstacle = scene.obstacles[pair.obstacle];
     const double around = piece.half_width + obstacle.grown;
     const double gap =
-        distance_to(obstacle, {joints[static_cast<std::size_t>(obstacle.frame)], piece.hull, {}},
+        distance_to(obstacle, {joints[static_cast<std::size_t>(obstacle.frame)], piece.hull, HalfSides{}},
                     tightest.gap + around) -
         around;
     if (gap < tightest.gap) tightest = {gap, pair};

@@ -12,16 +12,18 @@
 
 namespace kempe {
 
-/// The frames in which obstructions are at rest. Bearing and opening move the joints in each of them alike: by turning them about its
-/// origin, and as the linkage opens.
-enum class SceneFrame : std::uint8_t { table, tracer, pen };
+/// The frames in which obstructions are at rest: the links' in the order of Link. Bearing and opening move the joints in each of them
+/// alike: by turning them about its origin, and as the linkage opens; in a link's frame the bearing moves nothing.
+enum class SceneFrame : std::uint8_t { table, tracer, pen, VA, VB, ACX, BCY };
+inline constexpr std::size_t scene_frames = 7;
+inline constexpr bool is_of_link(SceneFrame frame) { return frame >= SceneFrame::VA; }
 /// The joints over a rectangle of openings and bearings, in each frame that has an obstruction; else as they were.
-using FramedJoints = std::array<MovingJoints, 3>;
+using FramedJoints = std::array<MovingJoints, scene_frames>;
 
-/// A convex piece of a part's axis, or the point of a body.
+/// A convex piece of a part's axis, the point of a body that keeps its direction, or a piece of one that turns.
 struct ScenePiece {
   Part part;  ///< of a body a post at its point
-  JointHull hull;
+  PointHull hull;
   double half_width;  ///< mm
   std::string name;   ///< "link VA", "router"
 };
@@ -48,16 +50,25 @@ struct ContactScene {
   /// For gaps: with those that anything comes nearer to than `within`, mm.
   ContactScene(const MapTask& task, double within);
 
+  std::vector<LinkagePoint> corners;     ///< of bodies that turn with a link; the motions' points
   LinkageMotion motion;                  ///< seen from the pole: in the table's frame
   std::array<LinkageMotion, 2> carried;  ///< seen from tracer and pen: in their frames
-  std::vector<ScenePiece> pieces;        ///< links, pins, posts, and the points of bodies
+  std::vector<LinkageMotion> linked;     ///< seen from each link, where a body turns with one; else none
+  std::vector<ScenePiece>
+      pieces;  ///< links, pins, posts, bodies that turn, and the points of those that do not
   std::vector<SceneObstacle> obstacles;  ///< the others can be nowhere so near
   std::vector<Encounter>
       encounters;                  ///< none of the pole post and what is at rest on the table: neither moves
   std::vector<SceneFrame> frames;  ///< those of the obstacles, each once
 
   const LinkageMotion& motion_in(SceneFrame frame) const {
+    if (is_of_link(frame))
+      return linked[static_cast<std::size_t>(frame) - static_cast<std::size_t>(SceneFrame::VA)];
     return frame == SceneFrame::table ? motion : carried[frame == SceneFrame::tracer ? 0 : 1];
+  }
+  /// What the cell's sides are in the frame: seen from a link no bearing moves anything.
+  static HalfSides sides_in(SceneFrame frame, const HalfSides& half) {
+    return is_of_link(frame) ? HalfSides{half.opening, 0} : half;
   }
   /// The parts that meet, for a person: "link VA", "vice".
   const std::string& piece_name(const Encounter& between) const { return pieces[between.piece].name; }

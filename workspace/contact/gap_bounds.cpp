@@ -8,10 +8,10 @@
 
 namespace kempe {
 
-MovingHull::MovingHull(const MovingJoints& joints, const JointHull& hull, const HalfSides& half)
+MovingHull::MovingHull(const MovingJoints& joints, const PointHull& hull, const HalfSides& half)
     : corners_{}, size_(static_cast<std::size_t>(hull.count)), half_(half), reach_(0) {
   for (std::size_t i = 0; i < size_; ++i) {
-    corners_[i] = &joints[static_cast<std::size_t>(hull.joints[i])];
+    corners_[i] = &joints.of(hull.points[i]);
     reach_ = std::max(reach_, corners_[i]->reach);
   }
 }

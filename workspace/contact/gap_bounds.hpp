@@ -10,6 +10,9 @@
 // v across it,
 //     distance <= sqrt((distance in the middle + u)^2 + v^2).
 
+#include <array>
+#include <cstdint>
+
 #include "geometry/edge_tree.hpp"
 #include "workspace/linkage_motion.hpp"
 #include "workspace/parts.hpp"
@@ -21,11 +24,21 @@ struct HalfSides {
   double opening = 0, bearing = 0;
 };
 
+/// The hull of one, two or three joints or other points of the linkage, by their numbers in MovingJoints::of().
+struct PointHull {
+  std::array<std::uint16_t, 3> points{};
+  int count = 0;
+  PointHull() = default;
+  PointHull(const JointHull& hull) : count(hull.count) {
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = static_cast<std::uint16_t>(hull.joints[i]);
+  }
+};
+
 /// A hull of moving joints over a rectangle of openings and bearings.
 class MovingHull {
  public:
   /// `joints` are those of the rectangle and must outlive the object.
-  MovingHull(const MovingJoints& joints, const JointHull& hull, const HalfSides& half);
+  MovingHull(const MovingJoints& joints, const PointHull& hull, const HalfSides& half);
 
   std::size_t size() const { return size_; }  ///< number of corners: 1, 2 or 3
   const MovingJoint& operator[](std::size_t corner) const { return *corners_[corner]; }

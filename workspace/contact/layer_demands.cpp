@@ -70,13 +70,14 @@ std::vector<LayerAssignment> unbeaten(const std::vector<Candidate>& all, const B
 
 ObstacleLayers::ObstacleLayers(const std::vector<Obstacle>& obstacles, const std::vector<Body>& bodies,
                                int layers) {
-  const auto add = [&](int lowest, int highest, std::optional<Carrier> carrier) {
-    const LayerRange range{lowest, std::min(highest, layers), carrier};
+  const auto add = [&](int lowest, int highest, std::optional<Carrier> carrier = {},
+                       std::optional<Link> turns_with = {}) {
+    const LayerRange range{lowest, std::min(highest, layers), carrier, turns_with};
     if (range.lowest <= range.highest && std::find(ranges.begin(), ranges.end(), range) == ranges.end())
       ranges.push_back(range);
   };
-  for (const Obstacle& obstacle : obstacles) add(obstacle.lowest_layer, obstacle.highest_layer, {});
-  for (const Body& body : bodies) add(body.lowest_layer, body.highest_layer, body.at);
+  for (const Obstacle& obstacle : obstacles) add(obstacle.lowest_layer, obstacle.highest_layer);
+  for (const Body& body : bodies) add(body.lowest_layer, body.highest_layer, body.at, body.turns_with);
 }
 
 LayerDemands::LayerDemands(const CopyingLinkage& linkage, const LayerAssignment& layers,
@@ -88,8 +89,9 @@ LayerDemands::LayerDemands(const CopyingLinkage& linkage, const LayerAssignment&
   }
   for (const Part& part : parts_of(linkage, layers))
     for (std::size_t i = 0; i < obstacles.ranges.size(); ++i) {
-      const auto& [lowest, highest, carrier] = obstacles.ranges[i];
-      const Obstruction any{.frame = carrier, .lowest_layer = lowest, .highest_layer = highest};
+      const auto& [lowest, highest, carrier, turns_with] = obstacles.ranges[i];
+      const Obstruction any{
+          .frame = carrier, .turns_with = turns_with, .lowest_layer = lowest, .highest_layer = highest};
       if (may_meet(part, any, linkage)) obstacles_[member_of(part)].set(i);
     }
 }

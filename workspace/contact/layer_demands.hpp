@@ -16,16 +16,18 @@
 namespace kempe {
 
 /// The layers of obstacles and of bodies, each range once, without layers above `layers`: obstacles of one range demand alike, and
-/// so do bodies of one range and one carrier. The table's edge demands the same in all layers.
+/// so do bodies of one range and one carrier that turn with the same link, or with none. The table's edge demands the same in all layers.
 struct ObstacleLayers {
   ObstacleLayers(const std::vector<Obstacle>& obstacles, const std::vector<Body>& bodies, int layers);
   struct LayerRange {
     int lowest, highest;
     std::optional<Carrier> carrier;
+    std::optional<Link> turns_with;
     bool operator==(const LayerRange&) const = default;
   };
-  /// Of obstacles, tracer's bodies and pen's bodies 36 each, for there are at most most_layers layers.
-  static constexpr std::size_t most = 3 * (most_layers * (most_layers + 1)) / 2;
+  /// Of obstacles, tracer's bodies, pen's bodies and those that turn with each of the four links, which one of the two has, 36 each: there
+  /// are at most most_layers layers.
+  static constexpr std::size_t most = 7 * (most_layers * (most_layers + 1)) / 2;
   std::vector<LayerRange> ranges;
 };
 

@@ -168,14 +168,14 @@ bool seen_from_p(const ContactPair& pair) {
 
 RelativeMotion relative_motion(const CopyingLinkage& linkage, const JointHull& one, const JointHull& other,
                                bool from_p, double kept) {
-  const auto fixed = [&](const JointWeights& w) {
+  const auto fixed = [&](const LinkagePoint& w) {
     return from_p ? linkage.VA() * w.of_p : linkage.VB() * w.of_q;
   };
-  const auto moving = [&](const JointWeights& w) {
+  const auto moving = [&](const LinkagePoint& w) {
     return from_p ? linkage.VB() * w.of_q : linkage.VA() * w.of_p;
   };
   const auto weights = [&](const JointHull& piece, int i) {
-    return weights_of(piece.joints[static_cast<std::size_t>(i)], linkage.shape());
+    return linkage_point(piece.joints[static_cast<std::size_t>(i)], linkage.shape());
   };
   std::array<Point, 9> differences;
   std::size_t count = 0;

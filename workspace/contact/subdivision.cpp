@@ -138,7 +138,7 @@ FramedJoints Subdivision::joints_over(const FramedOpenings& over, Complex turn, 
   for (const SceneFrame frame : scene_.frames)
     if (frame != SceneFrame::table) {
       const auto i = static_cast<std::size_t>(frame);
-      joints[i] = LinkageMotion::turned(over[i], turn, half_bearing);
+      joints[i] = scene_.motion_in(frame).turned_in_frame(over[i], turn, half_bearing);
     }
   return joints;
 }
@@ -214,7 +214,8 @@ Subdivision::Meeting Subdivision::meeting_of(const Encounter& between, const Fra
   const double needed = piece.half_width + obstacle.grown + clearance_;
   const double contact_below = mode_.contacts_stay_open ? 0 : needed - obstacle.slack;
   return {between,
-          {joints[static_cast<std::size_t>(obstacle.frame)], piece.hull, half},
+          {joints[static_cast<std::size_t>(obstacle.frame)], piece.hull,
+           ContactScene::sides_in(obstacle.frame, half)},
           obstacle,
           needed,
           {contact_below, needed + obstacle.slack}};

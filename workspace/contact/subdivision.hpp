@@ -46,7 +46,7 @@ inline auto unless(const StopFlag& stop) {
 }
 
 /// The joints over openings in each frame, as FramedJoints has them over rectangles.
-using FramedOpenings = std::array<OpeningJoints, 3>;
+using FramedOpenings = std::array<OpeningJoints, scene_frames>;
 
 struct SubdivisionMode {
   bool contacts_stay_open = false;  ///< cells in contact are cut further instead of decided
