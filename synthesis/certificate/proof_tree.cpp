@@ -12,6 +12,7 @@
 
 #include "synthesis/certificate/contact_cut.hpp"
 #include "synthesis/certificate/obstacle_leaf.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe::certificate {
 namespace {
@@ -253,6 +254,11 @@ class Growth {
   std::vector<Visit> path_;
 };
 
+bool bodies_may_meet_things(const Spec& spec) {
+  const std::vector<Obstruction> all = obstructions_of(spec.obstacles, spec.bodies, spec.table);
+  return std::any_of(all.begin(), all.end(), [](const Obstruction& one) { return one.met.has_value(); });
+}
+
 tl::expected<ProofLog, NoLog> log_of(const Spec& spec, Objective objective, Loosening& bound,
                                      const ProofOptions& options) {
   const bool by_size = objective == Objective::size;
@@ -281,6 +287,8 @@ std::string reason(NoLog why, const ProofOptions& options) {
     case NoLog::stopped: return "its proof did not close before the time was over";
     case NoLog::too_tight:
       return "some linkages are so near to what is forbidden that no box of doubles parts them from it";
+    case NoLog::bodies:
+      return "its rules do not say where a body meets an obstacle, the table's edge or another body";
     case NoLog::no_rules: break;
   }
   return "only size and transmission have rules";
@@ -295,7 +303,8 @@ tl::expected<ProofLog, NoLog> prove(const Spec& spec, Objective objective, const
     auto log = log_of(spec, objective, loosening, options);
     if (log) return log;
     const NoLog why = log.error();
-    if (why == NoLog::stopped || !loosening.loosen()) return tl::unexpected(why);
+    if (why == NoLog::stopped || !loosening.loosen())
+      return tl::unexpected(why != NoLog::stopped && bodies_may_meet_things(spec) ? NoLog::bodies : why);
     while (why == NoLog::too_long && loosening.given_way() < slack::much_shorter) loosening.loosen();
   }
 }

@@ -20,7 +20,8 @@ enum class NoLog {
   no_rules,  ///< for the objective (only size and transmission have)
   too_long,  ///< more lines than allowed
   stopped,
-  too_tight  ///< boxes too narrow for doubles are left: a design misses a limit by as little as nothing
+  too_tight,  ///< boxes too narrow for doubles are left: a design misses a limit by as little as nothing
+  bodies  ///< too long or too tight, of a spec in which a body may meet an obstacle, the table's edge or another body: no rule says so
 };
 /// "its proof takes more than 50000 lines"
 std::string reason(NoLog why, const ProofOptions& options = {});

@@ -20,6 +20,15 @@ Spec spec_among_obstacles(test::SpecDice& dice, int i) {
   return spec;
 }
 
+Spec spec_beside_bodies(test::SpecDice& dice, int i) {
+  Spec spec = spec_among_obstacles(dice, i);
+  if (i % 2 == 0) spec.obstacles.clear();
+  spec.pole.place = Point::Zero();
+  spec.bodies.push_back(dice.body_beside(spec));
+  if (i % 5 == 4) spec.table = dice.table_about(spec);
+  return spec;
+}
+
 void expect_sound(const SearchTask& task, const FoundDesign& design) {
   const DesignCheck check = check_design(task.spec(), task.limits, design.linkage, design.layers);
   EXPECT_TRUE(check.feasible);
@@ -27,11 +36,12 @@ void expect_sound(const SearchTask& task, const FoundDesign& design) {
       check_obstacles(task.space().spec(), task.limits, design.linkage, design.layers, check.opening).clear);
 }
 
-TEST(TreeSearch, LeavesNothingBetterToTheSearchOfEveryChoice) {
-  test::SpecDice dice(2029);
+/// How many of some random tasks the tree closes; none of them has a better design by the search of every choice.
+template <typename MakeSpec>
+int closed_without_a_better_one(test::SpecDice& dice, int specs, const MakeSpec& make_spec) {
   int exhausted = 0;
-  for (int i = 0; i < test::samples(60); ++i) {
-    const Spec spec = spec_among_obstacles(dice, i);
+  for (int i = 0; i < specs; ++i) {
+    const Spec spec = make_spec(dice, i);
     const SearchTask task = pose(spec, SearchControl({}));
     if (!suits_tree_search(task)) continue;
     const SearchResult by_tree = best_by_tree(task);
@@ -46,7 +56,17 @@ TEST(TreeSearch, LeavesNothingBetterToTheSearchOfEveryChoice) {
     else
       EXPECT_GT(tree, choices * (1 - 1e-6)) << "spec " << i;
   }
-  EXPECT_GT(exhausted, test::expected(15));
+  return exhausted;
+}
+
+TEST(TreeSearch, LeavesNothingBetterToTheSearchOfEveryChoice) {
+  test::SpecDice dice(2029);
+  EXPECT_GT(closed_without_a_better_one(dice, test::samples(60), spec_among_obstacles), test::expected(15));
+}
+
+TEST(TreeSearch, LeavesNothingBetterBesideBodies) {
+  test::SpecDice dice(2032);
+  EXPECT_GT(closed_without_a_better_one(dice, test::samples(16), spec_beside_bodies), test::expected(3));
 }
 
 TEST(TreeSearch, TellsTheSameTwice) {
@@ -69,6 +89,8 @@ TEST(TreeSearch, IsForObstaclesAndGoalsThatTheTreeKnows) {
   Spec spec = spec_among_obstacles(dice, 1);
   spec.obstacles.clear();
   EXPECT_FALSE(suits_tree_search(pose(spec, SearchControl({}))));
+  spec.bodies.push_back(dice.body_beside(spec));
+  EXPECT_TRUE(suits_tree_search(pose(spec, SearchControl({}))));
   for (const Goal goal : {Goal::footprint, Goal::copy_error, Goal::clearance, Goal::copy_gap}) {
     const Spec crowded = spec_among_obstacles(dice, 1);
     EXPECT_FALSE(suits_tree_search(pose(crowded, SearchControl({})).with(goal)));
