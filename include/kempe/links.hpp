@@ -67,8 +67,8 @@ struct LinkSpec {
   /// mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
   std::optional<double> wall{};
   StockLengths stock_lengths;  ///< any lengths unless given
-  /// What the joints are made of. style.pin_diameter is that of the thickest pin then, and of every plain one; contact, bound
-  /// and least distances take it for the pin of every joint.
+  /// What the joints are made of. style.pin_diameter is that of the thickest pin then, and of every plain one; contact and
+  /// least distances take it for the pin of every joint.
   JointHardware hardware{};
 };
 

@@ -31,7 +31,7 @@ double perimeter(const ArcRing& ring) {
   return sum;
 }
 
-/// Holes that are left of it, all or none: a part without some is not cut.
+/// Holes that its drawing has: those of which the kerf leaves something.
 std::size_t drawn_holes(const CutPart& part) {
   return static_cast<std::size_t>(std::count_if(part.holes.begin(), part.holes.end(),
                                                 [](const auto& hole) { return hole.diameter > 0; }));
