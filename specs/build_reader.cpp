@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "kinematics/grounding.hpp"
 #include "specs/hardware.hpp"
 
 namespace kempe {
@@ -26,7 +28,15 @@ class LinkChecks {
           fmt::format("a pin of {} mm in a link {} mm wide", links_.style.pin_diameter, links_.style.width),
           "pin_diameter_mm <= width_mm");
     }
-    if (const Hardware* hardware = hardware_named(links_.hardware)) check_hardware(*hardware);
+    check_pins();
+    std::vector<const Hardware*> checked;  // each once
+    for (const Joint joint : all_joints) {
+      const Hardware* hardware = hardware_named(links_.hardware[joint]);
+      if (hardware == nullptr || std::find(checked.begin(), checked.end(), hardware) != checked.end())
+        continue;
+      checked.push_back(hardware);
+      check_hardware(*hardware);
+    }
     if (links_.shortest > links_.longest) {
       refuse(table_.has("shortest_mm") ? "shortest_mm" : "longest_mm",
              fmt::format("shortest_mm {} above longest_mm {}", links_.shortest, links_.longest),
@@ -41,11 +51,20 @@ class LinkChecks {
     complaints_.add(table_.line_of_key(key), table_.dotted(key), std::move(found), std::move(allowed));
   }
 
+  /// Plain pins may be thicker than those that are bought, if there are any.
+  void check_pins() {
+    const double thickest = thickest_pin(links_.hardware), given = links_.style.pin_diameter;
+    const bool has_plain = std::any_of(all_joints.begin(), all_joints.end(),
+                                       [&](Joint joint) { return links_.hardware[joint].empty(); });
+    if (thickest == 0 || given == thickest || (has_plain && given > thickest)) return;
+    refuse("pin_diameter_mm",
+           links_.hardware.differs()
+               ? fmt::format("{} beside pins of {} mm in hardware", given, thickest)
+               : fmt::format("{} beside hardware = \"{}\"", given, links_.hardware.every),
+           fmt::format("{}{}, or left out", has_plain ? "at least " : "", thickest));
+  }
+
   void check_hardware(const Hardware& hardware) {
-    if (links_.style.pin_diameter != hardware.pin)
-      refuse("pin_diameter_mm",
-             fmt::format("{} beside hardware = \"{}\"", links_.style.pin_diameter, hardware.name),
-             fmt::format("{}, or left out", hardware.pin));
     if (hardware.seat >= links_.style.width)
       refuse("hardware", fmt::format("\"{}\" in links {} mm wide", hardware.name, links_.style.width),
              fmt::format("links.width_mm above {}", hardware.seat));
@@ -119,6 +138,19 @@ StockLengths read_stock_lengths(const TableView& table) {
   return stock_lengths;
 }
 
+/// A name, or a table of names by joint.
+JointHardware read_hardware(const TableView& table) {
+  JointHardware hardware;
+  table.set("hardware", hardware.every);
+  const toml::node* node = table.find("hardware");
+  if (node == nullptr || !node->is_table()) return hardware;
+  const TableView by_joint(*node->as_table(), table.dotted("hardware"));
+  by_joint.set("default", hardware.every);
+  for (const Joint joint : all_joints)
+    by_joint.set(std::string(1, letter(joint)), hardware.at[static_cast<std::size_t>(joint)]);
+  return hardware;
+}
+
 std::optional<Process> process_named(std::string_view word) {
   for (const Process process : {Process::laser, Process::mill, Process::print, Process::drill})
     if (name(process) == word) return process;
@@ -165,9 +197,13 @@ LinkSpec read_links(const TableView& table, Complaints& complaints) {
   table.set("width_mm", links.style.width);
   table.set("pin_diameter_mm", links.style.pin_diameter);
   table.set("thickness_mm", links.style.thickness);
-  table.set("hardware", links.hardware);
-  if (const Hardware* hardware = hardware_named(links.hardware); hardware && !table.has("pin_diameter_mm"))
-    links.style.pin_diameter = hardware->pin;
+  links.hardware = read_hardware(table);
+  if (!table.has("pin_diameter_mm")) {
+    const bool all_bought = std::none_of(all_joints.begin(), all_joints.end(),
+                                         [&](Joint joint) { return links.hardware[joint].empty(); });
+    const double thickest = thickest_pin(links.hardware);
+    links.style.pin_diameter = all_bought ? thickest : std::max(links.style.pin_diameter, thickest);
+  }
   table.set("plate", plate);
   table.set("layers", links.layers);
   table.set("shortest_mm", links.shortest);

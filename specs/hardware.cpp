@@ -2,9 +2,13 @@
 // and the standard make differently (M5: 6 and 6.5 mm, M10: 12 and 13 mm) are left out.
 #include "specs/hardware.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
+
+#include "kinematics/grounding.hpp"
 
 namespace kempe {
 namespace {
@@ -92,14 +96,64 @@ std::string_view standards_of(HardwareKind kind) {
   return "ISO 3547, ISO 8734";
 }
 
-double bored_for(const LinkStyle& style, const std::string& name) {
-  const Hardware* of = hardware_named(name);
-  return of != nullptr && of->seat > 0 ? of->seat : style.pin_diameter;
+double pin_at(const LinkStyle& style, const JointHardware& hardware, Joint joint) {
+  const Hardware* of = hardware_named(hardware[joint]);
+  return of != nullptr ? of->pin : style.pin_diameter;
 }
 
-double hole_diameter(const LinkStyle& style, const std::string& name, const CuttingSpec& cutting) {
-  const Hardware* of = hardware_named(name);
-  return of != nullptr && of->seat > 0 ? of->seat : style.pin_diameter + cutting.hole_fit;
+double bored_for(const LinkStyle& style, const JointHardware& hardware, Joint joint) {
+  const Hardware* of = hardware_named(hardware[joint]);
+  return of != nullptr && of->seat > 0 ? of->seat : pin_at(style, hardware, joint);
+}
+
+double hole_diameter(const LinkStyle& style, const JointHardware& hardware, Joint joint,
+                     const CuttingSpec& cutting) {
+  const Hardware* of = hardware_named(hardware[joint]);
+  return of != nullptr && of->seat > 0 ? of->seat : pin_at(style, hardware, joint) + cutting.hole_fit;
+}
+
+double widest_hole(const LinkStyle& style, const JointHardware& hardware, const CuttingSpec& cutting) {
+  double widest = hole_diameter(style, hardware, Joint::V, cutting);
+  for (const Joint joint : all_joints)
+    widest = std::max(widest, hole_diameter(style, hardware, joint, cutting));
+  return widest;
+}
+
+double thickest_pin(const JointHardware& hardware) {
+  double thickest = 0;
+  for (const Joint joint : all_joints)
+    if (const Hardware* of = hardware_named(hardware[joint])) thickest = std::max(thickest, of->pin);
+  return thickest;
+}
+
+double widest_seat(const JointHardware& hardware) {
+  double widest = 0;
+  for (const Joint joint : all_joints)
+    if (const Hardware* of = hardware_named(hardware[joint])) widest = std::max(widest, of->seat);
+  return widest;
+}
+
+std::string words(const JointHardware& hardware) {
+  std::string text = hardware.every.empty() && hardware.differs() ? "plain pins" : hardware.every;
+  for (const Joint joint : all_joints)
+    if (const std::string& own = hardware.at[static_cast<std::size_t>(joint)]; !own.empty())
+      text += fmt::format(", at {} {}", letter(joint), own);
+  return text;
+}
+
+std::string by_joint(const std::array<double, 6>& figures, const std::function<std::string(double)>& text) {
+  std::string all;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (std::find(figures.begin(), figures.begin() + static_cast<std::ptrdiff_t>(i), figures[i]) !=
+        figures.begin() + static_cast<std::ptrdiff_t>(i))
+      continue;
+    std::string joints;
+    for (std::size_t j = i; j < figures.size(); ++j)
+      if (figures[j] == figures[i]) joints += fmt::format(" {}", letter(all_joints[j]));
+    all += (all.empty() ? "" : ", ") + text(figures[i]);
+    if (joints.size() < 2 * figures.size()) all += " at" + joints;
+  }
+  return all;
 }
 
 std::optional<double> screw_length(const ThreadSizes& thread, double needed) {

@@ -1,6 +1,8 @@
 #pragma once
 // What can be bought for a joint, by the name that a spec gives it: pins, screws, bearings, bushes, with their standard sizes.
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,10 +52,25 @@ const ThreadSizes* thread_of(const Hardware& hardware);
 /// The standards that its pieces are made by: "ISO 7379, ISO 7089, ISO 4032".
 std::string_view standards_of(HardwareKind kind);
 
-/// What the links of a spec or design are bored for, mm: the pin's diameter, or that of the bearing or bush around it.
-double bored_for(const LinkStyle& style, const std::string& hardware);
-/// Diameter of a hole as it is to be, kerf apart, mm. A bearing or bush is pressed in: the fit widens holes for pins alone.
-double hole_diameter(const LinkStyle& style, const std::string& hardware, const CuttingSpec& cutting);
+/// Diameter of the pin or post at a joint, mm.
+double pin_at(const LinkStyle& style, const JointHardware& hardware, Joint joint);
+/// What the links are bored for at a joint, mm: the pin's diameter, or that of the bearing or bush around it.
+double bored_for(const LinkStyle& style, const JointHardware& hardware, Joint joint);
+/// Diameter of a joint's holes as they are to be, kerf apart, mm. A bearing or bush is pressed in: the fit widens holes for pins
+/// alone.
+double hole_diameter(const LinkStyle& style, const JointHardware& hardware, Joint joint,
+                     const CuttingSpec& cutting);
+/// The largest of them.
+double widest_hole(const LinkStyle& style, const JointHardware& hardware, const CuttingSpec& cutting);
+/// Diameter of the thickest pin that is bought, mm; 0 where all are plain.
+double thickest_pin(const JointHardware& hardware);
+/// Diameter of the widest bearing or bush, mm; 0 where there is none.
+double widest_seat(const JointHardware& hardware);
+
+/// For a person: "M6 bolt", "M6 bolt, at V 608 bearing, at A M8 bolt".
+std::string words(const JointHardware& hardware);
+/// One figure a joint, V, A, B, C, X, Y, for a person: "8.1" where all are the same, else "22 at V, 8.1 at A B C X Y".
+std::string by_joint(const std::array<double, 6>& figures, const std::function<std::string(double)>& text);
 
 /// The least commercial length of a screw's shank, a shoulder or a pin that is at least `needed`, mm; nothing if none is made.
 std::optional<double> screw_length(const ThreadSizes& thread, double needed);

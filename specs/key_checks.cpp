@@ -126,6 +126,7 @@ class ValueCheck {
       case KeyKind::truth: return require(value.is_boolean(), value);
       case KeyKind::choice: return check_choice(value);
       case KeyKind::choices: return check_choices(value);
+      case KeyKind::joint_choices: return check_joint_choices(value);
       case KeyKind::text: return require(!value.value_or(std::string()).empty(), value);
       case KeyKind::numbers: return check_numbers(value);
       case KeyKind::point: return check_point(value);
@@ -190,6 +191,24 @@ class ValueCheck {
       if (!is_word(element)) return refuse(element, describe(element));
       if (!seen.insert(element.value_or(std::string())).second)
         return refuse(element, describe(element) + " twice");
+    }
+  }
+
+  /// Of each entry that is wrong, by its own line and key.
+  void check_joint_choices(const toml::node& value) {
+    const toml::table* table = value.as_table();
+    if (table == nullptr) return check_choice(value);
+    if (table->empty()) return refuse(value, "an empty table");
+    const std::vector<std::string_view> known{"default", "V", "A", "B", "C", "X", "Y"};
+    const std::string words = fmt::format("one of \"{}\"", fmt::join(words_of(rule_), "\", \""));
+    for (const auto& [key, name] : *table) {
+      const std::string dotted = key_ + "." + printable(key.str(), longest_name);
+      if (std::find(known.begin(), known.end(), key.str()) == known.end())
+        complaints_.add(
+            static_cast<int>(key.source().begin.line), dotted, "an unknown key",
+            fmt::format("default, or a joint: {}", fmt::join(known.begin() + 1, known.end(), ", ")));
+      else if (!is_word(name))
+        complaints_.add(line_of(name), dotted, describe(name), words);
     }
   }
 

@@ -10,10 +10,11 @@ namespace {
 /// Of the pin's diameter: what keeps two holes of a link apart where the spec does not say it.
 constexpr double wall_per_pin = 0.1;
 
-/// What a hole is wider than its pin, mm: by a bearing or bush, or by the fit; a press fit's pin is as wide as ever.
+/// What the widest hole is wider than the thickest pin, mm: by a bearing or bush, or by the fit; a press fit's pin is as wide as
+/// ever.
 double widening(const Spec& spec) {
   const LinkStyle& style = spec.links.style;
-  return std::max(0.0, hole_diameter(style, spec.links.hardware, spec.cutting) - style.pin_diameter);
+  return std::max(0.0, widest_hole(style, spec.links.hardware, spec.cutting) - style.pin_diameter);
 }
 
 }  // namespace

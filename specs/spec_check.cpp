@@ -70,13 +70,26 @@ toml::table pole_table(const PoleSpec& pole) {
   return toml::table{{"within_mm", outer_rings(std::get<Region>(pole.place))}};
 }
 
+toml::table hardware_table(const JointHardware& hardware) {
+  toml::table table;
+  put(table, "default", hardware.every, std::string());
+  for (const Joint joint : all_joints)
+    put(table, std::string(1, letter(joint)), hardware.at[static_cast<std::size_t>(joint)], std::string());
+  return table;
+}
+
 toml::table links_table(const LinkSpec& links) {
   const LinkSpec usual;
   toml::table table;
   put(table, "width_mm", links.style.width, usual.style.width);
   put(table, "pin_diameter_mm", links.style.pin_diameter, usual.style.pin_diameter);
   put(table, "thickness_mm", links.style.thickness, usual.style.thickness);
-  if (!links.hardware.empty()) table.insert("hardware", links.hardware);
+  if (!links.hardware.none()) {
+    if (links.hardware.differs())
+      table.insert("hardware", hardware_table(links.hardware));
+    else
+      table.insert("hardware", links.hardware.every);
+  }
   if (links.style.plate == PlateStyle::triangle) table.insert("plate", "triangle");
   put(table, "layers", links.layers, usual.layers);
   put(table, "shortest_mm", links.shortest, usual.shortest);
@@ -234,7 +247,7 @@ tl::expected<Spec, InputError> check_spec(const Spec& spec) {
   checked.table = std::move(read->table);
   checked.objective.groundings = std::move(read->objective.groundings);            // those that bodies leave
   checked.links.stock_lengths.stock = std::move(read->links.stock_lengths.stock);  // sorted, each once
-  checked.links.style.pin_diameter = read->links.style.pin_diameter;               // its hardware's
+  checked.links.style.pin_diameter = read->links.style.pin_diameter;               // the hardware's
   if (!spec.pole.is_fixed()) checked.pole = std::move(read->pole);
   return checked;
 }

@@ -61,15 +61,15 @@ constexpr SpecKey keys[] = {
     {"links", "pin_diameter_mm", number, above(0, 1000), "", optional, "6", "8",
      "diameter of pins and posts, at most the width"},
     {"links", "thickness_mm", number, above(0, 1000), "", optional, "4", "5", "thickness of every link"},
-    {"links", "hardware", choice, any,
+    {"links", "hardware", joint_choices, any,
      "M3 bolt|M4 bolt|M5 bolt|M6 bolt|M8 bolt|M10 bolt|M12 bolt|M6 shoulder bolt|"
      "M8 shoulder bolt|M12 shoulder bolt|623 bearing|624 bearing|625 bearing|"
      "626 bearing|608 bearing|6000 bearing|3 mm dowel|4 mm dowel|5 mm dowel|"
      "6 mm dowel|8 mm dowel|10 mm dowel|3 mm dowel and bush|4 mm dowel and bush|"
      "5 mm dowel and bush|6 mm dowel and bush|8 mm dowel and bush|10 mm dowel and bush",
      optional, "", "\"M6 shoulder bolt\"",
-     "what the joints are made of: gives the pin's diameter, the holes and the shopping list; left out: "
-     "plain pins"},
+     "what the joints are made of, all alike or each by its letter: gives the pins' diameters, the holes and "
+     "the shopping list; left out: plain pins"},
     {"links", "plate", choice, any, "bent|triangle", optional, "\"bent\"", "\"triangle\"",
      "shape of the two links with three joints"},
     {"links", "layers", whole_number, from(2, most_layers), "", optional, "2", "4",
@@ -249,6 +249,9 @@ std::string describe_allowed(const SpecKey& key, SpecUnit in_unit) {
     case truth: return "true or false";
     case choice: return "one of " + words;
     case choices: return fmt::format("a list of one or more of {}, each once", words);
+    case joint_choices:
+      return fmt::format("one of {}, or a table of these by joint: {{default = ..., V = ..., A = ...}}",
+                         words);
     case text: return "text between quotation marks";
     case numbers: return fmt::format("a list of numbers {}{}", range, unit);
     case point: return fmt::format("[x, y], numbers {}{}", range, unit);

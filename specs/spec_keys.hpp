@@ -20,21 +20,22 @@ std::string_view name(SpecUnit unit);
 
 /// What may stand after a key.
 enum class KeyKind {
-  number,        ///< a finite number within the range
-  ratio,         ///< the same, or as text "a:b" (text/ratio.hpp)
-  whole_number,  ///< an integer within the range
-  truth,         ///< true or false
-  choice,        ///< one of the words
-  choices,       ///< a list of different words
-  text,          ///< any text, not empty
-  numbers,       ///< a list of numbers, each within the range
-  point,         ///< [x, y], each within the range
-  layer_range,   ///< [lowest, highest], whole numbers within the range, lowest <= highest
-  link_layers,   ///< four whole numbers within the range, of VA, VB, ACX, BCY
-  rings,         ///< a ring [[x, y], ...] or a list of rings
-  rectangle,     ///< a table with the keys of "rectangle_mm", or [x, y, width, height]
-  circle,        ///< a table with the keys of "circle_mm", or [x, y, radius]
-  pairs          ///< [[[x, y], [x, y]], ...]: tracer, pen
+  number,         ///< a finite number within the range
+  ratio,          ///< the same, or as text "a:b" (text/ratio.hpp)
+  whole_number,   ///< an integer within the range
+  truth,          ///< true or false
+  choice,         ///< one of the words
+  choices,        ///< a list of different words
+  joint_choices,  ///< one of the words, or a table of them: default, V, A, B, C, X, Y
+  text,           ///< any text, not empty
+  numbers,        ///< a list of numbers, each within the range
+  point,          ///< [x, y], each within the range
+  layer_range,    ///< [lowest, highest], whole numbers within the range, lowest <= highest
+  link_layers,    ///< four whole numbers within the range, of VA, VB, ACX, BCY
+  rings,          ///< a ring [[x, y], ...] or a list of rings
+  rectangle,      ///< a table with the keys of "rectangle_mm", or [x, y, width, height]
+  circle,         ///< a table with the keys of "circle_mm", or [x, y, radius]
+  pairs           ///< [[[x, y], [x, y]], ...]: tracer, pen
 };
 
 /// The numbers allowed, in the key's own unit. Both ends belong to it unless left out.
@@ -54,7 +55,7 @@ struct SpecKey {
   std::string_view name;  ///< "scale"; a length's ends in _mm, an angle's in _deg
   KeyKind kind;
   KeyRange range;
-  std::string_view words;     ///< of choice and choices, separated by '|'
+  std::string_view words;     ///< of choice, choices and joint_choices, separated by '|'
   bool required;              ///< once its table is there
   std::string_view fallback;  ///< the value if it is left out, as it would be written; empty: none
   std::string_view example;   ///< a value as it would be written

@@ -35,8 +35,9 @@ def keys():
             continue
         for name, key in of["properties"].items():
             ratio = any(form.get("type") == "number" for form in key.get("anyOf", []))  # a number, or "1:3"
-            if "enum" in key or key.get("type") in ("number", "integer", "boolean") or ratio or table == "":
-                found.append({"table": table, "name": name, "type": "number" if ratio else key.get("type"), "ratio": ratio, "enum": key.get("enum"),
+            words = key.get("enum") or next((form["enum"] for form in key.get("anyOf", []) if "enum" in form), None)
+            if words or key.get("type") in ("number", "integer", "boolean") or ratio or table == "":
+                found.append({"table": table, "name": name, "type": "number" if ratio else key.get("type"), "ratio": ratio, "enum": words,
                               "description": key.get("description", ""), "default": key.get("default")})
     first = ["", "copy", "limits", "links"]
     return sorted(found, key=lambda key: first.index(key["table"]) if key["table"] in first else len(first))

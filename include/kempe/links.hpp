@@ -4,9 +4,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kempe/export.hpp"
+#include "kempe/joint.hpp"
 
 namespace kempe {
 
@@ -34,6 +36,28 @@ struct KEMPE_EXPORT StockLengths {
   bool any() const;
 };
 
+/// What the joints are made of: names in docs/hardware.md, "M6 shoulder bolt"; an empty name stands for plain pins.
+struct JointHardware {
+  std::string every{};              ///< of each joint that `at` leaves empty
+  std::array<std::string, 6> at{};  ///< in the order of Joint: V, A, B, C, X, Y
+
+  JointHardware() = default;
+  /// The same at every joint.
+  JointHardware(std::string name) : every(std::move(name)) {}
+  JointHardware(const char* name) : every(name) {}
+
+  /// The name at a joint.
+  const std::string& operator[](Joint joint) const {
+    const std::string& own = at[static_cast<std::size_t>(joint)];
+    return own.empty() ? every : own;
+  }
+  /// True if every joint has a plain pin.
+  bool none() const { return *this == JointHardware(); }
+  /// True if some joints are named by themselves.
+  bool differs() const { return at != std::array<std::string, 6>(); }
+  bool operator==(const JointHardware&) const = default;
+};
+
 /// What to build of, and within which lengths.
 struct LinkSpec {
   LinkStyle style;       ///< outlines
@@ -43,9 +67,9 @@ struct LinkSpec {
   /// mm, > 0, least wall between two holes of a link; absent: a tenth of the pin
   std::optional<double> wall{};
   StockLengths stock_lengths;  ///< any lengths unless given
-  /// What every joint is made of, one of the names in docs/hardware.md, "M6 shoulder bolt"; its pin is style.pin_diameter
-  /// then. Empty: plain pins of that diameter.
-  std::string hardware{};
+  /// What the joints are made of. style.pin_diameter is that of the thickest pin then, and of every plain one; contact and
+  /// least distances take it for the pin of every joint.
+  JointHardware hardware{};
 };
 
 }  // namespace kempe

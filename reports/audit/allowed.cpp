@@ -36,6 +36,13 @@ void check_layers(const StoredDesign& design, AuditRecord& record) {
 
 void check_pins(const StoredDesign& design, AuditRecord& record) {
   record.checked("mechanism.pin_diameter_mm");
+  if (const double thickest = thickest_pin(design.hardware); thickest > design.style.pin_diameter)
+    record.broken(
+        {.limit = "mechanism.pin_diameter_mm",
+         .attained = thickest,
+         .allowed = design.style.pin_diameter,
+         .sentence = fmt::format("a pin of {:.6g} mm ({}) where contact is stated for pins of {:.6g} mm",
+                                 thickest, words(design.hardware), design.style.pin_diameter)});
   if (design.style.pin_diameter <= design.style.width * (1 + same_length)) return;
   record.broken({.limit = "mechanism.pin_diameter_mm",
                  .attained = design.style.pin_diameter,
@@ -149,38 +156,57 @@ void check_layer_count(const LayerAssignment& layers, int most, AuditRecord& rec
          .sentence = fmt::format("a link lies in layer {}; {} layers are allowed", layers.highest(), most)});
 }
 
+Joint joint_named(char name) {
+  return *std::find_if(all_joints.begin(), all_joints.end(),
+                       [&](Joint joint) { return letter(joint) == name; });
+}
+
+/// Of the eight lengths that which leaves least between what its two joints take, mm, half of each.
+struct LeastLeft {
+  std::size_t which;
+  double length, taken;
+};
+LeastLeft least_left(const StoredDesign& design, const std::function<double(Joint)>& taken_at) {
+  const auto values = design.mechanism.lengths.values();
+  LeastLeft least{0, 0, 0};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto name = LinkLengths::names[i];
+    const double taken = 0.5 * (taken_at(joint_named(name[0])) + taken_at(joint_named(name[1])));
+    if (i == 0 || values[i] - taken < least.length - least.taken) least = {i, values[i], taken};
+  }
+  return least;
+}
+
 /// Holes as they are drawn, of each link, must not run into each other.
 void check_holes(const StoredDesign& design, const CuttingSpec& cutting, AuditRecord& record) {
-  const double diameter = hole_diameter(design.style, design.hardware, cutting) - cutting.kerf;
-  const auto values = design.mechanism.lengths.values();
-  const auto shortest = std::min_element(values.begin(), values.end());
+  const auto [which, length, diameter] = least_left(design, [&](Joint joint) {
+    return hole_diameter(design.style, design.hardware, joint, cutting) - cutting.kerf;
+  });
   record.checked("cutting.hole_fit_mm");
-  if (*shortest >= diameter * (1 - same_length)) return;
-  const auto which = static_cast<std::size_t>(shortest - values.begin());
+  if (length >= diameter * (1 - same_length)) return;
   record.broken({.limit = "cutting.hole_fit_mm",
-                 .attained = *shortest,
+                 .attained = length,
                  .allowed = diameter,
                  .sentence = fmt::format("two holes of {:.6g} mm run into each other: {} is {:.6g} mm",
-                                         diameter, LinkLengths::names[which], *shortest)});
+                                         diameter, LinkLengths::names[which], length)});
 }
 
 /// Two joints of a link, as far apart as pin or hole is wide, and the wall between.
 void check_walls(const StoredDesign& design, const CuttingSpec& cutting, const std::optional<double>& wall,
                  AuditRecord& record) {
   if (!wall) return record.not_checked("links.wall_mm", "the file does not state it");
-  const double taken =
-      std::max(design.style.pin_diameter, hole_diameter(design.style, design.hardware, cutting));
-  const auto values = design.mechanism.lengths.values();
-  const auto shortest = std::min_element(values.begin(), values.end());
+  const auto [which, length, taken] = least_left(design, [&](Joint joint) {
+    return std::max(pin_at(design.style, design.hardware, joint),
+                    hole_diameter(design.style, design.hardware, joint, cutting));
+  });
   record.checked("links.wall_mm");
-  if (*shortest >= (taken + *wall) * (1 - same_length)) return;
-  const auto which = static_cast<std::size_t>(shortest - values.begin());
+  if (length >= (taken + *wall) * (1 - same_length)) return;
   record.broken(
       {.limit = "links.wall_mm",
-       .attained = *shortest - taken,
+       .attained = length - taken,
        .allowed = wall,
        .sentence = fmt::format("{} is {:.6g} mm, which leaves a wall of {:.6g} mm between holes of {:.6g} mm",
-                               LinkLengths::names[which], *shortest, *shortest - taken, taken)});
+                               LinkLengths::names[which], length, length - taken, taken)});
 }
 
 }  // namespace

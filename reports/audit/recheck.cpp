@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -30,9 +31,16 @@ double perimeter(const ArcRing& ring) {
   return sum;
 }
 
+/// Holes that its drawing has: those of which the kerf leaves something.
+std::size_t drawn_holes(const CutPart& part) {
+  return static_cast<std::size_t>(std::count_if(part.holes.begin(), part.holes.end(),
+                                                [](const auto& hole) { return hole.diameter > 0; }));
+}
+
 /// How much area flattening may take away or add along all edges of a part.
 double flattening_slack(const CutPart& part, double tolerance) {
-  const double holes = pi * part.hole_diameter * static_cast<double>(part.holes.size());
+  double holes = 0;
+  for (const CutPart::Hole& hole : part.holes) holes += pi * hole.diameter;
   return tolerance * (perimeter(part.outline) + holes) + audit_slack::share_of_area * area(part);
 }
 
@@ -114,7 +122,7 @@ class Recheck {
       else
         fault(file, "something on the layer {} that is neither outline nor hole", part.name);
     }
-    if (outlines.size() != 1 || holes.size() != (part.hole_diameter > 0 ? part.holes.size() : 0))
+    if (outlines.size() != 1 || holes.size() != drawn_holes(part))
       return fault(file, "{} outlines and {} holes on the layer {}", outlines.size(), holes.size(),
                    part.name);
     check_outline(file, *outlines.front(), part);
@@ -131,8 +139,8 @@ class Recheck {
 
   void check_holes(const std::string& file, const std::vector<const DxfCircle*>& holes, const CutPart& part) {
     for (std::size_t i = 0; i < holes.size(); ++i) {
-      if (std::abs(2 * holes[i]->radius - part.hole_diameter) > audit_slack::same_mm)
-        fault(file, "a hole of {} instead of {} mm in {}", 2 * holes[i]->radius, part.hole_diameter,
+      if (std::abs(2 * holes[i]->radius - part.holes[i].diameter) > audit_slack::same_mm)
+        fault(file, "a hole of {} instead of {} mm in {}", 2 * holes[i]->radius, part.holes[i].diameter,
               part.name);
       for (std::size_t j = 0; j < i; ++j) {
         const double found = (holes[i]->centre - holes[j]->centre).norm();

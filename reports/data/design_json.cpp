@@ -41,6 +41,17 @@ Json links_json(const Design& design) {
   return links;
 }
 
+/// A name, or where joints differ an object of names: "default" and the joints' letters.
+Json hardware_json(const JointHardware& hardware) {
+  if (!hardware.differs()) return hardware.every;
+  Json json = Json::object();
+  if (!hardware.every.empty()) json["default"] = hardware.every;
+  for (const Joint joint : all_joints)
+    if (const std::string& own = hardware.at[static_cast<std::size_t>(joint)]; !own.empty())
+      json[std::string(1, letter(joint))] = own;
+  return json;
+}
+
 Json mechanism_json(const Design& design) {
   const CopyingLinkage& linkage = design.linkage;
   const LoopSides sides = linkage.assembly_mode().sides;
@@ -62,7 +73,7 @@ Json mechanism_json(const Design& design) {
             {"link_width_mm", design.style.width},
             {"pin_diameter_mm", design.style.pin_diameter},
             {"thickness_mm", design.style.thickness}};
-  if (!design.hardware.empty()) json["hardware"] = design.hardware;
+  if (!design.hardware.none()) json["hardware"] = hardware_json(design.hardware);
   return json;
 }
 

@@ -51,7 +51,7 @@ struct StoredDesign {
   DrawnMechanism mechanism;
   LinkStyle style;
   LayerAssignment layers;
-  std::string hardware;                ///< empty: plain pins
+  JointHardware hardware;              ///< plain pins unless the file says otherwise
   std::optional<Limits> limits;        ///< absent in a file of the contract's minimal form
   std::optional<Tolerance> tolerance;  ///< absent: the spec gave none
   std::vector<Obstacle> obstacles;

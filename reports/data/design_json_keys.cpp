@@ -39,6 +39,8 @@ void note_keys(const JsonField& root, StoredDesign& design) {
   look_in("mechanism", {"vertex", "pole", "tracer", "pen", "pole_position_mm", "shape", "assembly",
                         "opening_deg", "lengths_mm", "orientation", "links", "link_width_mm",
                         "pin_diameter_mm", "thickness_mm", "hardware"});
+  if (const auto hardware = root["mechanism"].find("hardware"); hardware && hardware->is_object())
+    look(*hardware, {"default", "V", "A", "B", "C", "X", "Y"});
   look(root["mechanism"]["lengths_mm"], {"VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY"});
   look(root["mechanism"]["orientation"], {"parallelogram", "plate_ACX", "plate_BCY"});
   for (const JsonField& link : root["mechanism"]["links"].elements(0, most))

@@ -153,6 +153,23 @@ Grounding grounding(const JsonField& field) {
   return one_of(field, choices);
 }
 
+std::string hardware_name(const JsonField& field) {
+  std::string name = field.text();
+  if (hardware_named(name) == nullptr) field.refuse("a name of docs/hardware.md");
+  return name;
+}
+
+/// A name, or an object of names by joint.
+JointHardware joint_hardware(const JsonField& field) {
+  if (!field.is_object()) return hardware_name(field);
+  JointHardware hardware;
+  if (const auto every = field.find("default")) hardware.every = hardware_name(*every);
+  for (const Joint joint : all_joints)
+    if (const auto own = field.find(std::string(1, letter(joint))))
+      hardware.at[static_cast<std::size_t>(joint)] = hardware_name(*own);
+  return hardware;
+}
+
 void read_mechanism(const JsonField& field, StoredDesign& design) {
   const std::size_t before = field.faults();
   design.grounding = grounding(field["vertex"]);
@@ -166,10 +183,7 @@ void read_mechanism(const JsonField& field, StoredDesign& design) {
   read_links(field["links"], design);
   design.style.width = length(field["link_width_mm"]);
   design.style.pin_diameter = length(field["pin_diameter_mm"]);
-  if (const auto hardware = field.find("hardware")) {
-    design.hardware = hardware->text();
-    if (hardware_named(design.hardware) == nullptr) hardware->refuse("a name of docs/hardware.md");
-  }
+  if (const auto hardware = field.find("hardware")) design.hardware = joint_hardware(*hardware);
   design.style.thickness = length(field["thickness_mm"]);
 }
 

@@ -38,6 +38,7 @@ class JsonField {
   std::vector<std::string> unknown_keys(std::initializer_list<std::string_view> known) const;
 
   bool is_null() const { return value_ != nullptr && value_->is_null(); }
+  bool is_object() const { return value_ != nullptr && value_->is_object(); }
   /// A finite number in [lower, upper].
   double number(double lower, double upper) const;
   double number() const;

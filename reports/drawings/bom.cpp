@@ -42,14 +42,8 @@ class Bill {
     for (const Link link : all_links) add_link(link);
     add_strip();
     for (const JointStack& stack : stacks) add_stack(stack);
-    if (const Hardware* hardware = hardware_named(design_.hardware))
-      add_hardware(*hardware, stacks);
-    else
-      items_.push_back({.item = "washer",
-                        .name = "washer",
-                        .quantity = 6,
-                        .diameter = style_.pin_diameter,
-                        .remark = "two for each pin"});
+    add_plain_washers(stacks);
+    add_hardware(stacks);
     return std::move(items_);
   }
 
@@ -101,7 +95,7 @@ class Bill {
   /// A pin's fastener, or what else holds it.
   std::string made_of(const JointStack& stack) const {
     if (!stack.fastener)
-      return design_.hardware.empty() && stack.lowest == 1
+      return design_.hardware[stack.joint].empty() && stack.lowest == 1
                  ? "; countersunk head, as layer 1 slides on the table"
                  : "";
     std::string text = "; " + stack.fastener->name;
@@ -110,8 +104,20 @@ class Bill {
     return text;
   }
 
-  /// What to buy, each thing once with its number.
-  void add_hardware(const Hardware& hardware, const std::vector<JointStack>& stacks) {
+  void add_plain_washers(const std::vector<JointStack>& stacks) {
+    const auto plain = std::count_if(stacks.begin(), stacks.end(), [&](const JointStack& stack) {
+      return !stack.is_post && design_.hardware[stack.joint].empty();
+    });
+    if (plain > 0)
+      items_.push_back({.item = "washer",
+                        .name = "washer",
+                        .quantity = 2 * static_cast<int>(plain),
+                        .diameter = style_.pin_diameter,
+                        .remark = plain == 3 ? "two for each pin" : "two for each plain pin"});
+  }
+
+  /// What to buy, each thing once with its number; what is first bought of a kind says by which standards, and what to heed.
+  void add_hardware(const std::vector<JointStack>& stacks) {
     const auto first = static_cast<std::ptrdiff_t>(items_.size());
     const auto buy = [&](const char* item, const std::string& name, int count, double diameter,
                          double length) {
@@ -121,7 +127,12 @@ class Bill {
       items_.push_back(
           {.item = item, .name = name, .quantity = count, .diameter = diameter, .length = length});
     };
+    std::vector<const Hardware*> told;
     for (const JointStack& stack : stacks) {
+      const Hardware* of = hardware_named(design_.hardware[stack.joint]);
+      if (of == nullptr) continue;
+      const Hardware& hardware = *of;
+      const std::size_t before = items_.size();
       if (stack.fastener)
         buy(hardware.thread.empty() ? "dowel" : "screw", stack.fastener->name, 1, stack.diameter,
             stack.fastener->length);
@@ -131,9 +142,10 @@ class Bill {
         else if (item.kind == StackItem::Kind::nut)
           buy("nut", item.name, 1, 0, item.to - item.from);
       add_seats(hardware, static_cast<int>(stack.links.size()), buy);
+      if (items_.size() == before || std::find(told.begin(), told.end(), of) != told.end()) continue;
+      told.push_back(of);
+      items_[before].remark = remark_on(hardware);
     }
-    if (static_cast<std::ptrdiff_t>(items_.size()) > first)
-      items_[static_cast<std::size_t>(first)].remark = remark_on(hardware);
   }
 
   /// The bearings or bushes of the links at a joint.

@@ -113,11 +113,11 @@ void add_bodies(Drawing& drawing, const Design& design, const Pose& pose) {
 Drawing assembly_mode(const Design& design) {
   Drawing drawing{{assembly_layer}, {}};
   const Pose pose = assembly_pose(design);
-  const double radius = 0.5 * design.style.pin_diameter;
   for (const Link link : all_links)
     drawing.shapes.push_back(
         OutlineShape{assembly_layer.name, link_outline(link, pose, design.style).outer, true});
   for (const Joint joint : all_joints) {
+    const double radius = 0.5 * pin_at(design.style, design.hardware, joint);
     drawing.shapes.push_back(CircleShape{assembly_layer.name, pose[joint], radius});
     const Point beside = pose[joint] + Point(0.5 * design.style.width + 1, 0.5 * design.style.width);
     drawing.shapes.push_back(
@@ -158,7 +158,12 @@ std::string copy_text(const Design& design) {
 
 void add_figures(Block& block, const Design& design, const CuttingSpec& cutting) {
   const CopyingLinkage& linkage = design.linkage;
-  const double hole = std::max(0.0, hole_diameter(design.style, design.hardware, cutting) - cutting.kerf);
+  std::array<double, 6> pins{}, holes{};
+  for (std::size_t i = 0; i < all_joints.size(); ++i) {
+    pins[i] = pin_at(design.style, design.hardware, all_joints[i]);
+    holes[i] =
+        std::max(0.0, hole_diameter(design.style, design.hardware, all_joints[i], cutting) - cutting.kerf);
+  }
   block.row(drawing_title(design), 5);
   if (!design.title.empty()) block.row(copy_text(design));
   block.gap();
@@ -172,8 +177,8 @@ void add_figures(Block& block, const Design& design, const CuttingSpec& cutting)
                                                  figure(stated_degrees(design.opening.upper))));
   block.row("Layers from the table up: " + stack_text(design.layers));
   block.row(fmt::format("Stock {} mm thick, links {} mm wide, pins {} mm, holes {} mm as drawn",
-                        figure(design.style.thickness), figure(design.style.width),
-                        figure(design.style.pin_diameter), figure(hole)));
+                        figure(design.style.thickness), figure(design.style.width), by_joint(pins, figure),
+                        by_joint(holes, figure)));
   block.row(cutting_text(cutting));
   if (const auto fault = parts_fault(design, cutting)) block.row("The links cannot be cut: " + fault->note);
   block.row("Units mm, scale 1:1, seen from above");

@@ -30,7 +30,7 @@ JointStack stack_at(const Design& design, Joint joint, bool is_post) {
                    .is_post = is_post,
                    .name = name_of(design.linkage, joint),
                    .links = links_from_below(joint, design.layers),
-                   .diameter = design.style.pin_diameter};
+                   .diameter = pin_at(design.style, design.hardware, joint)};
   stack.lowest = design.layers[stack.links.front()];
   stack.highest = design.layers[stack.links.back()];
   stack.from = is_post ? 0 : (stack.lowest - 1) * thickness;
@@ -176,8 +176,9 @@ void tell_links_beside(const Design& design, const JointStack& stack, std::vecto
 std::vector<JointStack> joint_stacks(const Design& design) {
   std::vector<JointStack> stacks;
   for (const Joint joint : {Joint::A, Joint::B, Joint::C}) stacks.push_back(stack_at(design, joint, false));
-  if (const Hardware* hardware = hardware_named(design.hardware))
-    for (JointStack& stack : stacks) Fastening(*hardware, stack).fasten();
+  for (JointStack& stack : stacks)
+    if (const Hardware* hardware = hardware_named(design.hardware[stack.joint]))
+      Fastening(*hardware, stack).fasten();
   const CopyingLinkage& linkage = design.linkage;
   for (const Joint joint : {linkage.pole_joint(), linkage.tracer_joint(), linkage.pen_joint()})
     stacks.push_back(stack_at(design, joint, true));
@@ -208,13 +209,14 @@ double least_distance(const Design& design, Joint one, Joint other) {
 
 std::vector<std::string> hardware_faults(const Design& design) {
   std::vector<std::string> faults;
-  if (design.hardware.empty()) return faults;
+  if (design.hardware.none()) return faults;
   const auto stacks = joint_stacks(design);
   for (std::size_t i = 0; i < stacks.size(); ++i) {
     if (stacks[i].is_post) continue;
-    if (!stacks[i].fastener)
-      faults.push_back(fmt::format("{}: no \"{}\" is made that grips {} mm", stacks[i].name, design.hardware,
-                                   stacks[i].grip()));
+    const std::string& hardware = design.hardware[stacks[i].joint];
+    if (!stacks[i].fastener && !hardware.empty())
+      faults.push_back(
+          fmt::format("{}: no \"{}\" is made that grips {} mm", stacks[i].name, hardware, stacks[i].grip()));
     tell_links_beside(design, stacks[i], faults);
     for (std::size_t j = i + 1; j < stacks.size(); ++j)
       if (auto fault = meeting(design, stacks[i], stacks[j])) faults.push_back(std::move(*fault));

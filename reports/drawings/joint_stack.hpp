@@ -52,7 +52,7 @@ struct JointStack {
 };
 
 /// Those of A, B and C, then pole, tracer and pen. Spacers fill the empty layers: under the lowest link of a post, and
-/// between two links. Where the design names its hardware, pins have their screws, washers and nuts: heads below, nuts above.
+/// between two links. Where the design names a pin's hardware, it has its screws, washers and nuts: heads below, nuts above.
 std::vector<JointStack> joint_stacks(const Design& design);
 
 /// How far layer 1 must stand above the table, mm, so that the heads under it have room: the posts are longer and have spacers

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "reports/drawings/joint_stack.hpp"
 #include "specs/hardware.hpp"
 
@@ -9,12 +11,27 @@ namespace kempe {
 
 std::vector<std::string> making_notes(const Design& design) {
   std::vector<std::string> notes;
-  const bool on_pins = bored_for(design.style, design.hardware) == design.style.pin_diameter;
+  const LinkStyle& style = design.style;
+  std::array<double, 6> pins{};
+  std::string thinner;  // joints
+  bool on_pins = false;
+  for (std::size_t i = 0; i < all_joints.size(); ++i) {
+    pins[i] = pin_at(style, design.hardware, all_joints[i]);
+    on_pins = on_pins || bored_for(style, design.hardware, all_joints[i]) == pins[i];
+    if (pins[i] < style.pin_diameter) thinner += fmt::format(" {}", letter(all_joints[i]));
+  }
   if (on_pins && design.cutting.hole_fit == 0)
     notes.push_back(fmt::format(
         "holes are drawn as wide as their pins, {} mm: cutting.process or cutting.hole_fit_mm gives "
         "them the fit to turn in",
-        design.style.pin_diameter));
+        by_joint(pins, [](double pin) { return fmt::format("{}", pin); })));
+  if (design.hardware.differs())
+    notes.push_back(
+        fmt::format("hardware differs from joint to joint: contact takes every pin for one of {} mm{}, "
+                    "joints stand as far apart as "
+                    "holes of {:.6g} mm need; no bound is proven then",
+                    style.pin_diameter, thinner.empty() ? "" : " (thinner:" + thinner + ")",
+                    widest_hole(style, design.hardware, design.cutting)));
   for (std::string& fault : hardware_faults(design)) notes.push_back(std::move(fault));
   return notes;
 }

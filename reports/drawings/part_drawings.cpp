@@ -95,10 +95,11 @@ DrawingLayer cut_layer(const std::string& name) {
 }
 
 double least_wall(const CutPart& part, double width) {
-  double wall = 0.5 * (width - part.hole_diameter);
+  double wall = 0.5 * (width - widest_hole(part));
   for (std::size_t i = 0; i < part.holes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      wall = std::min(wall, (part.holes[i].centre - part.holes[j].centre).norm() - part.hole_diameter);
+      wall = std::min(wall, (part.holes[i].centre - part.holes[j].centre).norm() -
+                                0.5 * (part.holes[i].diameter + part.holes[j].diameter));
   return wall;
 }
 
@@ -113,15 +114,15 @@ CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting) {
   part.name = name(link);
   part.layer = design.layers[link];
   part.thickness = style.thickness;
-  part.hole_diameter = std::max(0.0, hole_diameter(style, design.hardware, cutting) - cutting.kerf);
   part.outline = link_outline(link, lying, as_cut).outer;
   const LinkJoints joints = joints_of(link);
   for (int i = 0; i < joints.count; ++i) {
     const Joint joint = joints.joints[static_cast<std::size_t>(i)];
-    part.holes.push_back({joint, lying[joint]});
+    const double hole = hole_diameter(style, design.hardware, joint, cutting) - cutting.kerf;
+    part.holes.push_back({joint, lying[joint], std::max(0.0, hole)});
   }
   part.wall = least_wall(part, as_cut.width);
-  part.labels = engraving(link, lying, style, part.hole_diameter);
+  part.labels = engraving(link, lying, style, widest_hole(part));
   return part;
 }
 
@@ -131,17 +132,23 @@ std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cuttin
   return parts;
 }
 
+double widest_hole(const CutPart& part) {
+  double widest = 0;
+  for (const CutPart::Hole& hole : part.holes) widest = std::max(widest, hole.diameter);
+  return widest;
+}
+
 double area(const CutPart& part) {
-  const double hole = 0.25 * pi * part.hole_diameter * part.hole_diameter;
-  return signed_area(part.outline) - hole * static_cast<double>(part.holes.size());
+  double holes = 0;
+  for (const CutPart::Hole& hole : part.holes) holes += 0.25 * pi * hole.diameter * hole.diameter;
+  return signed_area(part.outline) - holes;
 }
 
 Drawing part_drawing(const CutPart& part) {
   Drawing drawing{{cut_layer(part.name), {std::string(label_layer), 1, "#c00000", false}}, {}};
   drawing.shapes.push_back(OutlineShape{part.name, part.outline, true});
-  if (part.hole_diameter > 0)
-    for (const CutPart::Hole& hole : part.holes)
-      drawing.shapes.push_back(CircleShape{part.name, hole.centre, 0.5 * part.hole_diameter});
+  for (const CutPart::Hole& hole : part.holes)
+    if (hole.diameter > 0) drawing.shapes.push_back(CircleShape{part.name, hole.centre, 0.5 * hole.diameter});
   drawing.shapes.insert(drawing.shapes.end(), part.labels.begin(), part.labels.end());
   return drawing;
 }

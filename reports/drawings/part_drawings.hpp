@@ -15,13 +15,12 @@ namespace kempe {
 struct CutPart {
   struct Hole {
     Joint joint;
-    Point centre;  ///< mm
+    Point centre;         ///< mm
+    double diameter = 6;  ///< mm, as drawn: of the pin, plus the fit, less the kerf; 0 if that leaves nothing
   };
-  std::string name;      ///< "ACX"
-  int layer = 1;         ///< of the mechanism, 1 is next to the table
-  double thickness = 4;  ///< mm
-  /// mm, as drawn: of the pin, plus the fit, less the kerf; 0 if that leaves nothing
-  double hole_diameter = 6;
+  std::string name;         ///< "ACX"
+  int layer = 1;            ///< of the mechanism, 1 is next to the table
+  double thickness = 4;     ///< mm
   double wall = 3;          ///< mm, as drawn: the least beside a hole and between two; none if not above 0
   ArcRing outline;          ///< counter-clockwise, grown by half the kerf
   std::vector<Hole> holes;  ///< at every joint, as far apart as the link's lengths say
@@ -32,6 +31,9 @@ struct CutPart {
 CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting);
 /// All four, in the order of all_links.
 std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cutting);
+
+/// Diameter of its widest hole, mm.
+double widest_hole(const CutPart& part);
 
 /// Area of the part as drawn, mm^2: the outline less its holes.
 double area(const CutPart& part);

@@ -56,12 +56,14 @@ double spacing(const ArcRing& outline) {
 
 Solid part_solid(const CutPart& part, double tolerance) {
   const double least = 4 * spacing(part.outline);
-  if (!(part.wall > least && part.hole_diameter > least && single(part.thickness) > 0)) return {};
+  const bool is_bored = std::all_of(part.holes.begin(), part.holes.end(),
+                                    [&](const auto& hole) { return hole.diameter > least; });
+  if (!(part.wall > least && is_bored && single(part.thickness) > 0)) return {};
   // Chords of the outline cut into the wall: no more than half of it.
   tolerance = std::min(tolerance, 0.5 * part.wall);
   std::vector<Ring> rings{chords(part.outline, tolerance)};
   for (const CutPart::Hole& hole : part.holes)
-    rings.push_back(chords(reversed(circle(hole.centre, 0.5 * part.hole_diameter)), tolerance));
+    rings.push_back(chords(reversed(circle(hole.centre, 0.5 * hole.diameter)), tolerance));
   const double height = single(part.thickness);
   const Triangulation faces = triangulated(rings);
   Solid solid;

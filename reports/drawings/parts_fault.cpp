@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "reports/drawings/part_drawings.hpp"
 #include "specs/hardware.hpp"
 
@@ -28,16 +30,21 @@ std::optional<PartsFault> no_wall_beside(double hole, double width) {
                                 hole, width)};
 }
 
-std::optional<PartsFault> no_wall_between(const CutPart& part, double hole) {
+/// `hole_at`: of a joint, kerf apart, mm.
+std::optional<PartsFault> no_wall_between(const CutPart& part, const std::function<double(Joint)>& hole_at) {
   for (std::size_t i = 0; i < part.holes.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const double apart = (part.holes[i].centre - part.holes[j].centre).norm();
-      if (apart - hole > least_wall_share * hole) continue;
+      const double one = hole_at(part.holes[j].joint), other = hole_at(part.holes[i].joint);
+      const double holes = 0.5 * (one + other);
+      if (apart - holes > least_wall_share * holes) continue;
+      const std::string wide =
+          one == other ? fmt::format("{:.6g}", one) : fmt::format("{:.6g} and {:.6g}", one, other);
       return PartsFault{
           "their holes run into each other",
-          fmt::format("link {} has its holes {} and {}, {:.6g} mm wide, {:.6g} mm apart, which leaves no "
+          fmt::format("link {} has its holes {} and {}, {} mm wide, {:.6g} mm apart, which leaves no "
                       "wall between them; thinner pins (links.pin_diameter_mm) or longer links would do",
-                      part.name, letter(part.holes[j].joint), letter(part.holes[i].joint), hole, apart)};
+                      part.name, letter(part.holes[j].joint), letter(part.holes[i].joint), wide, apart)};
     }
   return std::nullopt;
 }
@@ -45,11 +52,16 @@ std::optional<PartsFault> no_wall_between(const CutPart& part, double hole) {
 }  // namespace
 
 std::optional<PartsFault> parts_fault(const Design& design, const CuttingSpec& cutting) {
-  const double hole = hole_diameter(design.style, design.hardware, cutting);
-  if (auto fault = no_hole(hole, design.style.pin_diameter, cutting)) return fault;
-  if (auto fault = no_wall_beside(hole, design.style.width)) return fault;
+  const auto hole_at = [&](Joint joint) {
+    return hole_diameter(design.style, design.hardware, joint, cutting);
+  };
+  for (const Joint joint : all_joints)
+    if (auto fault = no_hole(hole_at(joint), pin_at(design.style, design.hardware, joint), cutting))
+      return fault;
+  if (auto fault = no_wall_beside(widest_hole(design.style, design.hardware, cutting), design.style.width))
+    return fault;
   for (const CutPart& part : cut_parts(design, cutting))
-    if (auto fault = no_wall_between(part, hole)) return fault;
+    if (auto fault = no_wall_between(part, hole_at)) return fault;
   return std::nullopt;
 }
 

@@ -27,12 +27,12 @@ Placement in_pose(const CutPart& part, const Pose& pose) {
 
 StepPlate plate(const CutPart& part, const Placement& placement) {
   const double bottom = (part.layer - 1) * part.thickness;
-  StepPlate plate{part.name, {}, {}, part.hole_diameter, bottom, bottom + part.thickness};
+  StepPlate plate{part.name, {}, {}, bottom, bottom + part.thickness};
   for (const ArcVertex& corner : placed(part.outline, placement))
     plate.outline.push_back({corner.at.x(), corner.at.y(), corner.bulge});
   for (const CutPart::Hole& hole : part.holes) {
     const Point centre = placed(hole.centre, placement);
-    plate.holes.push_back({centre.x(), centre.y(), 0});
+    plate.holes.push_back({centre.x(), centre.y(), hole.diameter});
   }
   return plate;
 }

@@ -63,8 +63,8 @@ TopoDS_Shape solid(const StepPlate& plate) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     outline.Add(edge(ring[i], ring[(i + 1) % ring.size()], plate.bottom));
   BRepBuilderAPI_MakeFace face(outline.Wire(), Standard_True);
-  for (const StepCorner& hole : plate.holes) {
-    const gp_Circ rim = circle_about({hole.x, hole.y}, 0.5 * plate.hole_diameter, plate.bottom);
+  for (const StepHole& hole : plate.holes) {
+    const gp_Circ rim = circle_about({hole.x, hole.y}, 0.5 * hole.diameter, plate.bottom);
     TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim));
     wire.Reverse();
     face.Add(wire);

@@ -13,12 +13,16 @@ struct StepCorner {
   double x = 0, y = 0, bulge = 0;
 };
 
+/// A round hole, mm.
+struct StepHole {
+  double x = 0, y = 0, diameter = 0;
+};
+
 /// A plate with round holes, lying between two heights above the table, mm.
 struct StepPlate {
   std::string name;
   std::vector<StepCorner> outline;  ///< counter-clockwise
-  std::vector<StepCorner> holes;    ///< their centres
-  double hole_diameter = 0;
+  std::vector<StepHole> holes;
   double bottom = 0, top = 0;
 };
 

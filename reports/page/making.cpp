@@ -1,6 +1,7 @@
 // What a maker needs: lengths to cut, joints, layers.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "reports/drawings/blank.hpp"
@@ -8,6 +9,7 @@
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
+#include "specs/hardware.hpp"
 #include "synthesis/design/rounding.hpp"
 
 namespace kempe::report_sections {
@@ -138,13 +140,22 @@ std::string layer_table(const Design& design) {
   return html_table("layers", {{"Layer"}, {"Links"}, {"Height over the first, mm"}}, rows);
 }
 
+/// "6 mm", or "4 mm at A B C, 8 mm at V X Y" as by_joint() says it.
+std::string pins_text(const Design& design) {
+  std::array<double, 6> pins{};
+  for (std::size_t i = 0; i < all_joints.size(); ++i)
+    pins[i] = pin_at(design.style, design.hardware, all_joints[i]);
+  return design.hardware.differs() ? by_joint(pins, [](double pin) { return length_text(pin); })
+                                   : length_text(design.style.pin_diameter);
+}
+
 }  // namespace
 
 std::string making(const Design& design) {
   const LinkStyle& style = design.style;
   const std::string note = fmt::format(
       "<p class=\"note\">Links {} wide and {} thick, pins {} across. Layer 1 lies next to the table.</p>\n",
-      length_text(style.width), length_text(style.thickness), length_text(style.pin_diameter));
+      length_text(style.width), length_text(style.thickness), pins_text(design));
   return html_section("lengths", "Lengths to cut",
                       "<div class=\"columns\"><div>" + length_table(design) +
                           "</div><div class=\"beside\"><h3>Joints</h3>\n" + joint_table(design) +

@@ -14,6 +14,7 @@
 #include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 #include "reports/workshop/workshop_pdf.hpp"
+#include "specs/hardware.hpp"
 
 namespace kempe::report_sections {
 namespace {
@@ -92,6 +93,18 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
   return svg;
 }
 
+/// "6 mm", or of pins that differ "A 6 mm, V 8 mm".
+std::string pins_of(const LyingLink& part, const Design& design) {
+  std::string each;
+  bool alike = true;
+  for (const Joint joint : part.joints) {
+    const double pin = pin_at(design.style, design.hardware, joint);
+    alike = alike && pin == pin_at(design.style, design.hardware, part.joints.front());
+    each += fmt::format("{}{} {}", each.empty() ? "" : ", ", letter(joint), length_text(pin));
+  }
+  return alike ? length_text(pin_at(design.style, design.hardware, part.joints.front())) : each;
+}
+
 std::string picture(const LyingLink& part, const Design& design, double unit) {
   const Point room = Point(0.5 * nominal_width, 0.5 * (part.upper.y() - part.lower.y()) / unit + 42) * unit;
   const PictureBox frame{0.5 * (part.lower + part.upper), room};
@@ -99,7 +112,8 @@ std::string picture(const LyingLink& part, const Design& design, double unit) {
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     for (std::size_t j = i + 1; j < part.holes.size(); ++j)
       inside += svg_shape("line", svg_line({part.holes[i], part.holes[j]})).line();
-    inside += svg_disc("hole", part.holes[i], design.style.pin_diameter / 2).line();
+    inside +=
+        svg_disc("hole", part.holes[i], pin_at(design.style, design.hardware, part.joints[i]) / 2).line();
   }
   const SvgElement svg =
       SvgElement("svg")
@@ -111,7 +125,7 @@ std::string picture(const LyingLink& part, const Design& design, double unit) {
   return fmt::format(
       "<figure>{}<figcaption><b>{}</b>, layer {}, {} thick, holes for pins of {}</figcaption></figure>\n",
       svg.line(), name(part.link), design.layers[part.link], length_text(design.style.thickness),
-      length_text(design.style.pin_diameter));
+      pins_of(part, design));
 }
 
 std::string dimensioned_links(const Design& design) {

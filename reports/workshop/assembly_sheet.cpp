@@ -10,6 +10,7 @@
 #include "reports/pictures/picture_labels.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
+#include "specs/hardware.hpp"
 
 namespace kempe::workshop {
 namespace {
@@ -58,13 +59,16 @@ void draw_pole(Sheet& sheet, const Point& at, double radius) {
 
 void draw_joints(Sheet& sheet, const Assembly& assembly) {
   const Design& design = assembly.task.design;
-  const double radius = 0.5 * design.style.pin_diameter * assembly.view.scale;
+  const auto radius_at = [&](Joint joint) {
+    return 0.5 * pin_at(design.style, design.hardware, joint) * assembly.view.scale;
+  };
   for (const Joint joint : all_joints) {
+    const double radius = radius_at(joint);
     const Point at = assembly.view.at(assembly.pose[joint]);
     sheet.circle(at, radius, Pen::outline, Fill::paper);
     draw_hole_axes(sheet, at, radius);
   }
-  draw_pole(sheet, assembly.view.at(design.linkage.pole()), radius);
+  draw_pole(sheet, assembly.view.at(design.linkage.pole()), radius_at(design.linkage.pole_joint()));
 }
 
 /// How far a place is from everything that could hide it, mm: upper links and joints.

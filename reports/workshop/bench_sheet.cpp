@@ -11,6 +11,7 @@
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
 #include "reports/workshop/table.hpp"
+#include "specs/hardware.hpp"
 #include "workspace/obstructions.hpp"
 
 namespace kempe::workshop {
@@ -177,7 +178,8 @@ void draw_mechanism(Sheet& sheet, const Design& design, const View& view) {
   for (const Link link : all_links)
     sheet.outline(view.at(link_outline(link, pose, design.style).outer), Pen::thin);
   for (const Joint joint : all_joints)
-    sheet.circle(view.at(pose[joint]), 0.5 * design.style.pin_diameter * view.scale, Pen::thin);
+    sheet.circle(view.at(pose[joint]), 0.5 * pin_at(design.style, design.hardware, joint) * view.scale,
+                 Pen::thin);
 }
 
 Table places_table(const std::vector<Mark>& marks, const Box& edges) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "reports/drawings/part_drawings.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
 #include "reports/workshop/table.hpp"
@@ -78,7 +77,7 @@ Table hole_table(const CutPart& part) {
                {"\u00d8", 17, Align::right}}};
   for (const CutPart::Hole& hole : part.holes)
     table.rows.push_back({std::string(1, letter(hole.joint)), figure(hole.centre.x()),
-                          figure(hole.centre.y()), figure(part.hole_diameter)});
+                          figure(hole.centre.y()), figure(hole.diameter)});
   return table;
 }
 
@@ -92,8 +91,8 @@ Table distance_table(const CutPart& part) {
 }
 
 void draw_holes(Sheet& sheet, const CutPart& part, const View& view) {
-  const double radius = 0.5 * part.hole_diameter * view.scale;
   for (const CutPart::Hole& hole : part.holes) {
+    const double radius = 0.5 * hole.diameter * view.scale;
     if (radius > 0) sheet.circle(view.at(hole.centre), radius, Pen::outline);
     draw_hole_axes(sheet, view.at(hole.centre), radius);
   }
@@ -104,7 +103,7 @@ Point beside_hole(const CutPart& part, const View& view, char name, const Point&
   for (const CutPart::Hole& hole : part.holes) {
     if (letter(hole.joint) != name) continue;
     const Point centre = view.at(hole.centre), way = middle - centre;
-    const double clear = 0.5 * part.hole_diameter * view.scale + hole_axis_beyond + 0.3 + 0.6 * height;
+    const double clear = 0.5 * hole.diameter * view.scale + hole_axis_beyond + 0.3 + 0.6 * height;
     return centre + std::max(clear, way.norm()) * way.normalized();
   }
   return middle;
@@ -167,14 +166,23 @@ void draw_dimensions(Sheet& sheet, const DrawnLink& link, const View& view, cons
                     lettering);
 }
 
+/// Of holes that differ that which the leader points at: the table has them all.
+std::string note_of(const CutPart& part) {
+  const double diameter = part.holes.back().diameter;
+  const bool alike = std::all_of(part.holes.begin(), part.holes.end(),
+                                 [&](const auto& hole) { return hole.diameter == diameter; });
+  return alike ? holes_text(part) : "\u00d8" + figure(diameter);
+}
+
 /// Number and diameter of the holes, on a shelf to the upper right of the part.
 void note_holes(Sheet& sheet, const DrawnLink& link, const View& view, const Lettering& lettering) {
   const CutPart& part = link.part;
-  if (part.hole_diameter <= 0) return;
-  const Point upper = view.at(link.box.upper), centre = view.at(part.holes.back().centre);
+  const CutPart::Hole& last = part.holes.back();
+  if (last.diameter <= 0) return;
+  const Point upper = view.at(link.box.upper), centre = view.at(last.centre);
   const Point at(upper.x() + 3, upper.y() + shelf_above);
-  draw_leader(sheet, fmt::format("{} x \u00d8{}", part.holes.size(), figure(part.hole_diameter)), at,
-              centre + 0.5 * part.hole_diameter * view.scale * (at - centre).normalized(), lettering);
+  draw_leader(sheet, note_of(part), at,
+              centre + 0.5 * last.diameter * view.scale * (at - centre).normalized(), lettering);
 }
 
 void write_notes(Sheet& sheet, const Design& design, const CutPart& part, const Point& top_left) {

@@ -50,14 +50,15 @@ Table cutting_list(const Task& task, double width) {
                {"Blank, mm", 48},
                {"Thickness, mm", 30},
                {"Holes, mm", width - 108}}};
-  const double hole = hole_diameter(task.design.style, task.design.hardware, task.design.cutting);
+  CuttingSpec as_to_be = task.design.cutting;
+  as_to_be.kerf = 0;
   for (const BomItem& item : task.bill) {
     if (item.item != "link") continue;
-    const bool is_bar = item.name.size() == 2;
+    const Link link =
+        *std::find_if(all_links.begin(), all_links.end(), [&](Link one) { return name(one) == item.name; });
     table.rows.push_back({fmt::format("{}", item_number(task.bill, item.name)), item.name,
                           figure(item.blank_length) + " x " + figure(item.blank_width),
-                          figure(item.thickness),
-                          fmt::format("{} x \u00d8{}", is_bar ? 2 : 3, figure(std::max(0.0, hole)))});
+                          figure(item.thickness), holes_text(cut_part(task.design, link, as_to_be))});
   }
   return table;
 }
@@ -95,6 +96,22 @@ int item_number(const std::vector<BomItem>& bill, std::string_view name) {
   const auto found =
       std::find_if(bill.begin(), bill.end(), [&](const BomItem& item) { return item.name == name; });
   return found == bill.end() ? 0 : 1 + static_cast<int>(found - bill.begin());
+}
+
+std::string holes_text(const CutPart& part) {
+  std::vector<std::pair<double, int>> counted;
+  for (const CutPart::Hole& hole : part.holes) {
+    const auto same = std::find_if(counted.begin(), counted.end(),
+                                   [&](const auto& one) { return one.first == hole.diameter; });
+    if (same == counted.end())
+      counted.emplace_back(hole.diameter, 1);
+    else
+      ++same->second;
+  }
+  std::string text;
+  for (const auto& [diameter, count] : counted)
+    text += fmt::format("{}{} x \u00d8{}", text.empty() ? "" : ", ", count, figure(diameter));
+  return text;
 }
 
 std::string stock_text(const Design& design) {

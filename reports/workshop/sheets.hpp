@@ -1,9 +1,12 @@
 #pragma once
 // The sheets of a design's drawings, each by a function of its own.
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/drawings/bom.hpp"
+#include "reports/drawings/part_drawings.hpp"
 #include "reports/workshop/frame.hpp"
 #include "reports/workshop/sheet.hpp"
 #include "synthesis/design/design.hpp"
@@ -23,6 +26,9 @@ int item_number(const std::vector<BomItem>& bill, std::string_view name);
 
 /// "4 mm sheet".
 std::string stock_text(const Design& design);
+
+/// How many holes of a part have which diameter: "3 x Ø6.1"; "1 x Ø22, 2 x Ø6.1", in the order in which they are met.
+std::string holes_text(const CutPart& part);
 
 /// The mechanism from above, upper links on lower ones, edges below something dashed; balloons with the items' numbers.
 Sheet assembly_sheet(const Task& task);

@@ -43,7 +43,7 @@ class Section {
       if (stack_.is_post && item.from == 0) item.from = -raised_;  // down to the table
       draw_ring(item);
     }
-    if (!stack_.is_post && task_.design.hardware.empty()) draw_washers();
+    if (!stack_.is_post && task_.design.hardware[stack_.joint].empty()) draw_washers();
     draw_pin();
     write_labels(label_x);
   }
@@ -218,10 +218,10 @@ Sheet stack_sheet(const Task& task) {
     Section(sheet, task, stacks[i], axis, table, raised, scale).draw(axis + widest + 4);
     write_heading(sheet, task, stacks[i], {x, top - heading_height - 2});
   }
-  sheet.text(task.design.hardware.empty()
+  sheet.text(task.design.hardware.none()
                  ? "Heads, nuts and threads are extra. A pin whose lowest link lies on the "
                    "table has a countersunk head."
-                 : "Pins: " + task.design.hardware + ". Posts are the maker's.",
+                 : "Pins: " + words(task.design.hardware) + ". Posts are the maker's.",
              {field.lower.x(), field.lower.y()}, text_height);
   return sheet;
 }

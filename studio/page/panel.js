@@ -51,7 +51,10 @@
       this.doc = doc;
       for (const { path, key, input } of this.fields) {
         if (document.activeElement === input && key.type !== "boolean") continue;
-        const value = doc.get(path);
+        const found = doc.get(path), byParts = (typeof found === "object" && found !== null) || [...doc.values.keys()].some((of) => of.startsWith(`${path}.`));
+        const value = byParts ? undefined : found;
+        input.disabled = byParts;  // a table, such as the hardware joint by joint: it is changed in the text
+        input.title = byParts ? "Given part by part: change it in the spec's text" : "";
         if (key.type === "boolean") input.checked = value ?? key.default ?? false;
         else input.value = value === undefined ? "" : typeof value === "number" ? kempe.figure(value, 6) : String(value);
       }

@@ -126,8 +126,14 @@ tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const s
                                    fmt::format("positive lengths and an assembly mode below {}", count)});
 }
 
+/// What keeps joints apart, if a bearing or bush is wider than the thickest pin.
+std::optional<double> seat_of(const Spec& spec) {
+  const LinkSpec& links = spec.links;
+  if (widest_seat(links.hardware) <= links.style.pin_diameter) return std::nullopt;
+  return widest_hole(links.style, links.hardware, spec.cutting);
+}
+
 Allowed allowed_by(const Spec& spec) {
-  const double bore = bored_for(spec.links.style, spec.links.hardware);
   return {spec.pole,
           spec.links.layers,
           spec.links.shortest,
@@ -135,7 +141,7 @@ Allowed allowed_by(const Spec& spec) {
           spec.links.stock_lengths,
           spec.objective.groundings,
           least_wall(spec),
-          bore > spec.links.style.pin_diameter ? std::optional(bore) : std::nullopt};
+          seat_of(spec)};
 }
 
 void allow(Spec& spec, const Allowed& allowed) {

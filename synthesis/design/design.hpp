@@ -85,7 +85,7 @@ struct Design {
   std::optional<SearchRecord> search{};  ///< absent for `kempe workspace`
   std::optional<Allowed> allowed{};      ///< absent for `kempe workspace`, whose mechanism is given
   CuttingSpec cutting{};
-  std::string hardware{};  ///< LinkSpec::hardware
+  JointHardware hardware{};  ///< LinkSpec::hardware
 };
 
 /// The openings at which a picture may show the linkage: the certified ones; if there are none, all of its assembly mode.

@@ -82,15 +82,24 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
   return undominated(std::move(found), a, b);
 }
 
-}  // namespace
-
-Front pareto_front(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+/// Of bounds and proofs what claim_no_more() leaves.
+Front front_of(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
   if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
   const Point origin = local_origin(spec);
   if (origin.isZero(0)) return front_here(spec, origin, a, b, points, options);
   Front front = front_here(shifted(spec, -origin), origin, a, b, points, options);
   if (!front) return tl::unexpected(shifted(std::move(front.error()), origin));
   for (ParetoPoint& point : *front) point.design = shifted(point.design, origin);
+  return front;
+}
+
+}  // namespace
+
+Front pareto_front(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+  Front front = front_of(spec, a, b, points, options);
+  if (!front) claim_no_more(front.error(), spec.links.hardware);
+  if (front)
+    for (ParetoPoint& point : *front) claim_no_more(point.design, spec.links.hardware);
   return front;
 }
 

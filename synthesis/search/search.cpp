@@ -65,10 +65,13 @@ NoDesign diagnosed(const Spec& spec, NoDesign reason, const SearchOptions& optio
 }  // namespace
 
 SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
-  if (auto none = plainly_impossible(spec)) return diagnosed(spec, *std::move(none), options);
+  const JointHardware& hardware = spec.links.hardware;
+  if (auto none = plainly_impossible(spec))
+    return claiming_no_more(diagnosed(spec, *std::move(none), options), hardware);
   const Point origin = local_origin(spec);
-  if (origin.isZero(0)) return synthesize_here(spec, origin, options);
-  return back_to_the_table(synthesize_here(shifted(spec, -origin), origin, options), origin);
+  if (origin.isZero(0)) return claiming_no_more(synthesize_here(spec, origin, options), hardware);
+  return claiming_no_more(back_to_the_table(synthesize_here(shifted(spec, -origin), origin, options), origin),
+                          hardware);
 }
 
 }  // namespace kempe

@@ -153,7 +153,7 @@ SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const 
   SketchedDesign none{.last = previous.last, .others = previous.others, .count = previous.count + 1};
   if (!previous.last || only_searched(spec)) return none;
   if (plainly_impossible(spec)) {
-    none.proven_none = true;
+    none.proven_none = !spec.links.hardware.differs();
     return none;
   }
   const Point origin = local_origin(spec);
@@ -166,6 +166,10 @@ SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const 
                                       std::move(start), previous.count, budget);
   for (FoundDesign& other : result.others) other = shifted(std::move(other), origin);
   result.count = previous.count + 1;
+  if (spec.links.hardware.differs()) {  // see claim_no_more()
+    result.bound.reset();
+    result.proven_none = false;
+  }
   if (result.design) {
     result.design->proven_bound = result.bound;
     result.design = shifted(*result.design, origin);

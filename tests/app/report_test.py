@@ -4,6 +4,7 @@
 usage: report_test.py KEMPE SOURCE_DIR [unittest arguments]
 """
 import copy
+import csv
 import json
 import pathlib
 import random
@@ -64,6 +65,7 @@ class Restored(Case):
     def test_a_design_gives_back_its_folder(self):
         for text, command in ((TEN_LINES, "synthesize"), (POLE_IN_HOLE, "workspace"),
                               (EVERYTHING, "synthesize"),
+                              (EVERYTHING.replace('"M4 bolt"', '{default = "M4 bolt", V = "4 mm dowel and bush", C = "M3 bolt"}'), "synthesize"),
                               (TEN_LINES + "[objective]\nmaximize = 'transmission'\n[tolerance]\nplay_mm = 0.1\n", "synthesize")):
             made, again = self.made(text, command), self.scratch / "again"
             run = kempe("report", made / "design.json", "-o", again)
@@ -81,6 +83,48 @@ class Restored(Case):
                              {key: before[key] for key in before if key not in measured})
             self.assertEqual(kempe("verify", again / "design.json").returncode, 0)
             self.assertIn("</html>", (again / "report.html").read_text())
+
+    def test_holes_and_screws_are_each_joints_own(self):
+        hardware = {"default": "M4 bolt", "V": "608 bearing", "C": "M3 bolt", "A": "6 mm dowel and bush"}
+        named = ", ".join(f'{joint} = "{name}"' for joint, name in hardware.items())
+        text = TEN_LINES.replace("width_mm = 6\npin_diameter_mm = 3", f"width_mm = 30\nthickness_mm = 7\nlongest_mm = 900\nhardware = {{{named}}}")
+        made = self.made(text.replace("at = [60, -5]", "at = [260, -5]") + "[cutting]\nhole_fit_mm = 0.2\n")
+        design = json.loads((made / "design.json").read_text())
+        self.assertEqual(design["mechanism"]["hardware"], hardware)
+        self.assertEqual(design["mechanism"]["pin_diameter_mm"], 8)
+        wide = {"V": 22, "A": 8, "B": 4.2, "C": 3.2, "X": 4.2, "Y": 4.2}
+        for link in ("VA", "VB", "ACX", "BCY"):
+            lines = [line.strip() for line in (made / "parts" / f"{link}.dxf").read_text().splitlines()]
+            circles = [i for i in range(0, len(lines) - 1, 2) if (lines[i], lines[i + 1]) == ("0", "CIRCLE")]
+            found = []
+            for i in circles:
+                end = next(j for j in range(i + 2, len(lines), 2) if lines[j] == "0")
+                found.append(round(2 * next(float(lines[j + 1]) for j in range(i + 2, end, 2) if lines[j] == "40"), 6))
+            self.assertEqual(sorted(found), sorted(wide[joint] for joint in link), link)
+        bill = {row["name"]: int(row["quantity"]) for row in csv.DictReader((made / "bom.csv").read_text().splitlines())}
+        self.assertEqual(bill["bearing 608 8 x 22 x 7"], 2)
+        self.assertEqual(bill["bush ISO 3547 6 x 8"], 2)
+        self.assertEqual(sorted(name.split(" x ")[0] for name in bill if name.startswith(("screw", "parallel"))),
+                         ["parallel pin ISO 8734 6", "screw ISO 4762 M3", "screw ISO 4762 M4"])
+        self.assertEqual((bill["nut ISO 4032 M3"], bill["nut ISO 4032 M4"]), (1, 1))
+        self.assertEqual(kempe("verify", made / "design.json").returncode, 0)
+        check = subprocess.run([sys.executable, SOURCE / "proof" / "kempe_check.py", made / "design.json"], capture_output=True, text=True)
+        self.assertEqual(check.returncode, 0, check.stdout)
+        # Of designs that thinner pins and smaller holes would allow nothing is proven: no bound, no proof that there is none.
+        self.assertIsNone(design["quality"]["lower_bound"])
+        spec = self.scratch / "spec.toml"
+        spec.write_text(spec.read_text().replace("[links]", "[links]\nVA_mm = 20"))
+        run = kempe("synthesize", spec, "-o", self.scratch / "none", "--json")
+        self.assertEqual(run.returncode, 6, run.stderr)
+        self.assertIs(json.loads(run.stdout)["proven"], False)
+        self.assertNotIn("no design exists", run.stderr)
+        # A thicker pin than contact is stated for is told.
+        design["mechanism"]["hardware"]["B"] = "M12 bolt"
+        lie = self.scratch / "thick.json"
+        lie.write_text(json.dumps(design))
+        run = kempe("verify", lie)
+        self.assertEqual(run.returncode, 4)
+        self.assertIn("a pin of 12 mm", run.stdout + run.stderr)
 
     def test_words_and_json_are_those_of_synthesize(self):
         made = self.made()

@@ -82,7 +82,7 @@ TEST(Hardware, GivesThePinAndTheHoles) {
                               "spec.toml", "");
   ASSERT_TRUE(spec) << spec.error().message();
   EXPECT_EQ(spec->links.style.pin_diameter, 8);
-  EXPECT_EQ(hole_diameter(spec->links.style, spec->links.hardware, spec->cutting), 22);
+  EXPECT_EQ(hole_diameter(spec->links.style, spec->links.hardware, Joint::A, spec->cutting), 22);
   EXPECT_EQ(joint_width(*spec), 22);
   EXPECT_NEAR(hole_distance(*spec), 22 + 0.8, 1e-12);
   const auto again = check_spec(*spec);
@@ -91,6 +91,48 @@ TEST(Hardware, GivesThePinAndTheHoles) {
   const auto text = read_spec(spec_as_toml(*spec), "spec.toml", "");
   ASSERT_TRUE(text);
   EXPECT_EQ(text->links.hardware, "608 bearing");
+}
+
+/// The joints' own names, the thickest pin for all, the widest hole between them; the same again through text and through a check.
+TEST(Hardware, MayDifferFromJointToJoint) {
+  const std::string links = "[links]\nwidth_mm = 30\nthickness_mm = 8\n";
+  for (const std::string hardware :
+       {"hardware = {default = \"M6 bolt\", V = \"608 bearing\", C = \"4 mm dowel\"}\n",
+        "[links.hardware]\ndefault = \"M6 bolt\"\nV = \"608 bearing\"\nC = \"4 mm dowel\"\n"}) {
+    const auto spec = read_spec(task + links + hardware, "spec.toml", "");
+    ASSERT_TRUE(spec) << spec.error().message();
+    const auto again = check_spec(*spec);
+    ASSERT_TRUE(again) << again.error().message();
+    const auto text = read_spec(spec_as_toml(*spec), "spec.toml", "");
+    ASSERT_TRUE(text) << spec_as_toml(*spec);
+    for (const Spec& one : {*spec, *again, *text}) {
+      const JointHardware& named = one.links.hardware;
+      EXPECT_EQ(named, spec->links.hardware);
+      EXPECT_EQ(named[Joint::V], "608 bearing");
+      EXPECT_EQ(named[Joint::C], "4 mm dowel");
+      EXPECT_EQ(named[Joint::X], "M6 bolt");
+      EXPECT_EQ(one.links.style.pin_diameter, 8);
+      EXPECT_EQ(pin_at(one.links.style, named, Joint::C), 4);
+      const CuttingSpec fit{.hole_fit = 0.2};
+      EXPECT_EQ(hole_diameter(one.links.style, named, Joint::V, fit), 22);
+      EXPECT_DOUBLE_EQ(hole_diameter(one.links.style, named, Joint::A, fit), 6.2);
+      EXPECT_DOUBLE_EQ(hole_diameter(one.links.style, named, Joint::C, fit), 4.2);
+      EXPECT_EQ(joint_width(one), 22);
+    }
+  }
+}
+
+/// Plain pins beside bought ones are as thick as the thickest of these, or thicker.
+TEST(Hardware, LeavesOtherJointsPlain) {
+  const auto pins = [](const std::string& links) {
+    const auto spec = read_spec(task + "[links]\n" + links, "spec.toml", "");
+    EXPECT_TRUE(spec) << spec.error().message();
+    const LinkSpec& of = spec->links;
+    return std::pair(pin_at(of.style, of.hardware, Joint::A), pin_at(of.style, of.hardware, Joint::B));
+  };
+  EXPECT_EQ(pins("hardware = {A = \"M4 bolt\"}\n"), std::pair(4.0, 6.0));
+  EXPECT_EQ(pins("hardware = {A = \"M8 bolt\"}\n"), std::pair(8.0, 8.0));
+  EXPECT_EQ(pins("hardware = {A = \"M8 bolt\"}\npin_diameter_mm = 9\n"), std::pair(8.0, 9.0));
 }
 
 TEST(Hardware, ASpecInAProgramTakesThePin) {
@@ -113,6 +155,14 @@ TEST(Hardware, ThatDoesNotGoWithTheLinksIsRefused) {
   refused("hardware = \"608 bearing\"\nthickness_mm = 8\n", "links.hardware");                 // 22 mm in 12
   refused("hardware = \"608 bearing\"\nwidth_mm = 30\nthickness_mm = 6\n", "links.hardware");  // 7 mm in 6
   refused("hardware = \"M6 shoulder bolt\"\npin_diameter_mm = 6\n", "links.pin_diameter_mm");
+  refused("hardware = {}\n", "links.hardware");
+  refused("hardware = {Z = \"M6 bolt\"}\n", "links.hardware.Z");
+  refused("hardware = {A = \"M7 bolt\"}\n", "links.hardware.A");
+  refused("hardware = {default = \"M6 bolt\", A = 6}\n", "links.hardware.A");
+  refused("hardware = {default = \"M6 bolt\", V = \"608 bearing\"}\nthickness_mm = 8\n", "links.hardware");
+  refused("hardware = {A = \"M8 bolt\"}\npin_diameter_mm = 6\n", "links.pin_diameter_mm");
+  refused("hardware = {default = \"M6 bolt\", A = \"M8 bolt\"}\npin_diameter_mm = 9\n",
+          "links.pin_diameter_mm");
 }
 
 TEST(Process, GivesItsUsualFitUnlessAnotherIsGiven) {

@@ -105,6 +105,12 @@ ordered_json value_schema(const SpecKey& key) {
       schema["uniqueItems"] = true;
       return schema;
     }
+    case KeyKind::joint_choices: {
+      ordered_json by_joint{{"type", "object"}, {"additionalProperties", false}, {"minProperties", 1}};
+      for (const char* joint : {"default", "V", "A", "B", "C", "X", "Y"})
+        by_joint["properties"][joint] = word;
+      return {{"anyOf", {word, by_joint}}};
+    }
     case KeyKind::text: return {{"type", "string"}, {"minLength", 1}};
     case KeyKind::numbers: return list_schema(number, 1);
     case KeyKind::point: return point;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
+#include "specs/hardware.hpp"
 #include "synthesis/bound/copy_gap.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
 #include "synthesis/search/steps/slack.hpp"
@@ -51,11 +52,10 @@ std::optional<NoDesign> holes_too_near(const Spec& spec) {
   if (hole_distance(spec) <= most.length * (1 + slack::hole_rounding)) return std::nullopt;
   const double room = most.length - joint_width(spec), pin = pin_for_hole_distance(spec, most.length);
   const bool by_wall = spec.links.wall && room > slack::least_wall_share * joint_width(spec);
-  const std::string& hardware = spec.links.hardware;
-  if (!by_wall && !hardware.empty())
+  if (!by_wall && !spec.links.hardware.none())
     return impossible("links.hardware",
                       fmt::format("links.hardware = \"{}\" is in the way: {}, and {} leaves them {:.6g} mm",
-                                  hardware, holes_sentence(spec), most.key, most.length));
+                                  words(spec.links.hardware), holes_sentence(spec), most.key, most.length));
   const std::string key = by_wall ? "links.wall_mm" : "links.pin_diameter_mm";
   std::string sentence = fmt::format("{} = {:.6g} is in the way: {}, and {} leaves them {:.6g} mm", key,
                                      by_wall ? *spec.links.wall : spec.links.style.pin_diameter,

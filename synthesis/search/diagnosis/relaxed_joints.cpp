@@ -58,7 +58,7 @@ void relax_joints(Questions& questions) {
   if (shortest == holes) return;
   auto found = thinner_wall(questions);
   if (!found)
-    found = questions.spec().links.hardware.empty() ? thinner_pins(questions) : smaller_hardware(questions);
+    found = questions.spec().links.hardware.none() ? thinner_pins(questions) : smaller_hardware(questions);
   questions.keep(std::move(found));
 }
 

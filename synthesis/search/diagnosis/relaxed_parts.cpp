@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "kinematics/grounding.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
 #include "synthesis/search/diagnosis/relaxations.hpp"
@@ -22,25 +23,41 @@ void thinner(Questions& questions, const char* key, double LinkStyle::*part, dou
                               .is_least = found->is_least});
 }
 
-double seat_of(const std::string& name) {
-  const Hardware* hardware = hardware_named(name);
-  return hardware != nullptr ? hardware->seat : 0;
+/// Of what is bought for the joints what takes most room, which keeps joints apart; null where pins are plain.
+const Hardware* widest_of(const JointHardware& hardware) {
+  const Hardware* widest = nullptr;
+  for (const Joint joint : all_joints)
+    if (const Hardware* of = hardware_named(hardware[joint]);
+        of != nullptr &&
+        (widest == nullptr || std::max(of->seat, of->pin) > std::max(widest->seat, widest->pin)))
+      widest = of;
+  return widest;
+}
+
+/// The spec with something else wherever `given` was.
+Spec with_instead(Spec spec, const Hardware& given, const Hardware& other) {
+  JointHardware& hardware = spec.links.hardware;
+  const double before = thickest_pin(hardware);
+  if (hardware.every == given.name) hardware.every = other.name;
+  for (std::string& name : hardware.at)
+    if (name == given.name) name = other.name;
+  // Plain pins that were given thicker than all stay so.
+  if (spec.links.style.pin_diameter == before) spec.links.style.pin_diameter = thickest_pin(hardware);
+  return spec;
 }
 
 }  // namespace
 
 std::optional<Relaxation> smaller_hardware(Questions& questions) {
   constexpr const char* key = "links.hardware";
-  const Hardware* given = hardware_named(questions.spec().links.hardware);
+  const Hardware* given = widest_of(questions.spec().links.hardware);
   if (given == nullptr || questions.has(key) || questions.stopped()) return std::nullopt;
   questions.note(key);
   std::vector<Hardware> smaller;
   for (const Hardware& each : all_hardware())
     if (each.kind == given->kind && each.pin < given->pin) smaller.insert(smaller.begin(), each);
   for (const Hardware& each : smaller) {
-    Spec spec = questions.spec();
-    spec.links.hardware = each.name;
-    spec.links.style.pin_diameter = each.pin;
+    const Spec spec = with_instead(questions.spec(), *given, each);
     if (questions.stopped()) return std::nullopt;
     if (const auto design = questions.best_of(spec))
       return Relaxation{
@@ -53,15 +70,15 @@ std::optional<Relaxation> smaller_hardware(Questions& questions) {
 
 void relax_parts(Questions& questions) {
   const LinkStyle& style = questions.spec().links.style;
-  const std::string& hardware = questions.spec().links.hardware;
-  if (hardware.empty())
+  const JointHardware& hardware = questions.spec().links.hardware;
+  if (hardware.none())
     thinner(questions, "links.pin_diameter_mm", &LinkStyle::pin_diameter,
             rounded_down(slack::least_wall_share * style.pin_diameter));
   else
     questions.keep(smaller_hardware(questions));
   // A pin is no wider than its link, and a bearing narrower.
   thinner(questions, "links.width_mm", &LinkStyle::width,
-          std::max(style.pin_diameter, (1 + slack::least_wall_share) * seat_of(hardware)));
+          std::max(style.pin_diameter, (1 + slack::least_wall_share) * widest_seat(hardware)));
 }
 
 }  // namespace kempe

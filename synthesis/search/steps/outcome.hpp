@@ -61,6 +61,12 @@ struct Stopped {
 
 using SearchOutcome = std::variant<FoundDesign, NoDesign, Stopped>;
 
+/// Where joints have hardware of their own (JointHardware::differs), every pin is taken for the thickest and every hole for the
+/// widest: a design that is found keeps the limits, but nothing is proven of those that are not. Takes away what claims it.
+void claim_no_more(FoundDesign& design, const JointHardware& hardware);
+void claim_no_more(NoDesign& none, const JointHardware& hardware);
+SearchOutcome claiming_no_more(SearchOutcome outcome, const JointHardware& hardware);
+
 /// The same design or reason, its poles shifted.
 FoundDesign shifted(FoundDesign design, const Point& by);
 NoDesign shifted(NoDesign none, const Point& by);

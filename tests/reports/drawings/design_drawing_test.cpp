@@ -135,7 +135,7 @@ TEST(PartDrawings, EngraveInsideTheOutlineAndBesideTheHoles) {
                       (text.upper.array() < box.upper.array()).all());
           const Point middle = 0.5 * (text.lower + text.upper);
           for (const CutPart::Hole& hole : part.holes)
-            EXPECT_GT((middle - hole.centre).norm(), 0.5 * part.hole_diameter);
+            EXPECT_GT((middle - hole.centre).norm(), 0.5 * hole.diameter);
         }
       }
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "reports/drawings/bom.hpp"
 #include "tests/reports/sample_designs.hpp"
@@ -52,7 +53,7 @@ TEST(JointStack, IsFilledFromEndToEnd) {
 TEST(JointStack, IsGrippedWholeByWhatIsBought) {
   Design design = plagiograph();
   for (const Hardware& hardware : all_hardware()) {
-    design.hardware = hardware.name;
+    design.hardware = std::string(hardware.name);
     design.style = {
         .width = 60, .pin_diameter = hardware.pin, .thickness = std::max(4.0, hardware.seat_width)};
     for (const LayerAssignment& layers : layer_assignments(4)) {
@@ -91,6 +92,43 @@ TEST(JointStack, IsGrippedWholeByWhatIsBought) {
         if (pieces.contains(item.name)) billed[item.name] += item.quantity;
       for (const auto& [piece, count] : pieces) EXPECT_EQ(billed[piece], count) << piece;
     }
+  }
+}
+
+/// Joints of random hardware, some plain: each stack is what a linkage has at that joint whose joints are all made so, and the
+/// bill counts what all six need.
+TEST(JointStack, OfAJointDependsOnItsOwnHardware) {
+  std::mt19937 dice(20);
+  Design design = plagiograph();
+  design.style = {.width = 60, .pin_diameter = 16, .thickness = 8};
+  for (int round = 0; round < 40; ++round) {
+    design.layers = layer_assignments(4)[dice() % layer_assignments(4).size()];
+    design.hardware = {};
+    for (std::string& name : design.hardware.at)
+      if (const std::size_t i = dice() % (all_hardware().size() + 4); i < all_hardware().size())
+        name = all_hardware()[i].name;
+    std::map<std::string, int> pieces;
+    for (const JointStack& stack : joint_stacks(design)) {
+      Design alike = design;
+      alike.hardware = design.hardware[stack.joint];
+      const Hardware* hardware = hardware_named(alike.hardware.every);
+      alike.style.pin_diameter = hardware != nullptr ? hardware->pin : 16;
+      const auto same = joint_stacks(alike);
+      const auto there = std::find_if(same.begin(), same.end(),
+                                      [&](const JointStack& one) { return one.name == stack.name; });
+      ASSERT_NE(there, same.end());
+      EXPECT_EQ(stack.diameter, there->diameter);
+      EXPECT_EQ(stack.items.size(), there->items.size());
+      EXPECT_EQ(stack.fastener.has_value(), there->fastener.has_value());
+      if (!stack.fastener) continue;
+      EXPECT_EQ(stack.fastener->name, there->fastener->name);
+      ++pieces[stack.fastener->name];
+      for (const StackItem& item : stack.items)
+        if (item.name.starts_with("washer") || item.name.starts_with("nut")) ++pieces[item.name];
+    }
+    std::map<std::string, int> billed;
+    for (const BomItem& item : bill_of_materials(design)) billed[item.name] += item.quantity;
+    for (const auto& [piece, count] : pieces) EXPECT_EQ(billed[piece], count) << piece;
   }
 }
 

@@ -88,7 +88,7 @@ TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
     ASSERT_TRUE(text) << text.error();
     const Pose pose = assembly_pose(design);
     const auto parts = cut_parts(design, cutting);
-    const auto solids = solids_of(read_step(*text), 0.5 * parts[0].hole_diameter);
+    const auto solids = solids_of(read_step(*text), 0.5 * parts[0].holes[0].diameter);
     ASSERT_EQ(solids.size(), 10U) << "four links, three pins, three posts";
     for (const CutPart& part : parts) {
       const double volume = area(part) * part.thickness;

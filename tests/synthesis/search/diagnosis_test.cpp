@@ -91,7 +91,7 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
   if (key == "links.hardware") {
     const std::size_t from = sentence.rfind('"', sentence.rfind('"') - 1) + 1;
     spec.links.hardware = sentence.substr(from, sentence.rfind('"') - from);
-    spec.links.style.pin_diameter = hardware_named(spec.links.hardware)->pin;
+    spec.links.style.pin_diameter = hardware_named(spec.links.hardware.every)->pin;
   }
   if (key == "links.shortest_mm") spec.links.shortest = value();
   if (key == "links.wall_mm") spec.links.wall = value();
