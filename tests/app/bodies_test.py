@@ -392,7 +392,7 @@ class Bodies(Case):
         features = json.loads((out / "workspace.geojson").read_text())["features"]
         free, lost = list(polygons(features, "collision_free")), []
         for feature in features:
-            if feature["properties"].get("cause") == "contact":
+            if feature["properties"]["layer"] == "lost" and feature["properties"]["cause"] == "contact":  # not of the pen: copy_lost
                 lost += list(polygons([feature], feature["properties"]["layer"]))
         for place in places_in(free, 60, dice):
             found = world.tightest(place)

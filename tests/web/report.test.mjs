@@ -135,7 +135,7 @@ live("A body moves with its point, and its name with it", async () => {
 live("A body that is fixed to a link turns with it", async () => {
   await on("router", {}, async (page) => {
     const off = () => page.evaluate(() => {
-      const { here, linkage } = window.kempe.report, [V, , B] = linkage.poseWithTracerAt(here.tracer).pose;
+      const [V, , B] = window.kempe.report.here.pose;
       const node = document.querySelectorAll(".m-bodies .thing")[1], [, x, y] = node.getAttribute("d").match(/^M\s*([-\d.]+)[ ,]*([-\d.]+)/);
       const length = Math.hypot(B[0] - V[0], B[1] - V[1]), [c, s] = [(B[0] - V[0]) / length, (B[1] - V[1]) / length];
       const corners = [[-4, -3], [9, -3], [9, 4], [2, 1], [-4, 4]].map(([u, v]) => [V[0] + u * c - v * s, V[1] + u * s + v * c]);
