@@ -164,7 +164,8 @@ def falsehoods(design):
             d["limits"]["copy_error_mm"] = 1e-9
         add("limits.copy_error_mm", tolerance)
 
-    add("tolerance.robust", lambda d: d.update(tolerance={"length_mm": 9, "play_mm": 0, "robust": True}))
+    if not design.get("bodies") and not design.get("table"):  # beside these it is refused
+        add("tolerance.robust", lambda d: d.update(tolerance={"length_mm": 9, "play_mm": 0, "robust": True}))
     if "robust" in quality:
         add("tolerance.robust", lambda d: d["tolerance"].update(length_mm=1.5 * d["tolerance"]["length_mm"]))
         add("quality.robust.clearance_min_mm", lambda d: d["quality"]["robust"].update(
@@ -241,7 +242,7 @@ def truths(design, rng):
         d["obstacles"].append({"name": "wall", "shape": square(at, rng.uniform(1, 1000)), "layers": [1, rng.randint(1, 8)]})
 
     def obstacle_above(d):
-        lowest = 1 + max(link["layer"] for link in d["mechanism"]["links"])
+        lowest = 1 + max([link["layer"] for link in d["mechanism"]["links"]] + [body["layers"][1] for body in d.get("bodies", [])])
         d["obstacles"].append({"name": "lamp", "shape": square(middle(d), rng.uniform(1, 500)), "layers": [lowest, 20]})
 
     def rounding(d):
