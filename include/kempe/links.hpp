@@ -44,6 +44,7 @@ struct JointHardware {
   JointHardware() = default;
   /// The same at every joint.
   JointHardware(std::string name) : every(std::move(name)) {}
+  /// The same, from a text in the program.
   JointHardware(const char* name) : every(name) {}
 
   /// The name at a joint.
