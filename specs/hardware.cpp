@@ -25,7 +25,7 @@ constexpr ThreadSizes threads[] = {
     {"M12", 12, 1.75, 10.8, 20.03, 2.5, 24, 12, 18, 20, 120},
 };
 
-constexpr Hardware hardware[] = {
+constexpr Hardware named_hardware[] = {
     {.name = "M3 bolt", .kind = bolt, .pin = 3, .thread = "M3"},
     {.name = "M4 bolt", .kind = bolt, .pin = 4, .thread = "M4"},
     {.name = "M5 bolt", .kind = bolt, .pin = 5, .thread = "M5"},
@@ -71,12 +71,12 @@ std::optional<double> least_of(std::span<const double> lengths, double needed, d
 
 }  // namespace
 
-std::span<const Hardware> all_hardware() { return hardware; }
+std::span<const Hardware> all_hardware() { return named_hardware; }
 
 const Hardware* hardware_named(std::string_view name) {
-  const auto* found = std::find_if(std::begin(hardware), std::end(hardware),
+  const auto* found = std::find_if(std::begin(named_hardware), std::end(named_hardware),
                                    [&](const Hardware& each) { return each.name == name; });
-  return found == std::end(hardware) ? nullptr : found;
+  return found == std::end(named_hardware) ? nullptr : found;
 }
 
 const ThreadSizes* thread_of(const Hardware& of) {

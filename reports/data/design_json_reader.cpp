@@ -397,7 +397,7 @@ void read_search(const JsonField& field, StoredDesign& design) {
 }
 
 std::string title(const JsonField& field) {
-  const std::string text = field.text();
+  std::string text = field.text();
   if (text.size() > most_title_bytes || printable(text) != text)
     field.refuse(fmt::format("one line of at most {} bytes, without control characters", most_title_bytes));
   return text;
