@@ -77,11 +77,14 @@ Point LabelPlacer::take_best(const std::vector<PictureBox>& candidates, double f
   return best.centre;
 }
 
+bool LabelPlacer::has_room(const PictureBox& label) const {
+  const auto meets = [&](const PictureBox& box) { return space_between(label, box) < 2 * unit_; };
+  return inset(label, frame_) >= 0 && std::none_of(boxes_.begin(), boxes_.end(), meets);
+}
+
 std::optional<Point> LabelPlacer::place_if_clear(const std::vector<PictureBox>& candidates) {
   for (const PictureBox& candidate : candidates) {
-    if (inset(candidate, frame_) < 0) continue;
-    const auto meets = [&](const PictureBox& box) { return space_between(candidate, box) < 2 * unit_; };
-    if (std::any_of(boxes_.begin(), boxes_.end(), meets)) continue;
+    if (!has_room(candidate)) continue;
     boxes_.push_back(candidate);
     return candidate.centre;
   }
@@ -95,7 +98,8 @@ std::optional<Point> LabelPlacer::place_if_apart(const std::vector<PictureBox>& 
       return distance_of_boxes(candidate, line.from, line.to) < least &&
              distance_from_box(candidate, line.from, line.to) < least;
     };
-    if (clearness(candidate) < 0 || std::any_of(lines_.begin(), lines_.end(), near)) continue;
+    // An outline may have a million edges: the first that is near ends the question.
+    if (!has_room(candidate) || std::any_of(lines_.begin(), lines_.end(), near)) continue;
     boxes_.push_back(candidate);
     return candidate.centre;
   }

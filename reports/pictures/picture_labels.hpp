@@ -38,6 +38,8 @@ class LabelPlacer {
 
  private:
   double clearness(const PictureBox& label) const;
+  /// Within the frame, and apart from all other labels.
+  bool has_room(const PictureBox& label) const;
   Point take_best(const std::vector<PictureBox>& candidates, double far_penalty);
 
   struct Line {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "geometry/edge_tree.hpp"
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/pictures/picture_labels.hpp"
 #include "reports/workshop/dimension.hpp"
@@ -148,13 +149,14 @@ class Words {
     const Point half(0.5 * lettering_(text, height), 0.5 * height);
     const Box box = bounding_box(region);
     const Point middle = 0.5 * (box.lower + box.upper);
+    const EdgeTree edges(region, Point::Zero());
     constexpr int steps = 24;  // each way
     std::vector<PictureBox> places;
     for (int i = 1; i < steps; ++i)
       for (int j = 1; j < steps; ++j) {
         const Point share(static_cast<double>(i) / steps, static_cast<double>(j) / steps);
         const Point at = box.lower + share.cwiseProduct(box.upper - box.lower);
-        if (contains(region, at)) places.push_back({at, half + Point(0.4, 0.8)});
+        if (edges.winds_around(at)) places.push_back({at, half + Point(0.4, 0.8)});
       }
     std::stable_sort(places.begin(), places.end(), [&](const PictureBox& a, const PictureBox& b) {
       return (a.centre - middle).norm() < (b.centre - middle).norm();
