@@ -67,5 +67,5 @@ function(kempe_tests name)
   target_compile_definitions(kempe_${name}_tests PRIVATE
     KEMPE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" KEMPE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   kempe_warnings(kempe_${name}_tests)
-  gtest_discover_tests(kempe_${name}_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
+  gtest_discover_tests(kempe_${name}_tests NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
 endfunction()
