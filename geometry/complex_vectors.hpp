@@ -7,6 +7,9 @@
 
 namespace kempe {
 
+/// A quarter turn to the left.
+inline constexpr Complex i_unit{0, 1};
+
 /// Re(conj(a) b) and Im(conj(a) b).
 inline double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
 inline double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
