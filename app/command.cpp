@@ -81,6 +81,12 @@ std::string json_text(const Json& object) {
   return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+CLI::Option* add_threads_option(CLI::App& command, int& threads) {
+  return command
+      .add_option("-j,--threads", threads, "Threads to search on, 1 to 256; left out: one for each core")
+      ->check(CLI::Range(1, 256));
+}
+
 CLI::Validator number_between(double lowest, double highest) {
   const auto check = [lowest, highest](std::string& text) -> std::string {
     double value = 0;

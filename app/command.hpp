@@ -58,6 +58,9 @@ std::string json_text(const nlohmann::ordered_json& object);
 /// A number of an option: finite and from `lowest` to `highest`.
 CLI::Validator number_between(double lowest, double highest);
 
+/// The option -j of a command that searches.
+CLI::Option* add_threads_option(CLI::App& command, int& threads);
+
 /// Prints to stdout, what could mislead on a terminal written out; a closed stdout makes the program end with `cannot_write`.
 void print(const std::string& text);
 

@@ -114,6 +114,10 @@ std::function<bool()> wish_to_stop() {
   return [] { return interrupt.requested().load(); };
 }
 
+CLI::Option* add_linkage_argument(CLI::App& command, std::string& file) {
+  return command.add_option("LINKAGE", file, "The linkage (TOML; see docs/linkage-file.md)");
+}
+
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& path) {
   auto file = read_linkage_file(path);
   if (!file) return tl::unexpected(fail(session, file.error()));

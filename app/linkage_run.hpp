@@ -21,6 +21,9 @@ struct LoadedLinkage {
 /// Whether the user asked to stop, for the solver's own looking.
 std::function<bool()> wish_to_stop();
 
+/// The argument LINKAGE; whether it is required is the caller's.
+CLI::Option* add_linkage_argument(CLI::App& command, std::string& file);
+
 /// Reads the file, builds its model and tells the reader's notes on stderr (unless quiet).
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& file);
 

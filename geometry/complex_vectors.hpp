@@ -7,9 +7,17 @@
 
 namespace kempe {
 
+/// A quarter turn to the left.
+inline constexpr Complex i_unit{0, 1};
+
 /// Re(conj(a) b) and Im(conj(a) b).
 inline double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
 inline double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
+
+/// The centre of the arc from a to b of which `bulge`, not 0, is the tangent of a quarter of the sweep (arc_polygon.hpp).
+inline Complex arc_centre(Complex a, Complex b, double bulge) {
+  return 0.5 * (a + b) + i_unit * (b - a) * (1 - bulge * bulge) / (4 * bulge);
+}
 
 /// The place nearest to `point` on the segment from a to b, as a share of the way.
 inline double nearest_share(Complex point, Complex a, Complex b) {

@@ -17,6 +17,10 @@ namespace kempe {
 
 /// The inverse, by elimination with partial pivoting.
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix);
+/// Of a symmetric positive definite system, by Cholesky's factors.
+Eigen::VectorXd definite_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
+/// True if a symmetric matrix is positive definite.
+bool is_definite(const Eigen::MatrixXd& matrix);
 /// What `solve` of each decomposition gives.
 Eigen::VectorXd solution_of(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& matrix,
                             const Eigen::VectorXd& right);

@@ -180,33 +180,32 @@ LinkagePoint linkage_point(Joint joint, Complex shape) {
 tl::expected<Pose, Unreachable> CopyingLinkage::velocities(const Pose& pose,
                                                            const Point& tracer_velocity) const {
   // chain w = p + q/s turns as w' = i alpha' p + i beta' q/s, alpha and beta the directions of p and q.
-  constexpr Complex i{0, 1};
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
   const Complex chain = as_complex(tracer_velocity) * chain_per_tracer(k_, grounding_);
-  return resolve(i * p, i * q / s_, chain).map([&](const std::array<double, 2>& rate) {
+  return resolve(i_unit * p, i_unit * q / s_, chain).map([&](const std::array<double, 2>& rate) {
     CopyingLinkage at_rest = *this;
     at_rest.pole_ = Point::Zero();
-    return at_rest.pose_from_vectors(i * rate[0] * p, i * rate[1] * q);
+    return at_rest.pose_from_vectors(i_unit * rate[0] * p, i_unit * rate[1] * q);
   });
 }
 
 tl::expected<Pose, Unreachable> CopyingLinkage::accelerations(const Pose& pose, const Point& tracer_velocity,
                                                               const Point& tracer_acceleration) const {
-  constexpr Complex i{0, 1};
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
   const auto rate =
-      resolve(i * p, i * q / s_, as_complex(tracer_velocity) * chain_per_tracer(k_, grounding_));
+      resolve(i_unit * p, i_unit * q / s_, as_complex(tracer_velocity) * chain_per_tracer(k_, grounding_));
   if (!rate) return tl::unexpected(rate.error());
   const double alpha1 = (*rate)[0], beta1 = (*rate)[1];
   // w'' = (i alpha'' - alpha'^2) p + (i beta'' - beta'^2) q/s
   const Complex centripetal = -alpha1 * alpha1 * p - beta1 * beta1 * q / s_;
   const Complex chain = as_complex(tracer_acceleration) * chain_per_tracer(k_, grounding_);
-  return resolve(i * p, i * q / s_, chain - centripetal).map([&](const std::array<double, 2>& second) {
-    CopyingLinkage at_rest = *this;
-    at_rest.pole_ = Point::Zero();
-    return at_rest.pose_from_vectors((i * second[0] - alpha1 * alpha1) * p,
-                                     (i * second[1] - beta1 * beta1) * q);
-  });
+  return resolve(i_unit * p, i_unit * q / s_, chain - centripetal)
+      .map([&](const std::array<double, 2>& second) {
+        CopyingLinkage at_rest = *this;
+        at_rest.pole_ = Point::Zero();
+        return at_rest.pose_from_vectors((i_unit * second[0] - alpha1 * alpha1) * p,
+                                         (i_unit * second[1] - beta1 * beta1) * q);
+      });
 }
 
 }  // namespace kempe

@@ -15,7 +15,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr double farthest = 1e5;  // mm
+constexpr double farthest_place = 1e5;  // mm
 
 void read_instrument(const toml::table& file, Measurements& measurements, Complaints& complaints) {
   const toml::node* node = file.get("instrument");
@@ -26,7 +26,7 @@ void read_instrument(const toml::table& file, Measurements& measurements, Compla
   if (!table->has("arm_mm") && !measurements.design.empty()) return;
   VariableRatioSpec instrument;
   instrument.arm =
-      table->number("arm_mm", 10, farthest, " mm, the length AC = CF (in millimetres, not metres)")
+      table->number("arm_mm", 10, farthest_place, " mm, the length AC = CF (in millimetres, not metres)")
           .value_or(500);
   if (!table->has("arm_mm"))
     table->missing("arm_mm", "the length of the arms AC = CF in mm, or design = \"design.json\"");
@@ -59,7 +59,7 @@ void check_what_was_measured(const toml::table& file, const Measurements& measur
 void read_arm_angle(const MeasurementTable& table, const Measurements& measurements, ReadingSpec& reading) {
   const auto angle =
       table.number("arm_angle_deg", 0, 90, " degrees, the angle of arm AC to the line from pole to tracer");
-  const auto error = table.point("error_mm", farthest);
+  const auto error = table.point("error_mm", farthest_place);
   if (!table.has("error_mm")) table.missing("error_mm", "[x, y] in mm: x toward the tracer, y toward C");
   if (!angle || !error) return;
   constexpr double nearest_end = 5;
@@ -70,7 +70,7 @@ void read_arm_angle(const MeasurementTable& table, const Measurements& measureme
         fmt::format("5 to 85 degrees: next to 0 and 90 the equations lose rank; measure at 30 and 60{}",
                     looks_like_radians ? " (is this in radians?)" : ""));
   }
-  const double arm = measurements.instrument ? measurements.instrument->arm : farthest;
+  const double arm = measurements.instrument ? measurements.instrument->arm : farthest_place;
   if (error->norm() > 0.05 * arm)
     table.refuse(
         "error_mm", fmt::format("a departure of {:.4g} mm", error->norm()),
@@ -83,7 +83,7 @@ void read_arm_angle(const MeasurementTable& table, const Measurements& measureme
 }
 
 void read_places(const MeasurementTable& table, ReadingSpec& reading) {
-  const auto tracer = table.point("tracer_mm", farthest), pen = table.point("pen_mm", farthest);
+  const auto tracer = table.point("tracer_mm", farthest_place), pen = table.point("pen_mm", farthest_place);
   if (!table.has("tracer_mm")) table.missing("tracer_mm", "[x, y] in mm, or arm_angle_deg and error_mm");
   if (!table.has("pen_mm")) table.missing("pen_mm", "[x, y] in mm");
   reading.tracer = tracer.value_or(Point(0, 0));
@@ -161,7 +161,7 @@ void read_lengths(const toml::table& file, Measurements& measurements, Complaint
   if (!table) return;
   const double uncertainty = table->number("uncertainty_mm", 1e-6, 100, " mm").value_or(0.02);
   for (const std::string_view length : lengths)
-    if (const auto value = table->number(length, 0.1, farthest, " mm"))
+    if (const auto value = table->number(length, 0.1, farthest_place, " mm"))
       measurements.lengths.push_back({std::string(length), *value, uncertainty, table->line(length)});
 }
 

@@ -63,8 +63,7 @@ void add_centres_command(CLI::App& program, Session& session) {
       add_command(program, session, "centres", "Every instant centre, by joints and Aronhold-Kennedy",
                   "kempe centres specs/examples/linkages/plagiograph.toml --at 3 -o centres.svg");
   auto arguments = std::make_shared<CentresArguments>();
-  command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)")
-      ->required();
+  add_linkage_argument(*command, arguments->linkage)->required();
   command->add_option("--at", arguments->step, "Step of the motion")->capture_default_str();
   command->add_option("-o,--svg", arguments->picture, "Draw them too: FILE.svg");
   command

@@ -55,8 +55,7 @@ void add_mobility_command(CLI::App& program, Session& session) {
                   "kempe mobility specs/examples/linkages/plagiograph.toml\n"
                   "  kempe mobility --links 6 --dof 1");
   auto arguments = std::make_shared<MobilityArguments>();
-  auto* linkage =
-      command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)");
+  auto* linkage = add_linkage_argument(*command, arguments->linkage);
   auto* links = command
                     ->add_option("--links", arguments->links,
                                  "Number synthesis: chains of so many links, the ground included")

@@ -208,10 +208,7 @@ void add_pareto_command(CLI::App& program, Session& session) {
       ->add_option("--seed", arguments->seed,
                    "Seed of the random numbers; the same seed gives the same front")
       ->capture_default_str();
-  command
-      ->add_option("-j,--threads", arguments->threads,
-                   "Threads to search on, 1 to 256; left out: one for each core")
-      ->check(CLI::Range(1, 256));
+  add_threads_option(*command, arguments->threads);
   add_time_limit(*command, arguments->time_limit,
                  "Seconds; then the points found so far, or exit code 6 without any");
   command->callback(

@@ -165,8 +165,7 @@ void add_solve_command(CLI::App& program, Session& session) {
       add_command(program, session, "solve", "Move any planar linkage: positions, velocities, accelerations",
                   "kempe solve specs/examples/linkages/shear-press.toml -o press.csv --animate press.html");
   auto arguments = std::make_shared<SolveArguments>();
-  command->add_option("LINKAGE", arguments->linkage, "The linkage (TOML; see docs/linkage-file.md)")
-      ->required();
+  add_linkage_argument(*command, arguments->linkage)->required();
   command->add_option("-o,--output", arguments->table_file, "Table of positions (CSV); left out: on stdout");
   command->add_option("--animate", arguments->animations,
                       "The linkage moving: FILE.html or FILE.svg; may be given twice");

@@ -96,10 +96,7 @@ void add_synthesize_command(CLI::App& program, Session& session) {
       ->add_option("--seed", arguments->seed,
                    "Seed of the random numbers; the same seed gives the same design")
       ->capture_default_str();
-  command
-      ->add_option("-j,--threads", arguments->threads,
-                   "Threads to search on, 1 to 256; left out: one for each core")
-      ->check(CLI::Range(1, 256));
+  add_threads_option(*command, arguments->threads);
   add_time_limit(*command, arguments->time_limit,
                  "Seconds (for each spec of a batch); then the best design so far, marked as such, or exit "
                  "code 6 if there is none");

@@ -1,6 +1,5 @@
 #include "kinematics/planar/solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,7 +46,7 @@ class Closing {
       const Eigen::VectorXd slope = jacobian_.transpose() * f_;
       if (slope.norm() <= slack::square_on * previous * jacobian_.norm()) return;
       normal.diagonal().array() += damping;
-      const Eigen::VectorXd trial = q - scale_.cwiseProduct(normal.ldlt().solve(slope));
+      const Eigen::VectorXd trial = q - scale_.cwiseProduct(definite_solution(normal, slope));
       residual(trial, f_);
       const double now = f_.norm();
       if (now < previous) {

@@ -8,7 +8,7 @@
 
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
-#include "reports/pictures/picture_labels.hpp"
+#include "reports/pictures/picture_extent.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 #include "synthesis/calibration/plan.hpp"
@@ -29,20 +29,6 @@ double round_down(double wanted) {
   return power;
 }
 
-class Box {
- public:
-  void add(const Point& at) {
-    lower_ = lower_.cwiseMin(at);
-    upper_ = upper_.cwiseMax(at);
-  }
-  Point lower() const { return lower_; }
-  Point size() const { return upper_ - lower_; }
-
- private:
-  Point lower_ = Point::Constant(std::numeric_limits<double>::infinity());
-  Point upper_ = Point::Constant(-std::numeric_limits<double>::infinity());
-};
-
 class ErrorVectorPicture {
  public:
   ErrorVectorPicture(const CalibrationRecord& record, ErrorVectors which) : record_(record), which_(which) {
@@ -56,8 +42,9 @@ class ErrorVectorPicture {
 
   VectorPicture draw() const {
     if (vectors_.empty()) return {};
-    const Point lower = box_.lower() - Point::Constant(margin_),
-                size = box_.size() + Point::Constant(2 * margin_);
+    const PictureBox box = extent_.box();
+    const Point lower = box.centre - box.half - Point::Constant(margin_),
+                size = 2 * box.half + Point::Constant(2 * margin_);
     const SvgElement svg =
         SvgElement("svg")
             .with("class", "map")
@@ -97,14 +84,15 @@ class ErrorVectorPicture {
   void frame() {
     double longest = 0;
     for (const Vector& vector : vectors_) {
-      box_.add(vector.at);
+      extent_.add(vector.at);
       if (!vector.outlier || which_ == ErrorVectors::before) longest = std::max(longest, vector.error.norm());
     }
-    for (const Vector& vector : field_) box_.add(vector.at);
+    for (const Vector& vector : field_) extent_.add(vector.at);
     const auto pose = shown_pose();
     if (pose)
-      for (const Joint joint : all_joints) box_.add((*pose)[joint]);
-    unit_ = std::max(box_.size().x(), 0.8 * box_.size().y()) / 620;
+      for (const Joint joint : all_joints) extent_.add((*pose)[joint]);
+    const Point size = 2 * extent_.box().half;
+    unit_ = std::max(size.x(), 0.8 * size.y()) / 620;
     longest = std::max(longest, which_ == ErrorVectors::after ? record_.measurements.fit.target : 0.0);
     magnification_ = longest > 0 ? round_down(70 * unit_ / longest) : 1;
     margin_ = 90 * unit_;
@@ -133,9 +121,8 @@ class ErrorVectorPicture {
     };
     std::string svg = bar({Joint::V, Joint::A}) + bar({Joint::V, Joint::B}) +
                       bar({Joint::C, Joint::A, Joint::X}) + bar({Joint::C, Joint::B, Joint::Y});
-    LabelPlacer placer(
-        {0.5 * (box_.lower() + box_.lower() + box_.size()), 0.5 * box_.size() + Point::Constant(margin_)},
-        unit_);
+    const PictureBox box = extent_.box();
+    LabelPlacer placer({box.centre, box.half + Point::Constant(margin_)}, unit_);
     for (const auto& [from, to] : {std::pair{Joint::V, Joint::A},
                                    {Joint::V, Joint::B},
                                    {Joint::A, Joint::C},
@@ -243,7 +230,7 @@ class ErrorVectorPicture {
   const CalibrationRecord& record_;
   ErrorVectors which_;
   std::vector<Vector> vectors_, field_;
-  Box box_;
+  PictureExtent extent_;
   double unit_ = 1, margin_ = 0, magnification_ = 1;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/complex_vectors.hpp"
+
 namespace kempe {
 namespace {
 
@@ -30,7 +32,7 @@ class Extent {
 /// The arc's points farthest right, up, left and down, where the sweep passes them.
 void include_arc(Extent& extent, const Point& from, const Point& to, double bulge) {
   const Complex a = as_complex(from), b = as_complex(to);
-  const Complex centre = 0.5 * (a + b) + Complex(0, 1) * (b - a) * (1 - bulge * bulge) / (4 * bulge);
+  const Complex centre = arc_centre(a, b, bulge);
   const double radius = std::abs(a - centre), sweep = 4 * std::atan(bulge), start = std::arg(a - centre);
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double angle = quarter * (pi / 2);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/complex_vectors.hpp"
 #include "geometry/regions/triangulation.hpp"
 #include "reports/drawings/part_solid.hpp"
 
@@ -26,7 +27,7 @@ Ring chords(const ArcRing& ring, double tolerance) {
     if (ring[i].bulge == 0) continue;
     const Complex a = as_complex(ring[i].at), b = as_complex(ring[(i + 1) % ring.size()].at);
     const double bulge = ring[i].bulge, sweep = 4 * std::atan(bulge);
-    const Complex centre = 0.5 * (a + b) + Complex(0, 1) * (b - a) * (1 - bulge * bulge) / (4 * bulge);
+    const Complex centre = arc_centre(a, b, bulge);
     const double half_step = std::acos(std::max(0.0, 1 - tolerance / std::abs(a - centre)));
     const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / (2 * half_step))));
     for (int j = 1; j < steps; ++j) add(as_point(centre + (a - centre) * std::polar(1.0, sweep * j / steps)));

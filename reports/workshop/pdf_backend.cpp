@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "geometry/complex_vectors.hpp"
 #include "reports/workshop/lettering_font.hpp"
 #include "reports/workshop/pdf.hpp"
 
@@ -196,8 +197,7 @@ class Pdf::Inside {
       return;
     }
     const Complex a = as_complex(from.at), b = as_complex(to);
-    const Complex centre =
-        0.5 * (a + b) + Complex(0, 1) * (b - a) * (1 - from.bulge * from.bulge) / (4 * from.bulge);
+    const Complex centre = arc_centre(a, b, from.bulge);
     const double sweep = 4 * std::atan(from.bulge);
     const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (pi / 4))));
     const double step = sweep / pieces, pull = 4.0 / 3 * std::tan(step / 4);

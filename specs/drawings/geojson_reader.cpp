@@ -19,7 +19,7 @@ constexpr const char* allowed_types =
     "FeatureCollection, Feature, GeometryCollection, Polygon or MultiPolygon";
 
 /// "a string", "[...]" cut short: a value for an error message.
-std::string describe(const json& value) {
+std::string describe_json(const json& value) {
   if (value.is_structured())
     return value.is_array() ? fmt::format("a list of {}", value.size()) : "an object";
   return value.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 60);
@@ -54,19 +54,19 @@ class GeoJsonReader {
   const json* list_in(const json& object, std::string_view name, const std::string& path) {
     const auto found = object.find(name);
     if (found != object.end() && found->is_array()) return &*found;
-    refuse(join(path, name), found == object.end() ? "nothing" : describe(*found), "a list");
+    refuse(join(path, name), found == object.end() ? "nothing" : describe_json(*found), "a list");
     return nullptr;
   }
 
   void read_object(const json& object, const std::string& path) {
-    if (!object.is_object()) return refuse(path, describe(object), "an object with a type");
+    if (!object.is_object()) return refuse(path, describe_json(object), "an object with a type");
     const auto type = object.find("type");
     const std::string name = type != object.end() && type->is_string() ? type->get<std::string>() : "";
     if (name == "FeatureCollection") return read_all(object, "features", path);
     if (name == "GeometryCollection") return read_all(object, "geometries", path);
     if (name == "Feature") return read_feature(object, path);
     if (name == "Polygon" || name == "MultiPolygon") return read_geometry(object, name, path);
-    refuse(join(path, "type"), type == object.end() ? "nothing" : describe(*type), allowed_types);
+    refuse(join(path, "type"), type == object.end() ? "nothing" : describe_json(*type), allowed_types);
   }
 
   void read_all(const json& object, std::string_view name, const std::string& path) {
@@ -94,7 +94,7 @@ class GeoJsonReader {
   }
 
   void read_polygon(const json& rings, const std::string& path) {
-    if (!rings.is_array() || rings.empty()) return refuse(path, describe(rings), "a list of rings");
+    if (!rings.is_array() || rings.empty()) return refuse(path, describe_json(rings), "a list of rings");
     for (std::size_t i = 0; i < rings.size() && !error_; ++i) {
       const std::string here = fmt::format("{}[{}]", path, i);
       (i == 0 ? outers_ : holes_).push_back(read_ring(rings[i], here));
@@ -105,14 +105,14 @@ class GeoJsonReader {
   Ring read_ring(const json& corners, const std::string& path) {
     Ring ring;
     if (!corners.is_array())
-      refuse(path, describe(corners), "a list of positions");
+      refuse(path, describe_json(corners), "a list of positions");
     else
       ring.reserve(corners.size());
     for (std::size_t i = 0; i < corners.size() && !error_; ++i) {
       if (const auto corner = position(corners[i])) {
         ring.push_back(*corner);
       } else {
-        refuse(fmt::format("{}[{}]", path, i), describe(corners[i]), "a position [x, y] of two numbers");
+        refuse(fmt::format("{}[{}]", path, i), describe_json(corners[i]), "a position [x, y] of two numbers");
       }
     }
     return ring;

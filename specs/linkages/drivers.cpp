@@ -10,7 +10,7 @@
 namespace kempe {
 namespace {
 
-constexpr std::array<std::string_view, 5> kinds{"coordinate", "angle", "distance", "slide", "path"};
+constexpr std::array<std::string_view, 5> driver_kinds{"coordinate", "angle", "distance", "slide", "path"};
 constexpr double most_turns = 100;
 
 class DriverReader {
@@ -20,12 +20,12 @@ class DriverReader {
 
   void read() {
     std::vector<std::string_view> given;
-    for (const std::string_view kind : kinds)
+    for (const std::string_view kind : driver_kinds)
       if (table_.has(kind)) given.push_back(kind);
     if (given.size() != 1) {
       const std::string found = given.empty() ? "nothing" : fmt::format("both {} and {}", given[0], given[1]);
       return table_.refuse(given.empty() ? "coordinate" : given[1], found,
-                           fmt::format("one of {}", fmt::join(kinds, ", ")));
+                           fmt::format("one of {}", fmt::join(driver_kinds, ", ")));
     }
     FileDriver driver;
     driver.line = table_.line();

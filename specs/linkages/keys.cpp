@@ -3,7 +3,7 @@
 namespace kempe {
 namespace {
 
-constexpr LinkageKey keys[] = {
+constexpr LinkageKey known_keys[] = {
     {"", "name", "text"},
     {"", "unit", "\"mm\", \"cm\", \"m\" or \"in\""},
     {"", "points", "a list of names of points that belong to no link"},
@@ -99,17 +99,17 @@ constexpr LinkageKey keys[] = {
 
 }  // namespace
 
-std::span<const LinkageKey> linkage_keys() { return keys; }
+std::span<const LinkageKey> linkage_keys() { return known_keys; }
 
 const LinkageKey* find_linkage_key(std::string_view table, std::string_view name) {
-  for (const LinkageKey& key : keys)
+  for (const LinkageKey& key : known_keys)
     if (key.table == table && (key.name == name || key.name == "*")) return &key;
   return nullptr;
 }
 
 std::vector<std::string_view> linkage_key_names(std::string_view table) {
   std::vector<std::string_view> names;
-  for (const LinkageKey& key : keys)
+  for (const LinkageKey& key : known_keys)
     if (key.table == table) names.push_back(key.name);
   return names;
 }

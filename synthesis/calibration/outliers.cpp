@@ -13,7 +13,7 @@
 
 #include "synthesis/calibration/outliers.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -66,8 +66,8 @@ class Linear {
     double sum = residuals_.tail(lengths).squaredNorm();
     for (const std::size_t i : set) {
       const Pair own = slope(i);
-      normal.noalias() += own.transpose() * own;
-      right.noalias() += own.transpose() * residual(i);
+      normal += own.transpose().lazyProduct(own);
+      right += own.transpose().lazyProduct(residual(i));
       sum += residual(i).squaredNorm();
     }
     // A few readings alone need not tell all: a trace of the drawn instrument keeps the rest near it.
@@ -87,13 +87,15 @@ class Linear {
   /// q_i of a reading that has no part in the fit.
   double beyond(const Agreed& fit, std::size_t i) const {
     const Eigen::Vector2d e = left(fit, i);
-    return e.dot(Eigen::Matrix2d(Eigen::Matrix2d::Identity() + own_spread(fit, i)).ldlt().solve(e));
+    const Eigen::Matrix2d spread = Eigen::Matrix2d::Identity() + own_spread(fit, i);
+    return e.dot(spread.inverse() * e);
   }
   /// J_i (J_C^T J_C)^-1 J_i^T.
   Eigen::Matrix2d own_spread(const Agreed& fit, std::size_t i) const {
     if (slopes_.cols() == 0) return Eigen::Matrix2d::Zero();
     const Pair own = slope(i);
-    return own * fit.spread * own.transpose();
+    const Pair spread = own.lazyProduct(fit.spread);
+    return spread.lazyProduct(own.transpose());
   }
 
  private:
@@ -346,10 +348,10 @@ std::vector<LeftOut> leave_one_out(const WeightedTask& weighted, const LinearFit
   for (const std::size_t i : inside) {
     const Eigen::Matrix2d hat = linear.own_spread(fit, i), own = Eigen::Matrix2d::Identity() - hat;
     all[i].leverage = 0.5 * hat.trace();
-    const Eigen::LDLT<Eigen::Matrix2d> solver(own);
-    if (!(solver.vectorD().minCoeff() > slack::decides_alone)) continue;
+    const double pivot = own.diagonal().maxCoeff(), other_pivot = own.determinant() / pivot;
+    if (!(std::min(pivot, other_pivot) > slack::decides_alone)) continue;
     const Eigen::Vector2d e = linear.left(fit, i);
-    const double drop = e.dot(solver.solve(e));
+    const double drop = e.dot(own.inverse() * e);
     const int freedom = linear.freedom(inside.size()) - 2;
     if (freedom < 1 && !noise_is_known) continue;
     all[i].studentised =

@@ -1,11 +1,10 @@
 #include "synthesis/calibration/plan.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/calibration/weighted_fit.hpp"
 
 namespace kempe {
@@ -41,7 +40,8 @@ Eigen::MatrixXd information_so_far(const CalibrationTask& task, double noise) {
 
 /// det(information + rows^T rows) / det(information), from the inverse of the information.
 double gain(const Eigen::MatrixXd& inverse, const Rows& rows) {
-  const Eigen::Matrix2d small = Eigen::Matrix2d::Identity() + rows * inverse * rows.transpose();
+  const Rows spread = rows.lazyProduct(inverse);
+  const Eigen::Matrix2d small = Eigen::Matrix2d::Identity() + spread.lazyProduct(rows.transpose());
   return small.determinant();
 }
 
@@ -73,13 +73,12 @@ class Choice {
 
  private:
   void put(std::size_t row, double sign) {
-    information_ += sign * rows_[row].transpose() * rows_[row];
+    information_ += sign * rows_[row].transpose().lazyProduct(rows_[row]);
     taken_[row] = sign > 0;
   }
 
   std::pair<std::size_t, double> best_addition() const {
-    const Eigen::MatrixXd inverse =
-        information_.ldlt().solve(Eigen::MatrixXd::Identity(information_.rows(), information_.cols()));
+    const Eigen::MatrixXd inverse = inverse_of(information_);
     std::pair<std::size_t, double> best{0, 0};
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (const double value = taken_[i] ? 0 : gain(inverse, rows_[i]); value > best.second)
@@ -132,7 +131,7 @@ Point middle_of(const Region& region) {
   return count > 0 ? Point(sum / count) : Point(0, 0);
 }
 
-double inverse_of(double tells) { return tells > 0 ? 1 / tells : std::numeric_limits<double>::infinity(); }
+double reciprocal(double tells) { return tells > 0 ? 1 / tells : std::numeric_limits<double>::infinity(); }
 
 }  // namespace
 
@@ -196,7 +195,7 @@ Eigen::MatrixXd information_of(const CalibrationTask& task, const std::vector<Ca
                                double noise) {
   Eigen::MatrixXd information = information_so_far(task, noise);
   for (const Candidate& reading : readings)
-    if (const auto rows = rows_of(task, reading, noise)) information += rows->transpose() * *rows;
+    if (const auto rows = rows_of(task, reading, noise)) information += rows->transpose().lazyProduct(*rows);
   return information;
 }
 
@@ -210,7 +209,7 @@ std::vector<Candidate> d_optimal(const CalibrationTask& task, const std::vector<
 double uncertainty_after(const CalibrationTask& task, const Indistinct& combination,
                          const Candidate& candidate, double noise) {
   const auto rows = rows_of(task, candidate, noise);
-  return rows ? inverse_of((*rows * direction_of(task, combination)).norm())
+  return rows ? reciprocal((*rows * direction_of(task, combination)).norm())
               : std::numeric_limits<double>::infinity();
 }
 
@@ -220,7 +219,7 @@ double uncertainty_after(const CalibrationTask& task, const Indistinct& combinat
   const auto lengths = lengths_of(task.setups.front().drawn);
   for (const Indistinct::Part& part : combination.parts)
     slope += lengths.by(static_cast<Eigen::Index>(length), index_of(part.measure)) * part.factor;
-  return inverse_of(std::abs(slope) / uncertainty);
+  return reciprocal(std::abs(slope) / uncertainty);
 }
 
 }  // namespace kempe

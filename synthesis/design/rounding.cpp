@@ -12,7 +12,7 @@ namespace {
 constexpr double share_of_tolerance = 0.2;  ///< of the tolerance, at most: the step
 constexpr double usual_tolerance = 0.05;    ///< mm, where the spec states none: what a vernier calliper reads
 constexpr int most_decimals = 6;            ///< of a length in mm
-constexpr double same_length = 1e-9;        ///< share of a length that rounding of doubles may change
+constexpr double rounded_length = 1e-9;     ///< share of a length that rounding of doubles may change
 
 /// Decimals of the largest power of ten that is at most `length` (mm).
 int decimals_within(double length) {
@@ -59,7 +59,7 @@ RoundedLengths rounded_to(const Design& design, int decimals) {
 
 /// A rounded length beyond a limit that the exact one keeps.
 bool exceeds(double rounded, double exact, double most) {
-  const double rounding = same_length * std::abs(most);
+  const double rounding = rounded_length * std::abs(most);
   return rounded > most + rounding && exact <= most + rounding;
 }
 bool falls_below(double rounded, double exact, double least) { return exceeds(-rounded, -exact, -least); }

@@ -10,7 +10,6 @@
 //     sum lambda_i s_i e(x_i) + sum mu_j h_j must be positive. Then, too, the minimum is strict and local:
 //     the family of four-bars does not obey Haar's condition, and fewer ripples can be the best.
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -101,7 +100,7 @@ Eigen::VectorXd balanced_multipliers(const Conditions& conditions, Eigen::Index 
   system.row(n).head(ripples).setOnes();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n + 1);
   right[n] = 1;
-  return system.completeOrthogonalDecomposition().solve(right);
+  return solution_of(Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(system), right);
 }
 
 struct Balanced {
@@ -165,7 +164,7 @@ bool curves_up(const GeneratorError& error, const Balanced& at) {
   const Eigen::MatrixXd free = svd.matrixV().rightCols(rows.cols() - rank).topRows(at.u.size());
   if (free.cols() == 0) return true;
   const Eigen::MatrixXd bend = free.transpose() * *hessian * free;
-  return Eigen::LLT<Eigen::MatrixXd>(bend).info() == Eigen::Success;
+  return is_definite(bend);
 }
 
 std::vector<std::string> names_of(const GeneratorError& error, const GeneratorVector& u,

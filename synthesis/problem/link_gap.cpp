@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
 #include "geometry/convex_distance.hpp"
 
 namespace kempe {
@@ -31,9 +32,8 @@ struct VectorJet {
 };
 
 VectorJet difference(const JointFrame& z, Joint to, Joint from) {
-  constexpr Complex i{0, 1};
   const Complex p = z.of_p(to) - z.of_p(from), q = z.of_q(to) - z.of_q(from);
-  return {p + q, {p, q, i * q}, {{{p, 0, 0}, {0, q, i * q}, {0, i * q, -q}}}};
+  return {p + q, {p, q, i_unit * q}, {{{p, 0, 0}, {0, q, i_unit * q}, {0, i_unit * q, -q}}}};
 }
 
 /// |z|

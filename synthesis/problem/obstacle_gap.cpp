@@ -5,14 +5,13 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/complex_vectors.hpp"
 #include "geometry/convex_distance.hpp"
 #include "geometry/region_reach.hpp"
 #include "synthesis/problem/slack.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr Complex i_unit{0, 1};
 
 struct PieceCorners {
   std::array<Complex, 3> at;

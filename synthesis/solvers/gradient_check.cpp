@@ -6,16 +6,16 @@
 namespace kempe {
 namespace {
 
-struct Sample {
+struct ProgramSample {
   double objective;
   DesignVector gradient;
   ConstraintValues values;
   ConstraintGradients gradients;
 };
 
-Sample sample_at(const SmoothProgram& program, const DesignVector& x) {
+ProgramSample sample_at(const SmoothProgram& program, const DesignVector& x) {
   const int n = program.size(), m = program.constraint_count;
-  Sample sample{0, DesignVector(n), ConstraintValues(m), ConstraintGradients(m, n)};
+  ProgramSample sample{0, DesignVector(n), ConstraintValues(m), ConstraintGradients(m, n)};
   sample.objective = program.objective(x, &sample.gradient);
   if (m > 0) program.constraints(x, sample.values, &sample.gradients);
   return sample;
@@ -30,13 +30,13 @@ double deviation(double analytic, double difference) {
 DerivativeDeviation check_derivatives(const SmoothProgram& program, const DesignVector& x,
                                       const Eigen::VectorXd& multipliers, double step) {
   DerivativeDeviation worst;
-  const Sample here = sample_at(program, x);
+  const ProgramSample here = sample_at(program, x);
   const DesignMatrix hessian = program.hessian(x, 1, multipliers);
   for (int j = 0; j < program.size(); ++j) {
     DesignVector ahead = x, behind = x;
     ahead[j] += step;
     behind[j] -= step;
-    const Sample a = sample_at(program, ahead), b = sample_at(program, behind);
+    const ProgramSample a = sample_at(program, ahead), b = sample_at(program, behind);
     worst.objective_gradient = std::max(
         worst.objective_gradient, deviation(here.gradient[j], (a.objective - b.objective) / (2 * step)));
     for (int i = 0; i < program.constraint_count; ++i) {

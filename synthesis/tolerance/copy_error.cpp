@@ -19,8 +19,6 @@
 namespace kempe {
 namespace {
 
-constexpr Complex i_unit{0, 1};
-
 Complex unit(Complex z) { return z / std::abs(z); }
 
 /// Displacement of a plate's third hole, at `hole` in the frame whose x axis runs from the corner to C at
