@@ -32,6 +32,10 @@ RootTask root_task(const Spec& spec, const RegionPlaces& places, Grounding groun
   return task;
 }
 
+std::size_t largest(const std::array<double, 4>& values) {
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+}
+
 /// One grounding and assembly mode.
 class RootProof {
  public:
@@ -135,9 +139,10 @@ class RootProof {
 
   // Cuts
 
-  std::optional<Step> split(const Node& node, const BestSum& sum) const {
-    std::array<double, 4> width{};
-    const DesignCell& cell = node.cell;
+  /// The variable that adds most to what the sum lacks, unless another is left much wider: obstacles and contacts, of which the
+  /// sum knows nothing, rule out no cell that is wide in any variable. Nothing if the cell is too narrow in all of them.
+  std::optional<Variable> variable_to_cut(const DesignCell& cell, const BestSum& sum) const {
+    std::array<double, 4> width{}, wanted{};
     const double near = std::max(1e-3, (task_.places.nearest(cell.pole()).at - cell.pole()).norm());
     const double far = (task_.places.farthest(cell.pole()).at - cell.pole()).norm();
     for (const Variable variable : all_variables) {
@@ -146,13 +151,21 @@ class RootProof {
       const double relative = is_length ? 0.5 * std::log(cell[variable].upper / cell[variable].lower)
                                         : cell.half(variable) * (0.5 / near + 0.5 / far);
       if (relative < slack::narrowest_cut) continue;
-      width[i] = sum.refutes_soon ? sum.share[i] + slack::width_weight * relative : relative;
+      width[i] = relative;
+      wanted[i] = sum.refutes_soon ? sum.share[i] + slack::width_weight * relative : relative;
     }
-    const auto widest =
-        static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
-    if (width[widest] == 0) return std::nullopt;
-    const auto variable = static_cast<Variable>(widest);
-    const bounding::Range& range = cell[variable];
+    const std::size_t widest = largest(width);
+    std::size_t chosen = largest(wanted);
+    if (width[widest] > slack::most_uneven * width[chosen]) chosen = widest;
+    if (width[chosen] == 0) return std::nullopt;
+    return static_cast<Variable>(chosen);
+  }
+
+  std::optional<Step> split(const Node& node, const BestSum& sum) const {
+    const std::optional<Variable> cut = variable_to_cut(node.cell, sum);
+    if (!cut) return std::nullopt;
+    const Variable variable = *cut;
+    const bounding::Range& range = node.cell[variable];
     const bool by_ratio = range.lower > 0 && range.upper > 2 * range.lower;
     const double at = by_ratio ? std::sqrt(range.lower * range.upper) : 0.5 * (range.lower + range.upper);
     Node lower = node, upper = node;
