@@ -28,8 +28,9 @@ std::size_t largest(const std::array<double, 4>& values) {
 
 }  // namespace
 
-RootProof::RootProof(const Spec& spec, const RegionPlaces& places, Grounding grounding, const AssemblyMode& mode,
-                     const std::optional<double>& size_bound, double transmission, CutOrder order)
+RootProof::RootProof(const Spec& spec, const RegionPlaces& places, Grounding grounding,
+                     const AssemblyMode& mode, const std::optional<double>& size_bound, double transmission,
+                     CutOrder order)
     : task_(root_task(spec, places, grounding, mode)), obstacles_(task_), contact_(task_), order_(order) {
   const double between = spec.links.style.pin_diameter + spec.limits.clearance;
   const Complex s = task_.root.mode.s;
