@@ -11,30 +11,34 @@ do. Outlines that never meet lie one in the other always or never: one place of 
 """
 from types import SimpleNamespace
 
-from enclosures import AT_REST, UNIT, Refuted, Tree, Z, edges_of, listed, must, number, point, polygons, tree_of, where, word
+from kempe_check import (AT_REST, JOINTS, LINKS, POINT, UNIT, WIDTH, Pair, Refuted, Tree, Z, edges_of, fits, half, must,
+                         occupied, pieces, polygons, tree_of, where)
 
-LINKS = {"VA": "VA", "VB": "VB", "ACX": "ACX", "BCY": "BCY"}  # the joints of each
 ALONG_P = ("VA", "BCY")
 EQUALLY_NEAR = 1 + 1e-9
 CARRIERS = {"pole": {"tracer": "X", "pen": "Y"}, "tracer": {"tracer": "V", "pen": "Y"}, "pen": {"tracer": "Y", "pen": "V"}}
 
 
-def ring_of(value):
-    (rings,) = polygons(value)
-    return must(len(rings) == 1, value, "an outline without holes") and rings[0]
+def ring_of(value, path):
+    found = polygons(value, path)
+    must(len(found) == 1 == len(found[0]), path, value, "an outline without holes")
+    return found[0][0]
 
 
-def body(value):
+def body(value, path):
     """Its corners, closed to a ring unless it is a disc about one corner; how far it reaches beyond them."""
-    low, high = listed(number(1, 64, [int]), 2)(value["layers"])
-    name, at = value.get("name") or "a body", word("tracer", "pen")(value["at"])
-    link = value.get("turns_with")
-    must(link is None or link in LINKS, link, "a link")
+    found = fits(value, {"layers": [range(1, 65)] * 2, "at": {"tracer", "pen"}, "turns_with": {*LINKS, None}}, path)
     if "circle_mm" in value:
-        ring, beyond = [point(value["circle_mm"]["centre"])], number(1e-9)(value["circle_mm"]["radius"])
+        disc = fits(value, {"circle_mm": {"centre": POINT, "radius": WIDTH}}, path)
+        ring, beyond = [disc.centre], disc.radius
     else:
-        ring, beyond = ring_of(value["shape"]), 0.0
-    return SimpleNamespace(name=name, at=at, ring=ring, beyond=beyond, layers=range(low, high + 1), link=link)
+        ring, beyond = ring_of(value.get("shape"), path), 0.0
+    return SimpleNamespace(name=value.get("name") or "a body", at=found.at, link=found.turns_with, ring=ring, beyond=beyond,
+                           layers=range(found.layers[0], found.layers[1] + 1))
+
+
+def bodies_of(data, path):
+    return fits(data.get("bodies") or [], [body], path + "bodies.")
 
 
 def blocks_of(log, vertex):
@@ -42,9 +46,8 @@ def blocks_of(log, vertex):
     them; the table's edge, with an empty ring more, so that it can be met by its edges alone. Bodies that turn rule nothing out."""
     task, table = log.data["task"], log.data["task"].get("table")
     found = [SimpleNamespace(rings=[one.ring * 2 if len(one.ring) == 1 else one.ring], layers=one.layers, beyond=one.beyond,
-                             joint=CARRIERS[vertex][one.at], rest=0.0) for one in listed(body)(task.get("bodies") or [])
-             if not one.link]
-    return found + ([SimpleNamespace(rings=[ring_of(table), []], layers=range(1, 65), **AT_REST)] if table else [])
+                             joint=CARRIERS[vertex][one.at], rest=0.0) for one in bodies_of(task, "task.") if not one.link]
+    return found + ([SimpleNamespace(rings=[ring_of(table, "task.table"), []], layers=range(1, 65), **AT_REST)] if table else [])
 
 
 def less(p, q):
@@ -103,7 +106,7 @@ def sides(one):
 
 def is_kept_from(one, part, joints):
     """Whether a part must keep away from a body: it is not mounted with it, nor a pin of the link that it turns with."""
-    return one.joint not in joints and not (one.link and part not in LINKS and joints in LINKS[one.link])
+    return one.joint not in joints and not (one.link and part not in LINKS and joints in one.link)
 
 
 def never(at):
@@ -111,11 +114,11 @@ def never(at):
     return False
 
 
-def refuse_overlaps(design, bodies, table, parts, occupied, pieces):
+def refuse_overlaps(design, bodies, table):
     """Of bodies that turn and all else: with the tracer at one place of each of the region's polygons."""
     task = design.task
     for rings in design.region:
-        joints = {name: z.middle() for name, z in design.nominal(Z(*rings[0][0]))[0].items()}
+        joints = {name: z.middle() for name, z in design.seen(Z(*rings[0][0])).items()}
         placed = [[joints[name] for name in one.joints] if one.link else
                   [(joints[one.joint][0] + c[0], joints[one.joint][1] + c[1]) for c in one.ring] for one in bodies]
         for i, (one, ring) in enumerate(zip(bodies, placed)):
@@ -125,7 +128,7 @@ def refuse_overlaps(design, bodies, table, parts, occupied, pieces):
                       if set(one.layers) & set(other.layers)]
             others += [([placed[j]], other.name) for j, other in enumerate(bodies)
                        if other.joint != one.joint and set(one.layers) & set(other.layers)]
-            others += [([[joints[piece[0]]]], part) for part, of in parts.items() for piece in pieces(task, part)
+            others += [([[joints[piece[0]]]], part) for part, of in JOINTS.items() for piece in pieces(task, part)
                        if is_kept_from(one, part, of) and not occupied(part, design.layers).isdisjoint(one.layers)]
             for other, name in others:
                 if overlap(other, ring, (0.0, 0.0)):
@@ -134,20 +137,20 @@ def refuse_overlaps(design, bodies, table, parts, occupied, pieces):
                 raise Refuted(f"{one.name} is off the table")
 
 
-def pairs_of(design, parts, Pair, occupied, pieces, half):
+def pairs_of(design):
     """What must keep apart, for Design.keep_out(). The design's slip grows to what these shapes need."""
     task, data, found = design.task, design.data, []
-    bodies = listed(body)(data.get("bodies") or [])
-    table = [[less(c, design.pole) for c in ring_of(data["table"])]] if data.get("table") else []
+    bodies = bodies_of(data, design.name + ": ")
+    table = [[less(c, design.pole) for c in ring_of(data["table"], design.name + ": table")]] if data.get("table") else []
     sizes = [abs(c) + b.beyond for b in bodies for corner in b.ring for c in corner] + [abs(c) for r in table for p in r for c in p]
     design.slip += 2.0 ** -42 * max(sizes, default=0.0)
     roles = CARRIERS[design.shape.vertex]
     for i, one in enumerate(bodies):
         one.joint, one.frame, one.joints = roles[one.at], "table", [roles[one.at]]
         if one.link:
-            must(one.joint in LINKS[one.link], one.link, "a link that has the body's point")
+            must(one.joint in one.link, f"{design.name}: bodies.turns_with", one.link, "a link that has the body's point")
             fix_to_link(design, one, i + 1)
-    refuse_overlaps(design, bodies, table, parts, occupied, pieces)
+    refuse_overlaps(design, bodies, table)
 
     def within(rings, taken=((0.0, 0.0),)):
         return lambda at: overlap(rings, taken, at)
@@ -156,8 +159,8 @@ def pairs_of(design, parts, Pair, occupied, pieces, half):
         return [Pair(one.name, side, name, others, frame, wide, some, never) for side in sides(one)]
 
     for i, one in enumerate(bodies):
-        joint, wide = one.joint, one.beyond + task.clearance
-        for part, joints in parts.items():
+        joint, wide = one.joint, one.beyond + task.clearance_mm
+        for part, joints in JOINTS.items():
             if is_kept_from(one, part, joints) and not occupied(part, design.layers).isdisjoint(one.layers):
                 found += [Pair(part, piece, one.name, [joint], one.frame, half(task, part) + wide, tree(edges(one.ring)),
                                never if one.link else within([one.ring])) for piece in pieces(task, part)]
@@ -179,10 +182,10 @@ def pairs_of(design, parts, Pair, occupied, pieces, half):
         def off(at, taken=((0.0, 0.0),)):
             return where((taken[0][0] + at[0], taken[0][1] + at[1]), [edge]) < 0
 
-        found += [Pair(part, piece, "what is off the table", ["pole"], "table", half(task, part) + task.clearance,
-                       tree(edges(edge)), off) for part in parts for piece in pieces(task, part)]
+        found += [Pair(part, piece, "what is off the table", ["pole"], "table", half(task, part) + task.clearance_mm,
+                       tree(edges(edge)), off) for part in JOINTS for piece in pieces(task, part)]
         for one in bodies:
-            wide = one.beyond + task.clearance
+            wide = one.beyond + task.clearance_mm
             found += turning(one, "what is off the table", ["pole"], "table", wide, tree(edges(edge))) if one.link else [
                 Pair(one.name, [one.joint], "what is off the table", ["pole"], "table", wide, tree(difference([edge], one.ring)),
                      lambda at, ring=one.ring: off(at, ring))]

@@ -5,7 +5,7 @@ import math
 from itertools import product
 from math import hypot
 
-from enclosures import EPS_MM, NIL, ONE, UNIT, ZERO, I, Open, Refuted, Z, cover
+from kempe_check import EPS_MM, NIL, ONE, UNIT, ZERO, I, Open, Refuted, Z, cover, fits
 
 # A joint has a hole in each of its links, which play sets apart. Capitals: the first link of PINS; small letters: the second.
 HOLES = {"VA": "VA", "VB": "vB", "ACX": "aCX", "BCY": "bcY", "pin A": "Aa", "pin B": "Bb", "pin C": "Cc"}
@@ -35,7 +35,7 @@ class Tolerances:
 
     def __init__(self, design):
         self.design, self.shape, self.sign, self.sign_d = design, design.shape, design.sign, design.sign_d
-        self.length, self.play, s = design.task.length or 0.0, design.task.play or 0.0, design.shape.s
+        self.length, self.play, s = design.task.length_mm or 0.0, design.task.play_mm or 0.0, design.shape.s
         sides = [x.middle() for x in (ONE, self.shape.abs_s, self.shape.abs_1s)]
         self.flat = 20 * abs(s.y.middle()) < max(sides) * min(sides)
         self.spots = {"A": NIL, "B": NIL, "C": UNIT, "X": UNIT / s, "Y": s}  # in the plates' frames, in units of AC and BC
@@ -75,7 +75,7 @@ class Tolerances:
         """All instruments within a share of the tolerances, the tracer on the axis at r, triangle by triangle, with slopes by all
         that may be wrong: the ways from hole to hole, and the turns into the frames of links."""
         r = I(r.lo, r.hi)
-        reach, still, signs = {}, self.design.nominal(Z(r, ZERO))[0], (self.sign, self.sign_d)
+        reach, still, signs = {}, self.design.seen(Z(r, ZERO)), (self.sign, self.sign_d)
 
         still.update({j.lower(): still[j] for j in "VABC"}, P=NIL)
 
@@ -152,7 +152,7 @@ class Tolerances:
 
     def too_wrong_in(self, box, hull, pending):
         """None if the copy error keeps its limit all over a cell of cos psi."""
-        limit = self.design.task.copy_error
+        limit = self.design.task.copy_error_mm
         sine, slopes = self.sources(I(box[0], box[1]))
         if sine.lo > 0 and not self.exceeding(slopes, (limit + EPS_MM) * sine.lo):
             return None
@@ -163,7 +163,7 @@ class Tolerances:
 
     def not_surely_wrong_in(self, box, hull, pending):
         """None if the copy error is above its limit all over a cell of cos psi."""
-        limit = self.design.task.copy_error
+        limit = self.design.task.copy_error_mm
         sine, slopes = self.sources(I(box[0], box[1]))
         if self.exceeding(slopes, limit * max(0.0, sine.hi), -1):
             return None
@@ -208,3 +208,14 @@ class Tolerances:
                 m = w[0] / size, w[1] / size
                 todo += [(u, m), (m, v)]
         return False
+
+
+def cut(log, node, line):
+    """A rule of claims 3 and 4: openings before the first and after the second cosine exceed the limit on the copy error; that is
+    all of them, if the first is no larger."""
+    (start, end), (first, last), tolerances = node.window, fits(line["copy_error"], [(-1, 1)] * 2, "copy_error"), Tolerances(log)
+    for low, high in ((first, start.hi), (end.lo, last)):
+        if low < high:
+            tolerances.exceeded(low, high)
+    left = I(first) if first < start.hi else start, I(last) if last > end.lo else end
+    return [node._replace(window=left)] if first > last else []

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/segment_distance.hpp"
 #include "synthesis/bound/slack.hpp"
 
 namespace kempe::bounding {
@@ -17,6 +18,13 @@ CopyGap::CopyGap(const Spec& spec, const RegionReach& region)
                  region.hull().begin() + static_cast<std::ptrdiff_t>(std::min(most, region.hull().size())));
 }
 
+/// A place of the region that is near to `to`, as `nearest` tells in doubles: `to` itself, if it surely lies inside.
+PlaceOnSegment CopyGap::place_near(const Point& to, const RegionReach::Nearest& nearest) const {
+  if (-nearest.distance > slack::rounding * extent_) return exactly_at(to);
+  const auto& edge = region_.edges()[nearest.edge];
+  return {edge.from, edge.to, nearest_share(to, edge.from, edge.to)};
+}
+
 CopyGap::Verdict CopyGap::verdict(const Point& pole, double radius) const {
   if (!gap_) return Verdict::far_enough;
   const double coordinates = extent_ + pole.norm() + radius;
@@ -26,9 +34,14 @@ CopyGap::Verdict CopyGap::verdict(const Point& pole, double radius) const {
   for (const Point& place : places_) {
     const Complex from_pole = as_complex(place - pole);
     const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
-    const double distance =
-        std::min(region_.nearest(image).distance, std::abs(k_) * region_.nearest(source).distance);
-    if (distance + slack < *gap_) return Verdict::too_near;
+    const RegionReach::Nearest to_image = region_.nearest(image), to_source = region_.nearest(source);
+    const double distance = std::min(to_image.distance, std::abs(k_) * to_source.distance);
+    const auto too_near = [&](const PlaceOnSegment& copied, const PlaceOnSegment& other) {
+      return copy_distance_at_most(k_, copied, other, pole, radius) < *gap_;
+    };
+    if (distance < *gap_ && (too_near(exactly_at(place), place_near(image, to_image)) ||
+                             too_near(place_near(source, to_source), exactly_at(place))))
+      return Verdict::too_near;
     far_enough = far_enough && distance - slack >= *gap_;
   }
   return far_enough ? Verdict::far_enough : Verdict::undecided;

@@ -6,11 +6,13 @@
 
 #include "geometry/region_reach.hpp"
 #include "specs/spec.hpp"
+#include "synthesis/bound/copy_distance.hpp"
 
 namespace kempe::bounding {
 
 /// Where the gap is looked at: some places of the region. The copy's distance from the region at a pole
-/// is at most the least of their images' distances, and changes by at most |1 - k| per mm of the pole's way.
+/// is at most the least of their images' distances (copy_distance.hpp). "Too near" is said with directed rounding alone; "far enough"
+/// only saves work.
 /// `region` must outlive it.
 class CopyGap {
  public:
@@ -23,6 +25,8 @@ class CopyGap {
   Verdict verdict(const Point& pole, double radius) const;
 
  private:
+  PlaceOnSegment place_near(const Point& to, const RegionReach::Nearest& nearest) const;
+
   const RegionReach& region_;
   Complex k_;
   std::optional<double> gap_;

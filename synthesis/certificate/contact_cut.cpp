@@ -110,13 +110,14 @@ std::optional<ContactCuts::SeenCut> ContactCuts::farthest_cut(const ContactPair&
 }
 
 /// Both sides are narrower than the openings passed before, by a share that falls with the cell's: else the same cut would
-/// be found again and again where a smaller cell has a better one.
+/// be found again and again where a smaller cell has a better one. So it would, too, halving what is passed without end, where
+/// that is narrow beside what the cell's width makes of it.
 bool ContactCuts::narrows(const SeenCut& cut, const DesignCell& cell, const bounding::Range& range) {
   const double width = std::max(cell.half(Variable::a) / cell.middle(Variable::a),
                                 cell.half(Variable::b) / cell.middle(Variable::b));
   const double psi = 2 * std::atan(cut.cut.u);
-  const double least = std::min(1e-3, 0.1 * width) * (range.upper - range.lower);
-  return psi > range.lower + least && psi < range.upper - least;
+  const double passed = range.upper - range.lower, least = std::min(1e-3, 0.1 * width) * passed;
+  return passed > slack::narrowest_passed * width && psi > range.lower + least && psi < range.upper - least;
 }
 
 std::optional<ContactCuts::SeenCut> ContactCuts::best_cut(const ContactPair& pair, const DesignCell& cell,

@@ -1,172 +1,18 @@
-// A node is refuted by a sum of requirements, by the pole's place or the gap between original and copy if that is possible; else an
-// obstacle (obstacle_leaf.hpp) or a contact of the linkage with itself (contact_cut.hpp) is sought that rules out part of it; else
-// its widest variable is cut.
+// The trees of all roots (root_proof.hpp has what is done at one node), each depth first, and how the bound gives way where none closes.
 
 #include "synthesis/certificate/proof_tree.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <variant>
 
-#include "synthesis/certificate/contact_cut.hpp"
-#include "synthesis/certificate/obstacle_leaf.hpp"
+#include "synthesis/certificate/root_proof.hpp"
 #include "workspace/obstructions.hpp"
 
 namespace kempe::certificate {
 namespace {
-
-RootTask root_task(const Spec& spec, const RegionPlaces& places, Grounding grounding,
-                   const AssemblyMode& mode) {
-  RootTask task{spec, places, bounding::make_branch(spec, grounding, mode, {})};
-  task.root.mode = task.branch.mode;
-  const Complex k = spec.copy.k();
-  task.root.g = chain_per_tracer(k, grounding);
-  const auto any = CopyingLinkage::make(k, grounding, 100, 100, mode.number);
-  if (!any) return task;
-  for (const LayerAssignment& layers : layer_assignments(spec.links.layers)) {
-    task.layers.push_back(layers);
-    task.filled.emplace_back(*any, layers);
-  }
-  return task;
-}
-
-/// One grounding and assembly mode.
-class RootProof {
- public:
-  RootProof(const Spec& spec, const RegionPlaces& places, Grounding grounding, const AssemblyMode& mode,
-            const std::optional<double>& size_bound, double transmission)
-      : task_(root_task(spec, places, grounding, mode)), obstacles_(task_), contact_(task_) {
-    const double between = spec.links.style.pin_diameter + spec.limits.clearance;
-    const Complex s = task_.root.mode.s;
-    const double smallest = std::abs(task_.root.g) * std::min({1.0, std::abs(s), std::abs(1.0 - s)});
-    task_.sums = {&task_.root, &places, size_bound, between / smallest};
-    put_whole(transmission);
-  }
-  RootProof(const RootProof&) = delete;  // its members keep references to the task
-  RootProof& operator=(const RootProof&) = delete;
-
-  Node whole() const { return whole_; }
-  bool bounds_size() const { return task_.sums.size_bound.has_value(); }
-  void bound_size(const std::optional<double>& bound) { task_.sums.size_bound = bound; }
-  bool refuted_by_sum(const DesignCell& cell) const { return best_sum(task_.sums, cell).refutes; }
-
-  /// Nothing if the cell is too narrow to cut.
-  std::optional<Step> step(const Node& node) const {
-    if (task_.root.mode.a.empty() || task_.root.mode.b.empty()) return Step{LengthsLeaf{}, {}};
-    if (node.assignments.empty()) return Step{LayersLeaf{}, {}};
-    const BestSum sum = best_sum(task_.sums, node.cell);
-    if (sum.refutes) return Step{sum.leaf, {}};
-    if (auto cut = copy_error_step(node)) return cut;
-    if (outside_pole(node.cell)) return Step{PoleLeaf{}, {}};
-    if (const auto sheets = copy_too_near(node.cell)) return Step{*sheets, {}};
-    if (auto hit = obstacles_.step(node)) return hit;
-    if (auto cut = contact_.step(node)) return cut;
-    return split(node, sum);
-  }
-
- private:
-  void put_whole(double transmission) {
-    bounding::ModeFacts& mode = task_.root.mode;
-    kept_ = mode.allowed;
-    mode.allowed = {0, 4};  // rad, all: what the copy error leaves is a step of the log
-    const bounding::Range window = mode.usable(transmission);
-    Box poles;
-    if (const auto* within = std::get_if<Region>(&task_.spec.pole.place))
-      poles = bounding_box(*within);
-    else
-      poles = {std::get<Point>(task_.spec.pole.place), std::get<Point>(task_.spec.pole.place)};
-    whole_.cell[Variable::a] = task_.root.mode.a;
-    whole_.cell[Variable::b] = task_.root.mode.b;
-    whole_.cell[Variable::x] = {poles.lower.x(), poles.upper.x()};
-    whole_.cell[Variable::y] = {poles.lower.y(), poles.upper.y()};
-    whole_.cell.far_cosine = std::cos(window.lower);
-    whole_.cell.near_cosine = std::cos(window.upper);
-    for (std::size_t i = 0; i < task_.layers.size(); ++i)
-      whole_.assignments.push_back(static_cast<std::uint32_t>(i));
-  }
-
-  /// The window without the openings that exceed the limit on the copy error, if there are such.
-  std::optional<Step> copy_error_step(const Node& node) const {
-    if (!task_.spec.limits.copy_error || !task_.spec.tolerance) return std::nullopt;
-    const double far = std::min(node.cell.far_cosine,
-                                std::cos(std::max(0.0, kept_.lower - slack::beyond_copy_error))),
-                 near = std::max(node.cell.near_cosine,
-                                 std::cos(std::min(pi, kept_.upper + slack::beyond_copy_error)));
-    if (kept_.empty() || !(far > near)) {
-      const double middle = 0.5 * (node.cell.far_cosine + node.cell.near_cosine);
-      return Step{CopyErrorCut{middle, middle}, {}};
-    }
-    const bool cut_far = far < node.cell.far_cosine;
-    const bool cut_near = near > node.cell.near_cosine;
-    if (!cut_far && !cut_near) return std::nullopt;
-    Node left = node;
-    left.cell.far_cosine = far;
-    left.cell.near_cosine = near;
-    // The checker rounds the window's own ends otherwise: one that is not cut is named by what is beyond any.
-    return Step{CopyErrorCut{cut_far ? far : 1, cut_near ? near : -1}, {std::move(left)}};
-  }
-
-  bool outside_pole(const DesignCell& cell) const {
-    const auto* within = std::get_if<Region>(&task_.spec.pole.place);
-    if (within == nullptr || (cell.half(Variable::x) == 0 && cell.half(Variable::y) == 0)) return false;
-    const double radius = std::hypot(cell.half(Variable::x), cell.half(Variable::y));
-    return distance(*within, cell.pole()) > radius * (1 + slack::in_hand) + slack::in_hand;
-  }
-
-  /// The two places of the region that the copy brings nearest to each other, if that is too near all over the cell.
-  std::optional<CopyGapLeaf> copy_too_near(const DesignCell& cell) const {
-    if (!task_.spec.limits.copy_gap) return std::nullopt;
-    const Complex k = task_.spec.copy.k(), pole = as_complex(cell.pole());
-    const double away = std::abs(1.0 - k) * std::hypot(cell.half(Variable::x), cell.half(Variable::y));
-    const double room = *task_.spec.limits.copy_gap * (1 - slack::in_hand) - away - slack::in_hand;
-    if (!(room > 0)) return std::nullopt;
-    for (const KnownPlace& place : task_.places.spread()) {
-      const Complex from_pole = as_complex(place.at) - pole;
-      const Point image = as_point(pole + k * from_pole), source = as_point(pole + from_pole / k);
-      const KnownPlace near_image = task_.places.nearest(image), near_source = task_.places.nearest(source);
-      if ((near_image.at - image).norm() < room) return CopyGapLeaf{place.place, near_image.place};
-      if (std::abs(k) * (near_source.at - source).norm() < room)
-        return CopyGapLeaf{near_source.place, place.place};
-    }
-    return std::nullopt;
-  }
-
-  // Cuts
-
-  std::optional<Step> split(const Node& node, const BestSum& sum) const {
-    std::array<double, 4> width{};
-    const DesignCell& cell = node.cell;
-    const double near = std::max(1e-3, (task_.places.nearest(cell.pole()).at - cell.pole()).norm());
-    const double far = (task_.places.farthest(cell.pole()).at - cell.pole()).norm();
-    for (const Variable variable : all_variables) {
-      const auto i = static_cast<std::size_t>(variable);
-      const bool is_length = variable == Variable::a || variable == Variable::b;
-      const double relative = is_length ? 0.5 * std::log(cell[variable].upper / cell[variable].lower)
-                                        : cell.half(variable) * (0.5 / near + 0.5 / far);
-      if (relative < slack::narrowest_cut) continue;
-      width[i] = sum.refutes_soon ? sum.share[i] + slack::width_weight * relative : relative;
-    }
-    const auto widest =
-        static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
-    if (width[widest] == 0) return std::nullopt;
-    const auto variable = static_cast<Variable>(widest);
-    const bounding::Range& range = cell[variable];
-    const bool by_ratio = range.lower > 0 && range.upper > 2 * range.lower;
-    const double at = by_ratio ? std::sqrt(range.lower * range.upper) : 0.5 * (range.lower + range.upper);
-    Node lower = node, upper = node;
-    lower.cell[variable].upper = at;
-    upper.cell[variable].lower = at;
-    return Step{Split{variable, at}, {std::move(lower), std::move(upper)}};
-  }
-
-  RootTask task_;
-  bounding::Range kept_;  ///< |psi| that the limit on the copy error leaves, rad
-  ObstacleLeaves obstacles_;
-  ContactCuts contact_;
-  Node whole_;
-};
 
 /// The bound that a tree is grown for. Where no box of doubles is small enough for it, it is made looser.
 class Loosening {
@@ -259,8 +105,12 @@ bool bodies_may_meet_things(const Spec& spec) {
   return std::any_of(all.begin(), all.end(), [](const Obstruction& one) { return one.met.has_value(); });
 }
 
+bool copy_gap_decides_poles(const Spec& spec) {
+  return spec.limits.copy_gap && std::holds_alternative<Region>(spec.pole.place);
+}
+
 tl::expected<ProofLog, NoLog> log_of(const Spec& spec, Objective objective, Loosening& bound,
-                                     const ProofOptions& options) {
+                                     const ProofOptions& options, CutOrder order) {
   const bool by_size = objective == Objective::size;
   const double transmission =
       by_size ? spec.limits.transmission : std::max(spec.limits.transmission, bound.bound().value_or(0));
@@ -270,7 +120,8 @@ tl::expected<ProofLog, NoLog> log_of(const Spec& spec, Objective objective, Loos
     const auto& permitted = spec.objective.groundings;
     if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
     for (const AssemblyMode& mode : assembly_modes(shape_of(spec.copy.k(), grounding))) {
-      RootProof proof(spec, places, grounding, mode, by_size ? bound.bound() : std::nullopt, transmission);
+      RootProof proof(spec, places, grounding, mode, by_size ? bound.bound() : std::nullopt, transmission,
+                      order);
       if (const auto grown = Growth(proof, bound, log.lines).run(options.lines, options.stop); !grown)
         return tl::unexpected(grown.error());
     }
@@ -300,7 +151,9 @@ tl::expected<ProofLog, NoLog> prove(const Spec& spec, Objective objective, const
     return tl::unexpected(NoLog::no_rules);
   Loosening loosening(objective, bound);
   while (true) {
-    auto log = log_of(spec, objective, loosening, options);
+    auto log = log_of(spec, objective, loosening, options, CutOrder::by_sum);
+    if (!log && log.error() == NoLog::too_long && copy_gap_decides_poles(spec))
+      log = log_of(spec, objective, loosening, options, CutOrder::poles_first);
     if (log) return log;
     const NoLog why = log.error();
     if (why == NoLog::stopped || !loosening.loosen())

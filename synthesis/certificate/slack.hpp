@@ -13,6 +13,13 @@ inline constexpr double in_hand = 1e-9;
 inline constexpr double narrowest_cut = 1e-9;
 /// None: weight of a variable's width beside its share in what a sum lacks, so that one without a share is cut last.
 inline constexpr double width_weight = 1e-9;
+/// Factor: a variable wider than this many times the one to be cut is cut first. (2 to 8 take about as many lines; without, trees
+/// with a free pole are ten times as long where contacts decide.)
+inline constexpr double most_uneven = 2;
+/// Factor: so many times narrower than the lengths poles become where they are cut first.
+inline constexpr double most_uneven_of_poles = 256;
+/// rad: of a cell as wide as its middle, the narrowest range of openings that a contact cuts. In narrower cells it falls with their width.
+inline constexpr double narrowest_passed = 1e-2;
 /// Shares by which the bound is given way, tried in this order until a proof comes out.
 inline constexpr double given_way[] = {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 /// The least of these shares that is worth another try where a proof was too long.

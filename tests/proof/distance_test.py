@@ -29,7 +29,7 @@ def point_and_edge(draw, length):
 def main(source):
     sys.dont_write_bytecode = True
     sys.path.insert(0, source + "/proof")
-    from enclosures import apart
+    from kempe_check import apart
     draw, worst = random.Random(1), 0.0
     for case in range(3500):
         p, a, b = point_and_edge(draw, 10.0 ** (1 + case % 7))

@@ -138,7 +138,7 @@ class Builder:
             A, B = (f.middle() for f in shape.size)
             out.append((["bound", 1 / (A + B)], [(log.bound - A * a - B * b) / (A + B), -A / (A + B), -B / (A + B), 0, 0, 0, 0, 0]))
         smallest = min(1.0, shape.abs_s.middle(), shape.abs_1s.middle()) * shape.abs_g.middle()
-        h = (log.task.pin + log.task.clearance) / smallest
+        h = (log.task.pin_diameter_mm + log.task.clearance_mm) / smallest
         key, c = self.nearest((x, y))
         dx, dy = c[0] - x, c[1] - y
         out.append((["posts", key, 1 / h], [(dx * dx + dy * dy - h * h) / h, 0, 0, -2 * dx / h, -2 * dy / h, 0, 1 / h, 0]))
@@ -195,7 +195,7 @@ class Builder:
         return line if self.refutes(node, line) else None
 
     def by_sheets(self, node):
-        gap = self.log.task.sheets_gap
+        gap = self.log.task.sheets_gap_mm
         if gap is None:
             return None
         P, k = self.middle(node)[2:], self.log.shape.k.middle()
@@ -263,7 +263,7 @@ class Builder:
 
     def pairs(self, assignment):
         task = self.log.task
-        return [(one, other, check.half(task, one) + check.half(task, other) + task.clearance) for i, one in enumerate(check.JOINTS)
+        return [(one, other, check.half(task, one) + check.half(task, other) + task.clearance_mm) for i, one in enumerate(check.JOINTS)
                 for other in list(check.JOINTS)[:i] if check.may_meet(one, other) and check.share(one, other, assignment, ())]
 
     def deepest(self, one, other, joints, need):
@@ -325,7 +325,7 @@ class Builder:
 
     def hits(self, part, joints, ring, i, place):
         task, out = self.log.task, []
-        need = check.half(task, part) + task.clearance
+        need = check.half(task, part) + task.clearance_mm
         convex = check.convex(ring)
         for A in self.spans(part):
             along = {i / 4 for i in range(5)} if A[0] != A[1] else {0.0}

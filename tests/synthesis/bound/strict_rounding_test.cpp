@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "synthesis/bound/branch.hpp"
+#include "synthesis/bound/copy_gap.hpp"
 #include "synthesis/bound/joint_moves.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
@@ -217,6 +218,40 @@ TEST(StrictRounding, DistancesHoldForPlacesThatAreOffByTheirRounding) {
       ASSERT_GE(disc.radius, std::abs(pole - exact(disc.centre)));
     }
   }
+}
+
+/// Rectangles far from the frame's origin, and gaps a hair above or below the distance of the copy.
+TEST(StrictRounding, SheetsAreTooNearExactlyWhereTheyAre) {
+  test::SpecDice dice(921);
+  int said = 0, apart = 0;
+  for (int i = 0; i < test::samples(600); ++i) {
+    const double away = std::pow(10, dice.uniform(2, 6)), k = dice.uniform(0.2, 0.8);
+    const Point corner{away, dice.uniform(-1, 1)};
+    Spec spec;
+    const double x = corner.x(), y = corner.y();
+    spec.region = Region{{{{{x, y}, {x + 20, y}, {x + 20, y + 10}, {x, y + 10}}, {}}}};
+    spec.copy = Copy::of(k, 0);
+    // The pole stands left of the region, on the table's own scale: the copy of its right end lies left of it.
+    const Point pole = corner - Point(dice.uniform(200, 300) * k / (1 - k), -3);
+    const long double right = x + 20, left = x;
+    const long double distance = left - (pole.x() + static_cast<long double>(k) * (right - pole.x()));
+    if (distance < 1) continue;
+    const long double hair =
+        64 * std::numeric_limits<double>::epsilon() * static_cast<long double>(away + 300);
+    const RegionReach reach(spec.region);
+    const auto verdict_at = [&](long double gap) {
+      spec.limits.copy_gap = static_cast<double>(gap);
+      return bounding::CopyGap(spec, reach).verdict(pole, 0);
+    };
+    ASSERT_EQ(verdict_at(distance + hair), bounding::CopyGap::Verdict::too_near) << i << " " << away;
+    ASSERT_NE(verdict_at(distance - hair), bounding::CopyGap::Verdict::too_near) << i << " " << away;
+    ++said;
+    const double exactly = static_cast<double>(distance);
+    apart += exactly <= distance && verdict_at(exactly) != bounding::CopyGap::Verdict::too_near;
+    ASSERT_FALSE(exactly <= distance && verdict_at(exactly) == bounding::CopyGap::Verdict::too_near);
+  }
+  EXPECT_GT(said, test::expected(300));
+  EXPECT_GT(apart, test::expected(100));
 }
 
 }  // namespace
