@@ -70,7 +70,9 @@ std::string objective_line(const SearchRecord& search, int decimals) {
   std::string text =
       fmt::format("{}objective    {} {}", search.complete ? "" : "STOPPED EARLY: the best so far\n",
                   is_maximized(search.objective) ? "largest" : "smallest",
-                  search.objective == Objective::copy_error ? "copy error" : name(search.objective));
+                  search.objective == Objective::copy_error   ? "copy error"
+                  : search.objective == Objective::load_error ? "load error"
+                                                              : name(search.objective));
   if (search.objective == Objective::footprint)
     text += fmt::format(": {:.{}f} mm2", search.value, decimals + 1);
   return text + "\n";

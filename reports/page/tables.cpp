@@ -27,6 +27,8 @@ std::string objective_text(Objective objective) {
     case Objective::transmission: return "largest transmission angle";
     case Objective::copy_error: return "smallest copy error";
     case Objective::footprint: return "smallest footprint";
+    case Objective::load_error: return "smallest load error";
+    case Objective::mass: return "smallest mass";
   }
   return {};
 }
@@ -35,6 +37,7 @@ std::string objective_value(Objective objective, double value) {
   switch (objective) {
     case Objective::transmission: return angle_text(value, 4);
     case Objective::footprint: return area_text(value);
+    case Objective::mass: return fmt::format("{:.4g} kg", value);
     default: return length_text(value, 4);
   }
 }
