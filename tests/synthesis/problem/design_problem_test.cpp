@@ -10,14 +10,19 @@
 namespace kempe {
 namespace {
 
-constexpr std::array goals{Goal::size,     Goal::transmission, Goal::copy_error, Goal::clearance,
-                           Goal::shortest, Goal::longest,      Goal::copy_gap,   Goal::pole_margin};
+constexpr std::array goals{Goal::size,       Goal::transmission, Goal::copy_error, Goal::clearance,
+                           Goal::shortest,   Goal::longest,      Goal::copy_gap,   Goal::pole_margin,
+                           Goal::load_error, Goal::mass};
 
 /// A spec with everything in it: obstacles, bodies, some of which turn with a link (in every grounding: rows do not ask whether that
 /// has their point), a table, sheets, tolerance.
 Spec full_spec(test::SpecDice& dice) {
   Spec spec = dice.spec();
   spec.tolerance = Tolerance{0.05, 0.02};
+  spec.material = Material{"PLA", 3000, 1240, 26};
+  spec.load = Load{dice.uniform(1, 50)};
+  spec.limits.load_error = dice.uniform(0.01, 1);
+  if (dice.uniform(0, 1) < 0.5) spec.links.style.plate = PlateStyle::triangle;
   spec.limits.copy_gap = dice.uniform(0, 10);
   for (int i = 0; i < 3; ++i) spec.obstacles.push_back(dice.obstacle_beside(spec));
   spec.bodies.push_back({Carrier::pen, Polygon{{{-8, -8}, {8, -8}, {8, 8}, {-8, 8}}, {}}, 1, 8, "router"});
