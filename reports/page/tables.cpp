@@ -131,6 +131,17 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.copy_error_rss)
     add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
         "The same with independent errors: root of the sum of squares.");
+  if (q.loads && design.load) {
+    add("Load error, worst", length_text(q.loads->error_max, 5),
+        at_most(q.loads->error_max, design.limits.load_error),
+        fmt::format("How far the pen gives way under {} N at the worst place of the region.",
+                    number_text(design.load->pen_force, 2)));
+    add("Largest force in a pin", fmt::format("{} N", number_text(q.loads->pin_force_max, 2)), {},
+        fmt::format("The hand holds {} N.", number_text(q.loads->hand_force_max, 2)));
+  }
+  if (q.mass && design.material)
+    add("Mass", fmt::format("{:.4g} kg", *q.mass), {},
+        "The four links of " + html_escaped(design.material->name) + ", without pins and tools.");
   if (q.robust)
     add("Robust clearance", std::isfinite(q.robust->clearance) ? length_text(q.robust->clearance, 3) : "none",
         {"≥ " + length_text(design.limits.clearance), q.robust->holds}, robust_explanation(design));

@@ -171,14 +171,11 @@ TEST(LinkForces, BalanceEachPlate) {
     const Complex s = shape_of(one.k, one.grounding);
     const LinkForces forces = link_forces(s, one.opening);
     const double scale = 1 + std::abs(s) + std::abs(forces.bar_VA);
-    EXPECT_NEAR(std::abs(forces.C_of_ACX.across - forces.X.across / std::abs(s)), 0,
-                1e-12 * scale);
-    EXPECT_NEAR(std::abs(forces.C_of_BCY.across + std::abs(s) * forces.Y.across), 0,
-                1e-12 * scale);
+    EXPECT_NEAR(std::abs(forces.C_of_ACX.across - forces.X.across / std::abs(s)), 0, 1e-12 * scale);
+    EXPECT_NEAR(std::abs(forces.C_of_BCY.across + std::abs(s) * forces.Y.across), 0, 1e-12 * scale);
     if (!is_straight(s)) continue;
-    EXPECT_NEAR(std::abs(forces.A.across + forces.C_of_ACX.across -
-                         s * forces.X.across / std::abs(s)),
-                0, 1e-12 * scale);
+    EXPECT_NEAR(std::abs(forces.A.across + forces.C_of_ACX.across - s * forces.X.across / std::abs(s)), 0,
+                1e-12 * scale);
   }
 }
 
