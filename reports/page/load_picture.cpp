@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/region.hpp"
 #include "geometry/region_reach.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/map_contours.hpp"
@@ -50,24 +51,33 @@ std::string rings(const Errors& errors, const DistanceRange& range) {
   return all;
 }
 
-/// A contour's words at the place of the circle that is nearest to the region's middle.
-std::string contour(const ContourCircle& circle, const Point& pole, const Point& middle, double unit) {
-  const Point toward = middle - pole;
-  const double bearing = std::atan2(toward.y(), toward.x());
-  const Point at = pole + circle.radius * Point(std::cos(bearing), std::sin(bearing));
-  std::string svg = SvgElement("circle")
-                        .at("cx", "cy", {pole.x(), -pole.y()})
-                        .with("r", circle.radius)
-                        .with("fill", "none")
-                        .with("stroke", "#5a1f0c")
-                        .with("stroke-width", unit)
-                        .line();
-  return svg + SvgElement("text")
-                   .at("x", "y", {at.x(), -at.y()})
-                   .with("fill", "#3a1408")
-                   .with("text-anchor", "middle")
-                   .saying(length_text(circle.level, 5))
-                   .line();
+std::string circle_line(const ContourCircle& circle, const Point& pole, double unit) {
+  return SvgElement("circle")
+      .at("cx", "cy", {pole.x(), -pole.y()})
+      .with("r", circle.radius)
+      .with("fill", "none")
+      .with("stroke", "#5a1f0c")
+      .with("stroke-width", unit)
+      .line();
+}
+
+/// A contour's words where it crosses the line from the pole to the region's middle, if that lies well inside the region and away from the
+/// words `before`.
+std::string circle_words(const ContourCircle& circle, const Design& design, const Point& middle, double unit,
+                         std::vector<Point>& before) {
+  const Point toward = (middle - design.linkage.pole()).normalized();
+  const Point at = design.linkage.pole() + circle.radius * toward, below = at - Point(0, 5 * unit);
+  const double apart = 22 * unit;
+  for (const double side : {-14.0, 14.0})
+    if (!contains(design.region, at + Point(0, side * unit))) return {};
+  for (const Point& other : before)
+    if ((other - at).norm() < apart) return {};
+  before.push_back(at);
+  return SvgElement("text")
+      .at("x", "y", {below.x(), -below.y()})
+      .with("style", "fill:#3a1408;stroke:#fff;stroke-width:.3em;paint-order:stroke;text-anchor:middle")
+      .saying(length_text(circle.level, 5))
+      .line();
 }
 
 }  // namespace
@@ -82,8 +92,12 @@ std::string load_picture(const Design& design) {
   const PictureBox box = extent.box();
   const double margin = 0.04 * box.half.maxCoeff(), unit = box.half.maxCoeff() / 220;
   std::string inside = rings(errors, distance_range(design.region, linkage.pole()));
-  for (const ContourCircle& circle : load_error_circles(design))
-    inside += contour(circle, linkage.pole(), box.centre, unit);
+  std::string words;
+  std::vector<Point> placed;
+  for (const ContourCircle& circle : load_error_circles(design)) {
+    inside += circle_line(circle, linkage.pole(), unit);
+    words += circle_words(circle, design, box.centre, unit, placed);
+  }
   const std::string outline = svg_path(design.region, unit);
   const std::string clip =
       SvgElement("clipPath")
@@ -99,14 +113,15 @@ std::string load_picture(const Design& design) {
                 view_box(box.centre.x() - box.half.x() - margin, -box.centre.y() - box.half.y() - margin,
                          2 * (box.half.x() + margin), 2 * (box.half.y() + margin)))
           .with("font-size", 14 * unit, 4)
-          .holding("\n" + clip +
-                   SvgElement("g").with("clip-path", "url(#load-region)").holding("\n" + inside).line() +
-                   SvgElement("path")
-                       .with("d", outline)
-                       .with("fill", "none")
-                       .with("stroke", "#5a1f0c")
-                       .with("stroke-width", 1.5 * unit)
-                       .line())
+          .holding(
+              "\n" + clip +
+              SvgElement("g").with("clip-path", "url(#load-region)").holding("\n" + inside + words).line() +
+              SvgElement("path")
+                  .with("d", outline)
+                  .with("fill", "none")
+                  .with("stroke", "#5a1f0c")
+                  .with("stroke-width", 1.5 * unit)
+                  .line())
           .line();
   return "<figure class=\"chart-figure\">" + svg +
          "<figcaption>Load error with the tracer at each place of the region, worst direction; darker is "

@@ -26,8 +26,10 @@ struct BudgetRow {
   double after = 0;  ///< mm, of this part once it is made
 };
 
+/// With three digits.
 std::string force_text(double force) {
-  return fmt::format("{}\u00a0N", number_text(force, force < 10 ? 2 : 1));
+  const double grain = force > 0 ? std::pow(10, std::floor(std::log10(force)) - 2) : 1;
+  return fmt::format("{}\u00a0N", number_text(std::round(force / grain) * grain, 3));
 }
 
 std::string small_length(double length) {
@@ -155,8 +157,11 @@ std::string verdict(const Design& design, const std::vector<BudgetRow>& rows) {
     text = fmt::format("<p class=\"lead\">{}: {}; {} are allowed.</p>\n",
                        error <= *limit * (1 + 1e-9) ? "Yes" : "No", figure, length_text(*limit));
   else
-    text = fmt::format("<p class=\"lead\">{}, in the best direction at the best place by {}.</p>\n", figure,
-                       small_length(design.quality.loads->error_min));
+    text = fmt::format("<p class=\"lead\">{}{}.</p>\n", figure,
+                       rows.size() < 2 ? std::string()
+                                       : fmt::format(": {} % of the whole error, {} at worst",
+                                                     number_text(100 * error / sum_of(rows), 1),
+                                                     small_length(sum_of(rows))));
   const BudgetRow& help = most_helpful(rows);
   return text + fmt::format("<p>What would help most: {}.</p>\n", change_text(help));
 }
