@@ -10,6 +10,7 @@
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "specs/hardware.hpp"
+#include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
@@ -65,6 +66,25 @@ BudgetRow load_row(const Design& design, const OpeningInterval& openings) {
           load_error_with(design, wider, openings)};
 }
 
+/// What pins give between their layers, beside the links.
+BudgetRow pins_row(const Design& design, const OpeningInterval& openings) {
+  const CopyingLinkage& linkage = design.linkage;
+  const auto with_pins = [&](double thicker) {
+    LinkStyle style = design.style;
+    style.pin_diameter *= thicker;
+    const JointHardware hardware = thicker == 1 ? design.hardware : JointHardware();
+    const PinCompliance pins = pin_compliance(linkage.grounding(), design.layers, style, hardware);
+    return LoadErrorProfile(linkage.k(), linkage.grounding(), style, *design.material, design.load->pen_force,
+                            pins)
+               .over({linkage.VA(), linkage.VB()}, openings)
+               .worst -
+           design.quality.loads->error_max;
+  };
+  constexpr double thicker = 1.25;
+  return {"Pins, bent between their layers", with_pins(1),
+          fmt::format("pins of {}", length_text(thicker * design.style.pin_diameter, 1)), with_pins(thicker)};
+}
+
 /// The worst copy error over the region under these tolerances; 0 where there are none.
 double worst_error(const Design& design, const CopyTolerance& tolerance) {
   const auto over = copy_error_over(design.linkage, tolerance, design.region);
@@ -110,6 +130,7 @@ std::vector<BudgetRow> tolerance_rows(const Design& design) {
 std::vector<BudgetRow> budget(const Design& design, const OpeningInterval& openings) {
   std::vector<BudgetRow> rows = tolerance_rows(design);
   rows.push_back(load_row(design, openings));
+  rows.push_back(pins_row(design, openings));
   std::stable_sort(rows.begin(), rows.end(),
                    [](const BudgetRow& a, const BudgetRow& b) { return a.error > b.error; });
   return rows;
@@ -158,10 +179,10 @@ std::string verdict(const Design& design, const std::vector<BudgetRow>& rows) {
                        error <= *limit * (1 + 1e-9) ? "Yes" : "No", figure, length_text(*limit));
   else
     text = fmt::format("<p class=\"lead\">{}{}.</p>\n", figure,
-                       rows.size() < 2 ? std::string()
-                                       : fmt::format(": {} % of the whole error, {} at worst",
-                                                     number_text(100 * error / sum_of(rows), 1),
-                                                     small_length(sum_of(rows))));
+                       !design.tolerance ? std::string()
+                                         : fmt::format(": {} % of the whole error, {} at worst",
+                                                       number_text(100 * error / sum_of(rows), 1),
+                                                       small_length(sum_of(rows))));
   const BudgetRow& help = most_helpful(rows);
   return text + fmt::format("<p>What would help most: {}.</p>\n", change_text(help));
 }
@@ -247,7 +268,7 @@ std::string loads(const Design& design) {
   if (!used) return {};
   const std::vector<BudgetRow> rows = budget(design, *used);
   std::string note = fmt::format(
-      "<p class=\"note\">Links of {}, {} mm, as slender beams; pins rigid; in the plane, with pole and "
+      "<p class=\"note\">Links of {}, {} mm, as slender beams, pins of steel; in the plane, with pole and "
       "tracer held. "
       "{}Each source alone at its worst place, so the sum is never exceeded.{}</p>\n",
       html_escaped(design.material->name), section_text(design.style),

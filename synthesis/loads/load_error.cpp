@@ -87,12 +87,11 @@ Buckets LoadErrorProfile::sums_of(const Forces& forces) const {
   }
   sums[VA_pulled].add(along_, forces.bar_VA);
   sums[VB_pulled].add(along_, forces.bar_VB);
-  sums[pins_give].add(pins_.A + (pole_is_at_V_ ? pins_.pole : 0), forces.bar_VA);
+  sums[pins_give].add(pins_.A, forces.bar_VA);
   sums[pins_give].add(pins_.B + pins_.V, forces.bar_VB);
   for (const W& component : forces.pin_C) sums[pins_give].add(pins_.C, component);
-  if (!pole_is_at_V_)
-    for (const Complex component : {shape_, Complex(0, 1) * shape_})
-      sums[pins_give].add(pins_.pole, W{component});
+  const Complex pole = pole_is_at_V_ ? shape_ - 1.0 : shape_;
+  for (const Complex component : {pole, Complex(0, 1) * pole}) sums[pins_give].add(pins_.pole, W{component});
   return sums;
 }
 

@@ -37,7 +37,8 @@ struct LoadErrorJet {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-/// mm for each newton between the links of a joint; 0: rigid. V: between VB and what it turns on there.
+/// mm for each newton; 0: rigid. A, B, C between the two links of the joint, V between VB and what it turns on there, pole of the post in
+/// the table (pin_compliance.hpp).
 struct PinCompliance {
   double A = 0, B = 0, C = 0, V = 0, pole = 0;
 };
