@@ -74,8 +74,8 @@ std::string circle_words(const ContourCircle& circle, const Design& design, cons
     if ((other - at).norm() < apart) return {};
   before.push_back(at);
   return SvgElement("text")
+      .with("class", "load-words")
       .at("x", "y", {below.x(), -below.y()})
-      .with("style", "fill:#3a1408;stroke:#fff;stroke-width:.3em;paint-order:stroke;text-anchor:middle")
       .saying(length_text(circle.level, 5))
       .line();
 }

@@ -170,15 +170,14 @@ std::string load_budget_table(const std::vector<BudgetRow>& rows) {
 std::string verdict(const Design& design, const std::vector<BudgetRow>& rows) {
   const double error = design.quality.loads->error_max;
   const std::string figure = fmt::format(
-      "Under {} at the pen, in the worst direction and at the worst place of the region, "
-      "it gives way by <b>{}</b>",
+      "under {} at the pen it gives way by <b>{}</b> in the worst direction at the worst place of the region",
       force_text(design.load->pen_force), small_length(error));
   std::string text;
   if (const auto& limit = design.limits.load_error)
     text = fmt::format("<p class=\"lead\">{}: {}; {} are allowed.</p>\n",
                        error <= *limit * (1 + 1e-9) ? "Yes" : "No", figure, length_text(*limit));
   else
-    text = fmt::format("<p class=\"lead\">{}{}.</p>\n", figure,
+    text = fmt::format("<p class=\"lead\">U{}{}.</p>\n", figure.substr(1),
                        !design.tolerance ? std::string()
                                          : fmt::format(": {} % of the whole error, {} at worst",
                                                        number_text(100 * error / sum_of(rows), 1),
@@ -187,10 +186,11 @@ std::string verdict(const Design& design, const std::vector<BudgetRow>& rows) {
   return text + fmt::format("<p>What would help most: {}.</p>\n", change_text(help));
 }
 
-std::string share_of_strength(double stress, double strength) {
+std::string share_of_strength(double stress, double strength, const std::string& material) {
   if (!std::isfinite(stress)) return "the hole leaves nothing";
-  return fmt::format("{} MPa; {} times that is borne", number_text(stress, stress < 10 ? 2 : 1),
-                     number_text(strength / stress, 1));
+  const double times = strength / stress;
+  return fmt::format("{} MPa; {} bears {} times as much", number_text(stress, stress < 10 ? 2 : 1), material,
+                     number_text(times, times < 10 ? 1 : 0));
 }
 
 struct WorstForces {
@@ -234,7 +234,8 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
   const LinkStresses& stress = worst.stresses;
   for (const auto& [link, value] : {std::pair{"Link VA", stress.VA}, std::pair{"Link VB", stress.VB},
                                     std::pair{"Link ACX", stress.ACX}, std::pair{"Link BCY", stress.BCY}})
-    rows.push_back({link, "", share_of_strength(force * value, strength)});
+    rows.push_back(
+        {link, "", share_of_strength(force * value, strength, html_escaped(design.material->name))});
   const double longest = std::max(design.linkage.VA(), design.linkage.VB());
   rows.push_back(
       {"Bars, pushed", force_text(force * worst.push),
