@@ -121,7 +121,7 @@ TEST(LoadSearch, FindsNothingWorseThanAGridOfLengths) {
 TEST(LoadSearch, TakesTheLightestSectionThatKeepsTheError) {
   Spec spec = plagiograph();
   spec.objective.objective = Objective::mass;
-  spec.limits.load_error = 0.2;
+  spec.limits.load_error = 0.1;
   const std::vector<LinkSection> sections{{6, 2}, {6, 3}, {8, 3}, {10, 4}};
   std::optional<double> best;
   LinkSection lightest;
