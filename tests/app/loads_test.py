@@ -94,6 +94,9 @@ class Loads(unittest.TestCase):
         self.assertEqual(stated["links"]["sections_mm"], [[6, 2], [8, 2], [10, 3]])
         self.assertIn("of 3 to choose from", said)
         self.assertTrue(self.verify(stated)["certified"])
+        other = json.loads(json.dumps(stated))
+        other["links"]["sections_mm"] = [[6, 2], [10, 3]]
+        self.assertEqual([one["limit"] for one in self.verify(other)["broken"]], ["links.sections_mm"])
         again = kempe("report", self.here / "design" / "design.json", "-o", self.here / "again")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual(json.loads((self.here / "again" / "design.json").read_text())["mechanism"], stated["mechanism"])
