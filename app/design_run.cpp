@@ -70,7 +70,9 @@ std::string objective_line(const SearchRecord& search, int decimals) {
   std::string text =
       fmt::format("{}objective    {} {}", search.complete ? "" : "STOPPED EARLY: the best so far\n",
                   is_maximized(search.objective) ? "largest" : "smallest",
-                  search.objective == Objective::copy_error ? "copy error" : name(search.objective));
+                  search.objective == Objective::copy_error   ? "copy error"
+                  : search.objective == Objective::load_error ? "load error"
+                                                              : name(search.objective));
   if (search.objective == Objective::footprint)
     text += fmt::format(": {:.{}f} mm2", search.value, decimals + 1);
   return text + "\n";
@@ -91,8 +93,20 @@ std::string reach_line(std::size_t out_of_reach) {
   return fmt::format("obstacles    {} out of reach of any permitted instrument\n", out_of_reach);
 }
 
+/// Why nothing is said of what other designs can reach.
+std::string no_bound_line(const Design& design) {
+  if (!design.search) return "";
+  const Objective objective = design.search->objective;
+  if (design.allowed && design.allowed->sections.size() > 1)
+    return "bound        none is stated where there are sections to choose from\n";
+  if (objective == Objective::load_error || objective == Objective::mass)
+    return fmt::format("bound        none is stated for {}\n",
+                       objective == Objective::mass ? "the mass" : "the load error");
+  return "";
+}
+
 std::string bound_line(const Design& design) {
-  if (!design.quality.proven_bound || !design.search) return "";
+  if (!design.quality.proven_bound || !design.search) return no_bound_line(design);
   const bool angle = design.search->objective == Objective::transmission;
   const double bound = *design.quality.proven_bound;
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
@@ -175,6 +189,26 @@ std::string robust_line(const Design& design, int decimals) {
   return text + "\n";
 }
 
+/// Forces, how far the pen gives way, what the links weigh.
+std::string loads_lines(const Design& design) {
+  std::string text;
+  if (design.material && design.allowed && design.allowed->sections.size() > 1)
+    text += fmt::format("section      {:g} x {:g} mm, of {} to choose from\n", design.style.width,
+                        design.style.thickness, design.allowed->sections.size());
+  if (const auto& loads = design.quality.loads) {
+    text += fmt::format(
+        "load         {:g} N at the pen: it gives way by {:.4g} mm at worst, {:.4g} mm at least\n",
+        design.load->pen_force, loads->error_max, loads->error_min);
+    text += fmt::format(
+        "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, {} bears {:.3g} MPa\n",
+        loads->hand_force_max, loads->pin_force_max, design.material->name, loads->stress_max);
+  }
+  if (design.quality.mass)
+    text += fmt::format("mass         {:.4g} kg: the four links of {}\n", *design.quality.mass,
+                        design.material->name);
+  return text;
+}
+
 /// What to put on the tracer, or how to draw the template, so that the cut is right.
 std::string tool_line(const std::optional<ToolAdvice>& tool) {
   if (!tool) return "";
@@ -231,6 +265,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
         "copy error   {:.4f} mm in the worst case, {:.4f} mm typically (root of the sum of squares)\n"
         "             {:.4f} mm of distortion, which no change of scale, rotation and origin removes\n",
         *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+  text += loads_lines(design);
   text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);

@@ -1,4 +1,4 @@
-// The kernels: poses one by one and in columns, a Newton step, a contact interval, the map, the search.
+// The kernels: poses one by one and in columns, a Newton step, a contact interval, the load error, the map, the search.
 
 #include <benchmark/benchmark.h>
 
@@ -12,6 +12,7 @@
 #include "kinematics/pose_batch.hpp"
 #include "map_task.hpp"
 #include "specs/spec_reader.hpp"
+#include "synthesis/loads/load_error.hpp"
 #include "synthesis/search/search.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
@@ -114,6 +115,16 @@ void contact_interval(benchmark::State& state) {
 }
 BENCHMARK(contact_interval);
 
+/// Worst and least over all openings that a region uses.
+void load_error(benchmark::State& state) {
+  const CopyingLinkage linkage = plagiograph();
+  const LoadErrorProfile profile(linkage.k(), linkage.grounding(), {}, {"steel", 200000, 7850, 235}, 10);
+  const OpeningInterval openings = linkage.openings_with_transmission(radians(30));
+  for (auto _ : state) benchmark::DoNotOptimize(profile.over({linkage.VA(), linkage.VB()}, openings));
+  per_item(state, 1);
+}
+BENCHMARK(load_error);
+
 void map(benchmark::State& state) {
   const MapTask task = bench::task_with(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(map_workspace(task, {.largest_sheets = false}));
@@ -129,6 +140,18 @@ void search(benchmark::State& state, const char* name) {
 }
 BENCHMARK_CAPTURE(search, plagiograph, "plagiograph")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(search, nameplate, "nameplate")->Unit(benchmark::kMillisecond);
+
+/// The nameplate with a limit on the load error that binds: 0.009 mm where the smallest gives way by 0.0101 mm.
+void search_with_load(benchmark::State& state) {
+  auto spec = read_spec_file(examples + "nameplate.toml");
+  if (!spec) throw std::logic_error("cannot read the spec");
+  spec->material = Material{"steel", 200000, 7850, 235};
+  spec->load = Load{10};
+  spec->limits.load_error = 0.009;
+  for (auto _ : state) benchmark::DoNotOptimize(synthesize(*spec, {}));
+  per_item(state, 1);
+}
+BENCHMARK(search_with_load)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace kempe

@@ -26,6 +26,14 @@ double FinishedDesign::transmission_min() const { return inside_->quality.transm
 double FinishedDesign::footprint() const { return inside_->quality.footprint; }
 std::optional<double> FinishedDesign::copy_error() const { return inside_->quality.copy_error_worst; }
 
+std::optional<double> FinishedDesign::load_error() const {
+  const auto& loads = inside_->quality.loads;
+  return loads ? std::optional(loads->error_max) : std::nullopt;
+}
+
+std::optional<double> FinishedDesign::mass() const { return inside_->quality.mass; }
+LinkSection FinishedDesign::section() const { return {inside_->style.width, inside_->style.thickness}; }
+
 std::optional<double> FinishedDesign::robust_clearance() const {
   const auto& robust = inside_->quality.robust;
   return robust && std::isfinite(robust->clearance) ? std::optional(robust->clearance) : std::nullopt;

@@ -45,7 +45,10 @@ Spec task_of(const StoredDesign& stored, const CopyingLinkage& linkage) {
   spec.objective.objective = stored.objective.value_or(spec.objective.objective);
   spec.mechanism = mechanism_of(stored, linkage);
   spec.cutting = stored.cutting.value_or(CuttingSpec{});
+  spec.material = stored.material;
+  spec.load = stored.load;
   if (stored.allowed) allow(spec, *stored.allowed);
+  spec.links.sections.clear();  // the choice is made
   return spec;
 }
 
@@ -87,6 +90,7 @@ tl::expected<Design, InputError> restored_design(const StoredDesign& stored, con
                            .stop = stop};
   if (!stored.allowed || !stored.objective) return assemble_given(*task, *linkage, options);
   task->mechanism.reset();
+  task->links.sections = stored.allowed->sections;
   return assemble_design(*task, found_design(stored, *linkage), options);
 }
 

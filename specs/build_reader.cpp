@@ -8,6 +8,7 @@
 
 #include "kinematics/grounding.hpp"
 #include "specs/hardware.hpp"
+#include "specs/load_reader.hpp"
 
 namespace kempe {
 namespace {
@@ -22,9 +23,12 @@ class LinkChecks {
       : links_(links), table_(table), complaints_(complaints) {}
 
   void run() {
+    for (const std::string_view key : {"width_mm", "thickness_mm"})
+      if (table_.has("sections_mm") && table_.has(key))
+        refuse(key, "it beside sections_mm", "one of the two");
     if (links_.style.pin_diameter > links_.style.width) {
       refuse(
-          table_.has("pin_diameter_mm") ? "pin_diameter_mm" : "width_mm",
+          table_.has("pin_diameter_mm") ? "pin_diameter_mm" : width_key(),
           fmt::format("a pin of {} mm in a link {} mm wide", links_.style.pin_diameter, links_.style.width),
           "pin_diameter_mm <= width_mm");
     }
@@ -72,6 +76,8 @@ class LinkChecks {
       refuse("hardware", fmt::format("\"{}\" in links {} mm thick", hardware.name, links_.style.thickness),
              fmt::format("links.thickness_mm of at least {}", hardware.seat_width));
   }
+
+  std::string_view width_key() const { return table_.has("sections_mm") ? "sections_mm" : "width_mm"; }
 
   bool fits(double length) const { return links_.shortest <= length && length <= links_.longest; }
   std::string range() const {
@@ -151,6 +157,19 @@ JointHardware read_hardware(const TableView& table) {
   return hardware;
 }
 
+/// With the narrowest and the thinnest of the sections, then with the first of them in place.
+void check_links(LinkSpec& links, const TableView& table, Complaints& complaints) {
+  const auto least = [&](double LinkSection::*side, double given) {
+    for (std::size_t i = 0; i < links.sections.size(); ++i)
+      given = i == 0 ? links.sections[i].*side : std::min(given, links.sections[i].*side);
+    return given;
+  };
+  links.style.width = least(&LinkSection::width, links.style.width);
+  links.style.thickness = least(&LinkSection::thickness, links.style.thickness);
+  LinkChecks(links, table, complaints).run();
+  if (!links.sections.empty()) use_section(links.style, links.sections.front());
+}
+
 std::optional<Process> process_named(std::string_view word) {
   for (const Process process : {Process::laser, Process::mill, Process::print, Process::drill})
     if (name(process) == word) return process;
@@ -161,7 +180,8 @@ std::optional<Process> process_named(std::string_view word) {
 Grounding grounding_or_last(std::string_view word) { return grounding_named(word).value_or(Grounding::pen); }
 
 Objective objective_named(std::string_view word) {
-  for (const Objective objective : {Objective::transmission, Objective::copy_error, Objective::footprint}) {
+  for (const Objective objective : {Objective::transmission, Objective::copy_error, Objective::footprint,
+                                    Objective::load_error, Objective::mass}) {
     if (name(objective) == word) return objective;
   }
   return Objective::size;
@@ -211,7 +231,8 @@ LinkSpec read_links(const TableView& table, Complaints& complaints) {
   table.set("wall_mm", links.wall);
   links.style.plate = plate == "triangle" ? PlateStyle::triangle : PlateStyle::bent;
   links.stock_lengths = read_stock_lengths(table);
-  LinkChecks(links, table, complaints).run();
+  links.sections = read_sections(table);
+  check_links(links, table, complaints);
   return links;
 }
 
@@ -223,6 +244,8 @@ Limits read_limits(const TableView& table) {
   table.set("sheets_gap_mm", limits.copy_gap);
   table.set("copy_error_mm", limits.copy_error);
   table.set("longest_strip_mm", limits.longest_strip);
+  table.set("load_error_mm", limits.load_error);
+  table.set("sag_mm", limits.sag);
   limits.transmission = radians(transmission_degrees);
   return limits;
 }

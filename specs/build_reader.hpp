@@ -1,6 +1,6 @@
 #pragma once
 // The tables about the instrument itself: [links], [limits], [tolerance], [tool], [objective], [mechanism],
-// [cutting]. Each function reads a table whose keys have been checked, or gives the defaults if it is absent,
+// [cutting]; those about its loads are read by load_reader.hpp. Each function reads a table whose keys have been checked, or gives the defaults if it is absent,
 // and checks what concerns several of its keys.
 
 #include <optional>

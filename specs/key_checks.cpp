@@ -31,9 +31,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-constexpr std::array<std::string_view, 16> unit_suffixes{
-    "_mm", "_deg",    "_rad",     "_cm",      "_m",   "_in", "_inch", "_um",
-    "_ft", "_degree", "_degrees", "_radians", "_mil", "_pt", "_px",   "_percent"};
+constexpr std::array<std::string_view, 23> unit_suffixes{
+    "_mm", "_deg",    "_rad",     "_cm",      "_m",   "_in",  "_inch", "_um",
+    "_ft", "_degree", "_degrees", "_radians", "_mil", "_pt",  "_px",   "_percent",
+    "_N",  "_kN",     "_kg",      "_lbf",     "_MPa", "_GPa", "_kg_m3"};
+
+/// What a unit measures: "E_GPa: elasticity is in gigapascals".
+struct UnitWords {
+  std::string_view suffix, words;
+};
+constexpr std::array<UnitWords, 5> unit_words_of_keys{{{"_deg", "angles are in degrees"},
+                                                       {"_N", "forces are in newtons"},
+                                                       {"_GPa", "elasticity is in gigapascals"},
+                                                       {"_MPa", "strength is in megapascals"},
+                                                       {"_kg_m3", "density is in kilograms a cubic metre"}}};
 
 /// The name without what looks like a unit: "width" of "width_cm".
 std::string_view stem_of(std::string_view name) {
@@ -52,7 +63,8 @@ std::string unit_sentence(std::string_view known, std::string_view written, Spec
   if (known.ends_with("_mm"))
     return fmt::format("{}: lengths are in millimetres{}", known,
                        meant_inches ? ", or all of them in inches with units = \"in\" at the top" : "");
-  if (known.ends_with("_deg")) return fmt::format("{}: angles are in degrees", known);
+  for (const UnitWords& unit_words : unit_words_of_keys)
+    if (known.ends_with(unit_words.suffix)) return fmt::format("{}: {}", known, unit_words.words);
   return fmt::format("{}: it has no unit", known);
 }
 
@@ -130,6 +142,7 @@ class ValueCheck {
       case KeyKind::text: return require(!value.value_or(std::string()).empty(), value);
       case KeyKind::numbers: return check_numbers(value);
       case KeyKind::point: return check_point(value);
+      case KeyKind::sections: return check_sections(value);
       case KeyKind::layer_range: return check_layers(value, 2);
       case KeyKind::link_layers: return check_layers(value, 4);
       case KeyKind::rings:
@@ -222,6 +235,12 @@ class ValueCheck {
     const toml::array* list = value.as_array();
     if (!list || list->size() != 2) return refuse(value, describe(value));
     for (const toml::node& element : *list) check_number(element);
+  }
+
+  void check_sections(const toml::node& value) {
+    const toml::array* list = value.as_array();
+    if (!list || list->empty()) return refuse(value, describe(value));
+    for (const toml::node& element : *list) check_point(element);
   }
 
   void check_layers(const toml::node& value, std::size_t count) {

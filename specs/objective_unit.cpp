@@ -6,8 +6,10 @@ std::string_view unit_of(Objective objective) {
   switch (objective) {
     case Objective::transmission: return "deg";
     case Objective::footprint: return "mm2";
+    case Objective::mass: return "kg";
     case Objective::size:
-    case Objective::copy_error: break;
+    case Objective::copy_error:
+    case Objective::load_error: break;
   }
   return "mm";
 }

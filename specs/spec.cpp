@@ -35,6 +35,8 @@ std::string_view name(Objective objective) {
     case Objective::transmission: return "transmission";
     case Objective::copy_error: return "copy_error";
     case Objective::footprint: return "footprint";
+    case Objective::load_error: return "load_error";
+    case Objective::mass: return "mass";
   }
   return "";
 }

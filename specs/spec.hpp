@@ -7,6 +7,12 @@
 
 namespace kempe {
 
+/// Gives a link this cross-section.
+inline void use_section(LinkStyle& style, const LinkSection& section) {
+  style.width = section.width;
+  style.thickness = section.thickness;
+}
+
 /// The least wall between two holes of a link, mm: `links.wall`, or what stands in for it.
 double least_wall(const Spec& spec);
 /// What a joint takes of its link, mm: the pin's diameter, or the hole's if that is wider.

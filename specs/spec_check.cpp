@@ -9,6 +9,7 @@
 #include "kinematics/grounding.hpp"
 #include "kinematics/links.hpp"
 #include "kinematics/overloaded.hpp"
+#include "specs/spec.hpp"
 #include "specs/spec_table.hpp"
 #include "specs/text/toml_access.hpp"
 
@@ -70,6 +71,12 @@ toml::table pole_table(const PoleSpec& pole) {
   return toml::table{{"within_mm", outer_rings(std::get<Region>(pole.place))}};
 }
 
+toml::array section_list(const std::vector<LinkSection>& sections) {
+  toml::array list;
+  for (const LinkSection& section : sections) list.push_back(toml::array{section.width, section.thickness});
+  return list;
+}
+
 toml::table hardware_table(const JointHardware& hardware) {
   toml::table table;
   put(table, "default", hardware.every, std::string());
@@ -81,9 +88,10 @@ toml::table hardware_table(const JointHardware& hardware) {
 toml::table links_table(const LinkSpec& links) {
   const LinkSpec usual;
   toml::table table;
-  put(table, "width_mm", links.style.width, usual.style.width);
+  if (links.sections.empty()) put(table, "width_mm", links.style.width, usual.style.width);
   put(table, "pin_diameter_mm", links.style.pin_diameter, usual.style.pin_diameter);
-  put(table, "thickness_mm", links.style.thickness, usual.style.thickness);
+  if (links.sections.empty()) put(table, "thickness_mm", links.style.thickness, usual.style.thickness);
+  if (!links.sections.empty()) table.insert("sections_mm", section_list(links.sections));
   if (!links.hardware.none()) {
     if (links.hardware.differs())
       table.insert("hardware", hardware_table(links.hardware));
@@ -110,6 +118,8 @@ toml::table limits_table(const Limits& limits) {
   put(table, "sheets_gap_mm", limits.copy_gap);
   put(table, "copy_error_mm", limits.copy_error);
   put(table, "longest_strip_mm", limits.longest_strip);
+  put(table, "load_error_mm", limits.load_error);
+  put(table, "sag_mm", limits.sag);
   return table;
 }
 
@@ -117,6 +127,23 @@ toml::table tool_table(const ToolSpec& tool) {
   toml::table table;
   put(table, "follower_radius_mm", tool.follower_radius);
   put(table, "cutter_radius_mm", tool.cutter_radius);
+  return table;
+}
+
+toml::table material_table(const Material& material) {
+  constexpr double GPa_per_MPa = 1e-3;
+  toml::table table{{"E_GPa", GPa_per_MPa * material.E},
+                    {"density_kg_m3", material.density},
+                    {"strength_MPa", material.strength}};
+  put(table, "name", material.name, std::string());
+  return table;
+}
+
+toml::table load_table(const Load& load) {
+  toml::table table{{"pen_N", load.pen_force}};
+  toml::array rests;
+  for (const Carrier point : load.rests) rests.push_back(point == Carrier::tracer ? "tracer" : "pen");
+  if (!rests.empty()) table.insert("rests", std::move(rests));
   return table;
 }
 
@@ -205,6 +232,8 @@ toml::table table_of(const Spec& spec) {
   put_if_any(root, "limits", limits_table(spec.limits));
   if (spec.tolerance) root.insert("tolerance", tolerance_table(*spec.tolerance));
   put_if_any(root, "tool", tool_table(spec.tool));
+  if (spec.material) root.insert("material", material_table(*spec.material));
+  if (spec.load) root.insert("load", load_table(*spec.load));
   if (!spec.obstacles.empty()) root.insert("obstacles", obstacle_tables(spec.obstacles));
   if (!spec.bodies.empty()) root.insert("bodies", body_tables(spec.bodies));
   if (spec.table) root.insert("table", toml::table{{"polygon_mm", list_of(spec.table->outer)}});
@@ -248,6 +277,8 @@ tl::expected<Spec, InputError> check_spec(const Spec& spec) {
   checked.objective.groundings = std::move(read->objective.groundings);            // those that bodies leave
   checked.links.stock_lengths.stock = std::move(read->links.stock_lengths.stock);  // sorted, each once
   checked.links.style.pin_diameter = read->links.style.pin_diameter;               // the hardware's
+  checked.links.sections = std::move(read->links.sections);                        // sorted, each once
+  if (!checked.links.sections.empty()) use_section(checked.links.style, checked.links.sections.front());
   if (!spec.pole.is_fixed()) checked.pole = std::move(read->pole);
   return checked;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "geometry/regions/region_checks.hpp"
 
@@ -61,6 +62,8 @@ constexpr SpecKey keys[] = {
     {"links", "pin_diameter_mm", number, above(0, 1000), "", optional, "6", "8",
      "diameter of pins and posts, at most the width"},
     {"links", "thickness_mm", number, above(0, 1000), "", optional, "4", "5", "thickness of every link"},
+    {"links", "sections_mm", sections, above(0, 1000), "", optional, "", "[[15, 5], [20, 5]]",
+     "width and thickness to choose from, all links alike, instead of width_mm and thickness_mm"},
     {"links", "hardware", joint_choices, any,
      "M3 bolt|M4 bolt|M5 bolt|M6 bolt|M8 bolt|M10 bolt|M12 bolt|M6 shoulder bolt|"
      "M8 shoulder bolt|M12 shoulder bolt|623 bearing|624 bearing|625 bearing|"
@@ -103,6 +106,11 @@ constexpr SpecKey keys[] = {
      "largest copy error under [tolerance], worst case; left out: not limited"},
     {"limits", "longest_strip_mm", number, length, "", optional, "", "415",
      "largest length of a link over its ends: the strip that is at hand; left out: not limited"},
+    {"limits", "load_error_mm", number, above(0, 1000), "", optional, "", "0.1",
+     "most that the pen may give way under [load], in its worst direction in the plane; left out: not "
+     "limited"},
+    {"limits", "sag_mm", number, above(0, 1000), "", optional, "", "0.5",
+     "most that tracer and pen may sink by weight and load; left out: not limited"},
 
     {"tolerance", "length_mm", number, from(0, 10), "", optional, "0", "0.05",
      "tolerance of every length, plus or minus"},
@@ -114,6 +122,20 @@ constexpr SpecKey keys[] = {
      "radius of the follower at the tracer"},
     {"tool", "cutter_radius_mm", number, from(0, 1000), "", optional, "", "1.5",
      "radius of the cutter at the pen"},
+
+    {"material", "name", text, any, "", optional, "", "\"steel\"",
+     "one that is known by its name (docs/loads.md), or what to call one that the other keys describe"},
+    {"material", "E_GPa", number, above(0, 1e4), "", optional, "", "200",
+     "modulus of elasticity; left out: that of the name"},
+    {"material", "density_kg_m3", number, above(0, 1e5), "", optional, "", "7850",
+     "density; left out: that of the name"},
+    {"material", "strength_MPa", number, above(0, 1e5), "", optional, "", "235",
+     "stress that it bears in bending; left out: that of the name"},
+
+    {"load", "pen_N", number, above(0, 1e6), "", required, "", "10",
+     "force at the pen, in any direction in the plane"},
+    {"load", "rests", choices, any, "tracer|pen", optional, "", "[\"tracer\", \"pen\"]",
+     "what the table carries besides the pole's post; left out: nothing"},
 
     {"obstacles", "name", text, any, "", optional, "", "\"vice\"",
      "what the report calls it; left out: obstacle 1, 2, ..."},
@@ -150,8 +172,8 @@ constexpr SpecKey keys[] = {
     {"table", "circle_mm", circle, any, "", optional, "", "{centre = [0, 0], radius = 500}",
      "a circle instead"},
 
-    {"objective", "minimize", choice, any, "size|copy_error|footprint", optional, "\"size\"", "\"footprint\"",
-     "what is made small"},
+    {"objective", "minimize", choice, any, "size|copy_error|footprint|load_error|mass", optional, "\"size\"",
+     "\"footprint\"", "what is made small"},
     {"objective", "maximize", choice, any, "transmission", optional, "", "\"transmission\"",
      "what is made large instead"},
     {"objective", "groundings", choices, any, "pole|tracer|pen", optional, "[\"pole\", \"tracer\", \"pen\"]",
@@ -183,16 +205,27 @@ constexpr SpecKey keys[] = {
     {"circle_mm", "radius", number, above(0, largest_coordinate), "", required, "", "10", "the radius"},
 };
 
-constexpr std::array<std::string_view, 13> tables{"copy",      "region",    "pole",      "links",  "limits",
-                                                  "tolerance", "tool",      "obstacles", "bodies", "table",
-                                                  "objective", "mechanism", "cutting"};
+constexpr std::array<std::string_view, 15> tables{
+    "copy", "region",    "pole",   "links", "limits",    "tolerance", "tool",   "material",
+    "load", "obstacles", "bodies", "table", "objective", "mechanism", "cutting"};
 
 constexpr double mm_per_inch = 25.4;
 
-/// " mm", " degrees" or nothing.
+/// What names of keys that are no lengths may end in, and the unit in words.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> suffixes{
+    {{"_deg", "degrees"}, {"_N", "N"}, {"_GPa", "GPa"}, {"_MPa", "MPa"}, {"_kg_m3", "kg/m3"}}};
+
+std::pair<std::string_view, std::string_view> unit_suffix(std::string_view name) {
+  const auto* found = std::find_if(suffixes.begin(), suffixes.end(),
+                                   [&](const auto& each) { return name.ends_with(each.first); });
+  return found == suffixes.end() ? std::pair<std::string_view, std::string_view>{} : *found;
+}
+
+/// " mm", " degrees", " N", ... or nothing.
 std::string unit_words(const SpecKey& key, SpecUnit unit) {
   if (is_length(key)) return fmt::format(" {}", name(unit));
-  return key.name.ends_with("_deg") ? " degrees" : "";
+  const auto [suffix, words] = unit_suffix(key.name);
+  return suffix.empty() ? "" : fmt::format(" {}", words);
 }
 
 }  // namespace
@@ -255,6 +288,7 @@ std::string describe_allowed(const SpecKey& key, SpecUnit in_unit) {
     case text: return "text between quotation marks";
     case numbers: return fmt::format("a list of numbers {}{}", range, unit);
     case point: return fmt::format("[x, y], numbers {}{}", range, unit);
+    case sections: return fmt::format("[[width, thickness], ...], one or more, numbers {}{}", range, unit);
     case layer_range: return fmt::format("[lowest, highest], whole numbers {}", range);
     case link_layers: return fmt::format("the layers of [VA, VB, ACX, BCY], whole numbers {}", range);
     case rings:

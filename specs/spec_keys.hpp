@@ -30,6 +30,7 @@ enum class KeyKind {
   text,           ///< any text, not empty
   numbers,        ///< a list of numbers, each within the range
   point,          ///< [x, y], each within the range
+  sections,       ///< [[width, thickness], ...], each number within the range
   layer_range,    ///< [lowest, highest], whole numbers within the range, lowest <= highest
   link_layers,    ///< four whole numbers within the range, of VA, VB, ACX, BCY
   rings,          ///< a ring [[x, y], ...] or a list of rings

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "specs/build_reader.hpp"
 #include "specs/copy_reader.hpp"
 #include "specs/file_kind.hpp"
 #include "specs/key_checks.hpp"
+#include "specs/load_reader.hpp"
 #include "specs/region_reader.hpp"
 #include "specs/spec_table.hpp"
 #include "specs/spec_unit.hpp"
@@ -33,6 +36,10 @@ void check_strip(const Spec& spec, const toml::table& root, Complaints& complain
   if (!spec.limits.longest_strip || !complaints.none_about("limits") || !complaints.none_about("links"))
     return;
   if (largest_joint_distance(spec) >= spec.links.shortest) return;
+  const auto fits = [&](const LinkSection& section) {
+    return *spec.limits.longest_strip - section.width >= spec.links.shortest;
+  };
+  if (std::any_of(spec.links.sections.begin(), spec.links.sections.end(), fits)) return;
   const TableView limits = table_in(root, "limits");
   complaints.add(limits.line_of_key("longest_strip_mm"), limits.dotted("longest_strip_mm"),
                  fmt::format("{}", *spec.limits.longest_strip),
@@ -120,6 +127,8 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
   spec.limits = read_limits(table("limits"));
   spec.tolerance = read_tolerance(table("tolerance"));
   spec.tool = read_tool(table("tool"));
+  if (sound("material")) spec.material = read_material(table("material"), complaints);
+  if (sound("load")) spec.load = read_load(table("load"));
   if (sound("objective")) spec.objective = read_objective(table("objective"), complaints);
   if (sound("mechanism") && sound("copy") && complaints.none_about("links"))
     spec.mechanism = read_mechanism(table("mechanism"), spec.copy, spec.links.layers, complaints);
@@ -127,6 +136,7 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
   check_strip(spec, root, complaints);
   check_tolerance(spec, root, complaints);
   check_robust(spec, root, complaints);
+  check_loads(spec, root, complaints);
   if (complaints.none_about("pole"))
     spec.pole = read_pole(table("pole"), copy.pole.value_or(Point::Zero()), complaints);
   if (sound("obstacles")) spec.obstacles = read_obstacles(*root.get_as<toml::array>("obstacles"), complaints);

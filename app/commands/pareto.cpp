@@ -34,8 +34,8 @@ struct ParetoArguments {
   double time_limit = Deadline::unlimited;
 };
 
-constexpr std::array objectives{Objective::size, Objective::transmission, Objective::copy_error,
-                                Objective::footprint};
+constexpr std::array objectives{Objective::size,      Objective::transmission, Objective::copy_error,
+                                Objective::footprint, Objective::load_error,   Objective::mass};
 
 std::optional<Objective> objective_named(const std::string& word) {
   for (const Objective one : objectives)
@@ -139,17 +139,34 @@ std::string summary_text(const ParetoFront& front, bool complete, const std::str
                     printable(folder));
 }
 
+/// What the objectives need and the spec does not have, or what fronts do not know.
+std::optional<InputError> lack_of(const LoadedSpec& loaded, const std::array<Objective, 2>& sought) {
+  const Spec& spec = loaded.spec;
+  const auto seeks = [&](Objective one) { return sought[0] == one || sought[1] == one; };
+  const auto no_table = [&](const char* table, const char* allowed) {
+    return InputError{loaded.file, 0, table, "no such table", allowed};
+  };
+  if (seeks(Objective::copy_error) && !spec.tolerance)
+    return no_table("tolerance", "[tolerance] with length_mm and play_mm, for copy_error");
+  if (seeks(Objective::load_error) && !spec.load)
+    return no_table("load", "[load] with pen_N, for load_error");
+  if (seeks(Objective::mass) && !spec.material) return no_table("material", "[material] with name, for mass");
+  if (spec.links.sections.size() > 1)
+    return InputError{loaded.file, 0, "links.sections_mm", "several sections",
+                      "one: a front is of one section"};
+  return std::nullopt;
+}
+
 int run(const Session& session, const ParetoArguments& arguments) {
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
   const auto first = objective_named(arguments.between.front()),
              second = objective_named(arguments.between.back());
   if (arguments.between.size() != 2 || !first || !second || *first == *second)
-    return fail(session, {"", 0, "--between", fmt::format("{}", fmt::join(arguments.between, ",")),
-                          "two of size, transmission, copy_error, footprint, as size,copy_error"});
-  if ((*first == Objective::copy_error || *second == Objective::copy_error) && !loaded->spec.tolerance)
-    return fail(session, {loaded->file, 0, "tolerance", "no such table",
-                          "[tolerance] with length_mm and play_mm, for copy_error"});
+    return fail(session,
+                {"", 0, "--between", fmt::format("{}", fmt::join(arguments.between, ",")),
+                 "two of size, transmission, copy_error, footprint, load_error, mass, as size,copy_error"});
+  if (const auto lack = lack_of(*loaded, {*first, *second})) return fail(session, *lack);
   if (loaded->spec.tolerance && loaded->spec.tolerance->robust)
     return fail(session, {loaded->file, 0, "tolerance.robust", "true",
                           "false: fronts are of the instruments as drawn"});
@@ -197,7 +214,9 @@ void add_pareto_command(CLI::App& program, Session& session) {
                   "kempe pareto specs/examples/nameplate.toml --between size,transmission -o out/front");
   auto arguments = std::make_shared<ParetoArguments>();
   command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)")->required();
-  command->add_option("--between", arguments->between, "Two of size, transmission, copy_error, footprint")
+  command
+      ->add_option("--between", arguments->between,
+                   "Two of size, transmission, copy_error, footprint, load_error, mass")
       ->required()
       ->delimiter(',');
   command->add_option("--points", arguments->points, "Number of points")

@@ -40,12 +40,17 @@ class KEMPE_EXPORT FinishedDesign {
   double footprint() const;  ///< mm^2, outer bound of the area swept while the tracer covers the region
   /// mm, worst case over the region under Spec::tolerance; absent without it.
   std::optional<double> copy_error() const;
+  /// mm, most that the pen gives way over the region under Spec::load, in its worst direction; absent without it.
+  std::optional<double> load_error() const;
+  std::optional<double> mass() const;  ///< kg, of the four links; absent without Spec::material
+  /// Width and thickness of the links, mm: of LinkSpec::sections the one chosen.
+  LinkSection section() const;
   /// mm, no instrument within Spec::tolerance has a smaller gap between its parts while its tracer covers the region: proven.
   /// Absent unless Tolerance::robust asks for it, and where some instrument is not proven to close.
   std::optional<double> robust_clearance() const;
 
   Objective objective() const;  ///< what was made small or large; size for a given mechanism
-  /// The objective's value: mm, rad (transmission) or mm^2 (footprint); absent for a given mechanism.
+  /// The objective's value: mm, rad (transmission), mm^2 (footprint) or kg (mass); absent for a given mechanism.
   std::optional<double> value() const;
   /// No design for the spec can be better than this, mm (size) or rad (transmission): proven, rounded outwards with the slack
   /// that docs/proven-bound.md states. Absent for other objectives, and where nothing is proven.

@@ -27,6 +27,13 @@ struct LinkStyle {
   bool operator==(const LinkStyle&) const = default;
 };
 
+/// The cross-section of a link.
+struct LinkSection {
+  double width = 0;      ///< mm, > 0, in the plane
+  double thickness = 0;  ///< mm, > 0
+  bool operator==(const LinkSection&) const = default;
+};
+
 /// Stock lengths: those that a shop has, or that a part at hand gives.
 struct KEMPE_EXPORT StockLengths {
   std::optional<double> grid;                   ///< mm: lengths are multiples of this
@@ -71,6 +78,9 @@ struct LinkSpec {
   /// What the joints are made of. style.pin_diameter is that of the thickest pin then, and of every plain one; contact and
   /// least distances take it for the pin of every joint.
   JointHardware hardware{};
+  /// Sections to choose from, all links alike: sorted by area, the lightest first, each once. `style` has the first of them, or once a
+  /// design is found its own. Empty: style.width and style.thickness.
+  std::vector<LinkSection> sections{};
 };
 
 }  // namespace kempe

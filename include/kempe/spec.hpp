@@ -15,6 +15,8 @@
 #include "kempe/export.hpp"
 #include "kempe/grounding.hpp"
 #include "kempe/links.hpp"
+#include "kempe/load.hpp"
+#include "kempe/material.hpp"
 #include "kempe/obstacle.hpp"
 #include "kempe/region.hpp"
 
@@ -36,6 +38,10 @@ struct Limits {
   std::optional<double> copy_error;   ///< mm, worst case under Tolerance; absent: not required
   /// mm, > 0, at most: of every link over its ends, its farthest joints and half a width beyond each; absent: any
   std::optional<double> longest_strip{};
+  /// mm, > 0, at most: how far the pen gives way under Spec::load in its worst direction, in the plane; absent: not required
+  std::optional<double> load_error{};
+  /// mm, > 0, at most: how far tracer or pen sink by weight and load; absent: not required
+  std::optional<double> sag{};
 };
 
 /// How far an instrument as made may be off, plus or minus.
@@ -57,9 +63,11 @@ enum class Objective {
   size,          ///< mm, half the perimeters round the links' joints, summed; made small
   transmission,  ///< rad, the smallest transmission angle over the region; made large
   copy_error,    ///< mm, the worst case over the region under Spec::tolerance; made small
-  footprint      ///< mm^2, the area swept while the tracer covers the region; made small
+  footprint,     ///< mm^2, the area swept while the tracer covers the region; made small
+  load_error,    ///< mm, the most that the pen gives way over the region under Spec::load; made small
+  mass           ///< kg, of the four links of Spec::material; made small
 };
-/// "size", "transmission", "copy_error" or "footprint".
+/// "size", "transmission", "copy_error", "footprint", "load_error" or "mass".
 KEMPE_EXPORT std::string_view name(Objective objective);
 /// True for transmission only: larger is better.
 KEMPE_EXPORT bool is_maximized(Objective objective);
@@ -94,8 +102,11 @@ struct Spec {
   Limits limits;                       ///< what to keep
   std::optional<Tolerance> tolerance;  ///< needed where the copy error, or robust designs, are asked for
   ToolSpec tool;                       ///< for advice on the template
-  std::vector<Obstacle> obstacles;     ///< what is in the way
-  std::vector<Body> bodies;            ///< what tracer and pen carry along
+  std::optional<Material>
+      material{};                   ///< of the links; needed where loads, weights or the mass are asked for
+  std::optional<Load> load{};       ///< at the pen; absent: nothing is said of forces and deflections
+  std::vector<Obstacle> obstacles;  ///< what is in the way
+  std::vector<Body> bodies;         ///< what tracer and pen carry along
   std::optional<Polygon>
       table;                ///< mm, without holes: links, pins, posts and bodies stay on it; absent: no edge
   ObjectiveSpec objective;  ///< what is sought

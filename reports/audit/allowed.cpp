@@ -156,6 +156,23 @@ void check_layer_count(const LayerAssignment& layers, int most, AuditRecord& rec
          .sentence = fmt::format("a link lies in layer {}; {} layers are allowed", layers.highest(), most)});
 }
 
+/// The links have one of the sections that there was to choose from.
+void check_section(const LinkStyle& style, const std::vector<LinkSection>& sections, AuditRecord& record) {
+  if (sections.empty()) return;
+  record.checked("links.sections_mm");
+  const auto is_own = [&](const LinkSection& one) {
+    return std::abs(one.width - style.width) <= same_length * style.width &&
+           std::abs(one.thickness - style.thickness) <= same_length * style.thickness;
+  };
+  if (std::none_of(sections.begin(), sections.end(), is_own))
+    record.broken(
+        {.limit = "links.sections_mm",
+         .attained = style.width,
+         .allowed = sections.front().width,
+         .sentence = fmt::format("links of {:.6g} x {:.6g} mm are none of the {} that were to choose from",
+                                 style.width, style.thickness, sections.size())});
+}
+
 Joint joint_named(char name) {
   return *std::find_if(all_joints.begin(), all_joints.end(),
                        [&](Joint joint) { return letter(joint) == name; });
@@ -228,6 +245,7 @@ void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, do
   check_lengths(linkage.lengths(), allowed, record);
   check_locks(linkage.lengths(), allowed.stock_lengths, record);
   check_layer_count(design.layers, allowed.layers, record);
+  check_section(design.style, allowed.sections, record);
   check_pole(design, allowed.pole, slack, record);
   check_grounding(linkage.grounding(), allowed.groundings, record);
   if (design.cutting) {

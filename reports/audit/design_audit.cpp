@@ -158,6 +158,7 @@ void look_at(const StoredDesign& design, DesignAudit& result) {
     audit_allowed(design, *linkage, task.slack, record);
     audit_limits(task, record);
     audit_figures(task, record);
+    audit_loads(task, record);
   } else {
     const char* why = "the mechanism's figures contradict each other";
     for (const char* key : {"region", "obstacles", "bodies", "table", "limits", "links", "pole", "objective",

@@ -225,6 +225,9 @@ std::optional<double> quality_of(const StoredDesign& design, Objective objective
     case Objective::size: return design.quality.size;
     case Objective::transmission: return degrees(design.quality.transmission_min);
     case Objective::copy_error: return design.quality.copy_error_worst;
+    case Objective::load_error:
+      return design.quality.loads ? std::optional(design.quality.loads->error_max) : std::nullopt;
+    case Objective::mass: return design.quality.mass;
     case Objective::footprint: break;
   }
   return design.footprint;

@@ -50,6 +50,8 @@ void audit_limits(const AuditTask& task, AuditRecord& record);
 
 /// Quality, workspace, search, tool and ratio error against what is computed anew.
 void audit_figures(const AuditTask& task, AuditRecord& record);
+/// Mass, forces and load error, and the limit on it.
+void audit_loads(const AuditTask& task, AuditRecord& record);
 /// What the file says of its own verification, and the bound, against the other figures.
 void audit_claims(const StoredDesign& design, const Verification& drive, AuditRecord& record);
 

@@ -10,6 +10,8 @@ namespace kempe::audit_slack {
 inline constexpr double share_of_rounding = 1e-9;
 /// Share of a copy error: its maxima are found to this.
 inline constexpr double share_of_copy_error = 1e-6;
+/// Share of a load error or force: the openings looked at lie beside the worst one.
+inline constexpr double share_of_load = 1e-4;
 /// Share of a figure counted on a grid: last digits move whole cells.
 inline constexpr double share_of_grid = 1e-3;
 /// Share of a sheet that fits: a search finds sheets, and no more is asked than that it finds them again.

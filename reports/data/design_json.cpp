@@ -94,6 +94,15 @@ Json quality_json(const Design& design) {
             {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
             {"footprint_mm2", swept},
             {"lower_bound", objective_figure(quality.proven_bound, design.search)}};
+  if (quality.loads) {
+    json["load_error_max_mm"] = finite_or_null(quality.loads->error_max);
+    json["load_error_min_mm"] = finite_or_null(quality.loads->error_min);
+    json["pin_force_max_N"] = finite_or_null(quality.loads->pin_force_max);
+    json["hand_force_max_N"] = finite_or_null(quality.loads->hand_force_max);
+    json["stress_max_MPa"] = finite_or_null(quality.loads->stress_max);
+  }
+  if (quality.sag) json["sag_max_mm"] = finite_or_null(*quality.sag);
+  if (quality.mass) json["mass_kg"] = finite_or_null(*quality.mass);
   if (quality.robust)
     json["robust"] = {{"holds", quality.robust->holds},
                       {"clearance_min_mm", finite_or_null(quality.robust->clearance)},
@@ -212,6 +221,7 @@ nlohmann::ordered_json design_values(const Design& design) {
                    {"links", if_known(design.allowed, links_limits_json)},
                    {"objective", if_known(design.allowed, objective_json)},
                    {"cutting", cutting_json(design.cutting)}});
+  add_material_and_load(design.material, design.load, json);
   add_bodies_and_table(design.bodies, design.table, json);
   return json;
 }

@@ -51,6 +51,8 @@ struct StoredDesign {
   DrawnMechanism mechanism;
   LinkStyle style;
   LayerAssignment layers;
+  std::optional<Material> material;  ///< absent: the spec gave none
+  std::optional<Load> load;
   JointHardware hardware;              ///< plain pins unless the file says otherwise
   std::optional<Limits> limits;        ///< absent in a file of the contract's minimal form
   std::optional<Tolerance> tolerance;  ///< absent: the spec gave none

@@ -30,7 +30,9 @@ void note_keys(const JsonField& root, StoredDesign& design) {
               "objective",
               "cutting",
               "bodies",
-              "table"});
+              "table",
+              "material",
+              "load"});
   const auto look_in = [&](std::string_view table, std::initializer_list<std::string_view> known) {
     if (const auto field = root.find(table)) look(*field, known);
   };
@@ -46,7 +48,9 @@ void note_keys(const JsonField& root, StoredDesign& design) {
   for (const JsonField& link : root["mechanism"]["links"].elements(0, most))
     look(link, {"name", "joints", "shape", "layer"});
   look_in("quality", {"size_mm", "transmission_min_deg", "clearance_min_mm", "copy_error_worst_mm",
-                      "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2", "lower_bound", "robust"});
+                      "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2", "lower_bound", "robust",
+                      "load_error_max_mm", "load_error_min_mm", "pin_force_max_N", "hand_force_max_N",
+                      "stress_max_MPa", "sag_max_mm", "mass_kg"});
   if (const auto robust = root["quality"].find("robust"))
     look(*robust, {"holds", "clearance_min_mm", "clearance_loss_mm", "nominal_value"});
   look_in("workspace",
@@ -55,8 +59,10 @@ void note_keys(const JsonField& root, StoredDesign& design) {
   look_in("verification", {"samples", "copy_error_max_mm", "loop_residual_max_mm", "scale", "rotation_deg",
                            "flips", "certified", "failure", "driven_over"});
   look_in("search", {"objective", "value", "solvers", "evaluations", "seed", "complete"});
-  look_in("limits",
-          {"clearance_mm", "transmission_deg", "sheets_gap_mm", "copy_error_mm", "longest_strip_mm"});
+  look_in("limits", {"clearance_mm", "transmission_deg", "sheets_gap_mm", "copy_error_mm", "longest_strip_mm",
+                     "load_error_mm", "sag_mm"});
+  look_in("material", {"name", "E_GPa", "density_kg_m3", "strength_MPa"});
+  look_in("load", {"pen_N", "rests"});
   look_in("tolerance", {"length_mm", "play_mm", "robust"});
   if (const auto obstacles = root.find("obstacles"))
     for (const JsonField& one : obstacles->elements(0, most)) look(one, {"name", "shape", "layers"});
@@ -70,7 +76,7 @@ void note_keys(const JsonField& root, StoredDesign& design) {
                    "exact_cutter_radius_mm", "cut_outside_mm", "template_offset_mm"});
   look_in("pole", {"at_mm", "within_mm"});
   look_in("links", {"layers", "shortest_mm", "longest_mm", "wall_mm", "grid_mm", "stock_mm", "VA_mm", "VB_mm",
-                    "AC_mm", "BC_mm", "AX_mm", "CX_mm", "BY_mm", "CY_mm", "seat_mm"});
+                    "AC_mm", "BC_mm", "AX_mm", "CX_mm", "BY_mm", "CY_mm", "seat_mm", "sections_mm"});
   look_in("objective", {"groundings"});
   look_in("cutting", {"hole_fit_mm", "kerf_mm", "sheet_mm", "gap_mm", "process"});
 }

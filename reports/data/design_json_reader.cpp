@@ -206,6 +206,16 @@ Robustness robustness(const JsonField& field) {
           .nominal_value = field["nominal_value"].number_or_null()};
 }
 
+/// All of them or none.
+std::optional<LoadFigures> load_figures(const JsonField& field) {
+  if (!field.find("load_error_max_mm")) return std::nullopt;
+  return LoadFigures{.error_max = field["load_error_max_mm"].number(),
+                     .error_min = field["load_error_min_mm"].number(),
+                     .pin_force_max = field["pin_force_max_N"].number(),
+                     .hand_force_max = field["hand_force_max_N"].number(),
+                     .stress_max = field["stress_max_MPa"].number_or_null().value_or(HUGE_VAL)};
+}
+
 Quality quality(const JsonField& field) {
   Quality result;
   result.size = field["size_mm"].number();
@@ -216,6 +226,9 @@ Quality quality(const JsonField& field) {
   result.distortion_worst = field["distortion_worst_mm"].number_or_null();
   result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
   result.proven_bound = field["lower_bound"].number_or_null();
+  result.loads = load_figures(field);
+  if (const auto sag = field.find("sag_max_mm")) result.sag = sag->number();
+  if (const auto mass = field.find("mass_kg")) result.mass = mass->number();
   if (const auto one = field.find("robust")) result.robust = robustness(*one);
   return result;
 }
@@ -269,6 +282,8 @@ Limits limits(const JsonField& field) {
   if (const auto gap = field.find("sheets_gap_mm")) result.copy_gap = gap->number();
   if (const auto error = field.find("copy_error_mm")) result.copy_error = error->number();
   if (const auto strip = field.find("longest_strip_mm")) result.longest_strip = length(*strip);
+  if (const auto error = field.find("load_error_mm")) result.load_error = length(*error);
+  if (const auto sag = field.find("sag_mm")) result.sag = length(*sag);
   return result;
 }
 
@@ -320,6 +335,22 @@ Body body(const JsonField& field) {
   return result;
 }
 
+Material material(const JsonField& field) {
+  constexpr double MPa_per_GPa = 1000;
+  return {.name = printable(field["name"].text()),
+          .E = MPa_per_GPa * field["E_GPa"].positive(),
+          .density = field["density_kg_m3"].positive(),
+          .strength = field["strength_MPa"].positive()};
+}
+
+Load load(const JsonField& field) {
+  Load result{.pen_force = field["pen_N"].positive()};
+  if (const auto rests = field.find("rests"))
+    for (const JsonField& one : rests->elements(0, 2))
+      result.rests.push_back(one_of<Carrier>(one, {{"tracer", Carrier::tracer}, {"pen", Carrier::pen}}));
+  return result;
+}
+
 /// A length that may be absent.
 std::optional<double> perhaps_length(const JsonField& field, std::string_view key) {
   const auto one = field.find(key);
@@ -348,6 +379,10 @@ void read_links_limits(const JsonField& field, Allowed& allowed) {
     for (const JsonField& one : stock->elements(0, many)) allowed.stock_lengths.stock.push_back(length(one));
   for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
     allowed.stock_lengths.locked[i] = perhaps_length(field, std::string(LinkLengths::names[i]) + "_mm");
+  if (const auto sections = field.find("sections_mm"))
+    for (const JsonField& one : sections->elements(0, 100))
+      if (const auto sides = one.elements(2, 2); sides.size() == 2)
+        allowed.sections.push_back({length(sides[0]), length(sides[1])});
 }
 
 std::vector<Grounding> groundings(const JsonField& field) {
@@ -381,8 +416,8 @@ ToolAdvice tool(const JsonField& field) {
 void read_search(const JsonField& field, StoredDesign& design) {
   if (const auto objective = field.find("objective")) {
     std::vector<std::pair<std::string, Objective>> choices;
-    for (const Objective one :
-         {Objective::size, Objective::transmission, Objective::copy_error, Objective::footprint})
+    for (const Objective one : {Objective::size, Objective::transmission, Objective::copy_error,
+                                Objective::footprint, Objective::load_error, Objective::mass})
       choices.emplace_back(name(one), one);
     design.objective = one_of(*objective, choices);
   }
@@ -407,6 +442,8 @@ void read_extras(const JsonField& root, StoredDesign& design) {
   if (const auto field = root.find("title")) design.title = title(*field);
   if (const auto field = root.find("limits")) design.limits = limits(*field);
   if (const auto field = root.find("tolerance")) design.tolerance = tolerance(*field);
+  if (const auto field = root.find("material")) design.material = material(*field);
+  if (const auto field = root.find("load")) design.load = load(*field);
   if (const auto field = root.find("obstacles"))
     for (const JsonField& one : field->elements(0, many)) design.obstacles.push_back(obstacle(one));
   if (const auto field = root.find("bodies"))

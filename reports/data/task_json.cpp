@@ -22,6 +22,8 @@ Json limits_json(const Limits& limits) {
             {"sheets_gap_mm", finite_or_null(limits.copy_gap)},
             {"copy_error_mm", finite_or_null(limits.copy_error)}};
   if (limits.longest_strip) json["longest_strip_mm"] = *limits.longest_strip;
+  if (limits.load_error) json["load_error_mm"] = *limits.load_error;
+  if (limits.sag) json["sag_mm"] = *limits.sag;
   return json;
 }
 
@@ -62,6 +64,20 @@ void add_bodies_and_table(const std::vector<Body>& bodies, const std::optional<P
   if (table) json["table"] = multi_polygon(Region{{*table}});
 }
 
+void add_material_and_load(const std::optional<Material>& material, const std::optional<Load>& load,
+                           Json& json) {
+  constexpr double GPa_per_MPa = 1e-3;
+  if (material)
+    json["material"] = {{"name", material->name},
+                        {"E_GPa", GPa_per_MPa * material->E},
+                        {"density_kg_m3", material->density},
+                        {"strength_MPa", material->strength}};
+  if (!load) return;
+  json["load"] = {{"pen_N", load->pen_force}, {"rests", Json::array()}};
+  for (const Carrier point : load->rests)
+    json["load"]["rests"].push_back(point == Carrier::tracer ? "tracer" : "pen");
+}
+
 Json pole_json(const Allowed& allowed) {
   if (allowed.pole.is_fixed()) return {{"at_mm", position(std::get<Point>(allowed.pole.place))}};
   return {{"within_mm", multi_polygon(std::get<Region>(allowed.pole.place))}};
@@ -75,6 +91,8 @@ Json links_limits_json(const Allowed& allowed) {
             {"grid_mm", finite_or_null(allowed.stock_lengths.grid)},
             {"stock_mm", allowed.stock_lengths.stock}};
   if (allowed.seat) json["seat_mm"] = *allowed.seat;
+  for (const LinkSection& section : allowed.sections)
+    json["sections_mm"].push_back(Json::array({section.width, section.thickness}));
   for (std::size_t i = 0; i < allowed.stock_lengths.locked.size(); ++i)
     if (allowed.stock_lengths.locked[i])
       json[std::string(LinkLengths::names[i]) + "_mm"] = *allowed.stock_lengths.locked[i];

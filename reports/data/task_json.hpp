@@ -17,6 +17,9 @@ nlohmann::ordered_json finite_or_null(const std::optional<double>& value);
 nlohmann::ordered_json limits_json(const Limits& limits);
 nlohmann::ordered_json tolerance_json(const std::optional<Tolerance>& tolerance);
 nlohmann::ordered_json obstacles_json(const std::vector<Obstacle>& obstacles);
+/// Adds "material" and "load", each only if there is one.
+void add_material_and_load(const std::optional<Material>& material, const std::optional<Load>& load,
+                           nlohmann::ordered_json& json);
 /// Adds "bodies" and "table", each only if there is one.
 void add_bodies_and_table(const std::vector<Body>& bodies, const std::optional<Polygon>& table,
                           nlohmann::ordered_json& json);

@@ -88,6 +88,8 @@ void add_contours(Features& features, const Design& design, double tolerance) {
     add("transmission", "transmission_deg", std::round(degrees(level)), radius);
   for (const auto& [level, radius] : copy_error_circles(design))
     add("copy_error", "copy_error_mm", level, radius);
+  for (const auto& [level, radius] : load_error_circles(design))
+    add("load_error", "load_error_mm", level, radius);
 }
 
 void add_sheets(Features& features, const std::vector<FittingSheet>& sheets) {

@@ -97,14 +97,15 @@ std::string copy_error_chart(const CopyErrorChart& chart) {
   const Axis y = whole_axis(0, most, chart_height - bottom, top);
   std::string inside;
   if (!chart.used.empty()) inside += used_openings(chart.used, x);
-  inside += frame(x, y, "opening, °", "copy error, mm");
+  inside += frame(x, y, "opening, °", chart.y_name);
   if (chart.limit && *chart.limit <= y.upper)
     inside += svg_shape("curve limit", fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(*chart.limit), x.to))
                   .line();
   inside += curve(rows, x, y, "worst", [](const CopyErrorChart::Row& r) { return r.worst; });
   inside += curve(rows, x, y, "rss", [](const CopyErrorChart::Row& r) { return r.rss; });
-  return "<figure class=\"chart-figure\">" + svg_chart("Copy error over the opening", inside) +
-         "<figcaption><span class=\"key-worst\">worst case</span> <span class=\"key-rss\">typical</span> " +
+  return "<figure class=\"chart-figure\">" + svg_chart(chart.title, inside) +
+         fmt::format("<figcaption><span class=\"key-worst\">{}</span> <span class=\"key-rss\">{}</span> ",
+                     chart.worst_name, chart.rss_name) +
          (chart.limit ? "<span class=\"key-limit\">limit</span> " : "") +
          "<span class=\"key-used\">openings that the region uses</span></figcaption></figure>\n";
 }

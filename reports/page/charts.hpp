@@ -17,6 +17,8 @@ struct CopyErrorChart {
   std::vector<Row> rows;        ///< in the order of the opening; at least two, else nothing is drawn
   OpeningInterval used;         ///< the openings at which the region is traced
   std::optional<double> limit;  ///< of the worst case, mm
+  std::string title = "Copy error over the opening", y_name = "copy error, mm";
+  std::string worst_name = "worst case", rss_name = "typical";  ///< of the two curves
 };
 std::string copy_error_chart(const CopyErrorChart& chart);
 /// The front between two objectives, this design marked.

@@ -168,6 +168,16 @@ std::string copy_error_figure(const Design& design) {
                                                   : "under the tolerances");
 }
 
+std::string load_error_figure(const Design& design) {
+  if (!design.quality.loads || !design.load) return {};
+  const double error = design.quality.loads->error_max;
+  return html_key_figure(
+      "Gives way at worst", length_text(error, error < 0.01 ? 4 : 3),
+      fmt::format(
+          "under {} N{}", number_text(design.load->pen_force, 2),
+          design.limits.load_error ? ", limit " + length_text(*design.limits.load_error, 3) : std::string()));
+}
+
 }  // namespace
 
 std::string key_figures(const Design& design) {
@@ -183,7 +193,7 @@ std::string key_figures(const Design& design) {
   if (std::isfinite(q.clearance_min))
     html += html_key_figure("Smallest clearance", length_text(q.clearance_min, 2),
                             "limit " + length_text(design.limits.clearance, 2));
-  return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + "</dl>\n";
+  return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + load_error_figure(design) + "</dl>\n";
 }
 
 namespace {

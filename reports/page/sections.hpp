@@ -21,6 +21,8 @@ std::string workspace(const Design& design);
 /// What the tolerances cost, source by source, and over the opening. Computed here
 /// (synthesis/tolerance/copy_error.hpp).
 std::string tolerance(const Design& design);
+/// "Will it be stiff enough?": figure, picture, the whole error in one table with what would help. Empty without [load].
+std::string loads(const Design& design);
 std::string verification(const Design& design);
 std::string search(const Design& design);
 std::string pareto(const ReportExtras& extras);

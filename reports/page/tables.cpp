@@ -27,6 +27,8 @@ std::string objective_text(Objective objective) {
     case Objective::transmission: return "largest transmission angle";
     case Objective::copy_error: return "smallest copy error";
     case Objective::footprint: return "smallest footprint";
+    case Objective::load_error: return "smallest load error";
+    case Objective::mass: return "smallest mass";
   }
   return {};
 }
@@ -35,6 +37,7 @@ std::string objective_value(Objective objective, double value) {
   switch (objective) {
     case Objective::transmission: return angle_text(value, 4);
     case Objective::footprint: return area_text(value);
+    case Objective::mass: return fmt::format("{:.4g} kg", value);
     default: return length_text(value, 4);
   }
 }
@@ -128,6 +131,17 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.copy_error_rss)
     add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
         "The same with independent errors: root of the sum of squares.");
+  if (q.loads && design.load) {
+    add("Load error, worst", length_text(q.loads->error_max, 5),
+        at_most(q.loads->error_max, design.limits.load_error),
+        fmt::format("How far the pen gives way under {} N at the worst place of the region.",
+                    number_text(design.load->pen_force, 2)));
+    add("Largest force in a pin", fmt::format("{} N", number_text(q.loads->pin_force_max, 2)), {},
+        fmt::format("The hand holds {} N.", number_text(q.loads->hand_force_max, 2)));
+  }
+  if (q.mass && design.material)
+    add("Mass", fmt::format("{:.4g} kg", *q.mass), {},
+        "The four links of " + html_escaped(design.material->name) + ", without pins and tools.");
   if (q.robust)
     add("Robust clearance", std::isfinite(q.robust->clearance) ? length_text(q.robust->clearance, 3) : "none",
         {"≥ " + length_text(design.limits.clearance), q.robust->holds}, robust_explanation(design));

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "reports/pictures/round_step.hpp"
+#include "synthesis/loads/load_error.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 
 namespace kempe {
@@ -16,22 +18,25 @@ struct Row {
   double opening, error;
 };
 
-/// The worst copy error over the assembly mode but for its ends, where it grows beyond all bounds.
-std::vector<Row> error_rows(const CopyErrorProfile& profile, const OpeningInterval& openings) {
+/// Of an opening.
+using Error = std::function<double(double)>;
+
+/// The error over the assembly mode but for its ends, where it grows beyond all bounds.
+std::vector<Row> error_rows(const Error& error_at, const OpeningInterval& openings) {
   std::vector<Row> rows;
   for (int i = 0; i <= steps; ++i) {
     const double opening = openings.lower + openings.width() * i / steps;
-    const double error = profile.at(opening).worst;
+    const double error = error_at(opening);
     if (std::isfinite(error)) rows.push_back({opening, error});
   }
   return rows;
 }
 
 /// Where the error passes the level between two rows on either side of it.
-double crossing(const CopyErrorProfile& profile, Row from, Row to, double level) {
+double crossing(const Error& error_at, Row from, Row to, double level) {
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (from.opening + to.opening);
-    const double error = profile.at(middle).worst;
+    const double error = error_at(middle);
     ((error < level) == (from.error < level) ? from : to) = {middle, error};
   }
   return 0.5 * (from.opening + to.opening);
@@ -49,6 +54,18 @@ std::vector<double> round_levels(const std::vector<Row>& rows, const OpeningInte
   return multiples_within(round_step((*largest - *least) / 6), *least, *largest);
 }
 
+std::vector<ContourCircle> circles_of(const Design& design, const Error& error_at) {
+  std::vector<ContourCircle> circles;
+  const OpeningInterval openings = shrink(design.linkage.assembly_mode().openings, radians(2));
+  if (openings.empty()) return circles;
+  const std::vector<Row> rows = error_rows(error_at, openings);
+  for (const double level : round_levels(rows, design.opening))
+    for (std::size_t i = 1; i < rows.size(); ++i)
+      if ((rows[i - 1].error < level) != (rows[i].error < level))
+        circles.push_back({level, design.linkage.radius_at(crossing(error_at, rows[i - 1], rows[i], level))});
+  return circles;
+}
+
 }  // namespace
 
 std::vector<ContourCircle> transmission_circles(const CopyingLinkage& linkage) {
@@ -63,18 +80,20 @@ std::vector<ContourCircle> transmission_circles(const CopyingLinkage& linkage) {
 }
 
 std::vector<ContourCircle> copy_error_circles(const Design& design) {
-  std::vector<ContourCircle> circles;
-  if (!design.tolerance) return circles;
+  if (!design.tolerance) return {};
   const CopyErrorProfile profile =
       copy_error_profile(design.linkage, CopyTolerance::uniform(*design.tolerance));
-  const OpeningInterval openings = shrink(design.linkage.assembly_mode().openings, radians(2));
-  if (openings.empty()) return circles;
-  const std::vector<Row> rows = error_rows(profile, openings);
-  for (const double level : round_levels(rows, design.opening))
-    for (std::size_t i = 1; i < rows.size(); ++i)
-      if ((rows[i - 1].error < level) != (rows[i].error < level))
-        circles.push_back({level, design.linkage.radius_at(crossing(profile, rows[i - 1], rows[i], level))});
-  return circles;
+  return circles_of(design, [&](double opening) { return profile.at(opening).worst; });
+}
+
+std::vector<ContourCircle> load_error_circles(const Design& design) {
+  if (!design.load || !design.material) return {};
+  const CopyingLinkage& linkage = design.linkage;
+  const LoadErrorProfile profile(linkage.k(), linkage.grounding(), design.style, *design.material,
+                                 design.load->pen_force);
+  return circles_of(design, [&](double opening) {
+    return profile.at({linkage.VA(), linkage.VB()}, opening).worst;
+  });
 }
 
 }  // namespace kempe

@@ -20,4 +20,7 @@ std::vector<ContourCircle> transmission_circles(const CopyingLinkage& linkage);
 /// certified openings have, circles all over the assembly. Empty without tolerance.
 std::vector<ContourCircle> copy_error_circles(const Design& design);
 
+/// Where the load error under the design's load is a round number of mm, likewise. Empty without load.
+std::vector<ContourCircle> load_error_circles(const Design& design);
+
 }  // namespace kempe

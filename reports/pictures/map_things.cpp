@@ -132,6 +132,10 @@ std::string map_things(const MapScene& scene, std::vector<MapLayer>& layers, Lab
              contours(scene, copy_error_circles(scene.design), placer,
                       [](double level) { return length_text(level); }),
              "lines", false);
+  svg += add("load-lines", "Load error, worst",
+             contours(scene, load_error_circles(scene.design), placer,
+                      [](double level) { return length_text(level, 5); }),
+             "lines", false);
   svg += add("tightest", "Tightest place", tightest, length_text(scene.design.map.clearance_min, 2), false);
   return svg;
 }

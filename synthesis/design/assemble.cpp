@@ -7,6 +7,8 @@
 
 #include "specs/hardware.hpp"
 #include "synthesis/design/allowed.hpp"
+#include "synthesis/loads/assess_loads.hpp"
+#include "synthesis/loads/mass.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/footprint.hpp"
@@ -33,6 +35,14 @@ void measure_copy_error(Design& design) {
   design.quality.copy_error_worst = error->worst;
   design.quality.copy_error_rss = error->rss;
   design.quality.distortion_worst = error->distortion_worst;
+}
+
+/// Mass and loads; over the region alone.
+void measure_loads(Design& design, const Spec& spec) {
+  if (design.material) design.quality.mass = mass_of_links(design.linkage, spec);
+  if (!design.material || !design.load) return;
+  if (const auto openings = openings_over(design.linkage, design.region))
+    design.quality.loads = load_figures_over(spec, design.linkage, *openings);
 }
 
 void measure_robustness(Design& design) {
@@ -85,7 +95,9 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
                 .table = spec.table,
                 .tool = tool_advice(spec.tool, std::abs(linkage.k())),
                 .cutting = spec.cutting,
-                .hardware = spec.links.hardware};
+                .hardware = spec.links.hardware,
+                .material = spec.material,
+                .load = spec.load};
   note_ratio(design, spec.copy);
   design.map = map_workspace(map_task(design), options);
   if (from == From::search) cover_as_searched(design, options.stop);
@@ -95,6 +107,7 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
   design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
   measure_copy_error(design);
+  measure_loads(design, spec);
   measure_robustness(design);
   return design;
 }
@@ -141,7 +154,8 @@ Allowed allowed_by(const Spec& spec) {
           spec.links.stock_lengths,
           spec.objective.groundings,
           least_wall(spec),
-          seat_of(spec)};
+          seat_of(spec),
+          spec.links.sections};
 }
 
 void allow(Spec& spec, const Allowed& allowed) {
@@ -151,6 +165,7 @@ void allow(Spec& spec, const Allowed& allowed) {
   spec.links.longest = allowed.longest;
   spec.links.stock_lengths = allowed.stock_lengths;
   spec.links.wall = allowed.wall;
+  spec.links.sections = allowed.sections;
   spec.objective.groundings = allowed.groundings;
 }
 
@@ -168,6 +183,8 @@ Spec spec_of(const Design& design) {
   spec.table = design.table;
   spec.cutting = design.cutting;
   spec.links.hardware = design.hardware;
+  spec.material = design.material;
+  spec.load = design.load;
   if (design.search) spec.objective.objective = design.search->objective;
   if (design.allowed) allow(spec, *design.allowed);
   return spec;
@@ -186,7 +203,10 @@ MapTask map_task(const Design& design) {
           .copy_gap = design.limits.copy_gap};
 }
 
-Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options, Detail detail) {
+Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOptions& options,
+                       Detail detail) {
+  Spec spec = asked;
+  if (found.section) use_section(spec.links.style, *found.section);
   Design design = assembled(spec, found.linkage, found.layers, options, detail, From::search);
   if (detail == Detail::full && found.layers.highest() > 2 && !options.stop()) {
     LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);

@@ -8,6 +8,7 @@
 
 #include "kempe/verification.hpp"
 #include "synthesis/design/tool_advice.hpp"
+#include "synthesis/loads/load_figures.hpp"
 #include "synthesis/tolerance/robust.hpp"
 #include "workspace/map/workspace_map.hpp"
 
@@ -24,6 +25,10 @@ struct Quality {
   /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
   std::optional<double> proven_bound;
   std::optional<Robustness> robust{};  ///< absent unless it was asked for
+  std::optional<LoadFigures>
+      loads{};  ///< over the region; absent without [load], and where the region is not reached
+  std::optional<double> sag{};   ///< mm, most over the region; absent where it is not worked out
+  std::optional<double> mass{};  ///< kg, of the four links; absent without [material]
 };
 
 struct SearchRecord {
@@ -54,6 +59,7 @@ struct Allowed {
   std::optional<double> wall{};
   /// mm, of the bearing or bush that links are bored for; absent: holes are those of the pins
   std::optional<double> seat{};
+  std::vector<LinkSection> sections{};  ///< those to choose from; empty: there was no choice
 };
 Allowed allowed_by(const Spec& spec);
 
@@ -86,6 +92,8 @@ struct Design {
   std::optional<Allowed> allowed{};      ///< absent for `kempe workspace`, whose mechanism is given
   CuttingSpec cutting{};
   JointHardware hardware{};  ///< LinkSpec::hardware
+  std::optional<Material> material{};
+  std::optional<Load> load{};
 };
 
 /// The openings at which a picture may show the linkage: the certified ones; if there are none, all of its assembly mode.

@@ -29,7 +29,15 @@ double at_share(const LogRange& range, double share) {
   return range.empty() ? 0.5 * (range.lower + range.upper) : range.lower + share * range.width();
 }
 
-bool goal_is_variable(Goal goal) { return goal != Goal::size && goal != Goal::footprint; }
+bool goal_is_variable(Goal goal) {
+  return goal != Goal::size && goal != Goal::footprint && goal != Goal::mass;
+}
+
+/// What is too much of a load error or a mass, as a share between 0 and 1.
+double excess_share(double value, double limit) {
+  return std::isfinite(value) ? missing(value * (1 - slack::limit_rounding), limit) / std::max(value, limit)
+                              : 1;
+}
 
 }  // namespace
 
@@ -44,6 +52,7 @@ DesignProblem::DesignProblem(const SearchSpace& space, const Choice& choice, con
   if (!terms_.obstacles.empty()) places_ = space.tracer_places();
   if (goal == Goal::copy_error && space.spec().tolerance)
     copy_error_.emplace(space.k(), choice.grounding, CopyTolerance::uniform(*space.spec().tolerance));
+  ask_for_loads();
 }
 
 OpeningInterval openings_with_transmission(const Reach& reach, double transmission) {
@@ -124,6 +133,9 @@ bool DesignProblem::tighten(Goal limit, double shortfall) {
     case Goal::copy_gap:
       limits_.copy_gap = *limits_.copy_gap + more + slack::least_tightening * layout_.unit;
       return true;
+    case Goal::load_error:
+      limits_.load_error = *limits_.load_error * (1 - slack::load_error_tightening) - more;
+      return *limits_.load_error > 0;
     default: return false;
   }
 }
@@ -135,6 +147,8 @@ double DesignProblem::goal_scale() const {
     case Goal::copy_error:
       return std::max(space_.spec().tolerance->length + space_.spec().tolerance->play,
                       slack::least_error_scale);
+    case Goal::load_error:
+    case Goal::mass: return goal_scale_;
     default: return layout_.unit;
   }
 }
@@ -147,6 +161,8 @@ double DesignProblem::violation_of(const Attained& has) const {
   sum += missing(has.longest * (1 - slack::limit_rounding), limits_.longest) / unit;
   sum += missing(has.pole_margin, limits_.pole_margin + slack::limit_rounding * unit) / unit;
   if (limits_.size) sum += missing(has.size, *limits_.size) / unit;
+  if (limits_.load_error && load_error_) sum += excess_share(has.load_error, *limits_.load_error);
+  if (limits_.mass) sum += excess_share(has.mass, *limits_.mass);
   if (limits_.footprint) sum += missing(has.footprint, *limits_.footprint) / (unit * unit);
   if (limits_.copy_gap) sum += missing(*limits_.copy_gap, has.copy_gap) / unit;
   return sum;
@@ -176,6 +192,8 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   if (copy_error_)
     has.copy_error =
         std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
+  if (load_error_) has.load_error = load_error_over(lengths, result.near_opening, result.far_opening);
+  if (mass_) has.mass = mass_at(lengths);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
   const double too_near = missing(
       reach_.radius_value(lengths, result.near_opening) - slack::reach_rounding * unit, distances.nearest);
@@ -207,6 +225,7 @@ double DesignProblem::goal_in_vector(double value) const {
   switch (goal_) {
     case Goal::transmission: return value;
     case Goal::copy_error: return value / goal_scale();
+    case Goal::load_error: return std::log(value / goal_scale());
     case Goal::shortest:
     case Goal::longest: return std::log(value);
     default: return value / layout_.unit;

@@ -13,6 +13,7 @@
 //                                                                 for every pair m and every 0 <= h <= 1
 //   copy_gap       dist of an edge of the region and an edge of its image - gap >= 0
 //                                                                 for every two edges
+//   load error     log limit (or the goal's t) - log error(u, v, d_near + h (d_far - d_near)) >= 0
 //   pole           half planes around the start (search_space.hpp)
 //   lengths        bounds of u and v, or with the goal t = log longest, log shortest rows
 //
@@ -23,6 +24,8 @@
 #include <span>
 #include <vector>
 
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/mass.hpp"
 #include "synthesis/problem/link_gap.hpp"
 #include "synthesis/problem/obstacle_gap.hpp"
 #include "synthesis/problem/search_space.hpp"
@@ -68,11 +71,13 @@ struct Row {
     longest,
     shortest,
     copy_error,
-    size
+    size,
+    load_error,
+    mass
   } kind;
   std::size_t index =
       0;  ///< edge, corner, gap or obstacle term, corner of region or copy, half plane; 0: VA, 1: VB
-  double share = 0;       ///< h of a contact or of a copy error
+  double share = 0;       ///< h of a contact, a copy error or a load error
   std::size_t place = 0;  ///< of the tracer, for an obstacle
   bool operator==(const Row&) const = default;
 };
@@ -161,9 +166,16 @@ class DesignProblem {
   RowJet copy_gap_row(std::size_t corner, const DesignVector& x) const;
   RowJet copy_error_row(double share, const DesignVector& x) const;
   RowJet size_row(const DesignVector& x) const;
+  RowJet load_error_row(double share, const DesignVector& x) const;
+  RowJet mass_row(const DesignVector& x) const;
+  RowJet mass_in_vector(const DesignVector& x) const;
+  double load_error_over(const LogLengths& lengths, double from, double to) const;
+  double mass_at(const LogLengths& lengths) const;
+  void ask_for_loads();
   void add_obstacles(std::vector<Row>& rows, const DesignVector& x, double band) const;
   void add_copy_gap(std::vector<Row>& rows, const DesignVector& x) const;
   void add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const;
+  void add_load_errors(std::vector<Row>& rows, const DesignVector& x) const;
   double smallest_obstacle_gap(const DesignPoint& point, double enough) const;
   RowJet half_plane_row(std::size_t plane, const DesignVector& x) const;
   RowJet pole_margin_row(const DesignVector& x) const;
@@ -183,6 +195,9 @@ class DesignProblem {
   std::vector<Point> places_;  ///< of the tracer, where obstacles are looked at
   JointRoles roles_;
   std::optional<CopyErrorProfile> copy_error_;
+  std::optional<LoadErrorProfile> load_error_;  ///< where it is goal or limit
+  std::optional<MassPolynomial> mass_;
+  double goal_scale_ = 1;  ///< of the load error (mm) or the mass (kg)
   Reach reach_;
   LogBox box_;
   DesignLayout layout_;

@@ -140,6 +140,8 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wan
     case Row::Kind::pole_margin: return pole_margin_row(x);
     case Row::Kind::copy_error: return copy_error_row(row.share, x);
     case Row::Kind::size: return size_row(x);
+    case Row::Kind::load_error: return load_error_row(row.share, x);
+    case Row::Kind::mass: return mass_row(x);
     case Row::Kind::longest: return length_row(true, row.index, x);
     case Row::Kind::shortest: break;
   }
@@ -153,6 +155,7 @@ RowJet DesignProblem::objective(const DesignVector& x, Derivatives wanted) const
     return jet;
   }
   if (goal_ == Goal::footprint) return footprint_objective(x, wanted);
+  if (goal_ == Goal::mass) return mass_in_vector(x);
   const Reach::LengthFactors& f = reach_.factors();
   const double of_VA = f.size_per_VA * std::exp(x[log_VA]) / layout_.unit;
   const double of_VB = f.size_per_VB * std::exp(x[log_VB]) / layout_.unit;
@@ -225,11 +228,13 @@ std::vector<Row> DesignProblem::rows_at(const DesignVector& x) const {
   if (goal_ == Goal::shortest) rows.insert(rows.end(), {{Row::Kind::shortest, 0}, {Row::Kind::shortest, 1}});
   if (goal_ == Goal::pole_margin || limits_.pole_margin > 0) rows.push_back({Row::Kind::pole_margin});
   if (limits_.size) rows.push_back({Row::Kind::size});
+  if (limits_.mass && mass_) rows.push_back({Row::Kind::mass});
   for (std::size_t i = 0; i < room_.size(); ++i) rows.push_back({Row::Kind::half_plane, i});
   add_contacts(rows, x, contact_band);
   add_obstacles(rows, x, contact_band);
   add_copy_gap(rows, x);
   add_copy_errors(rows, x);
+  add_load_errors(rows, x);
   return rows;
 }
 
@@ -240,6 +245,7 @@ bool DesignProblem::add_violated(std::vector<Row>& rows, const DesignVector& x, 
   add_obstacles(seen, x, 0);
   add_copy_gap(seen, x);
   add_copy_errors(seen, x);
+  add_load_errors(seen, x);
   const std::size_t before = rows.size();
   for (const Row& candidate : seen) {
     if (row(candidate, x).value > -tolerance) continue;

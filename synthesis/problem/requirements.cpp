@@ -12,7 +12,8 @@ Requirements requirements_of(const Spec& spec) {
           .shortest = least_joint_distance(spec),
           .longest = largest_joint_distance(spec),
           .copy_gap = spec.limits.copy_gap,
-          .copy_error = spec.limits.copy_error};
+          .copy_error = spec.limits.copy_error,
+          .load_error = spec.limits.load_error};
 }
 
 Spec with_limits(Spec spec, const Requirements& limits) {
@@ -20,6 +21,7 @@ Spec with_limits(Spec spec, const Requirements& limits) {
   spec.limits.clearance = limits.clearance;
   spec.limits.copy_gap = limits.copy_gap;
   spec.limits.copy_error = limits.copy_error;
+  spec.limits.load_error = limits.load_error;
   spec.links.longest = limits.longest;
   if (auto& strip = spec.limits.longest_strip)
     *strip = std::max(
@@ -40,7 +42,7 @@ struct GoalFacts {
 };
 
 constexpr auto none = std::nullopt;
-constexpr std::array<GoalFacts, 9> goals{{
+constexpr std::array<GoalFacts, 11> goals{{
     {Goal::size, "size", false, Objective::size, &Attained::size, &Requirements::size},
     {Goal::transmission, "transmission", true, Objective::transmission, &Attained::transmission,
      &Requirements::transmission},
@@ -48,6 +50,9 @@ constexpr std::array<GoalFacts, 9> goals{{
      &Requirements::copy_error},
     {Goal::footprint, "footprint", false, Objective::footprint, &Attained::footprint,
      &Requirements::footprint},
+    {Goal::load_error, "load_error", false, Objective::load_error, &Attained::load_error,
+     &Requirements::load_error},
+    {Goal::mass, "mass", false, Objective::mass, &Attained::mass, &Requirements::mass},
     {Goal::clearance, "clearance", true, none, &Attained::clearance, &Requirements::clearance},
     {Goal::shortest, "shortest", true, none, &Attained::shortest, &Requirements::shortest},
     {Goal::longest, "longest", false, none, &Attained::longest, &Requirements::longest},

@@ -28,13 +28,15 @@ struct Requirements {
   double pole_margin = 0;              ///< mm, the pole may stand so far outside its area
   std::optional<double> size{};        ///< mm, at most
   std::optional<double> footprint{};   ///< mm^2, at most
+  std::optional<double> load_error{};  ///< mm, at most
+  std::optional<double> mass{};        ///< kg, at most
 };
 Requirements requirements_of(const Spec& spec);
-/// The spec with the limits in force in place of its own, as far as a spec can state them: not shortest, pole_margin, size and
-/// footprint.
+/// The spec with the limits in force in place of its own, as far as a spec can state them: not shortest, pole_margin, size,
+/// footprint and mass.
 Spec with_limits(Spec spec, const Requirements& limits);
 
-/// What is made as small (size, copy_error, footprint, longest, pole_margin) or as large (transmission,
+/// What is made as small (size, copy_error, footprint, load_error, mass, longest, pole_margin) or as large (transmission,
 /// clearance, shortest, copy_gap) as it can be: the objectives of a spec, and every limit as an objective
 /// of its own.
 enum class Goal {
@@ -42,6 +44,8 @@ enum class Goal {
   transmission,
   copy_error,
   footprint,
+  load_error,
+  mass,
   clearance,
   shortest,
   longest,
@@ -65,6 +69,7 @@ struct Attained {
   double copy_gap = 0;     ///< negative: original and copy overlap
   double pole_margin = 0;  ///< distance of the pole from its area
   double copy_error = 0, footprint = 0;
+  double load_error = 0, mass = 0;  ///< mm, kg; 0 without load and material
   double of(Goal goal) const;
 };
 

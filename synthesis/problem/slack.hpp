@@ -50,6 +50,11 @@ inline constexpr double least_tightening = 1e-12;
 /// None: a limit is demanded more strictly by the shortfall times this. Above 1, or the same shortfall would come again.
 inline constexpr double tightening_factor = 1.5;
 
+/// Share of the limit: inside the limit on the load error, whose rows look at single openings.
+inline constexpr double inward_load_error = 1e-8;
+/// Share of the limit: the limit on the load error when it is demanded more strictly.
+inline constexpr double load_error_tightening = 1e-7;
+
 // Floors
 
 /// Share of longest_mm: the least length looked for where the spec sets no other; its logarithm bounds u and v.

@@ -2,6 +2,7 @@
 // best design              prove, relax, group, search, certify (best_design.cpp)
 // search again             from other random numbers, before "no design" is said without a proof
 // improve                  while the gap to the proven bound is wide (improve.cpp)
+// sections                 all of this for each of several sections (section_search.hpp)
 // robust                   where it is asked for: with limits raised until every instrument keeps them (robust_search.cpp)
 // the design, or why there is none (diagnosis.cpp), or that the time was over
 
@@ -13,6 +14,7 @@
 #include "synthesis/search/diagnosis/diagnosis.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/robust_search.hpp"
+#include "synthesis/search/section_search.hpp"
 #include "synthesis/tolerance/robust.hpp"
 
 namespace kempe {
@@ -64,7 +66,10 @@ NoDesign diagnosed(const Spec& spec, NoDesign reason, const SearchOptions& optio
 
 }  // namespace
 
-SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
+namespace {
+
+/// Of a spec with one section.
+SearchOutcome synthesize_with_its_section(const Spec& spec, const SearchOptions& options) {
   const JointHardware& hardware = spec.links.hardware;
   if (auto none = plainly_impossible(spec))
     return claiming_no_more(diagnosed(spec, *std::move(none), options), hardware);
@@ -72,6 +77,13 @@ SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
   if (origin.isZero(0)) return claiming_no_more(synthesize_here(spec, origin, options), hardware);
   return claiming_no_more(back_to_the_table(synthesize_here(shifted(spec, -origin), origin, options), origin),
                           hardware);
+}
+
+}  // namespace
+
+SearchOutcome synthesize(const Spec& spec, const SearchOptions& options) {
+  if (spec.links.sections.size() < 2) return synthesize_with_its_section(spec, options);
+  return best_of_sections(spec, options, synthesize_with_its_section);
 }
 
 }  // namespace kempe

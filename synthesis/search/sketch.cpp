@@ -15,7 +15,9 @@ namespace kempe {
 namespace {
 
 /// True of what a local solution cannot keep: stock lengths, and limits for every instrument within the tolerances.
-bool only_searched(const Spec& spec) { return has_stock_lengths(spec) || asks_for_robust(spec); }
+bool only_searched(const Spec& spec) {
+  return has_stock_lengths(spec) || asks_for_robust(spec) || spec.links.sections.size() > 1;
+}
 
 DesignPoint point_of(const CopyingLinkage& linkage) {
   return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};

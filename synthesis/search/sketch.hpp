@@ -47,7 +47,8 @@ SketchedDesign sketch_of(const FoundDesign& design);
 /// The sketch of `spec` from that of a spec that differs a little; a stop ends it with what is known. Guarantees:
 ///  1. a design keeps every limit of the spec, evaluated anew, its contact and its obstacles certified;
 ///  2. the same arguments give the same sketch, bit for bit, unless stopped;
-///  3. nothing comes back where nothing was found, or where only a search can choose: lengths of a grid or a stock, and robust designs.
+///  3. nothing comes back where nothing was found, or where only a search can choose: lengths of a grid or a stock, one of several
+///     sections, and robust designs.
 SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const SketchBudget& budget = {},
                         const StopFlag& stop = {});
 

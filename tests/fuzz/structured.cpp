@@ -9,6 +9,7 @@
 #include "reports/audit/design_audit.hpp"
 #include "reports/audit/recheck.hpp"
 #include "reports/design_package.hpp"
+#include "specs/materials.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/verification/verification.hpp"
@@ -118,6 +119,22 @@ CuttingSpec cutting(Choices& choices) {
   return cutting;
 }
 
+/// Mostly none; else a load that a limit holds, or that is the objective.
+void add_load(Choices& choices, Spec& spec) {
+  if (choices.upto(4) != 1) return;
+  const auto materials = known_materials();
+  spec.material =
+      as_material(materials[static_cast<std::size_t>(choices.upto(static_cast<int>(materials.size())))]);
+  spec.load = Load{std::exp(choices.between(std::log(0.1), std::log(100)))};
+  const int asked = choices.upto(4);
+  if (asked == 1) spec.objective.objective = Objective::load_error;
+  if (asked == 2) spec.objective.objective = Objective::mass;
+  if (asked != 1) spec.limits.load_error = std::exp(choices.between(std::log(0.001), std::log(10)));
+  if (choices.upto(3) != 1) return;
+  const LinkStyle& own = spec.links.style;
+  spec.links.sections = {{own.width, own.thickness}, {1.5 * own.width, 1.5 * own.thickness}};
+}
+
 Spec spec_from(Choices& choices) {
   Spec spec;
   const double scale = std::exp(choices.between(std::log(0.1), std::log(10)));
@@ -139,6 +156,7 @@ Spec spec_from(Choices& choices) {
   spec.cutting = cutting(choices);
   if (choices.upto(3) == 1) spec.links.wall = choices.between(0.01, 5);
   if (choices.upto(7) == 1) add_crowd(choices, spec);
+  add_load(choices, spec);
   return spec;
 }
 
@@ -164,8 +182,7 @@ void require_whole_files(const Spec& spec, const Design& design, const std::stri
   const double apart = std::max(pin, hole) + spec.links.wall.value_or(pin / 10);
   for (const double length : design.linkage.lengths().values())
     require(length >= apart * (1 - 1e-9), name, "two holes of a link are too near");
-  const bool can_be_cut =
-      spec.links.style.width - hole > 0.002 * hole && hole - spec.cutting.kerf > 0.001 * hole;
+  const bool can_be_cut = design.style.width - hole > 0.002 * hole && hole - spec.cutting.kerf > 0.001 * hole;
   const auto solids = std::count_if(files.begin(), files.end(),
                                     [](const OutputFile& file) { return file.name.extension() == ".stl"; });
   require(solids == (can_be_cut ? 4 : 0), name, "the number of solids");

@@ -139,6 +139,21 @@ const std::vector<Fault> faults{
     {"HardwareUnknown", "[links]\nhardware = \"M7 bolt\"\n", [](Spec& s) { s.links.hardware = "M7 bolt"; }},
     {"HardwareTooWide", "[links]\nhardware = \"608 bearing\"\n",
      [](Spec& s) { s.links.hardware = "608 bearing"; }},
+    {"LoadErrorWithoutLoad", "[limits]\nload_error_mm = 0.1\n", [](Spec& s) { s.limits.load_error = 0.1; }},
+    {"LoadErrorSoughtWithoutLoad", "[objective]\nminimize = \"load_error\"\n",
+     [](Spec& s) { s.objective.objective = Objective::load_error; }},
+    {"MassOfNothing", "[objective]\nminimize = \"mass\"\n",
+     [](Spec& s) { s.objective.objective = Objective::mass; }},
+    {"LoadWithoutMaterial", "[load]\npen_N = 10\n", [](Spec& s) { s.load = Load{10}; }},
+    {"LoadOfNothing", "[load]\npen_N = 0\n[material]\nname = \"steel\"\n",
+     [](Spec& s) {
+       s.material = Material{"steel", 200000, 7850, 235};
+       s.load = Load{0};
+     }},
+    {"SectionOfNoWidth", "[links]\nsections_mm = [[15, 5], [0, 5]]\n",
+     [](Spec& s) {
+       s.links.sections = {{15, 5}, {0, 5}};
+     }},
     {"CopyErrorZero", "[limits]\ncopy_error_mm = 0\n[tolerance]\nlength_mm = 0.1\n",
      [](Spec& s) {
        s.limits.copy_error = 0;

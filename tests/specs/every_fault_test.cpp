@@ -30,6 +30,7 @@ const std::vector<Slip> slips{
     {"[[obstacles]]\nlayers = [1, 2]\n", "rectangle_mm = {at = [300, 0], size = [9, 9]}\n",
      "rectangle_mm = {at = [300, 0]}\n", "obstacles.rectangle_mm.size"},
     {"[cutting]\n", "gap_mm = 4\n", "gap_mm = -4\n", "cutting.gap_mm"},
+    {"[material]\nname = \"steel\"\n", "E_GPa = 210\n", "E_MPa = 210000\n", "material.E_MPa"},
     {"[tool]\n", "cutter_radius_mm = 2\n", "cutter_radius_cm = 2\n", "tool.cutter_radius_cm"}};
 
 std::vector<InputError> faults_of(const std::string& text) {

@@ -24,6 +24,12 @@ SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBo
   return found;
 }
 
+/// True if a limit that the bound does not know of is met exactly: that, and no better design, may be what lies between design and bound.
+bool is_held_back(const SearchTask& task, const FoundDesign& design) {
+  const auto& limit = task.limits.load_error;
+  return limit && design.attained.load_error > *limit * (1 - slack::met_exactly);
+}
+
 /// Searched from the bound's starts, then around the design, then all over from other random numbers.
 SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchResult found) {
   const auto is_near = [&](const SearchResult& one) {
@@ -31,6 +37,7 @@ SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchR
   };
   for (const RelaxedDesign& start : starts_of(bound)) found = best_from(start, task, std::move(found));
   if (!is_near(found)) found = basin_hopping(task, std::move(found));
+  if (is_held_back(task, *found.design)) return found;
   return searched_again(task, std::move(found), is_near);
 }
 

@@ -22,6 +22,7 @@ inline constexpr std::array movable_limits{
     MovableLimit{Goal::longest, "links.longest_mm", 1, 1e6},
     MovableLimit{Goal::copy_gap, "limits.sheets_gap_mm", 1, 0},
     MovableLimit{Goal::copy_error, "limits.copy_error_mm", 1, 1e3},
+    MovableLimit{Goal::load_error, "limits.load_error_mm", 1, 1e3},
     MovableLimit{Goal::pole_margin, "pole.within_mm", 1, 1e4},
 };
 

@@ -176,6 +176,7 @@ void relax_limits(Questions& questions) {
   relax_longest(questions);
   relax_copy_gap(questions);
   relax_copy_error(questions);
+  questions.keep(relaxed(questions, limit_of(Goal::load_error)));
   questions.keep(relaxed(questions, limit_of(Goal::pole_margin)));
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "geometry/regions/region_algebra.hpp"
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/mass.hpp"
 #include "synthesis/problem/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
@@ -31,6 +33,10 @@ void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, cons
   if (spec.tolerance)
     attained.copy_error =
         copy_error_profile(linkage, CopyTolerance::uniform(*spec.tolerance)).largest(needed).worst.worst;
+  if (spec.load && spec.material)
+    attained.load_error = load_error_profile(spec, linkage.k(), linkage.grounding())
+                              .over({linkage.VA(), linkage.VB()}, needed)
+                              .worst;
 }
 
 double copy_gap(const Spec& spec, const CopyingLinkage& linkage) {
@@ -60,6 +66,8 @@ std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, c
   if (check.needed.empty() || below(has.transmission, limits.transmission)) return Goal::transmission;
   if (has.clearance < limits.clearance || check.opening.empty()) return Goal::clearance;
   if (limits.copy_error && below(*limits.copy_error, has.copy_error)) return Goal::copy_error;
+  if (limits.load_error && below(*limits.load_error, has.load_error)) return Goal::load_error;
+  if (limits.mass && below(*limits.mass, has.mass)) return Goal::mass;
   if (limits.size && below(*limits.size, has.size)) return Goal::size;
   if (limits.copy_gap &&
       !are_apart(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()), *limits.copy_gap))
@@ -73,6 +81,7 @@ DesignCheck check_design(const Spec& spec, const Requirements& limits, const Cop
                          const LayerAssignment& layers) {
   DesignCheck check;
   measure_lengths(linkage, check.attained);
+  if (spec.material) check.attained.mass = mass_of_links(linkage, spec);
   check.attained.pole_margin = distance_from_place(spec.pole, linkage.pole());
   if (limits.copy_gap) check.attained.copy_gap = copy_gap(spec, linkage);
   if (const auto needed = openings_over(linkage, spec.region)) {

@@ -16,7 +16,7 @@ struct FoundDesign {
   CopyingLinkage linkage;
   LayerAssignment layers;
   Goal goal = Goal::size;
-  double value = 0;                    ///< of the goal: mm, rad or mm^2
+  double value = 0;                    ///< of the goal: mm, rad, mm^2 or kg
   OpeningInterval opening{};           ///< certified: transmission and contact kept all over it
   Attained attained{};                 ///< evaluated anew at the design returned
   std::vector<std::string> solvers{};  ///< names with versions, in the order of use
@@ -26,6 +26,8 @@ struct FoundDesign {
   std::optional<double> proven_bound{};  ///< of the spec's objective, mm or rad; absent where none is proven
   /// Of a robust design: the goal's value of the best design found that need not be robust.
   std::optional<double> nominal_value{};
+  /// The one of LinkSpec::sections that it was found with; absent where there was no choice.
+  std::optional<LinkSection> section{};
 };
 
 /// One change that, alone, makes a design possible: of a limit's value, of another key, or an obstacle taken away.

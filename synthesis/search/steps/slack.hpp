@@ -18,6 +18,8 @@ inline constexpr double same_ratio = 1e-12;
 inline constexpr double same_length = 1e-9;
 /// Share of a figure: two points of a front are equal in it. What no user pays for with the other figure.
 inline constexpr double same_value = 1e-7;
+/// Share of a limit: one that a design meets with no more to spare holds it back.
+inline constexpr double met_exactly = 1e-4;
 /// Share of the cost without contact: a size smaller by no more is so by rounding alone.
 inline constexpr double bound_rounding = 1e-9;
 /// Share of a length: holes that fit but for rounding fit.

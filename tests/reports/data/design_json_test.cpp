@@ -168,16 +168,44 @@ TEST(DesignJson, KeepsWhatTheSpecAllowed) {
   EXPECT_EQ(std::get<Point>(read_design(design_json(design), "d.json")->allowed->pole.place), Point(3, -4));
 }
 
+TEST(DesignJson, KeepsMaterialAndLoadWithTheirFigures) {
+  Design design = plagiograph();
+  for (const char* key : {"material", "load", "load_error", "mass_kg", "sections_mm", "sag"})
+    EXPECT_EQ(design_json(design).find(key), std::string::npos) << key;
+  design.material = Material{"birch plywood", 8000, 680, 35};
+  design.load = Load{.pen_force = 12.5, .rests = {Carrier::pen}};
+  design.limits.load_error = 0.25;
+  design.quality.loads = LoadFigures{0.2, 0.01, 30, 17.5, HUGE_VAL};
+  design.quality.mass = 0.125;
+  design.allowed.emplace().sections = {{15, 5}, {20, 5}};
+  design.allowed->groundings = {Grounding::pole};
+  design.allowed->shortest = design.allowed->longest = 15;
+  const auto read = read_design(design_json(design), "d.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_TRUE(read->unknown_keys.empty());
+  EXPECT_EQ(*read->material, *design.material);
+  EXPECT_EQ(*read->load, *design.load);
+  EXPECT_EQ(read->limits->load_error, 0.25);
+  ASSERT_TRUE(read->quality.loads);
+  EXPECT_EQ(read->quality.loads->error_max, 0.2);
+  EXPECT_EQ(read->quality.loads->error_min, 0.01);
+  EXPECT_EQ(read->quality.loads->pin_force_max, 30);
+  EXPECT_EQ(read->quality.loads->hand_force_max, 17.5);
+  EXPECT_EQ(read->quality.loads->stress_max, HUGE_VAL);
+  EXPECT_EQ(read->quality.mass, 0.125);
+  EXPECT_EQ(read->allowed->sections, design.allowed->sections);
+}
+
 TEST(DesignJson, NamesEveryKeyItDoesNotKnow) {
   Json json = written();
   for (const char* pointer :
-       {"/colour", "/copy/skew", "/mechanism/links/2/colour", "/quality/mass_kg", "/limits/sag_mm"})
+       {"/colour", "/copy/skew", "/mechanism/links/2/colour", "/quality/cost_eur", "/limits/noise_mm"})
     json[Json::json_pointer(pointer)] = 1;
   const auto read = read_design(json.dump(), "d.json");
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->unknown_keys, (std::vector<std::string>{"colour", "copy.skew", "mechanism.links[2].colour",
-                                                          "quality.mass_kg", "limits.sag_mm"}));
-  EXPECT_EQ(audit(*read, "d.json").error().key, "limits.sag_mm");
+                                                          "quality.cost_eur", "limits.noise_mm"}));
+  EXPECT_EQ(audit(*read, "d.json").error().key, "limits.noise_mm");
 }
 
 TEST(DesignJson, KeepsAHandEditedLengthForTheVerificationToSee) {

@@ -1,0 +1,17 @@
+#pragma once
+// What the load does to a design over its region.
+
+namespace kempe {
+
+/// The worst of each over the openings that the region uses, and over all directions of the force at the pen.
+struct LoadFigures {
+  double error_max = 0;  ///< mm, most that the pen gives way, in the plane
+  double error_min =
+      0;  ///< mm, least that it gives way, in the direction and at the opening where it is stiffest
+  double pin_force_max = 0;   ///< N, at the pin (A, B, C, V or the pole's) that bears most
+  double hand_force_max = 0;  ///< N, at the tracer
+  double stress_max =
+      0;  ///< MPa, in the link that is strained most: bending and pull together, across the joint's hole
+};
+
+}  // namespace kempe

@@ -1,0 +1,37 @@
+#include "synthesis/loads/pin_compliance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "specs/hardware.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr double E = 200000, G = 77000;  ///< MPa, of steel
+
+/// `ends`: 12 where both ends are kept from tilting, 3 where one is free.
+double compliance_of(double diameter, double height, double ends) {
+  const double area = 0.25 * pi * diameter * diameter, inertia = pi * std::pow(diameter, 4) / 64;
+  return std::pow(height, 3) / (ends * E * inertia) + 10 * height / (9 * G * area);
+}
+
+}  // namespace
+
+PinCompliance pin_compliance(Grounding grounding, const LayerAssignment& layers, const LinkStyle& style,
+                             const JointHardware& hardware) {
+  const auto between = [&](Joint joint, Link one, Link other) {
+    return compliance_of(pin_at(style, hardware, joint),
+                         style.thickness * std::abs(layers[one] - layers[other]), 12);
+  };
+  const Joint pole = roles_of(grounding).pole;
+  const int highest = pole == Joint::V ? std::max(layers[Link::VA], layers[Link::VB]) : layers[Link::ACX];
+  return {.A = between(Joint::A, Link::VA, Link::ACX),
+          .B = between(Joint::B, Link::VB, Link::BCY),
+          .C = between(Joint::C, Link::ACX, Link::BCY),
+          .V = between(Joint::V, Link::VA, Link::VB),
+          .pole = compliance_of(pin_at(style, hardware, pole), style.thickness * (highest - 0.5), 3)};
+}
+
+}  // namespace kempe

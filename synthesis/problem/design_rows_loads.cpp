@@ -1,0 +1,115 @@
+// The rows of a design problem about load error and mass.
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/problem/row_parts.hpp"
+#include "synthesis/problem/slack.hpp"
+
+namespace kempe {
+namespace {
+
+using namespace row_parts;
+
+/// Openings looked at for the largest load error between the region's two openings.
+constexpr int load_openings = 9;
+
+BarLengths bar_lengths(const LogLengths& lengths) { return {std::exp(lengths.u), std::exp(lengths.v)}; }
+
+double at_length(const std::array<double, 3>& c, double length) {
+  return c[0] + length * (c[1] + length * c[2]);
+}
+
+}  // namespace
+
+void DesignProblem::ask_for_loads() {
+  const Spec& spec = space_.spec();
+  const LogLengths typical{std::log(layout_.unit), std::log(layout_.unit)};
+  if ((goal_ == Goal::load_error || limits_.load_error) && spec.load && spec.material)
+    load_error_ = load_error_profile(spec, space_.k(), choice_.grounding);
+  if ((goal_ == Goal::mass || limits_.mass) && spec.material)
+    mass_ = mass_polynomial(spec, space_.k(), choice_.grounding);
+  if (goal_ == Goal::load_error && load_error_)
+    goal_scale_ =
+        load_error_->at(bar_lengths(typical), 0.5 * (reach_.interval().lower + reach_.interval().upper))
+            .worst;
+  if (goal_ == Goal::mass && mass_) goal_scale_ = mass_at(typical);
+}
+
+double DesignProblem::load_error_over(const LogLengths& lengths, double from, double to) const {
+  double largest = 0;
+  for (int i = 0; i < load_openings; ++i)
+    largest = std::max(
+        largest, load_error_->at(bar_lengths(lengths), from + i / (load_openings - 1.0) * (to - from)).worst);
+  return largest;
+}
+
+double DesignProblem::mass_at(const LogLengths& lengths) const {
+  const BarLengths bars = bar_lengths(lengths);
+  return at_length(mass_->of_VA, bars.VA) + at_length(mass_->of_VB, bars.VB);
+}
+
+/// The goal's t, or the limit, against the load error at one opening: both as logarithms, since it grows with cubes of lengths.
+RowJet DesignProblem::load_error_row(double share, const DesignVector& x) const {
+  RowJet jet = zero_jet(layout_.size());
+  const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
+  const LoadErrorJet error = load_error_->worst(bar_lengths(lengths_of(x)), near + share * (far - near));
+  const bool is_goal = goal_ == Goal::load_error;
+  const double limit = is_goal ? x[layout_.goal()] + std::log(goal_scale())
+                               : std::log(*limits_.load_error * (1 - slack::inward_load_error));
+  jet.value = limit - std::log(error.value);
+  if (is_goal) jet.gradient[layout_.goal()] = 1;
+  const Eigen::Vector3d slope = error.gradient / error.value;
+  const Eigen::Matrix3d curve = error.hessian / error.value - slope * slope.transpose();
+  constexpr std::array<int, 4> at{log_VA, log_VB, DesignLayout::near_opening, DesignLayout::far_opening};
+  Eigen::Matrix<double, 3, 4> chain = Eigen::Matrix<double, 3, 4>::Zero();
+  chain(0, 0) = chain(1, 1) = 1;
+  chain(2, 2) = 1 - share;
+  chain(2, 3) = share;
+  const Eigen::Vector4d gradient = chain.transpose() * slope;
+  const Eigen::Matrix4d hessian = chain.transpose() * curve * chain;
+  for (int i = 0; i < 4; ++i) {
+    jet.gradient[at[static_cast<std::size_t>(i)]] -= gradient[i];
+    for (int j = 0; j < 4; ++j)
+      jet.hessian(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) -= hessian(i, j);
+  }
+  return jet;
+}
+
+/// The mass in shares of the goal's scale.
+RowJet DesignProblem::mass_in_vector(const DesignVector& x) const {
+  RowJet jet = zero_jet(layout_.size());
+  const BarLengths bars = bar_lengths(lengths_of(x));
+  const auto add = [&](int variable, const std::array<double, 3>& c, double length) {
+    jet.value += at_length(c, length) / goal_scale_;
+    jet.gradient[variable] += length * (c[1] + 2 * length * c[2]) / goal_scale_;
+    jet.hessian(variable, variable) += length * (c[1] + 4 * length * c[2]) / goal_scale_;
+  };
+  add(log_VA, mass_->of_VA, bars.VA);
+  add(log_VB, mass_->of_VB, bars.VB);
+  return jet;
+}
+
+RowJet DesignProblem::mass_row(const DesignVector& x) const {
+  RowJet jet = mass_in_vector(x);
+  jet.value = *limits_.mass / goal_scale_ - jet.value;
+  jet.gradient = -jet.gradient;
+  jet.hessian = -jet.hessian;
+  return jet;
+}
+
+void DesignProblem::add_load_errors(std::vector<Row>& rows, const DesignVector& x) const {
+  if (!load_error_) return;
+  const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
+  double largest = 0, at = 0;
+  for (int i = 0; i < load_openings; ++i) {
+    const double share = i / (load_openings - 1.0);
+    const double error = load_error_->at(bar_lengths(lengths_of(x)), near + share * (far - near)).worst;
+    if (error > largest) largest = error, at = share;
+  }
+  std::vector<double> shares{0.0, 1.0};
+  if (at > 0 && at < 1) shares.push_back(at);
+  const auto add = [&](double share) { rows.push_back({Row::Kind::load_error, 0, share}); };
+  std::for_each(shares.begin(), shares.end(), add);
+}
+
+}  // namespace kempe

@@ -1,0 +1,18 @@
+#pragma once
+// Several sections to choose from: each is a choice of its own, as an assignment of layers is.
+
+#include <functional>
+
+#include "kempe/spec.hpp"
+#include "synthesis/search/steps/outcome.hpp"
+#include "synthesis/search/steps/search_options.hpp"
+
+namespace kempe {
+
+/// The best design with any of LinkSpec::sections (two or more): `search` is run for each, the lightest first, with an equal share of the
+/// time that is left. Of designs that are equally good the lighter one comes back. No bound is stated: each section's own bound says nothing
+/// of the others. Without a design the reason is that of the last section, the heaviest; it is proven if it is for every one.
+SearchOutcome best_of_sections(const Spec& spec, const SearchOptions& options,
+                               const std::function<SearchOutcome(const Spec&, const SearchOptions&)>& search);
+
+}  // namespace kempe

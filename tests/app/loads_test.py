@@ -1,0 +1,116 @@
+"""Loads from the spec to the file, its check and its report: what is stated, what is found out, what a person reads."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+TASK = """[copy]
+scale = 1.4
+rotation_deg = 90
+[region]
+polygon_mm = [[62, -5], [70, -5], [70, 5], [62, 5]]
+[links]
+width_mm = 6
+thickness_mm = 2
+pin_diameter_mm = 3
+[tolerance]
+length_mm = 0.05
+play_mm = 0.02
+"""
+LOADED = TASK + '[material]\nname = "steel"\n[load]\npen_N = 10\n'
+
+
+def kempe(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+class Loads(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.here = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def design(self, text, name="design"):
+        spec = self.here / "spec.toml"
+        spec.write_text(text)
+        done = kempe("synthesize", spec, "-o", self.here / name)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout, json.loads((self.here / name / "design.json").read_text())
+
+    def verify(self, stated):
+        file = self.here / "changed.json"
+        file.write_text(json.dumps(stated))
+        return json.loads(kempe("verify", file, "--json").stdout)
+
+    def test_a_load_changes_no_design(self):
+        _, plain = self.design(TASK, "plain")
+        said, loaded = self.design(LOADED, "loaded")
+        self.assertEqual(plain["mechanism"], loaded["mechanism"])
+        self.assertNotIn("load", plain)
+        self.assertIn("it gives way by 0.6929 mm at worst", said)
+        self.assertAlmostEqual(loaded["quality"]["load_error_max_mm"], 0.69285, delta=1e-4)
+        self.assertAlmostEqual(loaded["quality"]["hand_force_max_N"], 14, delta=1e-9)
+
+    def test_wrong_figures_are_found(self):
+        _, stated = self.design(LOADED)
+        self.assertTrue(self.verify(stated)["certified"])
+        for key, share in (("load_error_max_mm", 1.01), ("load_error_min_mm", 3), ("pin_force_max_N", 0.99),
+                           ("hand_force_max_N", 1.01), ("stress_max_MPa", 0.9), ("mass_kg", 1.001)):
+            wrong = json.loads(json.dumps(stated))
+            wrong["quality"][key] *= share
+            broken = [one["limit"] for one in self.verify(wrong)["broken"]]
+            self.assertEqual(broken, ["quality." + key])
+        softer = json.loads(json.dumps(stated))
+        softer["material"]["E_GPa"] /= 2
+        self.assertIn("quality.load_error_max_mm", [one["limit"] for one in self.verify(softer)["broken"]])
+        limited = json.loads(json.dumps(stated))
+        limited["limits"]["load_error_mm"] = 0.5
+        self.assertIn("limits.load_error_mm", [one["limit"] for one in self.verify(limited)["broken"]])
+
+    def test_the_report_answers(self):
+        said, stated = self.design(LOADED + '[limits]\nload_error_mm = 0.4\n[objective]\nminimize = "load_error"\n')
+        self.assertIn("none is stated for the load error", said)
+        self.assertIsNone(stated["quality"]["lower_bound"])
+        self.assertEqual(stated["search"]["value"], stated["quality"]["load_error_max_mm"])
+        page = (self.here / "design" / "report.html").read_text()
+        for words in ("Will it be stiff enough?", "Yes: ", "8\u00a0×\u00a02 instead of 6\u00a0×\u00a02", "ream the hole",
+                      "All together, at worst", "Load error over the region"):
+            self.assertIn(words, page)
+        again = kempe("report", self.here / "design" / "design.json", "-o", self.here / "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        back = json.loads((self.here / "again" / "design.json").read_text())
+        self.assertEqual(back["quality"], stated["quality"])
+        self.assertEqual(back["load"], stated["load"])
+
+    def test_the_lightest_section_is_taken(self):
+        text = LOADED.replace("width_mm = 6\nthickness_mm = 2\n", "sections_mm = [[10, 3], [6, 2], [8, 2]]\n")
+        said, stated = self.design(text + '[limits]\nload_error_mm = 0.25\n[objective]\nminimize = "mass"\n')
+        self.assertEqual((stated["mechanism"]["link_width_mm"], stated["mechanism"]["thickness_mm"]), (8, 2))
+        self.assertEqual(stated["links"]["sections_mm"], [[6, 2], [8, 2], [10, 3]])
+        self.assertIn("of 3 to choose from", said)
+        self.assertTrue(self.verify(stated)["certified"])
+        other = json.loads(json.dumps(stated))
+        other["links"]["sections_mm"] = [[6, 2], [10, 3]]
+        self.assertEqual([one["limit"] for one in self.verify(other)["broken"]], ["links.sections_mm"])
+        again = kempe("report", self.here / "design" / "design.json", "-o", self.here / "again")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(json.loads((self.here / "again" / "design.json").read_text())["mechanism"], stated["mechanism"])
+
+    def test_fronts_know_loads(self):
+        spec = self.here / "spec.toml"
+        spec.write_text(LOADED)
+        done = kempe("pareto", spec, "--between", "size,load_error", "--points", "3", "-o", self.here / "front")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        spec.write_text(TASK)
+        refused = kempe("pareto", spec, "--between", "size,mass", "-o", self.here / "front2")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("material", refused.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,162 @@
+// Load error and mass as limit and objective: designs are held against a plain grid of lengths, which shares nothing with the solvers, and
+// sections against searches with each alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "specs/materials.hpp"
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/mass.hpp"
+#include "synthesis/search/search.hpp"
+#include "workspace/contact/self_contact.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+Spec plagiograph() {
+  Spec spec;
+  spec.copy = Copy::of(1.4, pi / 2);
+  spec.region = Region::rectangle({62, -5}, {8, 10});
+  spec.links.style = {.width = 6, .pin_diameter = 3, .thickness = 2};
+  spec.limits.transmission = radians(25);
+  spec.material = as_material(*material_named("steel"));
+  spec.load = Load{10};
+  return spec;
+}
+
+FoundDesign design_for(const Spec& spec) {
+  const SearchOutcome outcome = synthesize(spec, {});
+  const auto* found = std::get_if<FoundDesign>(&outcome);
+  EXPECT_NE(found, nullptr);
+  return found != nullptr
+             ? *found
+             : FoundDesign{*CopyingLinkage::make(1.4, Grounding::pole, 1, 1, 0), LayerAssignment{}};
+}
+
+double load_error_of(const Spec& spec, const FoundDesign& design) {
+  const auto openings = openings_over(design.linkage, spec.region);
+  EXPECT_TRUE(openings);
+  return load_error_profile(spec, design.linkage.k(), design.linkage.grounding())
+      .over({design.linkage.VA(), design.linkage.VB()}, *openings)
+      .worst;
+}
+
+TEST(LoadSearch, KeepsALimitThatBinds) {
+  Spec spec = plagiograph();
+  const FoundDesign free = design_for(spec);
+  spec.objective.objective = Objective::load_error;
+  const FoundDesign stiffest = design_for(spec);
+  ASSERT_LT(stiffest.value, load_error_of(spec, free));
+  spec.objective.objective = Objective::size;
+  double before = HUGE_VAL;
+  for (const double share : {0.02, 0.3, 0.8}) {
+    spec.limits.load_error = stiffest.value + share * (load_error_of(spec, free) - stiffest.value);
+    const FoundDesign held = design_for(spec);
+    EXPECT_LE(load_error_of(spec, held), *spec.limits.load_error * (1 + 1e-12));
+    EXPECT_GE(load_error_of(spec, held), *spec.limits.load_error * (1 - 1e-4));  // it binds
+    EXPECT_GE(held.value, free.value * (1 - 1e-9));
+    EXPECT_LT(held.value, before);  // the looser, the smaller
+    before = held.value;
+    if (held.proven_bound) {
+      EXPECT_LE(*held.proven_bound, held.value * (1 + 1e-9));
+    }
+  }
+}
+
+/// The least of a figure over a grid of lengths of all groundings and assembly modes; straight from the linkage, contact by the certified
+/// openings.
+template <class Figure>
+double best_on_a_grid(const Spec& spec, const Figure& figure) {
+  constexpr int steps = 40;
+  double best = HUGE_VAL;
+  for (const Grounding grounding : all_groundings)
+    for (const AssemblyMode& mode : assembly_modes(shape_of(spec.copy.k(), grounding)))
+      for (int i = 0; i <= steps; ++i)
+        for (int j = 0; j <= steps; ++j) {
+          const double VA = 16 * std::pow(12.0, i / double(steps)),
+                       VB = 16 * std::pow(12.0, j / double(steps));
+          const auto linkage = CopyingLinkage::make(spec.copy.k(), grounding, VA, VB, mode.number);
+          const auto lengths = linkage->lengths().values();
+          if (*std::min_element(lengths.begin(), lengths.end()) < spec.links.shortest) continue;
+          const auto openings = openings_over(*linkage, spec.region);
+          if (!openings || !linkage->openings_with_transmission(spec.limits.transmission).contains(*openings))
+            continue;
+          const double value = figure(*linkage, *openings);
+          if (value >= best) continue;
+          for (const LayerAssignment& layers : layer_assignments(2))
+            if (smallest_gap_over(*linkage, spec.links.style, layers, *openings).gap >= spec.limits.clearance)
+              best = value;
+        }
+  return best;
+}
+
+TEST(LoadSearch, FindsNothingWorseThanAGridOfLengths) {
+  Spec spec = plagiograph();
+  spec.objective.objective = Objective::load_error;
+  const double stiffest =
+      best_on_a_grid(spec, [&](const CopyingLinkage& linkage, const OpeningInterval& openings) {
+        return load_error_profile(spec, linkage.k(), linkage.grounding())
+            .over({linkage.VA(), linkage.VB()}, openings)
+            .worst;
+      });
+  const FoundDesign found = design_for(spec);
+  EXPECT_LE(found.value, stiffest);
+  EXPECT_GE(found.value, 0.8 * stiffest);  // the grid comes near it
+  EXPECT_FALSE(found.proven_bound);
+  spec.objective.objective = Objective::mass;
+  spec.limits.load_error = 1.3 * found.value;
+  const double lightest =
+      best_on_a_grid(spec, [&](const CopyingLinkage& linkage, const OpeningInterval& openings) {
+        const double error = load_error_profile(spec, linkage.k(), linkage.grounding())
+                                 .over({linkage.VA(), linkage.VB()}, openings)
+                                 .worst;
+        return error <= *spec.limits.load_error ? mass_of_links(linkage, spec) : HUGE_VAL;
+      });
+  const FoundDesign light = design_for(spec);
+  EXPECT_LE(light.value, lightest);
+  EXPECT_GE(light.value, 0.9 * lightest);
+}
+
+TEST(LoadSearch, TakesTheLightestSectionThatKeepsTheError) {
+  Spec spec = plagiograph();
+  spec.objective.objective = Objective::mass;
+  spec.limits.load_error = 0.1;
+  const std::vector<LinkSection> sections{{6, 2}, {6, 3}, {8, 3}, {10, 4}};
+  std::optional<double> best;
+  LinkSection lightest;
+  for (const LinkSection& section : sections) {
+    use_section(spec.links.style, section);
+    const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
+    const auto* found = std::get_if<FoundDesign>(&outcome);
+    if (found == nullptr || (best && found->value >= *best)) continue;
+    best = found->value;
+    lightest = section;
+  }
+  ASSERT_TRUE(best);
+  use_section(spec.links.style, sections.front());
+  spec.links.sections = sections;
+  const FoundDesign chosen = design_for(spec);
+  EXPECT_EQ(chosen.value, *best);
+  EXPECT_EQ(chosen.section, lightest);
+  EXPECT_NE(lightest, sections.front());  // 6 x 2 cannot
+  EXPECT_FALSE(chosen.proven_bound);
+}
+
+TEST(LoadSearch, SaysWhatLimitWouldDo) {
+  Spec spec = plagiograph();
+  spec.limits.load_error = 0.01;
+  const SearchOutcome outcome = synthesize(spec, {});
+  const auto* none = std::get_if<NoDesign>(&outcome);
+  ASSERT_NE(none, nullptr);
+  EXPECT_FALSE(none->proven);
+  const auto relaxed =
+      std::find_if(none->relaxations.begin(), none->relaxations.end(),
+                   [](const Relaxation& each) { return each.key == "limits.load_error_mm"; });
+  ASSERT_NE(relaxed, none->relaxations.end());
+  ASSERT_TRUE(relaxed->possible);
+  EXPECT_LE(load_error_of(spec, relaxed->design), *relaxed->possible);
+}
+
+}  // namespace
+}  // namespace kempe
