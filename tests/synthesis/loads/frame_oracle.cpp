@@ -10,8 +10,12 @@
 namespace kempe::test {
 namespace {
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+using Real = long double;  ///< a long thin frame's stiffnesses span eight orders of magnitude
+using Matrix6 = Eigen::Matrix<Real, 6, 6>;
+using MatrixX = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using Columns = Eigen::Matrix<Real, Eigen::Dynamic, 2>;
+using EndForces = Eigen::Matrix<Real, 6, 2>;
+using Vector = Eigen::Matrix<Real, 2, 1>;
 
 enum Link { bar_VA, bar_VB, plate_ACX, plate_BCY };
 
@@ -52,21 +56,22 @@ std::vector<Element> elements_of(const FrameTask& task) {
 
 /// Stiffness of a straight beam in the plane against the movements (x, y, turn) of its two ends, in the table's frame: the
 /// textbook's element in its own frame, turned.
-Matrix6d stiffness_of(const FrameTask& task, const Point& from, const Point& to) {
-  const double length = (to - from).norm(), area = task.width * task.thickness,
-               second_moment = task.thickness * task.width * task.width * task.width / 12;
-  const double a = task.young * area / length,
-               b = 12 * task.young * second_moment / (length * length * length), c = b * length / 2,
-               d = c * length * 2 / 3, e = d / 2;
-  Matrix6d own;
+Matrix6 stiffness_of(const FrameTask& task, const Point& from, const Point& to) {
+  const Vector way = to.cast<Real>() - from.cast<Real>();
+  const Real length = way.norm(), young = task.young, width = task.width, thickness = task.thickness;
+  const Real second_moment = thickness * width * width * width / 12;
+  const Real a = young * width * thickness / length,
+             b = 12 * young * second_moment / (length * length * length), c = b * length / 2,
+             d = c * length * 2 / 3, e = d / 2;
+  Matrix6 own;
   own << a, 0, 0, -a, 0, 0,  //
       0, b, c, 0, -b, c,     //
       0, c, d, 0, -c, e,     //
       -a, 0, 0, a, 0, 0,     //
       0, -b, -c, 0, b, -c,   //
       0, c, e, 0, -c, d;
-  const Point u = (to - from) / length;
-  Matrix6d turn = Matrix6d::Zero();
+  const Vector u = way / length;
+  Matrix6 turn = Matrix6::Zero();
   for (const int end : {0, 3}) {
     turn.block<2, 2>(end, end) << u.x(), u.y(), -u.y(), u.x();
     turn(end + 2, end + 2) = 1;
@@ -78,13 +83,15 @@ Matrix6d stiffness_of(const FrameTask& task, const Point& from, const Point& to)
 class Frame {
  public:
   explicit Frame(const FrameTask& task) : task_(task), elements_(elements_of(task)) {
-    for (const FrameJoint joint : {task.pole, task.tracer, task.pen})
-      pin_[joint] = number_place();  // the held ones first
+    post_ = number_place();  // post and hand come first: what is held
+    pin_[task.tracer] = number_place();
+    pin_[task.pole] = post_;
+    pin_[task.pen] = number_place();
     for (const Element& element : elements_)
       for (const FrameJoint joint : {element.from, element.to}) number_joint(element.link, joint);
-    stiffness_ = Eigen::MatrixXd::Zero(count_, count_);
+    stiffness_ = MatrixX::Zero(count_, count_);
     for (const Element& element : elements_) add(element);
-    for (const Key& key : sprung_) add_spring(key);
+    for (const Key& key : sprung_) add_spring(place_.at(key), pin_.at(key.second), compliance_of(key));
   }
 
   FrameAnswer answer() {
@@ -93,30 +100,24 @@ class Frame {
     load.middleRows<2>(pen).setIdentity();
     constexpr int held = 4;
     const int free = count_ - held;
-    const Eigen::LDLT<Eigen::MatrixXd> factors(stiffness_.bottomRightCorner(free, free));
-    const Eigen::VectorXd pivots = factors.vectorD();
-    if (factors.info() != Eigen::Success || !(pivots.minCoeff() > 1e-13 * pivots.maxCoeff()))
+    const Eigen::LDLT<MatrixX> factors(stiffness_.bottomRightCorner(free, free));
+    const Eigen::Matrix<Real, Eigen::Dynamic, 1> pivots = factors.vectorD();
+    if (factors.info() != Eigen::Success || !(pivots.minCoeff() > 1e-16 * pivots.maxCoeff()))
       throw std::runtime_error("the frame is a mechanism");
     moved_ = Columns::Zero(count_, 2);
     moved_.bottomRows(free) = factors.solve(load.bottomRows(free));
     FrameAnswer answer;
-    answer.compliance = moved_.middleRows<2>(pen);
+    answer.compliance = moved_.middleRows<2>(pen).cast<double>();
     const Columns forces = stiffness_ * moved_;
-    answer.pole = forces.middleRows<2>(pin_.at(task_.pole));
-    answer.hand = forces.middleRows<2>(pin_.at(task_.tracer));
+    answer.pole = forces.middleRows<2>(post_).cast<double>();
+    answer.hand = forces.middleRows<2>(pin_.at(task_.tracer)).cast<double>();
     answer.pins = {force_on(plate_ACX, joint_A), force_on(plate_BCY, joint_B), force_on(plate_BCY, joint_C)};
-    for (const int bar : {0, 1}) {
-      const Point u =
-          (task_.joints[elements_[static_cast<std::size_t>(bar)].to] - task_.joints[joint_V]).normalized();
-      answer.axial[static_cast<std::size_t>(bar)].row(0) =
-          u.transpose() * end_forces(elements_[static_cast<std::size_t>(bar)]).middleRows<2>(3);
-      answer.axial[static_cast<std::size_t>(bar)].row(1).setZero();
-    }
     for (const Element& element : elements_) {
-      const auto ends = end_forces(element);
-      Eigen::Matrix2d moments;
-      moments << ends.row(2), ends.row(5);
-      answer.beams.push_back({element.from, element.to, moments});
+      const Eigen::Matrix<double, 6, 2> ends = end_forces(element).cast<double>();
+      const Point u = (task_.joints[element.to] - task_.joints[element.from]).normalized();
+      FrameAnswer::Beam beam{element.from, element.to, u.transpose() * ends.middleRows<2>(3), {}};
+      beam.moments << ends.row(2), ends.row(5);
+      answer.beams.push_back(beam);
     }
     return answer;
   }
@@ -129,20 +130,27 @@ class Frame {
     return count_ - 2;
   }
 
-  /// A link's joint hangs on its pin: the post, the hand or the pen; in A, B and C on the first link there. With a
-  /// compliance it has a place of its own, and a spring.
+  /// A link's joint hangs on what is there: post, hand or pen; at A, B and C the first link. Where the pin gives way it has a place of its
+  /// own and a spring.
   void number_joint(Link link, FrameJoint joint) {
     const Key key{link, joint};
     if (turn_.contains(key)) return;
     turn_[key] = count_++;
     if (!pin_.contains(joint)) {
       pin_[joint] = place_[key] = number_place();
-    } else if (task_.pin_compliance[joint] == 0) {
+    } else if (compliance_of(key) == 0) {
       place_[key] = pin_[joint];
     } else {
       place_[key] = number_place();
       sprung_.push_back(key);
     }
+  }
+
+  double compliance_of(const Key& key) const {
+    const auto& [link, joint] = key;
+    if (joint == task_.pole && link != bar_VB) return task_.pole_compliance;
+    if (joint >= joint_X || link == bar_VA) return 0;
+    return task_.pin_compliance[joint];
   }
 
   std::array<int, 6> rows_of(const Element& element) const {
@@ -152,16 +160,15 @@ class Frame {
   }
 
   void add(const Element& element) {
-    const Matrix6d own = stiffness_of(task_, task_.joints[element.from], task_.joints[element.to]);
+    const Matrix6 own = stiffness_of(task_, task_.joints[element.from], task_.joints[element.to]);
     const auto rows = rows_of(element);
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
         stiffness_(rows[static_cast<std::size_t>(i)], rows[static_cast<std::size_t>(j)]) += own(i, j);
   }
 
-  void add_spring(const Key& key) {
-    const double stiffness = 1 / task_.pin_compliance[key.second];
-    const int own = place_.at(key), other = pin_.at(key.second);
+  void add_spring(int own, int other, double compliance) {
+    const Real stiffness = 1 / Real(compliance);
     for (const int axis : {0, 1}) {
       stiffness_(own + axis, own + axis) += stiffness;
       stiffness_(other + axis, other + axis) += stiffness;
@@ -171,8 +178,8 @@ class Frame {
   }
 
   /// What the ends of a beam are pushed with: forces and moments on the beam.
-  Eigen::Matrix<double, 6, 2> end_forces(const Element& element) const {
-    Eigen::Matrix<double, 6, 2> ends;
+  EndForces end_forces(const Element& element) const {
+    EndForces ends;
     const auto rows = rows_of(element);
     for (int i = 0; i < 6; ++i) ends.row(i) = moved_.row(rows[static_cast<std::size_t>(i)]);
     return stiffness_of(task_, task_.joints[element.from], task_.joints[element.to]) * ends;
@@ -183,8 +190,8 @@ class Frame {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     for (const Element& element : elements_) {
       if (element.link != link) continue;
-      if (element.from == joint) sum += end_forces(element).topRows<2>();
-      if (element.to == joint) sum += end_forces(element).middleRows<2>(3);
+      if (element.from == joint) sum += end_forces(element).topRows<2>().cast<double>();
+      if (element.to == joint) sum += end_forces(element).middleRows<2>(3).cast<double>();
     }
     return sum;
   }
@@ -193,9 +200,10 @@ class Frame {
   std::vector<Element> elements_;
   std::map<Key, int> place_, turn_;  ///< first row of x and y, row of the turn
   std::map<FrameJoint, int> pin_;    ///< first row of the pin's place
+  int post_ = 0;
   std::vector<Key> sprung_;
   int count_ = 0;
-  Eigen::MatrixXd stiffness_;
+  MatrixX stiffness_;
   Columns moved_;
 };
 
