@@ -68,6 +68,17 @@ FrameTask frame_of(const LoadedCase& one) {
   return task;
 }
 
+/// How far the frame's forces from outside are from balance: each other, and about the pole.
+double imbalance_of(const FrameAnswer& frame, const FrameTask& task) {
+  const Point hand = task.joints[task.tracer] - task.joints[task.pole],
+              pen = task.joints[task.pen] - task.joints[task.pole];
+  double most = (frame.hand + frame.pole + Eigen::Matrix2d::Identity()).norm() / (1 + frame.hand.norm());
+  for (const int axis : {0, 1})
+    most = std::max(most, std::abs(cross(hand, frame.hand.col(axis)) + cross(pen, Point::Unit(axis))) /
+                              (pen.norm() + hand.norm() * frame.hand.norm()));
+  return most;
+}
+
 double most_of(const Eigen::Matrix2d& force) { return force.jacobiSvd().singularValues()[0]; }
 
 /// Stress at the middle of a plate, from its two pieces: bending and pull of each, worst over the directions of the force.
@@ -87,15 +98,22 @@ double stress_of(const FrameAnswer& answer, std::size_t first, const LoadedCase&
 TEST(LoadsInThePlane, AreThoseOfAFrame) {
   Random random(71);
   double apart = 0;
+  int lost = 0;
   const auto expect_alike = [&](double one, double other, double scale, const char* what) {
     apart = std::max(apart, std::abs(one - other) / scale);
     EXPECT_NEAR(one, other, 1e-6 * scale) << what;
   };
   for (int i = 0; i < samples(3000); ++i) {
     const LoadedCase one = random_case(random);
-    if (std::abs(std::sin(one.opening)) < 0.02)
-      continue;  // towards the change points all forces grow without bound
+    // Towards the change points all forces grow without bound; at the end of its reach the frame is a mechanism inside.
+    const double from_reach = one.opening - std::arg(plate_shape(one.k, one.grounding));
+    if (std::min(std::abs(std::sin(one.opening)), std::abs(std::sin(from_reach))) < 0.02) continue;
     const FrameAnswer frame = solve_frame(frame_of(one));
+    if (imbalance_of(frame, frame_of(one)) >
+        1e-8) {  // the frame's own rounding: arms of 1:100, slender as a wire
+      ++lost;
+      continue;
+    }
     const LoadErrorAt error = LoadErrorProfile(one.k, one.grounding, one.style, one.material, 1, one.pins)
                                   .at(one.lengths, one.opening);
     const Eigen::Vector2d stretch =
@@ -120,7 +138,8 @@ TEST(LoadsInThePlane, AreThoseOfAFrame) {
       FAIL() << "k " << one.k << " grounding " << static_cast<int>(one.grounding) << " opening "
              << one.opening << " VA " << one.lengths.VA << " VB " << one.lengths.VB;
   }
-  RecordProperty("apart", std::to_string(apart));
+  EXPECT_LT(lost, 1 + samples(3000) / 100);
+  RecordProperty("apart_in_billionths", static_cast<int>(1e9 * apart));
 }
 
 }  // namespace
