@@ -239,6 +239,27 @@ TEST(CentresPicture, DrawsTheNormalOfASlider) {
 
 Moved with_loads(const std::string& text) { return Moved(*parse_linkage_file(text, "loads.toml")); }
 
+TEST(Animation, ShowsForcesAndWhatTheDriversBear) {
+  const Moved press = example("shear-press-forces");
+  const LinkageScene scene = press.scene();
+  const std::string page = animation_html(scene);
+  EXPECT_THAT(page, HasSubstr("<b>driver P.y</b> <span id=\"force0\">"));
+  EXPECT_THAT(page, HasSubstr("id=\"arrow0\""));
+  EXPECT_THAT(page, HasSubstr("id=\"arrow1\""));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"arrow2\"")));
+  EXPECT_THAT(page, HasSubstr("Arrows are forces, the longest is 2000 N."));
+  for (const auto& moment : scene.moments) {
+    ASSERT_EQ(moment.arrows.size(), 2u);
+    EXPECT_EQ(moment.arrows[0].force, Point(0, -2000));  // up, y downward
+    EXPECT_NEAR(moment.arrows[1].force.y(), -moment.driver_forces[0].value(), 1e-9);
+    for (const SceneArrow& arrow : moment.arrows) {
+      const Point tail = arrow.at - scene.arrow_scale * arrow.force;
+      EXPECT_TRUE((tail.array() >= scene.lower.array()).all() && (tail.array() <= scene.upper.array()).all());
+    }
+  }
+  EXPECT_THAT(animation_html(example("shear-press").scene()), HasSubstr("\"loads\":null"));
+}
+
 TEST(SolveTable, NamesEveryForceByWhatBearsIt) {
   const Moved press = example("shear-press-forces");
   const SolveTable table = solve_table(press.file, press.model, press.run, press.steps);
