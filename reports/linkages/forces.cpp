@@ -15,8 +15,6 @@ namespace {
 
 using Part = ForceColumn::Part;
 
-constexpr double mm_a_metre = 1000;
-
 /// A name made of letters, digits and underscores only.
 std::string column_word(std::string text) {
   for (char& c : text)
@@ -105,7 +103,7 @@ std::string with_unit(double value, const ForceColumn& column) {
 }
 
 /// "driver P.y: 12.3 N at step 0, largest -45.6 N at step 8"; "..., its largest" where that is the first.
-std::string driver_sentence(const ForceTable& forces, std::size_t column, int driver) {
+std::string driver_force_sentence(const ForceTable& forces, std::size_t column, int driver) {
   std::optional<std::size_t> first, most;
   for (std::size_t row = 0; row < forces.table.rows.size(); ++row) {
     const auto& value = forces.value(row, column);
@@ -153,7 +151,7 @@ std::optional<double> ForceColumn::value(const Reaction& reaction) const {
     case Part::y: return reaction.force.y();
     case Part::along: return reaction.along;
     case Part::tension: return -reaction.along;
-    case Part::moment: return reaction.along / mm_a_metre;
+    case Part::moment: return reaction.along / moment_unit;
   }
   return std::nullopt;
 }
@@ -182,7 +180,7 @@ std::vector<std::string> force_sentences(const LinkageFile& file, const LinkageM
   if (forces.columns.empty()) return {};
   std::vector<std::string> sentences;
   for (std::size_t driver = 0; driver < model.linkage.drivers().size(); ++driver)
-    sentences.push_back(driver_sentence(forces, driver, static_cast<int>(driver)));
+    sentences.push_back(driver_force_sentence(forces, driver, static_cast<int>(driver)));
   if (auto sentence = largest_reaction(forces)) sentences.push_back(std::move(*sentence));
   if (const auto labels = undetermined_reactions(file, model, table); !labels.empty())
     sentences.push_back(fmt::format(

@@ -10,6 +10,9 @@
 
 namespace kempe {
 
+/// N mm in a N m.
+inline constexpr double moment_unit = 1000;
+
 /// One column: a part of what one constraint or driver does to the linkage.
 struct ForceColumn {
   enum class Part { x, y, along, tension, moment };

@@ -8,12 +8,11 @@ namespace kempe {
 namespace {
 
 constexpr double longest_arrow = 0.2;  ///< of the picture's extent
-constexpr double mm_a_metre = 1000;
 
 /// A place or a force of the table as the page has it: y downward.
-Point on_page(const Point& p) { return {p.x(), -p.y()}; }
+Point page_vector(const Point& p) { return {p.x(), -p.y()}; }
 
-bool turns(const LinkageModel& model, std::size_t driver) {
+bool turns_a_link(const LinkageModel& model, std::size_t driver) {
   const auto number = static_cast<std::size_t>(model.linkage.drivers()[driver]);
   return std::holds_alternative<RelativeAngle>(model.linkage.constraints()[number].constraint);
 }
@@ -25,7 +24,7 @@ std::optional<BodyPoint> pushed_by(const LinkageModel& model, std::size_t driver
   return along ? std::optional(along->point) : std::nullopt;
 }
 
-std::string number_or_null(const std::optional<double>& value) {
+std::string force_or_null(const std::optional<double>& value) {
   return value ? fmt::format("{:.6g}", *value) : "null";
 }
 
@@ -36,13 +35,13 @@ void add_scene_forces(const LinkageModel& model, const PlanarRun& run, double un
   const std::size_t drivers = model.linkage.drivers().size();
   for (std::size_t driver = 0; driver < drivers; ++driver)
     scene.drivers.push_back(
-        {model.driver_label(static_cast<int>(driver)), turns(model, driver) ? "N m" : "N"});
+        {model.driver_label(static_cast<int>(driver)), turns_a_link(model, driver) ? "N m" : "N"});
   ForceFinder finder(model);
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const PlanarPosition& position = run.frames[i].position;
     LinkageScene::Moment& moment = scene.moments[i];
     const auto add_arrow = [&](const BodyPoint& at, const Point& force) {
-      moment.arrows.push_back({on_page(place(position, at) / unit), on_page(force)});
+      moment.arrows.push_back({page_vector(place(position, at) / unit), page_vector(force)});
     };
     for (const PointForce& force : model.loads.forces)
       add_arrow(force.at, turned(position, force.turns_with, force.newton));
@@ -51,7 +50,8 @@ void add_scene_forces(const LinkageModel& model, const PlanarRun& run, double un
       const Reaction reaction =
           reactions ? (*reactions)[static_cast<std::size_t>(model.linkage.drivers()[driver])] : Reaction{};
       moment.driver_forces.push_back(
-          reactions ? std::optional(reaction.along / (turns(model, driver) ? mm_a_metre : 1)) : std::nullopt);
+          reactions ? std::optional(reaction.along / (turns_a_link(model, driver) ? moment_unit : 1))
+                    : std::nullopt);
       if (const auto at = pushed_by(model, driver)) add_arrow(*at, reaction.force);
     }
   }
@@ -81,7 +81,7 @@ std::string scene_forces_json(const LinkageScene& scene) {
   for (std::size_t i = 0; i < scene.moments.size(); ++i) {
     std::string row;
     for (const auto& value : scene.moments[i].driver_forces)
-      row += (row.empty() ? "" : ",") + number_or_null(value);
+      row += (row.empty() ? "" : ",") + force_or_null(value);
     for (const SceneArrow& arrow : scene.moments[i].arrows)
       row += fmt::format(",{:.9g},{:.9g},{:.6g},{:.6g}", arrow.at.x(), arrow.at.y(), arrow.force.x(),
                          arrow.force.y());

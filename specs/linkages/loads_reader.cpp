@@ -8,14 +8,14 @@ namespace {
 constexpr double mm_a_metre = 1000;
 
 /// Complains about a key that does not go with another one.
-void forbid(const LinkageTable& table, std::string_view key, std::string_view beside,
-            std::string_view allowed) {
+void forbid_beside(const LinkageTable& table, std::string_view key, std::string_view beside,
+                   std::string_view allowed) {
   if (table.has(key)) table.refuse(key, fmt::format("a key beside `{}`", beside), std::string(allowed));
 }
 
-void read_pair(const LinkageTable& table, LinkageNames& names, LinkageFile& file) {
+void read_pair_force(const LinkageTable& table, LinkageNames& names, LinkageFile& file) {
   for (const std::string_view key : {"at", "link", "turns_with"})
-    forbid(table, key, "between", "`between` and `newton` alone");
+    forbid_beside(table, key, "between", "`between` and `newton` alone");
   const auto newton = table.number("newton");
   if (!table.has("newton")) table.missing("newton");
   const std::vector<NameAt> ends = table.names("between");
@@ -53,7 +53,7 @@ std::optional<std::string> bearer_of(const LinkageTable& table, const std::strin
 }  // namespace
 
 void read_force(const LinkageTable& table, LinkageNames& names, LinkageFile& file) {
-  if (table.has("between")) return read_pair(table, names, file);
+  if (table.has("between")) return read_pair_force(table, names, file);
   FileForce force;
   const auto at = names.point(table, "at");
   const auto newton = table.point("newton");
@@ -97,7 +97,7 @@ void read_mass(const LinkageTable& table, const NameAt& name, LinkageNames& name
     mass.centre = *centre;
   } else {
     for (const std::string_view key : {"at", "kg_m2"})
-      forbid(table, key, "kg", "`kg` alone: the mass of a point");
+      forbid_beside(table, key, "kg", "`kg` alone: the mass of a point");
     if (!names.require_point(name, "masses." + name.name)) return;
     if (names.local_place(name.name, "ground"))
       return table.refuse("kg", fmt::format("the mass of {}, a point of the ground", name.name),
