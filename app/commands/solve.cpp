@@ -11,6 +11,7 @@
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "reports/linkages/animation.hpp"
+#include "reports/linkages/forces.hpp"
 #include "reports/linkages/solve_table.hpp"
 #include "specs/text/printable.hpp"
 
@@ -106,8 +107,19 @@ Json summary_json(const LoadedLinkage& loaded, const SolveTable& table, const Pl
     object["stop"] = {{"kind", std::string(name(run.stop->end))},
                       {"step", run.frames.back().share * loaded.file.steps},
                       {"sentences", run.stop->sentences}};
+  if (!loaded.model.loads.empty())
+    object["forces"] = {{"undetermined", undetermined_reactions(loaded.file, loaded.model, table)},
+                        {"sentences", force_sentences(loaded.file, loaded.model, table)}};
   object.update(table_json(table));
   return object;
+}
+
+/// Where the table is and what its forces come to.
+void tell_summary(const SolveArguments& arguments, const LoadedLinkage& loaded, const SolveTable& table) {
+  print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(),
+                    printable(arguments.table_file)));
+  for (const std::string& sentence : force_sentences(loaded.file, loaded.model, table))
+    print(sentence + "\n");
 }
 
 void tell(const Session& session, const SolveArguments& arguments, const LoadedLinkage& loaded,
@@ -117,8 +129,7 @@ void tell(const Session& session, const SolveArguments& arguments, const LoadedL
   else if (arguments.table_file.empty())
     print(csv_text(table));
   else
-    print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(),
-                      printable(arguments.table_file)));
+    tell_summary(arguments, loaded, table);
 }
 
 int run(const Session& session, const SolveArguments& arguments) {

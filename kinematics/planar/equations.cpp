@@ -118,7 +118,11 @@ int PlanarEquations::driver_row(int driver) const {
 }
 
 double PlanarEquations::driver_slope(int driver) const {
-  const Entry& entry = entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])];
+  return value_slope(driver_entries_[static_cast<std::size_t>(driver)]);
+}
+
+double PlanarEquations::value_slope(int constraint) const {
+  const Entry& entry = entries_[static_cast<std::size_t>(constraint)];
   if (std::holds_alternative<Distance>(entry.constraint)) return value_of(entry.constraint) / entry.scale;
   if (std::holds_alternative<GearPair>(entry.constraint)) return entry.scale;
   return std::holds_alternative<RelativeAngle>(entry.constraint) ? size_ : 1;

@@ -39,8 +39,12 @@ class PlanarEquations {
   const std::vector<double>& values() const { return values_; }
   void set_values(const std::vector<double>& values);
 
-  /// Row of a driver's equation.
+  /// Row of a constraint's (first) equation, and of a driver's.
+  int row_of(int constraint) const { return entries_[static_cast<std::size_t>(constraint)].row; }
   int driver_row(int driver) const;
+
+  /// A length of a body, mm: how far its angle moves what constraints hold of it, at most.
+  double arm_of(int body) const { return arms_[static_cast<std::size_t>(body)]; }
 
   /// F(q), mm.
   void residual(const Eigen::VectorXd& q, Eigen::VectorXd& f);
@@ -51,8 +55,11 @@ class PlanarEquations {
   /// D^2F(q)(rate, rate): the part of F's second time derivative that is quadratic in the rates.
   void second_derivative(const Eigen::VectorXd& q, const Eigen::VectorXd& rate, Eigen::VectorXd& f);
 
-  /// -dF/dvalue of a driver at its present value, and the part of -F'' that its speed adds: what stands on
-  /// the right of J q' = ... and J q'' = ... in the driver's row.
+  /// -dF/dvalue of any constraint at its present value; 1 of a revolute joint, which has none.
+  double value_slope(int constraint) const;
+
+  /// The same of a driver, and the part of -F'' that its speed adds: what stands on the right of J q' = ... and
+  /// J q'' = ... in the driver's row.
   double driver_slope(int driver) const;
   double driver_bend(int driver, double speed) const;
 

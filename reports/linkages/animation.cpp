@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "reports/linkages/scene_forces.hpp"
 #include "reports/linkages/traced_curves.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/web_assets.hpp"
@@ -105,7 +106,7 @@ std::string scene_json(const LinkageScene& scene, const PictureScale& scale) {
           fmt::format(",{:.9g},{:.9g},{:.9g}", moment.at[body].x(), moment.at[body].y(), moment.angle[body]);
     text += "]";
   }
-  return script_escaped(text + "]}");
+  return script_escaped(text + "],\"loads\":" + scene_forces_json(scene) + "}");
 }
 
 std::string traced_dots(const LinkageScene& scene, const PictureScale& scale) {
@@ -116,6 +117,28 @@ std::string traced_dots(const LinkageScene& scene, const PictureScale& scale) {
                 .with("r", scale.number(0.8 * scale.pin))
                 .with("fill", link_colour(scene.points[traced].body))
                 .text();
+  return text;
+}
+
+/// The arrows, which the script draws.
+std::string force_arrows(const LinkageScene& scene, const PictureScale& scale) {
+  std::string text;
+  for (std::size_t i = 0; i < scene.moments.front().arrows.size(); ++i)
+    text += drawn("path", "force", scale).with("id", fmt::format("arrow{}", i)).text();
+  return text;
+}
+
+/// How long the arrows are.
+std::string arrows_sentence(const LinkageScene& scene) {
+  if (!(scene.largest_force > 0)) return "";
+  return fmt::format(" Arrows are forces, the longest is {:.4g} N.", scene.largest_force);
+}
+
+std::string driver_forces_line(const LinkageScene& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < scene.drivers.size(); ++i)
+    text += fmt::format("<span><b>driver {}</b> <span id=\"force{}\"></span></span>",
+                        html_escaped(scene.drivers[i].label), i);
   return text;
 }
 
@@ -140,15 +163,15 @@ std::string animation_html(const LinkageScene& scene) {
       "<body>\n";
   page += fmt::format(
       "<header>\n<p class=\"brand\">Kempe · linkage</p>\n<h1>{}</h1>\n<p class=\"lead\">Lengths in "
-      "{}.{}</p>\n</header>\n<main class=\"motion\">",
-      title, scene.unit, ending);
+      "{}.{}{}</p>\n</header>\n<main class=\"motion\">",
+      title, scene.unit, arrows_sentence(scene), ending);
   page += SvgElement("svg")
               .with("id", "picture")
               .with("viewBox", scale.view_box())
               .with("role", "img")
               .with("aria-label", scene.title)
               .holding("\n" + static_layers(scene, scale) + moving_bodies(scene, scale, false) +
-                       traced_dots(scene, scale) + names_at_start(scene, scale))
+                       traced_dots(scene, scale) + force_arrows(scene, scale) + names_at_start(scene, scale))
               .text();
   page += fmt::format(
       "</main>\n<footer class=\"drive\"><button type=\"button\" id=\"play\">Play</button><input "
@@ -160,7 +183,7 @@ std::string animation_html(const LinkageScene& scene) {
       "<option value=\"3\">3</option></select></label><label><input type=\"checkbox\" id=\"names\" checked> "
       "Names</label>"
       "<div id=\"places\">{}</div></footer>\n",
-      scene.moments.size() - 1, steps, places_line(scene));
+      scene.moments.size() - 1, steps, driver_forces_line(scene) + places_line(scene));
   page +=
       fmt::format("<script type=\"application/json\" id=\"scene\">{}</script>\n", scene_json(scene, scale)) +
       page_element("script", web_assets::animation) + "</body></html>\n";

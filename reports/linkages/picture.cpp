@@ -21,7 +21,7 @@ struct Look {
   double width, dash;
   std::array<std::array<const char*, 2>, 3> further;  ///< attributes; null: none
 };
-constexpr std::array<Look, 10> looks{{
+constexpr std::array<Look, 11> looks{{
     {"link",
      "currentColor",
      "currentColor",
@@ -35,6 +35,7 @@ constexpr std::array<Look, 10> looks{{
     {"spoke", "none", "currentColor", 1, 0, {}},
     {"ground", "#fff", "#555", 1.2, 0, {}},
     {"hatch", "none", "#555", 1, 0, {}},
+    {"force", "none", "#a4262c", 2.2, 0, {{{"stroke-linecap", "round"}, {"stroke-linejoin", "round"}}}},
     {"trace", "none", nullptr, 0, 0, {{{"stroke-opacity", ".75"}, {"stroke-linejoin", "round"}}}},
     {"name",
      "#222",

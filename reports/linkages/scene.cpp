@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/linkages/scene_forces.hpp"
 #include "reports/linkages/traced_curves.hpp"
 
 namespace kempe {
@@ -41,7 +42,9 @@ class SceneBuilder {
     add_bodies();
     add_points();
     for (const RunFrame& frame : run_.frames) add_moment(frame);
+    add_scene_forces(model_, run_, file_.unit.in_mm, scene_);
     find_box();
+    fit_arrows(scene_);
     add_lines_and_wheels();
     widen_for_wheels();
     scene_.traced = traced_points(file_, model_, scene_.points);
@@ -81,7 +84,7 @@ class SceneBuilder {
   }
 
   void add_moment(const RunFrame& frame) {
-    LinkageScene::Moment moment{frame.share * steps_, {}, {}};
+    LinkageScene::Moment moment{frame.share * steps_, {}, {}, {}, {}};
     for (const BodyPlacement& placement : frame.position) {
       moment.at.push_back(scaled(placement.at));
       moment.angle.push_back(-placement.angle);

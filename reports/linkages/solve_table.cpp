@@ -8,6 +8,7 @@
 
 #include "geometry/fixed_text.hpp"
 #include "kinematics/planar/rates.hpp"
+#include "reports/linkages/forces.hpp"
 
 namespace kempe {
 namespace {
@@ -99,6 +100,25 @@ int decimals_of(const SolveTable& table, std::size_t column) {
   return largest > 0 ? std::clamp(14 - static_cast<int>(std::floor(std::log10(largest))), 0, 300) : 0;
 }
 
+/// Adds the forces to a table whose rows are those of the run.
+void add_forces(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run, SolveTable& table) {
+  const std::vector<ForceColumn> columns = force_columns(file, model);
+  if (columns.empty()) return;
+  for (const ForceColumn& column : columns) {
+    table.columns.push_back(column.name);
+    table.kinds.push_back(column.kind());
+  }
+  ForceFinder finder(model);
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const auto reactions = finder.at(run.frames[i]);
+    for (const ForceColumn& column : columns) {
+      auto value =
+          reactions ? column.value((*reactions)[static_cast<std::size_t>(column.constraint)]) : std::nullopt;
+      table.rows[i].push_back(value ? std::optional(*value + 0.0) : std::nullopt);  // + 0.0: no -0
+    }
+  }
+}
+
 }  // namespace
 
 SolveTable solve_table(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run, int steps) {
@@ -115,6 +135,7 @@ SolveTable solve_table(const LinkageFile& file, const LinkageModel& model, const
       row.push_back(known ? std::optional(column.value(frame) + 0.0) : std::nullopt);  // + 0.0: no -0
     }
   }
+  add_forces(file, model, run, table);
   return table;
 }
 

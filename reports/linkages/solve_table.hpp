@@ -12,8 +12,9 @@ namespace kempe {
 /// Columns: step, time_s; for each wanted point P its P_x_m, P_y_m (in the file's unit), on request
 /// P_vx_m_per_s, P_vy_m_per_s, P_ax_m_per_s2, P_ay_m_per_s2; for each wanted link L its L_angle_deg with
 /// L_rate_rad_per_s and L_acceleration_rad_per_s2 where velocities and accelerations are wanted;
-/// transmission_A_B_C_deg. A value is absent where it does not exist: rates at a dead point. Never NaN.
-enum class ColumnKind { step, time, place, velocity, acceleration, angle, spin, spin_change };
+/// transmission_A_B_C_deg; where there are loads, the forces (forces.hpp). A value is absent where it does not exist: rates and
+/// forces at a dead point, reactions that rigid links do not determine. Never NaN.
+enum class ColumnKind { step, time, place, velocity, acceleration, angle, spin, spin_change, force, moment };
 
 struct SolveTable {
   std::vector<std::string> columns;

@@ -15,6 +15,10 @@ constexpr LinkageKey known_keys[] = {
     {"", "gears", "tables [[gears]]"},
     {"", "racks", "tables [[racks]]"},
     {"", "drivers", "tables [[drivers]]"},
+    {"", "gravity", "[x, y] in m/s^2"},
+    {"", "forces", "tables [[forces]]"},
+    {"", "moments", "tables [[moments]]"},
+    {"", "masses", "a table [masses]"},
     {"", "motion", "a table [motion]"},
     {"", "guess", "a table [guess] of points"},
     {"", "bounds", "a table [bounds]"},
@@ -80,6 +84,21 @@ constexpr LinkageKey known_keys[] = {
     {"drivers.circle", "from_deg", "an angle"},
     {"drivers.circle", "sweep_deg", "an angle, not 0, at most 100 turns"},
 
+    {"forces", "at", "a point"},
+    {"forces", "link", "a link that holds the point"},
+    {"forces", "newton", "[x, y] of a force at a point, a number of one between two points"},
+    {"forces", "turns_with", "a link, or \"ground\""},
+    {"forces", "between", "two different points"},
+
+    {"moments", "on", "a link"},
+    {"moments", "against", "a link or \"ground\""},
+    {"moments", "newton_m", "a moment in N m, counter-clockwise positive"},
+
+    {"masses", "*", "a table such as {kg = 2, at = [0.1, 0], kg_m2 = 0.03} of a link or {kg = 2} of a point"},
+    {"masses.*", "kg", "a mass, > 0"},
+    {"masses.*", "at", "the centre of mass: a point of the link, or [x, y] in its frame"},
+    {"masses.*", "kg_m2", "the moment of inertia about the centre of mass, >= 0"},
+
     {"motion", "steps", "a whole number, 1 to 1000000, and 10000000 over the number of links"},
     {"motion", "duration_s", "seconds, > 0"},
 
@@ -95,6 +114,7 @@ constexpr LinkageKey known_keys[] = {
     {"output", "angles", "a list of links"},
     {"output", "transmission", "a list of three points each, the angle being at the middle one"},
     {"output", "trace", "a list of points"},
+    {"output", "reactions", "true or false"},
 };
 
 }  // namespace

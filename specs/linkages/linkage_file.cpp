@@ -10,6 +10,7 @@
 
 #include "specs/file_kind.hpp"
 #include "specs/linkages/drivers.hpp"
+#include "specs/linkages/loads_reader.hpp"
 #include "specs/linkages/names.hpp"
 #include "specs/linkages/reader.hpp"
 #include "specs/linkages/rigid_link.hpp"
@@ -61,6 +62,7 @@ class LinkageReader {
     each_in_list("gears", [&](const LinkageTable& table) { read_gears(table); });
     each_in_list("racks", [&](const LinkageTable& table) { read_rack(table); });
     each_in_list("drivers", [&](const LinkageTable& table) { read_driver(table, names_, result_); });
+    read_loads();
     read_motion();
     read_guess();
     read_bounds();
@@ -86,6 +88,9 @@ class LinkageReader {
     if (conditions > most_conditions)
       complaints_.add(0, "links",
                       fmt::format("{} bars, sliders, angles, gears, racks and drivers", conditions),
+                      fmt::format("at most {}", most_conditions));
+    if (const std::size_t loads = result_.loads.count(); loads > most_conditions)
+      complaints_.add(0, "links", fmt::format("{} forces, moments and masses", loads),
                       fmt::format("at most {}", most_conditions));
     if (complaints_.none() && result_.steps > result_.most_steps())
       complaints_.add(0, "motion.steps", fmt::format("{}", result_.steps),
@@ -283,9 +288,9 @@ class LinkageReader {
   FileLine read_line(const LinkageTable& table) {
     FileLine line;
     line.link = names_.link(table, "on").value_or("ground");
-    line.through = read_line_point(table, "through", line.link).value_or(Point::Zero());
+    line.through = names_.place_on(table, "through", line.link).value_or(Point::Zero());
     if (table.has("towards")) {
-      const Point towards = read_line_point(table, "towards", line.link).value_or(line.through + Point(1, 0));
+      const Point towards = names_.place_on(table, "towards", line.link).value_or(line.through + Point(1, 0));
       if (towards == line.through) table.refuse("towards", "the same place as `through`");
       line.direction = std::arg(as_complex(towards - line.through));
       if (table.has("direction_deg"))
@@ -296,23 +301,6 @@ class LinkageReader {
       table.missing("direction_deg");
     }
     return line;
-  }
-
-  std::optional<Point> read_line_point(const LinkageTable& table, const std::string& key,
-                                       const std::string& link) {
-    if (!table.has(key)) {
-      table.missing(key);
-      return std::nullopt;
-    }
-    if (!table.is_text(key)) {
-      const auto at = table.point(key);
-      return at ? std::optional(place(*at)) : std::nullopt;
-    }
-    const auto name = names_.point(table, key);
-    if (!name) return std::nullopt;
-    auto local = names_.local_place(*name, link);
-    if (!local) table.refuse(key, fmt::format("{}, which is no point of {}", *name, link));
-    return local;
   }
 
   void read_slider(const LinkageTable& table) {
@@ -388,6 +376,15 @@ class LinkageReader {
     result_.racks.push_back(std::move(rack));
   }
 
+  void read_loads() {
+    each_in_list("forces", [&](const LinkageTable& table) { read_force(table, names_, result_); });
+    each_in_list("moments", [&](const LinkageTable& table) { read_moment(table, names_, result_); });
+    each_in_table("masses", [&](const NameAt& name, const toml::table& inner) {
+      read_mass({inner, "masses.*", "masses." + name.name, complaints_}, name, names_, result_);
+    });
+    read_gravity(root_, result_);
+  }
+
   void read_motion() {
     const toml::table* inner = root_.inner("motion");
     if (!inner) return;
@@ -436,6 +433,7 @@ class LinkageReader {
       output.trace = names_.points(table, "trace");
       output.velocities = table.truth("velocities");
       output.accelerations = table.truth("accelerations");
+      if (table.has("reactions")) output.reactions = table.truth("reactions");
       for (const NameAt& name : table.names("angles"))
         if (names_.require_link(name, table.dotted("angles"))) output.angles.push_back(name.name);
       for (const auto& list : table.name_lists("transmission")) read_transmission(table, list);

@@ -106,6 +106,44 @@ struct FileBound {
   std::optional<std::pair<double, double>> angle;                 ///< of a link
 };
 
+/// A force at a point, on one link that holds it.
+struct FileForce {
+  std::string at, link;  ///< link: empty: the first that holds the point
+  Point newton = Point::Zero();
+  std::string turns_with = "ground";  ///< a link: the direction is given in its frame
+};
+
+/// Two equal and opposite forces between two points; > 0 pushes them apart.
+struct FilePairForce {
+  std::string a, b;
+  double newton = 0;
+};
+
+/// A moment on a link; `against` bears the opposite one.
+struct FileMoment {
+  std::string on, against;
+  double moment = 0;  ///< N mm
+};
+
+/// The mass of a link, or of a point.
+struct FileMass {
+  std::string link, point;  ///< one of them is empty
+  double kg = 0;
+  Point centre = Point::Zero();  ///< of a link's mass, in its frame, mm
+  double inertia = 0;            ///< about the centre of mass, kg mm^2
+};
+
+/// What acts on the linkage, and what its motion moves.
+struct FileLoads {
+  std::vector<FileForce> forces;
+  std::vector<FilePairForce> pairs;
+  std::vector<FileMoment> moments;
+  std::vector<FileMass> masses;
+  Point gravity = Point::Zero();  ///< m/s^2
+
+  std::size_t count() const { return forces.size() + pairs.size() + moments.size() + masses.size(); }
+};
+
 struct OutputWishes {
   std::vector<std::string> points;  ///< empty in the file: every point that is not on the ground
   bool velocities = false, accelerations = false;
@@ -113,6 +151,7 @@ struct OutputWishes {
   /// Points a, b, c: the angle between ba and bc, folded to 0..90 degrees.
   std::vector<std::array<std::string, 3>> transmission;
   std::vector<std::string> trace;  ///< points whose curve is drawn
+  bool reactions = true;           ///< the forces in joints and guides, where there are loads
 };
 
 struct LinkageFile {
@@ -128,6 +167,7 @@ struct LinkageFile {
   std::vector<FileGears> gears;
   std::vector<FileRack> racks;
   std::vector<FileDriver> drivers;
+  FileLoads loads;
   int steps = 36;       ///< the motion is shown at steps + 1 places
   double duration = 1;  ///< s, of the whole motion: what rates refer to
   std::vector<NamedPoint> guess;

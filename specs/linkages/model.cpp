@@ -36,6 +36,7 @@ class ModelBuilder {
           fmt::format("gears {} and {}", gears.first, gears.second));
     for (const FileRack& rack : file_.racks) add_rack(rack);
     for (const FileDriver& driver : file_.drivers) add_driver(driver);
+    add_loads();
     model_.schedule.duration = file_.duration;
     model_.linkage.set_travel(travel());
     return std::move(model_);
@@ -150,6 +151,27 @@ class ModelBuilder {
                    [&](const DrivenPoint& what) { drive_point(what.point); }},
         driver.what);
     model_.schedule.motions.push_back(driver.motion);
+  }
+
+  BodyPoint bearer(const FileForce& force) const {
+    return force.link.empty() ? model_.point(force.at)
+                              : BodyPoint{model_.body(force.link), local_place(force.at, force.link)};
+  }
+
+  void add_loads() {
+    PlanarLoads& loads = model_.loads;
+    for (const FileForce& force : file_.loads.forces)
+      loads.forces.push_back({bearer(force), force.newton, model_.body(force.turns_with)});
+    for (const FilePairForce& pair : file_.loads.pairs)
+      loads.pairs.push_back({model_.point(pair.a), model_.point(pair.b), pair.newton});
+    for (const FileMoment& moment : file_.loads.moments)
+      loads.moments.push_back({model_.body(moment.on), model_.body(moment.against), moment.moment});
+    for (const FileMass& mass : file_.loads.masses) {
+      const BodyPoint at =
+          mass.link.empty() ? model_.point(mass.point) : BodyPoint{model_.body(mass.link), mass.centre};
+      loads.masses.push_back({at.body, mass.kg, at.local, mass.inertia});
+    }
+    loads.gravity = file_.loads.gravity;
   }
 
   void drive_slide(const FileSlider& slider) {

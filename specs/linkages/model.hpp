@@ -9,6 +9,7 @@
 
 #include "kinematics/planar/assemblies.hpp"
 #include "kinematics/planar/linkage.hpp"
+#include "kinematics/planar/loads.hpp"
 #include "kinematics/planar/run.hpp"
 #include "specs/linkages/linkage_file.hpp"
 
@@ -26,6 +27,7 @@ struct LinkageModel {
   PlanarLinkage linkage;
   std::vector<ModelPoint> points;
   DriveSchedule schedule;
+  PlanarLoads loads;
 
   const BodyPoint& point(const std::string& name) const;
   /// What a driver moves, for people: "P.x", "angle of crank", "distance A-B".

@@ -113,6 +113,23 @@ std::optional<std::string> LinkageNames::link(const LinkageTable& table, std::st
   return name && require_link({*name, table.line(key)}, table.dotted(key)) ? name : std::nullopt;
 }
 
+std::optional<Point> LinkageNames::place_on(const LinkageTable& table, std::string_view key,
+                                            const std::string& link) {
+  if (!table.has(key)) {
+    table.missing(key);
+    return std::nullopt;
+  }
+  if (!table.is_text(key)) {
+    const auto at = table.point(key);
+    return at ? std::optional<Point>(*at * file_.unit.in_mm) : std::nullopt;
+  }
+  const auto name = point(table, key);
+  if (!name) return std::nullopt;
+  auto local = local_place(*name, link);
+  if (!local) table.refuse(key, fmt::format("{}, which is no point of {}", *name, link));
+  return local;
+}
+
 std::vector<std::string> LinkageNames::points(const LinkageTable& table, std::string_view key) {
   std::vector<std::string> result;
   for (const NameAt& name : table.names(key))

@@ -41,6 +41,9 @@ class LinkageNames {
   /// The value of a key as a defined point or link; complains if absent, no text or not defined.
   std::optional<std::string> point(const LinkageTable& table, std::string_view key);
   std::optional<std::string> link(const LinkageTable& table, std::string_view key);
+  /// The value of a key as a place in a link's frame, mm: a point of the link by name, or [x, y] in the file's unit;
+  /// complains if it is absent or neither.
+  std::optional<Point> place_on(const LinkageTable& table, std::string_view key, const std::string& link);
   /// A list of defined points.
   std::vector<std::string> points(const LinkageTable& table, std::string_view key);
 

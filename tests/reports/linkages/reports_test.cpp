@@ -10,6 +10,7 @@
 #include "kinematics/planar/mobility.hpp"
 #include "reports/linkages/animation.hpp"
 #include "reports/linkages/centres_picture.hpp"
+#include "reports/linkages/forces.hpp"
 #include "reports/linkages/json.hpp"
 #include "reports/linkages/solve_table.hpp"
 
@@ -234,6 +235,129 @@ TEST(CentresPicture, DrawsTheNormalOfASlider) {
       picture, line,
       std::regex("class=\"line normal\" d=\"M[-0-9.]+[ ,]([-0-9.]+) L[-0-9.]+[ ,]([-0-9.]+)\"")));
   EXPECT_EQ(line[1], line[2]);
+}
+
+Moved with_loads(const std::string& text) { return Moved(*parse_linkage_file(text, "loads.toml")); }
+
+TEST(Animation, ShowsForcesAndWhatTheDriversBear) {
+  const Moved press = example("shear-press-forces");
+  const LinkageScene scene = press.scene();
+  const std::string page = animation_html(scene);
+  EXPECT_THAT(page, HasSubstr("<b>driver P.y</b> <span id=\"force0\">"));
+  EXPECT_THAT(page, HasSubstr("id=\"arrow0\""));
+  EXPECT_THAT(page, HasSubstr("id=\"arrow1\""));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"arrow2\"")));
+  EXPECT_THAT(page, HasSubstr("Arrows are forces, the longest is 2000 N."));
+  for (const auto& moment : scene.moments) {
+    ASSERT_EQ(moment.arrows.size(), 2u);
+    EXPECT_EQ(moment.arrows[0].force, Point(0, -2000));  // up, y downward
+    EXPECT_NEAR(moment.arrows[1].force.y(), -moment.driver_forces[0].value(), 1e-9);
+    for (const SceneArrow& arrow : moment.arrows) {
+      const Point tail = arrow.at - scene.arrow_scale * arrow.force;
+      EXPECT_TRUE((tail.array() >= scene.lower.array()).all() && (tail.array() <= scene.upper.array()).all());
+    }
+  }
+  EXPECT_THAT(animation_html(example("shear-press").scene()), HasSubstr("\"loads\":null"));
+}
+
+TEST(SolveTable, NamesEveryForceByWhatBearsIt) {
+  const Moved press = example("shear-press-forces");
+  const SolveTable table = solve_table(press.file, press.model, press.run, press.steps);
+  const std::vector<std::string> forces(table.columns.end() - 7, table.columns.end());
+  EXPECT_EQ(forces,
+            (std::vector<std::string>{"drive_P_y_N", "A_on_lever_x_N", "A_on_lever_y_N", "B_on_rod_x_N",
+                                      "B_on_rod_y_N", "C_from_ground_x_N", "C_from_ground_y_N"}));
+  EXPECT_EQ(table.kinds.back(), ColumnKind::force);
+  const auto sentences = force_sentences(press.file, press.model, table);
+  ASSERT_EQ(sentences.size(), 2u);
+  EXPECT_EQ(sentences[0], "driver P.y: -928.866 N at step 0, its largest");
+  EXPECT_EQ(sentences[1], "largest reaction: 2300.67 N in joint B (lever, rod) at step 0");
+  Moved quiet = press;
+  quiet.file.output.reactions = false;
+  EXPECT_EQ(force_columns(quiet.file, quiet.model).size(), 1u);
+  const Moved without = example("shear-press");
+  EXPECT_TRUE(force_columns(without.file, without.model).empty());
+}
+
+TEST(SolveTable, LeavesOutWhatRigidLinksDoNotDetermine) {
+  const Moved cranks = with_loads(R"(
+[ground]
+A = [0, 0]
+B = [20, 0]
+C = [40, 0]
+[links]
+bar = { joints = ["D", "E", "F"], along = [0, 20, 40] }
+a = { joints = ["A", "D"], A-D = 10 }
+b = { joints = ["B", "E"], B-E = 10 }
+c = { joints = ["C", "F"], C-F = 10 }
+[[drivers]]
+angle = "a"
+from_deg = 30
+to_deg = 80
+[[forces]]
+at = "F"
+newton = [0, -5]
+turns_with = "a"
+[guess]
+D = [8.7, 5]
+E = [28.7, 5]
+F = [48.7, 5]
+[motion]
+steps = 4
+)");
+  const SolveTable table = solve_table(cranks.file, cranks.model, cranks.run, cranks.steps);
+  const std::size_t drive = table.columns.size() - 13;
+  EXPECT_EQ(table.columns[drive], "drive_angle_of_a_N_m");
+  for (std::size_t row = 0; row < 5; ++row) {
+    EXPECT_NEAR(table.rows[row][drive].value(), 0.05, 1e-12);  // 5 N square to 10 mm
+    for (std::size_t column = drive + 1; column < table.columns.size(); ++column)
+      EXPECT_FALSE(table.rows[row][column].has_value()) << table.columns[column];
+  }
+  EXPECT_THAT(
+      force_sentences(cranks.file, cranks.model, table).back(),
+      HasSubstr("rigid links do not say how these share the loads (the linkage is over-constrained)"));
+  EXPECT_EQ(undetermined_reactions(cranks.file, cranks.model, table).size(), 6u);
+}
+
+TEST(SolveTable, GivesNoForceAtADeadPoint) {
+  Moved moved = stopping();
+  moved.model.loads.forces = {{moved.model.point("C"), Point(1, 2), PlanarLinkage::ground}};
+  ASSERT_TRUE(moved.run.stop);
+  const SolveTable table = solve_table(moved.file, moved.model, moved.run, moved.steps);
+  EXPECT_TRUE(table.rows.front().back().has_value());
+  EXPECT_FALSE(table.rows.back().back().has_value());
+}
+
+TEST(SolveTable, SumsTheBearingsOfGearsUpToTheirLoads) {
+  // A moment of 2 N m on the second wheel (40 mm) comes from a tooth force of 50 N, which both bearings feel.
+  const Moved gears = with_loads(R"(
+[ground]
+A = [0, 0]
+B = [60, 0]
+[links]
+first = { at = { A = [0, 0] } }
+second = { at = { B = [0, 0] } }
+[[gears]]
+wheels = ["first", "second"]
+teeth = [10, 20]
+[[drivers]]
+angle = "first"
+from_deg = 0
+to_deg = 90
+[[moments]]
+on = "second"
+newton_m = 2
+)");
+  const SolveTable table = solve_table(gears.file, gears.model, gears.run, gears.steps);
+  const auto value = [&](const std::string& name) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    EXPECT_NE(found, table.columns.end()) << name;
+    return table.rows[7][static_cast<std::size_t>(found - table.columns.begin())].value();
+  };
+  EXPECT_NEAR(value("drive_angle_of_first_N_m"), 1, 1e-12);
+  EXPECT_NEAR(value("gears_first_and_second_N"), -50, 1e-10);
+  EXPECT_NEAR(value("A_on_first_y_N"), 50, 1e-10);
+  EXPECT_NEAR(value("B_on_second_y_N"), -50, 1e-10);
 }
 
 }  // namespace

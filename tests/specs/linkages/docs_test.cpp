@@ -51,6 +51,7 @@ const json& schema_of(const json& root, const std::string& table) {
   if (table.empty()) return root;
   if (table == "links.*") return root.at("$defs").at("link");
   if (table == "bounds.*") return properties.at("bounds").at("additionalProperties");
+  if (table == "masses.*") return properties.at("masses").at("additionalProperties");
   if (table == "drivers.circle") return properties.at("drivers").at("items").at("properties").at("circle");
   const json& schema = properties.at(table);
   return schema.contains("items") ? schema.at("items") : schema;
@@ -73,7 +74,7 @@ TEST(LinkageSchema, KnowsTheSameKeys) {
   }
   std::size_t in_schema = 0;
   for (const char* table : {"", "links.*", "sliders", "angles", "gears", "racks", "drivers", "drivers.circle",
-                            "motion", "bounds.*", "output"})
+                            "forces", "moments", "masses.*", "motion", "bounds.*", "output"})
     in_schema += schema_of(root, table).at("properties").size();
   EXPECT_EQ(in_schema, known);  // and no others
 }
