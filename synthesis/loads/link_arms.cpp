@@ -18,4 +18,9 @@ std::vector<LinkArm> arms_of(Link link, Complex shape) {
   return {{places[0].second, places[1].second}, {places[1].second, places[2].second}};
 }
 
+std::array<Joint, 2> ends_of(const std::vector<LinkArm>& arms) {
+  const bool bent = arms.size() == 2 && arms.front().from == arms.back().from;
+  return {bent ? arms.front().to : arms.front().from, arms.back().to};
+}
+
 }  // namespace kempe

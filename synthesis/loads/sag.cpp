@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_arms.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr double standard_gravity = 9.80665;  ///< m/s^2
-constexpr double steel = 200e3;               ///< MPa, E of pins and posts
-constexpr double cubic_metres = 1e-9;         ///< in a cubic millimetre
+constexpr double steel = 200e3;  ///< MPa, E of pins and posts
 
 constexpr int number_of(Joint joint) { return static_cast<int>(joint); }
 
@@ -35,12 +34,6 @@ struct Lumps {
     plan.weights[static_cast<std::size_t>(joint)] += weight_of_area * area;
   }
 };
-
-/// The two joints at which a link's material ends, half a width beyond each.
-std::array<Joint, 2> ends_of(const std::vector<LinkArm>& arms) {
-  const bool bent = arms.size() == 2 && arms.front().from == arms.back().from;
-  return {bent ? arms.front().to : arms.front().from, arms.back().to};
-}
 
 /// A triangle grown by half a width: its area at its corners in equal parts, which has the same centre of mass, and the strips along
 /// its sides at their ends.
@@ -77,8 +70,8 @@ SagProfile::SagProfile(Complex k, Grounding grounding, const SagConditions& cond
 void SagProfile::add_links(GrillagePlan& plan) const {
   const FlatBar bar = flat_bar(conditions_.style, conditions_.E);
   const bool triangles = conditions_.style.plate == PlateStyle::triangle && !is_straight(shape_);
-  const double each_mm =
-      down_ * conditions_.density * cubic_metres * conditions_.style.width * conditions_.style.thickness;
+  const double each_mm = down_ * conditions_.density * cubic_metres_per_mm3 * conditions_.style.width *
+                         conditions_.style.thickness;
   for (const Link link : all_links) {
     const LinkJoints of_link = joints_of(link);
     for (int i = 0; i < of_link.count; ++i)
@@ -92,7 +85,7 @@ void SagProfile::add_links(GrillagePlan& plan) const {
 void SagProfile::add_weights(GrillagePlan& plan) const {
   const double width = conditions_.style.width;
   const bool triangles = conditions_.style.plate == PlateStyle::triangle && !is_straight(shape_);
-  Lumps lumps{plan, down_ * conditions_.density * cubic_metres * conditions_.style.thickness};
+  Lumps lumps{plan, down_ * conditions_.density * cubic_metres_per_mm3 * conditions_.style.thickness};
   for (const Link link : all_links) {
     const LinkJoints of_link = joints_of(link);
     if (of_link.count == 3 && triangles) {
