@@ -82,7 +82,8 @@ struct Sides {
 };
 Sides sides_of(const Pose& pose) { return {as_complex(pose.A - pose.V), as_complex(pose.B - pose.V)}; }
 
-/// Turning speeds of p and q (rad/s) for each mm/s of the tracer along x and along y; nothing at a dead point.
+}  // namespace
+
 std::optional<Eigen::Matrix2d> turning_by_tracer(const CopyingLinkage& linkage, const Pose& pose) {
   const LinkagePoint tracer = from_pole(linkage_point(linkage.tracer_joint(), linkage.shape()), linkage);
   const auto [p, q] = sides_of(pose);
@@ -93,8 +94,6 @@ std::optional<Eigen::Matrix2d> turning_by_tracer(const CopyingLinkage& linkage, 
   result << by_q.imag(), -by_q.real(), -by_p.imag(), by_p.real();
   return result / area;
 }
-
-}  // namespace
 
 std::vector<MassPoint> mass_points(const CopyingLinkage& linkage, const MovingMasses& masses) {
   Gathering gathering(linkage, masses);

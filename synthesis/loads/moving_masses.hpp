@@ -72,6 +72,9 @@ std::optional<std::array<BalanceSpring, 2>> balance_springs(const CopyingLinkage
 std::optional<Point> hand_force_of_weight(const CopyingLinkage& linkage, const MassMoments& moments,
                                           const Pose& pose, double tilt);
 
+/// Turning speeds of p and q (rad/s) for each mm/s of the tracer along x and along y, table frame. Nothing at a dead point.
+std::optional<Eigen::Matrix2d> turning_by_tracer(const CopyingLinkage& linkage, const Pose& pose);
+
 /// The mass that the hand feels, kg: the symmetric matrix m with kinetic energy v^T m v / 2 at the tracer's velocity v, table frame. Nothing
 /// at a dead point.
 std::optional<Eigen::Matrix2d> mass_felt(const CopyingLinkage& linkage, const std::vector<MassPoint>& points,
