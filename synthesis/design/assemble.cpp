@@ -9,6 +9,7 @@
 #include "synthesis/design/allowed.hpp"
 #include "synthesis/loads/assess_loads.hpp"
 #include "synthesis/loads/mass.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/footprint.hpp"
@@ -40,9 +41,12 @@ void measure_copy_error(Design& design) {
 /// Mass and loads; over the region alone.
 void measure_loads(Design& design, const Spec& spec) {
   if (design.material) design.quality.mass = mass_of_links(design.linkage, spec);
-  if (!design.material || !design.load) return;
-  if (const auto openings = openings_over(design.linkage, design.region))
-    design.quality.loads = load_figures_over(spec, design.linkage, *openings);
+  if (!design.material) return;
+  const auto openings = openings_over(design.linkage, design.region);
+  if (!openings) return;
+  if (design.load) design.quality.loads = load_figures_over(spec, design.linkage, *openings);
+  design.quality.sag =
+      largest_sag(design.linkage, sag_conditions(spec, design.layers), *openings).sag.most();
 }
 
 void measure_robustness(Design& design) {

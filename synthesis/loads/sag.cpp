@@ -6,6 +6,7 @@
 
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_arms.hpp"
+#include "synthesis/loads/top_over.hpp"
 
 namespace kempe {
 namespace {
@@ -149,6 +150,30 @@ SagAt SagProfile::at(double VA, double VB, double opening) const {
   };
   return {drop(roles_.tracer), drop(roles_.pen), stands.state.reactions[number_of(roles_.tracer)],
           stands.state.reactions[number_of(roles_.pen)]};
+}
+
+SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers) {
+  const Load load = spec.load.value_or(Load{});
+  const Material material = spec.material.value_or(Material{});
+  return {.style = spec.links.style,
+          .layers = layers,
+          .E = material.E,
+          .density = material.density,
+          .pen_mass = load.pen_mass,
+          .tracer_mass = load.tracer_mass,
+          .tilt = load.tilt,
+          .play = spec.tolerance ? spec.tolerance->play : 0,
+          .grip = load.grip.value_or(spec.links.style.thickness),
+          .tracer_rests = load.rests_at(Carrier::tracer),
+          .pen_rests = load.rests_at(Carrier::pen)};
+}
+
+LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& conditions,
+                       const OpeningInterval& openings) {
+  const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
+  const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
+  const double opening = top_over(openings, [&](double at) { return sag(at).most(); });
+  return {sag(opening), opening};
 }
 
 }  // namespace kempe

@@ -37,6 +37,8 @@ struct SagConditions {
   double grip = 0;         ///< mm, > 0: the length over which a pin is held in the link that turns on it
   bool tracer_rests = false, pen_rests = false;  ///< the table carries that point
 };
+/// Of a spec with a material; without [load] nothing rests and nothing is carried, without [tolerance] nothing plays.
+SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers);
 
 /// How far a point sinks, mm.
 struct Drop {
@@ -73,5 +75,13 @@ class SagProfile {
   SagConditions conditions_;
   double down_;  ///< m/s^2: gravity's part at right angles to the table
 };
+
+/// The largest sag over an interval of openings (top_over.hpp), and at which.
+struct LargestSag {
+  SagAt sag{};
+  double opening = 0;  ///< rad
+};
+LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& conditions,
+                       const OpeningInterval& openings);
 
 }  // namespace kempe
