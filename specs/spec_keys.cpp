@@ -110,7 +110,7 @@ constexpr SpecKey keys[] = {
      "most that the pen may give way under [load], in its worst direction in the plane; left out: not "
      "limited"},
     {"limits", "sag_mm", number, above(0, 1000), "", optional, "", "0.5",
-     "most that tracer and pen may sink by weight and load; left out: not limited"},
+     "most that tracer or pen may sink by weight and play; left out: not limited"},
 
     {"tolerance", "length_mm", number, from(0, 10), "", optional, "0", "0.05",
      "tolerance of every length, plus or minus"},
