@@ -37,7 +37,8 @@ void check_sag_limit(double limit, double attained, AuditRecord& record) {
 
 void audit_sag(const AuditTask& task, AuditRecord& record) {
   const StoredDesign& design = task.design;
-  const std::optional<double> limit = design.limits ? design.limits->sag : std::nullopt;
+  const std::optional<double> none;
+  const std::optional<double>& limit = design.limits ? design.limits->sag : none;
   if (!design.quality.sag && !limit) return;
   const char* why = !design.material ? "the file states no material"
                     : !task.needed   ? "this assembly mode does not reach all of the region"
