@@ -60,7 +60,7 @@ class SagProfile {
  public:
   SagProfile(Complex k, Grounding grounding, const SagConditions& conditions);
 
-  /// With bars VA and VB so long (mm), at an opening, rad. About 60 us.
+  /// With bars VA and VB so long (mm), at an opening, rad.
   SagAt at(double VA, double VB, double opening) const;
   /// The grillage there: V at 0, bar VA along x; joints in the order of Joint.
   GrillagePlan plan(double VA, double VB, double opening) const;
