@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
+#include "app/weight_lines.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
@@ -266,6 +267,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
         "             {:.4f} mm of distortion, which no change of scale, rotation and origin removes\n",
         *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
   text += loads_lines(design);
+  text += weight_lines(design);
   text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);

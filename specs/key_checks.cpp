@@ -40,8 +40,9 @@ constexpr std::array<std::string_view, 23> unit_suffixes{
 struct UnitWords {
   std::string_view suffix, words;
 };
-constexpr std::array<UnitWords, 5> unit_words_of_keys{{{"_deg", "angles are in degrees"},
+constexpr std::array<UnitWords, 6> unit_words_of_keys{{{"_deg", "angles are in degrees"},
                                                        {"_N", "forces are in newtons"},
+                                                       {"_kg", "masses are in kilograms"},
                                                        {"_GPa", "elasticity is in gigapascals"},
                                                        {"_MPa", "strength is in megapascals"},
                                                        {"_kg_m3", "density is in kilograms a cubic metre"}}};

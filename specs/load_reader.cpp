@@ -58,6 +58,13 @@ std::optional<Load> read_load(const TableView& table) {
   if (!table.present()) return std::nullopt;
   Load load;
   table.set("pen_N", load.pen_force);
+  table.set("pen_mass_kg", load.pen_mass);
+  table.set("tracer_mass_kg", load.tracer_mass);
+  double tilt_degrees = degrees(load.tilt);
+  table.set("tilt_deg", tilt_degrees);
+  load.tilt = radians(tilt_degrees);
+  table.set("grip_mm", load.grip);
+  table.set("friction", load.friction);
   const toml::node* rests = table.find("rests");
   if (rests == nullptr || !rests->is_array()) return load;
   for (const toml::node& point : *rests->as_array())

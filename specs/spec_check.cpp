@@ -140,7 +140,13 @@ toml::table material_table(const Material& material) {
 }
 
 toml::table load_table(const Load& load) {
+  const Load usual;
   toml::table table{{"pen_N", load.pen_force}};
+  put(table, "pen_mass_kg", load.pen_mass, usual.pen_mass);
+  put(table, "tracer_mass_kg", load.tracer_mass, usual.tracer_mass);
+  put(table, "tilt_deg", stated_degrees(load.tilt), 0.0);
+  put(table, "grip_mm", load.grip);
+  put(table, "friction", load.friction, usual.friction);
   toml::array rests;
   for (const Carrier point : load.rests) rests.push_back(point == Carrier::tracer ? "tracer" : "pen");
   if (!rests.empty()) table.insert("rests", std::move(rests));

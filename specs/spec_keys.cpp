@@ -110,7 +110,7 @@ constexpr SpecKey keys[] = {
      "most that the pen may give way under [load], in its worst direction in the plane; left out: not "
      "limited"},
     {"limits", "sag_mm", number, above(0, 1000), "", optional, "", "0.5",
-     "most that tracer and pen may sink by weight and load; left out: not limited"},
+     "most that tracer or pen may sink by weight and play; left out: not limited"},
 
     {"tolerance", "length_mm", number, from(0, 10), "", optional, "0", "0.05",
      "tolerance of every length, plus or minus"},
@@ -136,6 +136,16 @@ constexpr SpecKey keys[] = {
      "force at the pen, in any direction in the plane"},
     {"load", "rests", choices, any, "tracer|pen", optional, "", "[\"tracer\", \"pen\"]",
      "what the table carries besides the pole's post; left out: nothing"},
+    {"load", "pen_mass_kg", number, from(0, 1e4), "", optional, "0", "3",
+     "mass that the pen carries: a router"},
+    {"load", "tracer_mass_kg", number, from(0, 1e4), "", optional, "0", "0.2",
+     "mass that the tracer carries"},
+    {"load", "tilt_deg", number, from(0, 90), "", optional, "0", "90",
+     "how steep the table stands: 0 lies, 90 is upright, with y uphill"},
+    {"load", "grip_mm", number, above(0, 1000), "", optional, "", "20",
+     "length over which a pin is held in the link that turns on it; left out: the links' thickness"},
+    {"load", "friction", number, from(0, 2), "", optional, "0.15", "0.2",
+     "coefficient of friction in the pins"},
 
     {"obstacles", "name", text, any, "", optional, "", "\"vice\"",
      "what the report calls it; left out: obstacle 1, 2, ..."},
@@ -212,8 +222,8 @@ constexpr std::array<std::string_view, 15> tables{
 constexpr double mm_per_inch = 25.4;
 
 /// What names of keys that are no lengths may end in, and the unit in words.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> suffixes{
-    {{"_deg", "degrees"}, {"_N", "N"}, {"_GPa", "GPa"}, {"_MPa", "MPa"}, {"_kg_m3", "kg/m3"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> suffixes{
+    {{"_deg", "degrees"}, {"_N", "N"}, {"_kg", "kg"}, {"_GPa", "GPa"}, {"_MPa", "MPa"}, {"_kg_m3", "kg/m3"}}};
 
 std::pair<std::string_view, std::string_view> unit_suffix(std::string_view name) {
   const auto* found = std::find_if(suffixes.begin(), suffixes.end(),

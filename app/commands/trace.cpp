@@ -13,6 +13,7 @@
 #include "reports/data/atomic_file.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/drawings/trace_files.hpp"
+#include "reports/drawings/trace_forces.hpp"
 #include "specs/drawings/svg_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
@@ -22,12 +23,15 @@ namespace kempe::app {
 namespace {
 
 struct TraceArguments {
-  std::string design, drawing, copy, csv;
+  std::string design, drawing, copy, csv, forces;
   std::vector<double> at;
   double scale = 1;
   std::optional<double> tolerance, step;  // mm
   bool fit = false;
   std::optional<std::uint64_t> instrument;
+  bool load = false;
+  /// True if the design's [load] is asked for.
+  bool needs_load() const { return load || !forces.empty(); }
 };
 
 tl::expected<StoredDesign, InputError> load_design(const std::string& file) {
@@ -94,6 +98,14 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
   place(strokes, scale, 0.5 * (room.lower + room.upper) - 0.5 * scale * (drawing.lower + drawing.upper));
 }
 
+/// What the hand feels, or why the file cannot tell.
+tl::expected<HandWork, InputError> hand_work_of(const StoredDesign& design, const CopyingLinkage& linkage,
+                                                const std::string& file) {
+  if (design.material && design.load) return HandWork(linkage, design.style, *design.material, *design.load);
+  return tl::unexpected(InputError{file, 0, design.material ? "load" : "material", "a design without it",
+                                   "one of a spec with [material] and [load]"});
+}
+
 TraceTask task_of(const StoredDesign& design, const CopyingLinkage& linkage) {
   return {map_task(design, linkage), design.mechanism.opening};
 }
@@ -110,6 +122,23 @@ std::string causes(const Trace& trace) {
 /// "1 line", "2 lines"
 std::string lines(std::size_t count) { return fmt::format("{} line{}", count, count == 1 ? "" : "s"); }
 
+/// Least and greatest force of the hand over what was drawn, N; nothing where no load was asked for.
+std::optional<std::pair<double, double>> hand_range(const Trace& trace) {
+  std::optional<std::pair<double, double>> range;
+  for (const TracedLine& line : trace.drawn)
+    for (const double force : line.hand)
+      range = range ? std::pair(std::min(range->first, force), std::max(range->second, force))
+                    : std::pair(force, force);
+  return range;
+}
+
+std::string hand_line(const Trace& trace) {
+  const auto range = hand_range(trace);
+  return range ? fmt::format("hand         {:.3g} to {:.3g} N at the tracer, friction included\n",
+                             range->first, range->second)
+               : "";
+}
+
 std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
   std::string text =
       fmt::format("drawn        {}, from {} in the drawing: {:.1f} mm of the original\n",
@@ -120,8 +149,10 @@ std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const
     text += fmt::format("left out     {}, {} positions, {:.1f} mm: {}\n", lines(trace.missing.size()),
                         trace.poses_missed, trace.missing_length, causes(trace));
   if (!drawing.remark().empty()) text += "remark       " + drawing.remark() + "\n";
+  text += hand_line(trace);
   return text + "written      " + printable(arguments.copy) +
-         (arguments.csv.empty() ? "" : ", " + printable(arguments.csv)) + "\n";
+         (arguments.csv.empty() ? "" : ", " + printable(arguments.csv)) +
+         (arguments.forces.empty() ? "" : ", " + printable(arguments.forces)) + "\n";
 }
 
 std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
@@ -129,33 +160,43 @@ std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const
   for (std::size_t i = 0; i < all_not_reached.size(); ++i)
     if (trace.missed_by_cause[i] > 0)
       by_cause[std::string(name(all_not_reached[i]))] = trace.missed_by_cause[i];
-  const nlohmann::ordered_json object{{"copy", arguments.copy},
-                                      {"strokes", drawing.strokes.size()},
-                                      {"lines_drawn", trace.drawn.size()},
-                                      {"poses", trace.poses_tried},
-                                      {"drawn_mm", trace.drawn_length},
-                                      {"departure_max_mm", trace.departure},
-                                      {"left_out", trace.poses_missed},
-                                      {"left_out_lines", trace.missing.size()},
-                                      {"left_out_mm", trace.missing_length},
-                                      {"left_out_by_cause", by_cause},
-                                      {"texts", drawing.texts},
-                                      {"images", drawing.images},
-                                      {"references", drawing.references}};
+  nlohmann::ordered_json object{{"copy", arguments.copy},
+                                {"strokes", drawing.strokes.size()},
+                                {"lines_drawn", trace.drawn.size()},
+                                {"poses", trace.poses_tried},
+                                {"drawn_mm", trace.drawn_length},
+                                {"departure_max_mm", trace.departure},
+                                {"left_out", trace.poses_missed},
+                                {"left_out_lines", trace.missing.size()},
+                                {"left_out_mm", trace.missing_length},
+                                {"left_out_by_cause", by_cause},
+                                {"texts", drawing.texts},
+                                {"images", drawing.images},
+                                {"references", drawing.references}};
+  if (const auto range = hand_range(trace)) {
+    object["hand_min_N"] = range->first;
+    object["hand_max_N"] = range->second;
+  }
   return json_text(object);
 }
 
-tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& arguments) {
+tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& arguments,
+                                      const std::optional<HandWork>& work) {
   const std::string title = std::filesystem::path(arguments.drawing).filename().string() + ", copied";
   return write_whole(arguments.copy, copy_svg(trace, title))
       .and_then([&]() -> tl::expected<void, std::string> {
         if (arguments.csv.empty()) return {};
         return write_whole(arguments.csv, poses_csv(trace));
+      })
+      .and_then([&]() -> tl::expected<void, std::string> {
+        if (arguments.forces.empty()) return {};
+        return write_whole(arguments.forces, forces_csv(trace, *work));
       });
 }
 
 int run(const Session& session, TraceArguments arguments) {
-  if (const auto clash = output_clash({arguments.design, arguments.drawing}, {arguments.copy, arguments.csv}))
+  if (const auto clash = output_clash({arguments.design, arguments.drawing},
+                                      {arguments.copy, arguments.csv, arguments.forces}))
     return fail(session, *clash);
   const auto design = load_design(arguments.design);
   if (!design) return fail(session, design.error());
@@ -171,11 +212,18 @@ int run(const Session& session, TraceArguments arguments) {
   place_on_table(drawing->strokes, arguments, design->region);
   TraceOptions options;
   options.step = *arguments.step;
-  options.keep_poses = !arguments.csv.empty();
+  options.keep_poses = !arguments.csv.empty() || !arguments.forces.empty();
+  if (arguments.needs_load()) {
+    auto work = hand_work_of(*design, *linkage, arguments.design);
+    if (!work) return fail(session, work.error());
+    options.work = std::move(*work);
+    options.keep_hand = !arguments.forces.empty();
+    options.gives_way = arguments.load;
+  }
   if (arguments.instrument)
     options.made = TraceOptions::Made{*arguments.instrument, design->tolerance.value_or(Tolerance{})};
   const Trace trace = trace_drawing(task_of(*design, *linkage), drawing->strokes, options);
-  if (const auto written = write(trace, arguments); !written)
+  if (const auto written = write(trace, arguments, options.work); !written)
     return fail(session, cannot_write, written.error());
   print(session.json ? summary_json(trace, *drawing, arguments) : summary_text(trace, *drawing, arguments));
   if (trace.poses_missed == 0) return done;
@@ -199,6 +247,12 @@ void add_trace_command(CLI::App& program, Session& session) {
       ->required();
   command->add_option("-o,--output", arguments->copy, "The copy, an SVG")->required();
   command->add_option("--csv", arguments->csv, "Also write every joint's place at every pose");
+  command->add_option(
+      "--forces", arguments->forces,
+      "Also write what the hand feels at every pose, and colour the copy by it; needs a design "
+      "with [load]");
+  command->add_flag("--load", arguments->load,
+                    "Draw as the loaded instrument would, whose pen gives way; needs a design with [load]");
   auto* at = command->add_option("--at", arguments->at, "Where the page's lower left corner lies instead, mm")
                  ->check(number_between(-largest_coordinate, largest_coordinate))
                  ->expected(2);

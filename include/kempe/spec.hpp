@@ -40,7 +40,7 @@ struct Limits {
   std::optional<double> longest_strip{};
   /// mm, > 0, at most: how far the pen gives way under Spec::load in its worst direction, in the plane; absent: not required
   std::optional<double> load_error{};
-  /// mm, > 0, at most: how far tracer or pen sink by weight and load; absent: not required
+  /// mm, > 0, at most: how far tracer or pen sink by weight and play; absent: not required
   std::optional<double> sag{};
 };
 

@@ -159,6 +159,7 @@ void look_at(const StoredDesign& design, DesignAudit& result) {
     audit_limits(task, record);
     audit_figures(task, record);
     audit_loads(task, record);
+    audit_sag(task, record);
   } else {
     const char* why = "the mechanism's figures contradict each other";
     for (const char* key : {"region", "obstacles", "bodies", "table", "limits", "links", "pole", "objective",

@@ -52,6 +52,8 @@ void audit_limits(const AuditTask& task, AuditRecord& record);
 void audit_figures(const AuditTask& task, AuditRecord& record);
 /// Mass, forces and load error, and the limit on it.
 void audit_loads(const AuditTask& task, AuditRecord& record);
+/// The sag, and the limit on it.
+void audit_sag(const AuditTask& task, AuditRecord& record);
 /// What the file says of its own verification, and the bound, against the other figures.
 void audit_claims(const StoredDesign& design, const Verification& drive, AuditRecord& record);
 

@@ -344,7 +344,13 @@ Material material(const JsonField& field) {
 }
 
 Load load(const JsonField& field) {
+  constexpr double largest_mass = 1e4;
   Load result{.pen_force = field["pen_N"].positive()};
+  if (const auto mass = field.find("pen_mass_kg")) result.pen_mass = mass->number(0, largest_mass);
+  if (const auto mass = field.find("tracer_mass_kg")) result.tracer_mass = mass->number(0, largest_mass);
+  if (const auto tilt = field.find("tilt_deg")) result.tilt = radians(tilt->number(0, 90));
+  if (const auto grip = field.find("grip_mm")) result.grip = grip->positive();
+  if (const auto friction = field.find("friction")) result.friction = friction->number(0, 2);
   if (const auto rests = field.find("rests"))
     for (const JsonField& one : rests->elements(0, 2))
       result.rests.push_back(one_of<Carrier>(one, {{"tracer", Carrier::tracer}, {"pen", Carrier::pen}}));

@@ -74,6 +74,11 @@ void add_material_and_load(const std::optional<Material>& material, const std::o
                         {"strength_MPa", material->strength}};
   if (!load) return;
   json["load"] = {{"pen_N", load->pen_force}, {"rests", Json::array()}};
+  if (load->pen_mass > 0) json["load"]["pen_mass_kg"] = load->pen_mass;
+  if (load->tracer_mass > 0) json["load"]["tracer_mass_kg"] = load->tracer_mass;
+  if (load->tilt > 0) json["load"]["tilt_deg"] = stated_degrees(load->tilt);
+  if (load->grip) json["load"]["grip_mm"] = *load->grip;
+  json["load"]["friction"] = load->friction;
   for (const Carrier point : load->rests)
     json["load"]["rests"].push_back(point == Carrier::tracer ? "tracer" : "pen");
 }

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "reports/drawings/svg_writer.hpp"
+#include "reports/drawings/trace_forces.hpp"
 #include "reports/pictures/svg_element.hpp"
 
 namespace kempe {
@@ -52,11 +54,15 @@ double opening_degrees(const Pose& pose) {
 std::string copy_svg(const Trace& trace, std::string_view title) {
   const Box box = box_of(trace);
   const double margin = 5;
-  const Point size = box.upper - box.lower + Point(2 * margin, 2 * margin);
+  const bool coloured = std::any_of(trace.drawn.begin(), trace.drawn.end(),
+                                    [](const TracedLine& line) { return !line.hand.empty(); });
+  const Point size =
+      box.upper - box.lower + Point(2 * margin, 2 * margin + (coloured ? legend_height - margin : 0));
   const auto named = [](std::string_view id, std::string_view colour) {
     return SvgElement("g").with("id", id).with("stroke", colour).with("stroke-width", "0.25");
   };
-  std::string inside = SvgElement("title").saying(title).line() + group(named("copy", "#000"), trace.drawn);
+  std::string inside = SvgElement("title").saying(title).line() +
+                       (coloured ? coloured_by_hand(trace, box) : group(named("copy", "#000"), trace.drawn));
   if (!trace.missing.empty())
     inside += group(named("left-out", "#e00000").with("stroke-dasharray", "1 0.6"), trace.missing);
   return svg_file(svg_root()

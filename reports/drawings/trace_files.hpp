@@ -11,7 +11,7 @@ namespace kempe {
 
 /// The copy, 1:1 in mm: group "copy" with a path a line drawn, in the original's order and direction; group
 /// "left-out" with the missing lines in red, where they should be. The viewBox is in the table's frame with y
-/// turned downward. Nothing of the original's file is taken over but `title`, escaped.
+/// turned downward. Lines with TracedLine::hand are coloured by it, with a legend below. Nothing of the original's file is taken over but `title`, escaped.
 std::string copy_svg(const Trace& trace, std::string_view title);
 
 /// stroke, reached, tracer_x_mm, tracer_y_mm, opening_deg, then x and y of V, A, B, C, X, Y in mm; the pose's

@@ -36,8 +36,8 @@ std::string html_report(const Design& design, const ReportExtras& extras) {
                      section::key_figures(design) + section::map(picture, report_is_live());
   body += section::making(design) + section::parts(design, extras) + section::quality(design, extras) +
           section::workspace(design);
-  body += section::loads(design) + section::tolerance(design) + section::verification(design) +
-          section::search(design);
+  body += section::loads(design) + section::weight(design) + section::tolerance(design) +
+          section::verification(design) + section::search(design);
   body += section::spec(extras);
   std::string page = head(design, extras) + "<body>\n<main>\n" + body + "</main>\n" +
                      section::footer(extras, report_is_live());

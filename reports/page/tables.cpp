@@ -142,6 +142,9 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.mass && design.material)
     add("Mass", fmt::format("{:.4g} kg", *q.mass), {},
         "The four links of " + html_escaped(design.material->name) + ", without pins and tools.");
+  if (q.sag)
+    add("Sag", length_text(*q.sag, 3), at_most(*q.sag, design.limits.sag),
+        "How far tracer or pen sinks at most, by weight and by the play of the pins.");
   if (q.robust)
     add("Robust clearance", std::isfinite(q.robust->clearance) ? length_text(q.robust->clearance, 3) : "none",
         {"≥ " + length_text(design.limits.clearance), q.robust->holds}, robust_explanation(design));

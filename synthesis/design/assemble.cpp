@@ -9,6 +9,7 @@
 #include "synthesis/design/allowed.hpp"
 #include "synthesis/loads/assess_loads.hpp"
 #include "synthesis/loads/mass.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/footprint.hpp"
@@ -37,12 +38,22 @@ void measure_copy_error(Design& design) {
   design.quality.distortion_worst = error->distortion_worst;
 }
 
+/// Nine digits: what is left after a system of equations is solved on any processor.
+double with_nine_digits(double value) {
+  if (!(value > 0)) return 0;
+  const double grain = std::pow(10, std::floor(std::log10(value)) - 8);
+  return std::round(value / grain) * grain;
+}
+
 /// Mass and loads; over the region alone.
 void measure_loads(Design& design, const Spec& spec) {
   if (design.material) design.quality.mass = mass_of_links(design.linkage, spec);
-  if (!design.material || !design.load) return;
-  if (const auto openings = openings_over(design.linkage, design.region))
-    design.quality.loads = load_figures_over(spec, design.linkage, *openings);
+  if (!design.material) return;
+  const auto openings = openings_over(design.linkage, design.region);
+  if (!openings) return;
+  if (design.load) design.quality.loads = load_figures_over(spec, design.linkage, *openings);
+  design.quality.sag = with_nine_digits(
+      largest_sag(design.linkage, sag_conditions(spec, design.layers), *openings).sag.most());
 }
 
 void measure_robustness(Design& design) {

@@ -95,15 +95,24 @@ Buckets LoadErrorProfile::sums_of(const Forces& forces) const {
   return sums;
 }
 
-LoadErrorAt LoadErrorProfile::at(const BarLengths& lengths, double opening) const {
+LoadErrorProfile::Compliance LoadErrorProfile::compliance(const BarLengths& lengths, double opening) const {
   const auto sums = sums_of<std::array<Bucket, bucket_count>>(link_forces(shape_, opening));
   const auto factors = factors_of(lengths);
-  double trace = 0;
-  Complex difference = 0;
+  Compliance result{0, 0};
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    trace += factors[i] * sums[i].trace;
-    difference += factors[i] * sums[i].difference;
+    result.trace += factors[i] * sums[i].trace;
+    result.difference += factors[i] * sums[i].difference;
   }
+  return result;
+}
+
+Complex LoadErrorProfile::displacement(const BarLengths& lengths, double opening, Complex force) const {
+  const auto [trace, difference] = compliance(lengths, opening);
+  return 0.5 * (std::norm(factor_) * trace * force + factor_ * factor_ * difference * std::conj(force));
+}
+
+LoadErrorAt LoadErrorProfile::at(const BarLengths& lengths, double opening) const {
+  const auto [trace, difference] = compliance(lengths, opening);
   const double half = 0.5 * force_ * std::norm(factor_), apart = std::abs(difference);
   return {half * (trace + apart), half * std::max(0.0, trace - apart)};
 }

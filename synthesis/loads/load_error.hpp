@@ -63,6 +63,9 @@ class LoadErrorProfile {
   /// The worst, with exact derivatives (of |D| where it is 0: none).
   LoadErrorJet worst(const BarLengths& lengths, double opening) const;
 
+  /// How far the pen gives way under this force (N), mm; both in the frame whose x axis is bar VA's direction.
+  Complex displacement(const BarLengths& lengths, double opening, Complex force) const;
+
   /// Over an interval of openings; and the openings at which.
   struct Range {
     double worst, least, worst_opening, least_opening;
@@ -70,6 +73,12 @@ class LoadErrorProfile {
   Range over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
  private:
+  /// The sums T and D of the header, mm/N for a force at Y.
+  struct Compliance {
+    double trace;
+    Complex difference;
+  };
+  Compliance compliance(const BarLengths& lengths, double opening) const;
   template <class Buckets, class Forces>
   Buckets sums_of(const Forces& forces) const;
 

@@ -163,6 +163,7 @@ double DesignProblem::violation_of(const Attained& has) const {
   if (limits_.size) sum += missing(has.size, *limits_.size) / unit;
   if (limits_.load_error && load_error_) sum += excess_share(has.load_error, *limits_.load_error);
   if (limits_.mass) sum += excess_share(has.mass, *limits_.mass);
+  if (limits_.sag && sag_) sum += excess_share(has.sag, *limits_.sag);
   if (limits_.footprint) sum += missing(has.footprint, *limits_.footprint) / (unit * unit);
   if (limits_.copy_gap) sum += missing(*limits_.copy_gap, has.copy_gap) / unit;
   return sum;
@@ -194,6 +195,7 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
         std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
   if (load_error_) has.load_error = load_error_over(lengths, result.near_opening, result.far_opening);
   if (mass_) has.mass = mass_at(lengths);
+  if (sag_) has.sag = sag_over(lengths, result.near_opening, result.far_opening);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
   const double too_near = missing(
       reach_.radius_value(lengths, result.near_opening) - slack::reach_rounding * unit, distances.nearest);

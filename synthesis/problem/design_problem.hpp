@@ -26,6 +26,7 @@
 
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/link_gap.hpp"
 #include "synthesis/problem/obstacle_gap.hpp"
 #include "synthesis/problem/search_space.hpp"
@@ -171,6 +172,7 @@ class DesignProblem {
   RowJet mass_in_vector(const DesignVector& x) const;
   double load_error_over(const LogLengths& lengths, double from, double to) const;
   double mass_at(const LogLengths& lengths) const;
+  double sag_over(const LogLengths& lengths, double from, double to) const;
   void ask_for_loads();
   void add_obstacles(std::vector<Row>& rows, const DesignVector& x, double band) const;
   void add_copy_gap(std::vector<Row>& rows, const DesignVector& x) const;
@@ -197,6 +199,7 @@ class DesignProblem {
   std::optional<CopyErrorProfile> copy_error_;
   std::optional<LoadErrorProfile> load_error_;  ///< where it is goal or limit
   std::optional<MassPolynomial> mass_;
+  std::optional<SagProfile> sag_;  ///< where it is limited: assess() counts it, no row keeps it
   double goal_scale_ = 1;  ///< of the load error (mm) or the mass (kg)
   Reach reach_;
   LogBox box_;

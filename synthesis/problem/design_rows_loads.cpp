@@ -28,6 +28,8 @@ void DesignProblem::ask_for_loads() {
     load_error_ = load_error_profile(spec, space_.k(), choice_.grounding);
   if ((goal_ == Goal::mass || limits_.mass) && spec.material)
     mass_ = mass_polynomial(spec, space_.k(), choice_.grounding);
+  if (limits_.sag && spec.material)
+    sag_ = SagProfile(space_.k(), choice_.grounding, sag_conditions(spec, choice_.layers));
   if (goal_ == Goal::load_error && load_error_)
     goal_scale_ =
         load_error_->at(bar_lengths(typical), 0.5 * (reach_.interval().lower + reach_.interval().upper))
@@ -40,6 +42,15 @@ double DesignProblem::load_error_over(const LogLengths& lengths, double from, do
   for (int i = 0; i < load_openings; ++i)
     largest = std::max(
         largest, load_error_->at(bar_lengths(lengths), from + i / (load_openings - 1.0) * (to - from)).worst);
+  return largest;
+}
+
+/// At the ends and in the middle: it changes slowly, and the finished design is looked at closely.
+double DesignProblem::sag_over(const LogLengths& lengths, double from, double to) const {
+  const BarLengths bars = bar_lengths(lengths);
+  double largest = 0;
+  for (const double opening : {from, 0.5 * (from + to), to})
+    largest = std::max(largest, sag_->at(bars.VA, bars.VB, opening).most());
   return largest;
 }
 

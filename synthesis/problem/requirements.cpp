@@ -13,7 +13,8 @@ Requirements requirements_of(const Spec& spec) {
           .longest = largest_joint_distance(spec),
           .copy_gap = spec.limits.copy_gap,
           .copy_error = spec.limits.copy_error,
-          .load_error = spec.limits.load_error};
+          .load_error = spec.limits.load_error,
+          .sag = spec.limits.sag};
 }
 
 Spec with_limits(Spec spec, const Requirements& limits) {
@@ -22,6 +23,7 @@ Spec with_limits(Spec spec, const Requirements& limits) {
   spec.limits.copy_gap = limits.copy_gap;
   spec.limits.copy_error = limits.copy_error;
   spec.limits.load_error = limits.load_error;
+  spec.limits.sag = limits.sag;
   spec.links.longest = limits.longest;
   if (auto& strip = spec.limits.longest_strip)
     *strip = std::max(
@@ -42,7 +44,7 @@ struct GoalFacts {
 };
 
 constexpr auto none = std::nullopt;
-constexpr std::array<GoalFacts, 11> goals{{
+constexpr std::array<GoalFacts, 12> goals{{
     {Goal::size, "size", false, Objective::size, &Attained::size, &Requirements::size},
     {Goal::transmission, "transmission", true, Objective::transmission, &Attained::transmission,
      &Requirements::transmission},
@@ -53,6 +55,7 @@ constexpr std::array<GoalFacts, 11> goals{{
     {Goal::load_error, "load_error", false, Objective::load_error, &Attained::load_error,
      &Requirements::load_error},
     {Goal::mass, "mass", false, Objective::mass, &Attained::mass, &Requirements::mass},
+    {Goal::sag, "sag", false, none, &Attained::sag, &Requirements::sag},
     {Goal::clearance, "clearance", true, none, &Attained::clearance, &Requirements::clearance},
     {Goal::shortest, "shortest", true, none, &Attained::shortest, &Requirements::shortest},
     {Goal::longest, "longest", false, none, &Attained::longest, &Requirements::longest},

@@ -30,6 +30,7 @@ struct Requirements {
   std::optional<double> footprint{};   ///< mm^2, at most
   std::optional<double> load_error{};  ///< mm, at most
   std::optional<double> mass{};        ///< kg, at most
+  std::optional<double> sag{};         ///< mm, at most; kept by evaluating designs, not by a row of the design problem
 };
 Requirements requirements_of(const Spec& spec);
 /// The spec with the limits in force in place of its own, as far as a spec can state them: not shortest, pole_margin, size,
@@ -46,6 +47,7 @@ enum class Goal {
   footprint,
   load_error,
   mass,
+  sag,
   clearance,
   shortest,
   longest,
@@ -70,6 +72,7 @@ struct Attained {
   double pole_margin = 0;  ///< distance of the pole from its area
   double copy_error = 0, footprint = 0;
   double load_error = 0, mass = 0;  ///< mm, kg; 0 without load and material
+  double sag = 0;                   ///< mm; 0 unless it is limited
   double of(Goal goal) const;
 };
 

@@ -136,21 +136,25 @@ class Tracing {
     Stroke points = stroke.points;
     if (stroke.closed) points.push_back(points.front());
     const std::size_t first_drawn = trace_.drawn.size(), first_missing = trace_.missing.size();
+    heading_ = Point::Zero();
+    for (std::size_t i = 0; i + 1 < points.size() && heading_.isZero(); ++i) head(points[i], points[i + 1]);
     Reached here = visit(points.front());
     begin(points.front(), here);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) here = follow_segment(points[i], points[i + 1], here);
     finish();
     const bool in_one =
         stroke.closed && trace_.drawn.size() == first_drawn + 1 && trace_.missing.size() == first_missing;
-    // A made instrument does not come back to where it began: its line stays open, as on paper.
-    if (in_one && !options_.made) {
+    // A made or loaded instrument does not come back to where it began: its line stays open, as on paper.
+    if (in_one && !options_.made && !options_.gives_way) {
       trace_.drawn.back().closed = true;
       trace_.drawn.back().points.pop_back();
+      if (options_.keep_hand) trace_.drawn.back().hand.pop_back();
     }
   }
 
   Reached follow_segment(const Point& from, const Point& to, Reached here) {
     const double length = (to - from).norm();
+    turn_to(from, to, here);
     const int steps = std::max(1, static_cast<int>(std::ceil(length / options_.step)));
     Point last = from;
     for (int i = 1; i <= steps; ++i) {
@@ -172,8 +176,30 @@ class Tracing {
       ++trace_.missed_by_cause[static_cast<std::size_t>(pose.error())];
     }
     if (options_.keep_poses)
-      trace_.poses.push_back({stroke_, tracer, pose ? std::optional(*pose) : std::nullopt});
+      trace_.poses.push_back({stroke_, tracer, pose ? std::optional(*pose) : std::nullopt, heading_});
     return pose;
+  }
+
+  void head(const Point& from, const Point& to) {
+    if (to != from) heading_ = (to - from).normalized();
+  }
+
+  /// At a corner the load turns too, and moves the pen while the tracer rests.
+  void turn_to(const Point& from, const Point& to, const Reached& here) {
+    constexpr double smallest_turn = radians(1);
+    const Point before = heading_;
+    head(from, to);
+    if (options_.gives_way && here && std::abs(cross(before, heading_)) > std::sin(smallest_turn))
+      add(from, here);
+  }
+
+  /// Where the pen is under its load, and what the hand then holds; without load, where it is.
+  Point under_load(const Pose& pose) {
+    const Point pen = pose[task_.mechanism.linkage.pen_joint()];
+    if (!options_.work) return pen;
+    const auto work = options_.work->at(pose, heading_);
+    if (options_.keep_hand) line_.hand.push_back(work ? work->hand.norm() : infinity);
+    return work && options_.gives_way ? Point(pen + work->give) : pen;
   }
 
   Point image(const Point& tracer) const {
@@ -182,14 +208,14 @@ class Tracing {
   }
 
   void begin(const Point& tracer, const Reached& pose) {
-    line_ = {stroke_, {}, false};
+    line_ = {stroke_, {}, false, {}};
     drawing_ = pose.has_value();
     add(tracer, pose);
   }
 
   void add(const Point& tracer, const Reached& pose) {
     if (!pose) return line_.points.push_back(image(tracer));
-    const Point pen = (*pose)[task_.mechanism.linkage.pen_joint()];
+    const Point pen = under_load(*pose);
     trace_.departure = std::max(trace_.departure, (pen - image(tracer)).norm());
     line_.points.push_back(pen);
   }
@@ -235,6 +261,7 @@ class Tracing {
   MeasuresInUse measures_;
   Trace trace_;
   std::size_t stroke_ = 0;
+  Point heading_ = Point::Zero();
   TracedLine line_;
   bool drawing_ = false;
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "specs/drawings/curve_flattening.hpp"
+#include "synthesis/loads/hand_work.hpp"
 #include "workspace/map/workspace_map.hpp"
 
 namespace kempe {
@@ -49,6 +50,9 @@ struct TraceOptions {
     Tolerance tolerance = {};
   };
   std::optional<Made> made{};
+  std::optional<HandWork> work{};  ///< what the load does
+  bool keep_hand = false;          ///< with `work`: fill TracedLine::hand
+  bool gives_way = false;          ///< with `work`: the pen draws where its load pushes it
 };
 
 /// A line that the pen drew, or one that is missing (then: where it should be), mm on the table.
@@ -56,12 +60,16 @@ struct TracedLine {
   std::size_t stroke = 0;  ///< of the original, from 0
   Stroke points;
   bool closed = false;
+  std::vector<double>
+      hand{};  ///< N at each point of a line drawn, friction included; empty without TraceOptions::keep_hand
 };
 
 struct TracedPose {
   std::size_t stroke = 0;
   Point tracer = Point::Zero();
   std::optional<Pose> pose;  ///< absent: not reached
+  Point heading =
+      Point::Zero();  ///< unit vector, along which the tracer comes here; zero on a stroke without length
 };
 
 struct Trace {

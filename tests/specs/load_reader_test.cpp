@@ -66,6 +66,25 @@ TEST(LoadReader, ReadsLoads) {
   EXPECT_NE(kilograms.allowed.find("pen_N: forces are in newtons"), std::string::npos);
 }
 
+TEST(LoadReader, ReadsMassesTiltGripAndFriction) {
+  const std::string steel = "[material]\nname = \"steel\"\n";
+  const Spec plain = spec_with(steel + "[load]\npen_N = 10\n");
+  EXPECT_EQ(*plain.load, (Load{.pen_force = 10}));
+  const Spec spec = spec_with(steel +
+                              "[load]\npen_N = 10\npen_mass_kg = 3\ntracer_mass_kg = 0.2\ntilt_deg = "
+                              "90\ngrip_mm = 40\nfriction = 0\n");
+  const Load wanted{
+      .pen_force = 10, .pen_mass = 3, .tracer_mass = 0.2, .tilt = pi / 2, .grip = 40, .friction = 0};
+  EXPECT_EQ(*spec.load, wanted);
+  const auto again = check_spec(spec);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(*again->load, wanted);
+  for (const std::string bad :
+       {"pen_mass_kg = -1", "tracer_mass_kg = 1e5", "tilt_deg = 91", "grip_mm = 0", "friction = -0.1"})
+    EXPECT_EQ(fault_of(steel + "[load]\npen_N = 10\n" + bad + "\n").key,
+              "load." + bad.substr(0, bad.find(' ')));
+}
+
 TEST(LoadReader, AsksForWhatLimitsAndObjectivesNeed) {
   const std::string steel = "[material]\nname = \"steel\"\n";
   EXPECT_EQ(fault_of("[limits]\nload_error_mm = 0.1\n").key, "limits.load_error_mm");

@@ -9,8 +9,10 @@
 #include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/search/best/nearby_search.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "workspace/reach.hpp"
 
 namespace kempe {
 namespace {
@@ -129,6 +131,26 @@ void relax_copy_error(Questions& questions) {
   without_copy_error(questions, *demanded);
 }
 
+/// No search makes the sag small: the design without the limit tells what would do.
+void relax_sag(Questions& questions) {
+  const auto demanded = questions.limits().sag;
+  if (!demanded || questions.stopped()) return;
+  questions.note("limits.sag_mm");
+  Spec spec = questions.spec();
+  spec.limits.sag = std::nullopt;
+  const auto design = questions.best_of(spec);
+  const auto openings = design ? openings_over(design->linkage, spec.region) : std::nullopt;
+  if (!openings) return;
+  const double possible =
+      rounded_up(largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most());
+  questions.keep(Relaxation{.key = "limits.sag_mm",
+                            .demanded = *demanded,
+                            .possible = possible,
+                            .sentence = would_do("limits.sag_mm", *demanded, possible),
+                            .design = *design,
+                            .is_least = false});
+}
+
 }  // namespace
 
 std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& limit) {
@@ -177,6 +199,7 @@ void relax_limits(Questions& questions) {
   relax_copy_gap(questions);
   relax_copy_error(questions);
   questions.keep(relaxed(questions, limit_of(Goal::load_error)));
+  relax_sag(questions);
   questions.keep(relaxed(questions, limit_of(Goal::pole_margin)));
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/regions/region_algebra.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
@@ -37,6 +38,8 @@ void measure_over_openings(const Spec& spec, const CopyingLinkage& linkage, cons
     attained.load_error = load_error_profile(spec, linkage.k(), linkage.grounding())
                               .over({linkage.VA(), linkage.VB()}, needed)
                               .worst;
+  if (spec.limits.sag && spec.material)
+    attained.sag = largest_sag(linkage, sag_conditions(spec, layers), needed).sag.most();
 }
 
 double copy_gap(const Spec& spec, const CopyingLinkage& linkage) {
@@ -68,6 +71,7 @@ std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, c
   if (limits.copy_error && below(*limits.copy_error, has.copy_error)) return Goal::copy_error;
   if (limits.load_error && below(*limits.load_error, has.load_error)) return Goal::load_error;
   if (limits.mass && below(*limits.mass, has.mass)) return Goal::mass;
+  if (limits.sag && below(*limits.sag, has.sag)) return Goal::sag;
   if (limits.size && below(*limits.size, has.size)) return Goal::size;
   if (limits.copy_gap &&
       !are_apart(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()), *limits.copy_gap))

@@ -154,5 +154,32 @@ TEST(DrawingTrace, TakesAStrokeOfOnePlaceOrNone) {
   EXPECT_LT(trace_drawing(one, {{{p, p}, false}}).departure, 1e-10);
 }
 
+TEST(DrawingTrace, OfALoadedInstrumentLiesBesideTheImageByItsGive) {
+  Random random(9);
+  for (int i = 0; i < 30; ++i) {
+    const TraceTask one =
+        task(std::polar(random(0.3, 3), random(-3, 3)), all_groundings[static_cast<std::size_t>(i) % 3],
+             random(60, 200), random(60, 200), 0);
+    const CopyingLinkage& linkage = one.mechanism.linkage;
+    const DrawnStroke stroke = reachable_stroke(one, random, 4);
+    TraceOptions options{.step = 0.5, .keep_poses = true};
+    options.work =
+        HandWork(linkage, {.width = 15, .thickness = 5}, {"steel", 200e3, 7850, 235}, {.pen_force = 10});
+    options.keep_hand = options.gives_way = true;
+    const Trace trace = trace_drawing(one, {stroke}, options);
+    ASSERT_EQ(trace.drawn.size(), 1U);
+    ASSERT_EQ(trace.drawn[0].hand.size(), trace.drawn[0].points.size());
+    double most = 0;
+    for (const TracedPose& pose : trace.poses) {
+      EXPECT_NEAR(pose.heading.norm(), 1, 1e-12);
+      most = std::max(most, options.work->at(*pose.pose, pose.heading)->give.norm());
+    }
+    EXPECT_GE(trace.departure, most - 1e-9);
+    EXPECT_LE(trace.departure, 1.2 * most);  // at a corner the give has the direction of neither row
+    options.gives_way = false;
+    EXPECT_LT(trace_drawing(one, {stroke}, options).departure, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace kempe

@@ -1,0 +1,68 @@
+#include "synthesis/loads/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/complex_vectors.hpp"
+#include "synthesis/loads/link_forces.hpp"
+#include "synthesis/loads/moving_masses.hpp"
+
+namespace kempe {
+
+PinLoads pin_loads(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force) {
+  const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
+  const Complex turn = p / std::abs(p), factor = pen_factor(linkage.k(), linkage.grounding());
+  const Complex on_Y = std::conj(factor) * as_complex(pen_force) * std::conj(turn);
+  const LinkForces forces = link_forces(linkage.shape(), std::arg(q / p));
+  PinLoads loads;
+  loads.A = std::abs(dot(forces.bar_VA, on_Y));
+  loads.B = loads.V = std::abs(dot(forces.bar_VB, on_Y));
+  loads.C = std::hypot(dot(forces.pin_C[0], on_Y), dot(forces.pin_C[1], on_Y));
+  loads.pole = linkage.pole_joint() == Joint::V ? loads.A : std::abs(linkage.k() - 1.0) * pen_force.norm();
+  return loads;
+}
+
+Point hand_force_against(const CopyingLinkage& linkage, const Point& pen_force) {
+  return -as_point(std::conj(linkage.k()) * as_complex(pen_force));
+}
+
+double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force,
+                     const Point& tracer_velocity, const PinFriction& friction) {
+  const auto turning = turning_by_tracer(linkage, pose);
+  if (!turning) return infinity;
+  const Eigen::Vector2d speeds = *turning * tracer_velocity;
+  const double of_p = std::abs(speeds[0]), of_q = std::abs(speeds[1]),
+               between = std::abs(speeds[1] - speeds[0]);
+  const PinLoads loads = pin_loads(linkage, pose, pen_force);
+  const bool at_V = linkage.pole_joint() == Joint::V;
+  const double sum = (loads.A + loads.B + loads.C) * between + loads.V * (at_V ? of_q : between) +
+                     loads.pole * (at_V ? of_p : of_q);
+  return friction.coefficient * friction.radius * sum;
+}
+
+double friction_share(const CopyingLinkage& linkage, double opening, const PinFriction& friction) {
+  const Pose pose = linkage.pose_at(opening, 0);
+  double most = 0;
+  for (int i = 0; i < 90; ++i) {
+    const Complex tracer = std::polar(1.0, i * pi / 90), pen = linkage.k() * tracer;
+    const Point drag = -as_point(pen) / std::abs(pen);
+    most = std::max(most, friction_loss(linkage, pose, drag, as_point(tracer), friction) / std::abs(pen));
+  }
+  return most;
+}
+
+OpeningInterval openings_without_lock(const CopyingLinkage& linkage, const OpeningInterval& within,
+                                      const PinFriction& friction) {
+  const OpeningInterval all = linkage.openings_with_transmission(0);
+  const auto free = [&](double opening) { return friction_share(linkage, opening, friction) < 1; };
+  const auto last_free = [&](double inside, double end) {
+    if (!free(inside)) return inside;
+    if (free(end)) return end;
+    while (std::abs(end - inside) > radians(0.001))
+      (free(0.5 * (inside + end)) ? inside : end) = 0.5 * (inside + end);
+    return inside;
+  };
+  return {last_free(within.lower, all.lower), last_free(within.upper, all.upper)};
+}
+
+}  // namespace kempe

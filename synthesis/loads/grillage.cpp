@@ -1,0 +1,139 @@
+#include "synthesis/loads/grillage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/decompositions.hpp"
+
+namespace kempe {
+namespace {
+
+double longest_beam(const GrillagePlan& plan) {
+  double longest = 0;
+  for (const GrillageBeam& beam : plan.beams)
+    longest = std::max(longest, std::abs(plan.place(beam.to) - plan.place(beam.from)));
+  return longest > 0 ? longest : 1;
+}
+
+/// A beam of length 1 and bending stiffness 1 for rise and slope at one end, then at the other.
+Eigen::Matrix4d bending_matrix() {
+  Eigen::Matrix4d matrix;
+  matrix << 12, 6, -12, 6,  //
+      6, 4, -6, 2,          //
+      -12, -6, 12, -6,      //
+      6, 2, -6, 4;
+  return matrix;
+}
+
+}  // namespace
+
+Grillage::Grillage(const GrillagePlan& plan, const std::vector<int>& props)
+    : joints_(static_cast<int>(plan.joints.size())),
+      first_moment_(joints_ + 2 * static_cast<int>(plan.nodes.size())), scale_(longest_beam(plan)),
+      held_(plan.joints.size(), false) {
+  const int size = first_moment_ + 2 * static_cast<int>(plan.pins.size());
+  balance_ = Eigen::MatrixXd::Zero(size, size);
+  weights_ = Eigen::VectorXd::Zero(size);
+  for (int joint = 0; joint < joints_; ++joint)
+    weights_[joint] = -plan.weights[static_cast<std::size_t>(joint)];
+  for (const GrillageBeam& beam : plan.beams) add_beam(plan, beam);
+  unit_ = balance_.diagonal().maxCoeff();
+  for (std::size_t i = 0; i < plan.pins.size(); ++i) add_pin(plan, plan.pins[i], static_cast<int>(i));
+  for (const int joint : props) held_[static_cast<std::size_t>(joint)] = true;
+  Eigen::MatrixXd free = balance_;
+  for (int joint = 0; joint < joints_; ++joint) {
+    if (!held_[static_cast<std::size_t>(joint)]) continue;
+    free.row(joint).setZero();
+    free.col(joint).setZero();
+    free(joint, joint) = unit_;
+  }
+  response_ = inverse_of(free);
+}
+
+void Grillage::add_beam(const GrillagePlan& plan, const GrillageBeam& beam) {
+  const Complex way = (plan.place(beam.to) - plan.place(beam.from)) / scale_;
+  const double length = std::abs(way), bending = beam.bending / std::pow(scale_, 3),
+               torsion = beam.torsion / std::pow(scale_, 3), weight = beam.weight * scale_;
+  const Complex along = way / length;
+  // Rise, slope along the beam (times its length) and slope across it, at both ends.
+  Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(6, balance_.cols());
+  for (int end = 0; end < 2; ++end) {
+    const int node = end == 0 ? beam.from : beam.to;
+    ends(2 * end, plan.joint(node)) = 1;
+    ends(2 * end + 1, slope(node, 0)) = length * along.real();
+    ends(2 * end + 1, slope(node, 1)) = length * along.imag();
+    ends(4 + end, slope(node, 0)) = -along.imag();
+    ends(4 + end, slope(node, 1)) = along.real();
+  }
+  const auto twist = ends.row(5) - ends.row(4);
+  balance_ +=
+      ends.topRows(4).transpose() * (bending / std::pow(length, 3) * bending_matrix()) * ends.topRows(4) +
+      torsion / length * twist.transpose() * twist;
+  weights_ -= weight * length * ends.topRows(4).transpose() * Eigen::Vector4d(0.5, 1.0 / 12, 0.5, -1.0 / 12);
+}
+
+void Grillage::add_pin(const GrillagePlan& plan, const GrillagePin& pin, int number) {
+  // Its moments are unknowns of their own: so a pin may be far stiffer than the beams.
+  for (int axis = 0; axis < 2; ++axis) {
+    const int moment = first_moment_ + 2 * number + axis;
+    const auto couple = [&](int node, double sign) {
+      balance_(moment, slope(node, axis)) = balance_(slope(node, axis), moment) = sign * unit_;
+    };
+    couple(pin.node, 1);
+    if (pin.other) couple(*pin.other, -1);
+    balance_(moment, moment) = -unit_ * unit_ * scale_ * scale_ / pin.stiffness;
+  }
+  if (!pin.other) held_[static_cast<std::size_t>(plan.joint(pin.node))] = true;
+}
+
+Eigen::VectorXd Grillage::moved_by(Eigen::VectorXd forces) const {
+  for (int joint = 0; joint < joints_; ++joint)
+    if (held_[static_cast<std::size_t>(joint)]) forces[joint] = 0;
+  return response_ * forces;
+}
+
+GrillageState Grillage::loaded(const std::vector<double>& extra) const {
+  Eigen::VectorXd forces = weights_;
+  for (std::size_t joint = 0; joint < extra.size(); ++joint)
+    forces[static_cast<Eigen::Index>(joint)] -= extra[joint];
+  const Eigen::VectorXd moved = moved_by(forces);
+  GrillageState state{moved.head(joints_), (balance_ * moved - forces).head(joints_)};
+  for (int joint = 0; joint < joints_; ++joint)
+    if (!held_[static_cast<std::size_t>(joint)]) state.reactions[joint] = 0;
+  return state;
+}
+
+std::vector<double> Grillage::drop_by_tilt(int joint) const {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(balance_.cols());
+  forces[joint] = -1;
+  const Eigen::VectorXd moved = moved_by(std::move(forces));
+  std::vector<double> drops;
+  for (Eigen::Index moment = first_moment_; moment < moved.size(); moment += 2)
+    drops.push_back(scale_ * unit_ * moved.segment<2>(moment).norm());
+  return drops;
+}
+
+StandingGrillage standing(const GrillagePlan& plan, const std::vector<int>& props) {
+  // The state under which every prop bears and no joint sinks below a prop that does not: there is one, so the first that is found.
+  const std::size_t subsets = std::size_t{1} << props.size();
+  std::optional<StandingGrillage> best;
+  double least = infinity;
+  for (std::size_t lifted = 0; lifted < subsets; ++lifted) {
+    std::vector<int> bearing;
+    for (std::size_t i = 0; i < props.size(); ++i)
+      if ((lifted >> i & 1) == 0) bearing.push_back(props[i]);
+    Grillage grillage(plan, bearing);
+    GrillageState state = grillage.loaded();
+    double wrong = 0;
+    for (std::size_t i = 0; i < props.size(); ++i)
+      wrong = std::max(wrong, (lifted >> i & 1) == 0 ? -state.reactions[props[i]] : -state.rises[props[i]]);
+    if (wrong >= least) continue;
+    least = wrong;
+    best = StandingGrillage{std::move(grillage), std::move(state), std::move(bearing)};
+    if (wrong == 0) break;
+  }
+  return std::move(*best);
+}
+
+}  // namespace kempe

@@ -1,0 +1,90 @@
+#pragma once
+// A grillage: slender beams in a plane that is loaded at right angles to it, joined by pins that let links turn in the plane and
+// hold them out of it.
+//
+// Its unknowns are the rise of every joint and the slopes (by x and by y) of every link at every joint that it has. A beam bends as
+// Euler and Bernoulli have it and twists as Saint-Venant has it. A pin gives all its links one rise and resists a difference of their
+// slopes: so many N mm a radian in every direction of tilt.
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace kempe {
+
+/// A straight piece of a link between two of its nodes.
+struct GrillageBeam {
+  int from = 0, to = 0;  ///< nodes at different places
+  double bending = 0;    ///< E I, N mm^2, > 0: of bending out of the plane
+  double torsion = 0;    ///< G J, N mm^2, > 0
+  double weight = 0;     ///< N/mm, spread evenly, downwards
+};
+
+/// What joins two links out of the plane, or a link and the ground.
+struct GrillagePin {
+  int node = 0;
+  std::optional<int>
+      other{};  ///< a node of the same joint; absent: the ground, which also holds the joint's height
+  double stiffness = 0;  ///< N mm/rad, > 0
+};
+
+/// The structure and its loads.
+struct GrillagePlan {
+  std::vector<Complex> joints;  ///< where, mm
+  std::vector<double> weights;  ///< N at each joint, downwards
+  std::vector<int>
+      nodes;  ///< a link at one of its joints, for every link and joint of it: the joint's number
+  std::vector<GrillageBeam> beams;  ///< that make up the links
+  std::vector<GrillagePin> pins;    ///< enough of them to hold everything
+
+  /// Where a node is, mm.
+  Complex place(int node) const { return joints[static_cast<std::size_t>(joint(node))]; }
+  /// Its joint.
+  int joint(int node) const { return nodes[static_cast<std::size_t>(node)]; }
+};
+
+/// How a grillage stands under its loads.
+struct GrillageState {
+  Eigen::VectorXd rises;      ///< mm at each joint, upwards
+  Eigen::VectorXd reactions;  ///< N at each joint, upwards; 0 where nothing stands under it
+};
+
+/// A grillage with its equations solved for every load. A value.
+class Grillage {
+ public:
+  /// `props`: joints that stand on something which holds their height, from below and from above.
+  Grillage(const GrillagePlan& plan, const std::vector<int>& props);
+
+  /// Under its weights and `extra`, N at each joint, downwards; empty: none.
+  GrillageState loaded(const std::vector<double>& extra = {}) const;
+  /// For each pin the moment that it passes on where a joint is pushed down by 1 N, N mm. By reciprocity that is how far the joint
+  /// drops, mm, if the pin lets its links tilt against each other by 1 rad in the worst direction.
+  std::vector<double> drop_by_tilt(int joint) const;
+
+ private:
+  int slope(int node, int axis) const { return joints_ + 2 * node + axis; }
+  void add_beam(const GrillagePlan& plan, const GrillageBeam& beam);
+  void add_pin(const GrillagePlan& plan, const GrillagePin& pin, int number);
+  Eigen::VectorXd moved_by(Eigen::VectorXd forces) const;
+
+  int joints_ = 0, first_moment_ = 0;  ///< unknowns: rises, slopes, then the pins' moments
+  double scale_ =
+      1;  ///< mm; slopes are counted in rises over this length, so that all unknowns are of one size
+  double unit_ = 1;  ///< N/mm; moments are counted in this times scale_
+  std::vector<bool> held_;
+  Eigen::MatrixXd balance_, response_;
+  Eigen::VectorXd weights_;
+};
+
+/// The grillage on props that push and do not pull: those of `props` under which a joint stays. Nothing else is left standing on one.
+struct StandingGrillage {
+  Grillage grillage;
+  GrillageState state;
+  std::vector<int> props;  ///< that bear
+};
+StandingGrillage standing(const GrillagePlan& plan, const std::vector<int>& props);
+
+}  // namespace kempe

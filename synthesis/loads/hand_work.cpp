@@ -1,0 +1,35 @@
+#include "synthesis/loads/hand_work.hpp"
+
+#include <cmath>
+
+#include "synthesis/loads/gravity.hpp"
+
+namespace kempe {
+
+HandWork::HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const Material& material,
+                   const Load& load)
+    : linkage_(linkage), load_(load), friction_{load.friction, 0.5 * style.pin_diameter},
+      bending_(linkage.k(), linkage.grounding(), style, material, load.pen_force),
+      masses_(mass_points(linkage, {style, material.density, load.pen_mass, load.tracer_mass})),
+      moments_(mass_moments(linkage, masses_)) {}
+
+std::optional<HandWorkAt> HandWork::at(const Pose& pose, const Point& heading) const {
+  const auto felt = mass_felt(linkage_, masses_, pose);
+  const auto weight = hand_force_of_weight(linkage_, moments_, pose, load_.tilt);
+  if (!felt || !weight) return std::nullopt;
+  const Complex k = linkage_.k(), p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
+  const Point drag = -load_.pen_force * as_point(k / std::abs(k) * as_complex(heading));
+  HandWorkAt result;
+  result.pen_force = drag - Point(0, standard_gravity * std::sin(load_.tilt) * load_.pen_mass);
+  result.friction = friction_loss(linkage_, pose, result.pen_force, heading, friction_);
+  result.hand = hand_force_against(linkage_, drag) + *weight + result.friction * heading;
+  result.pins = pin_loads(linkage_, pose, result.pen_force);
+  result.pole = std::abs(k - 1.0) * result.pen_force.norm();
+  result.mass = heading.dot(*felt * heading);
+  const Complex along = p / std::abs(p);
+  result.give = as_point(along * bending_.displacement({linkage_.VA(), linkage_.VB()}, std::arg(q / p),
+                                                       std::conj(along) * as_complex(result.pen_force)));
+  return result;
+}
+
+}  // namespace kempe

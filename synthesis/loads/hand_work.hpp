@@ -1,0 +1,42 @@
+#pragma once
+// What a hand feels while it leads the tracer: the force that it needs, what the pins bear, the mass that it moves, and how far the pen
+// gives way, from the load of a spec. The work drags at the pen against its motion; on a tilted table everything weighs too.
+
+#include <optional>
+
+#include "synthesis/loads/friction.hpp"
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/moving_masses.hpp"
+
+namespace kempe {
+
+/// At one pose, in one direction of motion. Forces in N, table frame.
+struct HandWorkAt {
+  Point pen_force = Point::Zero();  ///< on the pen: drag and the weight of what it carries
+  Point hand = Point::Zero();       ///< of the hand on the tracer, friction included
+  double friction = 0;              ///< N, what friction adds along the motion
+  PinLoads pins{};                  ///< under the pen's force
+  double pole = 0;                  ///< N, all that the pole's post bears under the pen's force
+  double mass = 0;                  ///< kg felt along the motion
+  Point give = Point::Zero();       ///< mm, how far the pen gives way under its force
+};
+
+/// One linkage under one load. Weights of the links count for the hand, not for pins and bending: they are small beside a tool's. Quasi-static:
+/// no force of inertia is in it.
+class HandWork {
+ public:
+  HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const Material& material, const Load& load);
+
+  /// The tracer moving along `heading`, a unit vector. Nothing at a dead point.
+  std::optional<HandWorkAt> at(const Pose& pose, const Point& heading) const;
+
+ private:
+  CopyingLinkage linkage_;
+  Load load_;
+  PinFriction friction_;
+  LoadErrorProfile bending_;
+  std::vector<MassPoint> masses_;
+  MassMoments moments_;
+};
+
+}  // namespace kempe

@@ -1,0 +1,87 @@
+#pragma once
+// Sag: how far tracer and pen sink below the plane in which they should move, by the weight of the links and of what they carry, and
+// by the play of the pins.
+//
+// The links' arms are a grillage (grillage.hpp) that stands on the pole's post, clamped in the table, and on the points that the table
+// carries. A pin is a round steel bar that bends between the middles of its two links. Play lets every pin tilt by play / grip. Like
+// the load error the figures depend on lengths and opening alone. Model and limits: docs/loads-out-of-plane.md.
+
+#include "kinematics/copying_linkage.hpp"
+#include "synthesis/loads/grillage.hpp"
+#include "workspace/parts.hpp"
+
+namespace kempe {
+
+/// J of a rectangle, mm^4, whatever the order of its sides: W. C. Young, R. G. Budynas, Roark's Formulas for Stress and Strain, 7th
+/// edition, table 10.1; to 0.5 % of the exact series.
+double torsion_constant(double width, double thickness);
+
+/// Stiffness and weight of a flat bar out of the plane.
+struct FlatBar {
+  double bending = 0;  ///< N mm^2: E w t^3 / 12
+  double torsion = 0;  ///< N mm^2: G J with G = E / 2.6, of Poisson's ratio 0.3
+};
+/// `E` in MPa.
+FlatBar flat_bar(const LinkStyle& style, double E);
+
+/// What bears a linkage and what it carries, out of the plane.
+struct SagConditions {
+  LinkStyle style{};
+  LayerAssignment layers{};
+  double E = 0;            ///< MPa, of the links
+  double density = 0;      ///< kg/m^3, of the links
+  double pen_mass = 0;     ///< kg, carried by the pen
+  double tracer_mass = 0;  ///< kg, carried by the tracer
+  double tilt = 0;         ///< rad, of the table from level: 0 lies, pi/2 stands
+  double play = 0;         ///< mm, of each pin
+  double grip = 0;         ///< mm, > 0: the length over which a pin is held in the link that turns on it
+  bool tracer_rests = false, pen_rests = false;  ///< the table carries that point
+};
+/// Of a spec with a material; without [load] nothing rests and nothing is carried, without [tolerance] nothing plays.
+SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers);
+
+/// How far a point sinks, mm.
+struct Drop {
+  double by_weight = 0;  ///< negative: it rises
+  double by_play = 0;    ///< at most, with every pin tilted the worst way
+  double total() const { return by_weight + by_play; }
+};
+
+/// Sag at one opening.
+struct SagAt {
+  Drop tracer{}, pen{};
+  double tracer_bears = 0, pen_bears = 0;  ///< N, what the table carries there; 0 where nothing rests
+  /// mm, of tracer and pen the one that sinks more; at least 0
+  double most() const;
+};
+
+/// The sag of all linkages of one ratio and grounding, under one set of conditions.
+class SagProfile {
+ public:
+  SagProfile(Complex k, Grounding grounding, const SagConditions& conditions);
+
+  /// With bars VA and VB so long (mm), at an opening, rad.
+  SagAt at(double VA, double VB, double opening) const;
+  /// The grillage there: V at 0, bar VA along x; joints in the order of Joint.
+  GrillagePlan plan(double VA, double VB, double opening) const;
+
+ private:
+  void add_links(GrillagePlan& plan) const;
+  void add_pins(GrillagePlan& plan) const;
+  void add_weights(GrillagePlan& plan) const;
+
+  Complex shape_;
+  JointRoles roles_;
+  SagConditions conditions_;
+  double down_;  ///< m/s^2: gravity's part at right angles to the table
+};
+
+/// The largest sag over an interval of openings (top_over.hpp), and at which.
+struct LargestSag {
+  SagAt sag{};
+  double opening = 0;  ///< rad
+};
+LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& conditions,
+                       const OpeningInterval& openings);
+
+}  // namespace kempe

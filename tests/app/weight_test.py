@@ -1,0 +1,116 @@
+"""Sag, balance and feel from the spec to the file, its check and its report; copies of a loaded instrument."""
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = sys.argv[1]
+TASK = """[copy]
+scale = 0.5
+rotation_deg = 180
+[region]
+polygon_mm = [[60, -10], [90, -10], [90, 10], [60, 10]]
+[links]
+width_mm = 12
+thickness_mm = 4
+pin_diameter_mm = 5
+[tolerance]
+length_mm = 0.05
+play_mm = 0.02
+[material]
+name = "steel"
+"""
+LOAD = "[load]\npen_N = 10\npen_mass_kg = 0.5\n"
+SQUARE = '<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="10mm" viewBox="0 0 20 10"><path d="M2 2H18V8H2Z"/></svg>'
+
+
+def kempe(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+class Weight(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.here = pathlib.Path(self.folder.name)
+        (self.here / "square.svg").write_text(SQUARE)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def design(self, text, name="design"):
+        (self.here / "spec.toml").write_text(text)
+        done = kempe("synthesize", self.here / "spec.toml", "-o", self.here / name)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout, json.loads((self.here / name / "design.json").read_text())
+
+    def verified(self, stated):
+        file = self.here / "changed.json"
+        file.write_text(json.dumps(stated))
+        return json.loads(kempe("verify", file, "--json").stdout)
+
+    def trace(self, *more, design="design"):
+        return kempe("trace", self.here / design / "design.json", self.here / "square.svg", "-o", self.here / "copy.svg", "--fit", *more)
+
+    def test_sag_is_stated_and_found_again(self):
+        said, stated = self.design(TASK + LOAD)
+        self.assertIn("sag ", said)
+        self.assertIn("friction adds up to", said)
+        self.assertGreater(stated["quality"]["sag_max_mm"], 0)
+        self.assertTrue(self.verified(stated)["certified"])
+        stated["quality"]["sag_max_mm"] *= 0.9
+        self.assertIn("quality.sag_max_mm", [one["limit"] for one in self.verified(stated)["broken"]])
+        report = (self.here / "design" / "report.html").read_text()
+        self.assertIn("Weight, balance and feel", report)
+
+    def test_what_rests_does_not_sink_and_a_longer_grip_sinks_less(self):
+        hanging = self.design(TASK + LOAD)[1]["quality"]["sag_max_mm"]
+        gripped = self.design(TASK + LOAD + "grip_mm = 20\n")[1]["quality"]["sag_max_mm"]
+        resting = self.design(TASK + LOAD + 'rests = ["tracer", "pen"]\n')[1]["quality"]["sag_max_mm"]
+        self.assertLess(gripped, hanging)
+        self.assertLess(resting, 1e-9)
+
+    def test_a_limit_is_kept_and_a_broken_one_is_found(self):
+        free = self.design(TASK + LOAD)[1]
+        limit = 1.5 * free["quality"]["sag_max_mm"]
+        kept = self.design(f"[limits]\nsag_mm = {limit}\n" + TASK + LOAD)[1]
+        self.assertLessEqual(kept["quality"]["sag_max_mm"], limit)
+        kept["limits"]["sag_mm"] = 0.5 * kept["quality"]["sag_max_mm"]
+        self.assertIn("limits.sag_mm", [one["limit"] for one in self.verified(kept)["broken"]])
+
+    def test_an_upright_table_has_its_balance(self):
+        said, stated = self.design(TASK + LOAD + "tilt_deg = 90\n")
+        self.assertIn("balance ", said)
+        self.assertEqual(stated["load"]["tilt_deg"], 90)
+        self.assertTrue(self.verified(stated)["certified"])
+
+    def test_a_loaded_instrument_draws_beside_the_drawn_one(self):
+        self.design(TASK + LOAD)
+        plain = json.loads(self.trace("--json").stdout)
+        loaded = json.loads(self.trace("--load", "--forces", self.here / "forces.csv", "--json").stdout)
+        self.assertLess(plain["departure_max_mm"], 1e-9)
+        self.assertGreater(loaded["departure_max_mm"], 1e-5)
+        with open(self.here / "forces.csv", newline="") as file:
+            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        self.assertGreater(len(rows), 50)
+        for row in rows:
+            # Without friction and on a level table the hand holds |k| of the drag; friction adds along the motion.
+            self.assertAlmostEqual(row["hand_N"], 0.5 * 10 + row["friction_N"], delta=1e-9)
+            self.assertAlmostEqual(row["pole_N"], 1.5 * 10, delta=1e-9)
+        most = max(math.hypot(row["give_x_mm"], row["give_y_mm"]) for row in rows)
+        self.assertAlmostEqual(loaded["departure_max_mm"], most, delta=0.05 * most)
+        copy = (self.here / "copy.svg").read_text()
+        self.assertIn("hand 5", copy)
+
+    def test_a_design_without_a_load_cannot_tell(self):
+        self.design(TASK)
+        done = self.trace("--load")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("load", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

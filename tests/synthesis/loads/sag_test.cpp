@@ -1,0 +1,244 @@
+// Sag against closed forms of beams, and against the forces in the sections of random linkages (section_forces.hpp).
+#include "synthesis/loads/sag.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/random.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/loads/section_forces.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr double gravity = 9.80665;
+
+/// A bar of steel, 15 x 5 mm, 400 mm long, lying flat and clamped at one end.
+GrillagePlan cantilever(double weight) {
+  const FlatBar bar = flat_bar({.width = 15, .thickness = 5}, 200e3);
+  return {.joints = {0, 400},
+          .weights = {0, 0},
+          .nodes = {0, 1},
+          .beams = {{0, 1, bar.bending, bar.torsion, weight}},
+          .pins = {{0, std::nullopt, 1e20}}};
+}
+
+TEST(Sag, CantileverSinksByItsWeightAsBeamsDo) {
+  const double weight = 7850e-9 * 15 * 5 * gravity, bending = 200e3 * 15 * 125 / 12;
+  const auto state = Grillage(cantilever(weight), {}).loaded();
+  EXPECT_NEAR(-state.rises[1], weight * std::pow(400, 4) / (8 * bending), 1e-9);
+  EXPECT_NEAR(-state.rises[1], 0.59, 0.005);
+  EXPECT_NEAR(state.reactions[0], weight * 400, 1e-9);
+}
+
+TEST(Sag, CantileverSinksByANewtonAsBeamsDo) {
+  const auto state = Grillage(cantilever(0), {}).loaded({0, 1});
+  EXPECT_NEAR(-state.rises[1], std::pow(400, 3) / (3 * 200e3 * 15 * 125 / 12), 1e-9);
+  EXPECT_NEAR(-state.rises[1], 0.68, 0.005);
+}
+
+TEST(Sag, PlayOfAPinDroopsACantileverByItsLength) {
+  const auto drops = Grillage(cantilever(0), {}).drop_by_tilt(1);
+  ASSERT_EQ(drops.size(), 1U);
+  EXPECT_NEAR(0.02 / 5 * drops[0], 1.6, 1e-9);
+}
+
+TEST(Sag, AnArmRoundACornerTwistsTheOther) {
+  const double bending = 3e7, torsion = 2e7, a = 130, b = 90, load = 7;
+  const GrillagePlan plan{.joints = {0, a, Complex(a, b)},
+                          .weights = {0, 0, load},
+                          .nodes = {0, 1, 2},
+                          .beams = {{0, 1, bending, torsion, 0}, {1, 2, bending, torsion, 0}},
+                          .pins = {{0, std::nullopt, 1e20}}};
+  const double wanted = load * ((a * a * a + b * b * b) / (3 * bending) + a * b * b / torsion);
+  EXPECT_NEAR(-Grillage(plan, {}).loaded().rises[2], wanted, 1e-8 * wanted);
+}
+
+TEST(Sag, ABarOnAPropAtItsEndBearsThreeEighths) {
+  GrillagePlan plan = cantilever(0.01);
+  const StandingGrillage stands = standing(plan, {1});
+  EXPECT_NEAR(stands.state.reactions[1], 3.0 / 8 * 0.01 * 400, 1e-8);
+  plan.weights[1] = -100;  // pulled up, it leaves the prop
+  EXPECT_TRUE(standing(plan, {1}).props.empty());
+  EXPECT_GT(standing(plan, {1}).state.rises[1], 0);
+}
+
+TEST(Sag, TorsionConstantOfARectangle) {
+  EXPECT_NEAR(torsion_constant(1, 1), 0.1406,
+              0.0007);  // S. Timoshenko, J. N. Goodier, Theory of Elasticity, article 109
+  EXPECT_NEAR(torsion_constant(2, 1), 0.229 * 2, 0.001 * 2);
+  EXPECT_NEAR(torsion_constant(1, 10), 0.312 * 10, 0.001 * 10);
+}
+
+/// A linkage and its conditions.
+struct SagCase {
+  Complex k;
+  Grounding grounding;
+  SagConditions conditions;
+  double VA, VB, opening;
+};
+
+SagCase random_case(std::mt19937_64& random) {
+  using test::uniform;
+  for (;;) {
+    const double rotation =
+        uniform(random, 0, 4) < 1 ? (uniform(random, 0, 1) < 0.5 ? 0 : pi) : uniform(random, -pi, pi);
+    const Complex k = copy_ratio(std::exp(uniform(random, -1.5, 1.5)), rotation);
+    if (std::abs(k - 1.0) < 0.1) continue;
+    SagCase one{.k = k,
+                .grounding = all_groundings[static_cast<std::size_t>(uniform(random, 0, 3))],
+                .conditions = {},
+                .VA = 0,
+                .VB = 0,
+                .opening = 0};
+    const auto modes = assembly_modes(shape_of(k, one.grounding));
+    const OpeningInterval openings =
+        modes[static_cast<std::size_t>(uniform(random, 0, static_cast<double>(modes.size())))].openings;
+    one.opening = openings.lower + uniform(random, 0.1, 0.9) * openings.width();
+    one.VA = uniform(random, 40, 400);
+    one.VB = uniform(random, 40, 400);
+    const auto layers = layer_assignments(3);
+    one.conditions = {
+        .style = {.width = uniform(random, 8, 30),
+                  .pin_diameter = uniform(random, 3, 8),
+                  .thickness = uniform(random, 2, 8)},
+        .layers = layers[static_cast<std::size_t>(uniform(random, 0, static_cast<double>(layers.size())))],
+        .E = uniform(random, 2e3, 2e5),
+        .density = uniform(random, 500, 8000),
+        .pen_mass = uniform(random, 0, 3),
+        .tracer_mass = uniform(random, 0, 1),
+        .tilt = uniform(random, 0, 1.5),
+        .play = uniform(random, 0, 0.1),
+        .grip = uniform(random, 2, 20)};
+    return one;
+  }
+}
+
+enum { V, A, B, C, X, Y };
+
+/// The arms of a plate with its corner at 0, C at 1 and its third joint at `third`, by their joints.
+std::vector<section_forces::Bar> bars_of_plate(int corner, int end, Complex third) {
+  if (std::abs(third.imag()) > 1e-9) return {{corner, C}, {corner, end}};
+  if (third.real() < 0) return {{end, corner}, {corner, C}};
+  if (third.real() < 1) return {{corner, end}, {end, C}};
+  return {{corner, C}, {C, end}};
+}
+
+/// A linkage of bent plates, built here from the drawing of docs/notation.md.
+section_forces::Structure structure_of(const SagCase& one) {
+  const Complex s = one.grounding == Grounding::pole     ? one.k
+                    : one.grounding == Grounding::tracer ? 1.0 - one.k
+                                                         : 1.0 - 1.0 / one.k;
+  const SagConditions& of = one.conditions;
+  const double w = of.style.width, t = of.style.thickness, g = gravity * std::cos(of.tilt);
+  const Complex p = one.VA, q = std::polar(one.VB, one.opening);
+  section_forces::Structure it;
+  it.places = {0, p, q, p + q, p + q / s, q + s * p};
+  const double each_mm = of.density * 1e-9 * w * t * g, cap = of.density * 1e-9 * t * g * pi * w * w / 8;
+  it.links = {{{V, A}, {{V, A}}, each_mm},
+              {{V, B}, {{V, B}}, each_mm},
+              {{A, C, X}, bars_of_plate(A, X, 1.0 / s), each_mm},
+              {{B, C, Y}, bars_of_plate(B, Y, s), each_mm}};
+  it.loads.assign(6, 0);
+  const auto caps = [&](std::initializer_list<int> joints) {
+    for (const int joint : joints) it.loads[static_cast<std::size_t>(joint)] += cap;
+  };
+  caps({V, A, V, B});
+  for (const std::size_t plate : {2U, 3U}) {
+    const auto& bars = it.links[plate].bars;
+    caps({bars[0].from == bars[1].from ? bars[0].to : bars[0].from, bars[1].to});
+  }
+  const int pen = one.grounding == Grounding::pen ? V : Y;
+  const int tracer = one.grounding == Grounding::pole ? X : one.grounding == Grounding::tracer ? V : Y;
+  it.loads[static_cast<std::size_t>(pen)] += of.pen_mass * g;
+  it.loads[static_cast<std::size_t>(tracer)] += of.tracer_mass * g;
+  const double d = of.style.pin_diameter, pin = 200e3 * pi * d * d * d * d / 64;
+  const auto& layer = of.layers.of;
+  const auto between = [&](std::size_t a, std::size_t b) {
+    return pin / (t * std::abs(layer[a] - layer[b]));
+  };
+  const auto post = [&](std::size_t a) { return pin / (t * (layer[a] - 0.5)); };
+  if (one.grounding == Grounding::pole)
+    it.joins = {{V, 0, -1, post(0)}, {V, 1, -1, post(1)}};
+  else
+    it.joins = {{X, 2, -1, post(2)}, {V, 0, 1, between(0, 1)}};
+  it.joins.insert(it.joins.end(),
+                  {{A, 0, 2, between(0, 2)}, {B, 1, 3, between(1, 3)}, {C, 2, 3, between(2, 3)}});
+  const double E = of.E;
+  it.bending = E * w * t * t * t / 12;
+  it.torsion = E / 2.6 * torsion_constant(w, t);
+  return it;
+}
+
+double within(double size) { return 1e-6 * size + 1e-9; }
+
+TEST(Sag, IsThatOfTheForcesInTheSections) {
+  std::mt19937_64 random(2026);
+  for (int i = 0; i < test::samples(300); ++i) {
+    SCOPED_TRACE(i);
+    SagCase one = random_case(random);
+    const int pen = one.grounding == Grounding::pen ? V : Y;
+    const int tracer = one.grounding == Grounding::pole ? X : one.grounding == Grounding::tracer ? V : Y;
+    const SagAt free = SagProfile(one.k, one.grounding, one.conditions).at(one.VA, one.VB, one.opening);
+    section_forces::LeastEnergy energy(structure_of(one));
+    EXPECT_NEAR(free.pen.by_weight, energy.drop(pen), within(std::abs(free.pen.by_weight)));
+    EXPECT_NEAR(free.tracer.by_weight, energy.drop(tracer), within(std::abs(free.pen.by_weight)));
+    auto unloaded = structure_of(one);
+    unloaded.loads.assign(6, 0);
+    for (auto& link : unloaded.links) link.weight = 0;
+    section_forces::LeastEnergy newton(unloaded);
+    newton.energy(pen, 1);
+    double play = 0;
+    for (std::size_t j = 0; j < 5; ++j) play += one.conditions.play / one.conditions.grip * newton.moment(j);
+    EXPECT_NEAR(free.pen.by_play, play, within(play));
+  }
+}
+
+TEST(Sag, WithAPointOnTheTableIsThatOfTheForcesInTheSections) {
+  std::mt19937_64 random(7);
+  int resting = 0;
+  for (int i = 0; i < test::samples(100); ++i) {
+    SCOPED_TRACE(i);
+    SagCase one = random_case(random);
+    one.conditions.tracer_rests = true;
+    const SagAt sag = SagProfile(one.k, one.grounding, one.conditions).at(one.VA, one.VB, one.opening);
+    const int pen = one.grounding == Grounding::pen ? V : Y;
+    const int tracer = one.grounding == Grounding::pole ? X : one.grounding == Grounding::tracer ? V : Y;
+    auto structure = structure_of(one);
+    if (sag.tracer_bears > 0) {
+      ++resting;
+      structure.props = {{tracer, tracer == X ? 2 : tracer == V ? 0 : 3}};
+      EXPECT_NEAR(sag.tracer.total(), 0, 1e-9);
+    } else {
+      EXPECT_LE(sag.tracer.by_weight, 1e-9);  // it has risen
+    }
+    EXPECT_NEAR(sag.pen.by_weight, section_forces::LeastEnergy(structure).drop(pen),
+                within(std::abs(sag.pen.by_weight)));
+  }
+  EXPECT_GT(resting, test::expected(50));
+}
+
+TEST(Sag, GrowsWithTheThirdPowerOfTheLengthsUnderATool) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 20; ++i) {
+    SagCase one = random_case(random);
+    one.conditions.density = 0;
+    one.conditions.style.pin_diameter = 1e4;  // pins that do not bend
+    one.conditions.play = 0;
+    const SagProfile profile(one.k, one.grounding, one.conditions);
+    const double once = profile.at(one.VA, one.VB, one.opening).pen.by_weight;
+    EXPECT_NEAR(profile.at(2 * one.VA, 2 * one.VB, one.opening).pen.by_weight, 8 * once,
+                1e-6 * std::abs(once));
+  }
+}
+
+TEST(Sag, IsNothingOfAnUprightTableWithoutPlay) {
+  std::mt19937_64 random(5);
+  SagCase one = random_case(random);
+  one.conditions.tilt = pi / 2;
+  one.conditions.play = 0;
+  EXPECT_NEAR(SagProfile(one.k, one.grounding, one.conditions).at(one.VA, one.VB, one.opening).most(), 0,
+              1e-12);
+}
+
+}  // namespace
+}  // namespace kempe
