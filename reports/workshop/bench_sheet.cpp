@@ -194,6 +194,10 @@ void avoid_lines(Words& words, const Plan& plan) {
   const Point pole = view.at(design.linkage.pole()), corner = plan.on_paper().lower;
   words.placer().avoid({corner.x(), pole.y()}, pole, 0.3);
   words.placer().avoid({pole.x(), corner.y()}, pole, 0.3);
+  for (const Joint joint : all_joints) {
+    const double radius = 0.5 * pin_at(design.style, design.hardware, joint) * view.scale;
+    words.placer().avoid(PictureBox{view.at(pose[joint]), Point(radius, radius)});
+  }
   for (const Mark& mark : plan.marks)
     words.placer().avoid(PictureBox{view.at(mark.at), Point(cross_half, cross_half)});
 }

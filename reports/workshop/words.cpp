@@ -1,6 +1,8 @@
 #include "reports/workshop/words.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <complex>
 #include <optional>
 #include <vector>
@@ -47,11 +49,31 @@ std::vector<PictureBox> places_around(const PictureBox& box, const Point& half) 
   for (double away = 0.5; away < farthest; away += step)
     for (int i = 0; i < directions; ++i) {
       const Point direction = as_point(std::polar(1.0, 2 * pi * i / directions));
-      places.push_back({box.centre + (box.half + half).cwiseProduct(direction) / direction.cwiseAbs().maxCoeff() +
+      places.push_back({box.centre +
+                            (box.half + half).cwiseProduct(direction) / direction.cwiseAbs().maxCoeff() +
                             away * direction,
                         half});
     }
   return places;
+}
+
+/// A circle's eighths, those nearest to `preferred` first; of no preference the corners first.
+std::array<Point, 8> directions_from(const Point& preferred) {
+  std::array<Point, 8> directions;
+  for (std::size_t i = 0; i < 8;
+       ++i)  // right above, right below, left above, left below, right, above, left, below
+    directions[i] = as_point(std::polar(1.0, std::array{1, 7, 3, 5, 0, 2, 4, 6}[i] * pi / 4));
+  if (!preferred.isZero())
+    std::stable_sort(directions.begin(), directions.end(), [&](const Point& a, const Point& b) {
+      return a.dot(preferred) > b.dot(preferred) + 1e-9 * preferred.norm();
+    });
+  return directions;
+}
+
+/// To which side of its anchor a word stands, in each coordinate: -1, 0 (across the anchor) or 1.
+Point sides_of(const Point& direction) {
+  const auto side = [](double value) { return std::abs(value) < 1e-9 ? 0.0 : value > 0 ? 1.0 : -1.0; };
+  return {side(direction.x()), side(direction.y())};
 }
 
 /// The corner of a region's outer edges that is nearest to a place.
@@ -74,15 +96,14 @@ void Words::avoid_edges(const View& view, const Region& region) {
   }
 }
 
-void Words::write(const std::string& text, const Point& anchor, double radius, double height) {
+void Words::write(const std::string& text, const Point& anchor, double radius, double height,
+                  const Point& preferred) {
   const Point half = Point(0.5 * lettering_(text, height), 0.5 * height);
   const Point room = half + Point(0.2, 0.2);
   std::vector<PictureBox> near;
   for (const double away : {0.5, 1.0, 1.7, 2.5, 3.5, 5.0})
-    for (const int turn : {1, 7, 3, 5, 0, 2, 4, 6}) {  // of a circle's eighths; corners first
-      const Point direction = as_point(std::polar(1.0, turn * pi / 4));
-      near.push_back({anchor + (radius + away) * direction + room.cwiseProduct(direction.cwiseSign()), room});
-    }
+    for (const Point& direction : directions_from(preferred))
+      near.push_back({anchor + (radius + away) * direction + room.cwiseProduct(sides_of(direction)), room});
   constexpr double apart = 0.25;  // mm, from any line
   const auto clear = placer_.place_if_apart(near, apart);
   const Point place = clear ? *clear : placer_.place_around(anchor, radius, room, Point(1, 1));

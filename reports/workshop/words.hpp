@@ -20,8 +20,9 @@ class Words {
   /// Keeps words clear of a region's edges, as far as few edges can say it.
   void avoid_edges(const View& view, const Region& region);
 
-  /// Beside a mark of that radius, mm on paper.
-  void write(const std::string& text, const Point& anchor, double radius, double height);
+  /// Beside a mark of that radius, mm on paper: as near as it can, there on the side `preferred` (zero: at one of its corners).
+  void write(const std::string& text, const Point& anchor, double radius, double height,
+             const Point& preferred = Point::Zero());
   /// In a region where it is clear there, nearest to its middle; else beside it. Nothing of an empty one.
   void write_in(const std::string& text, const View& view, const Region& region, double height);
 
