@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/drawings/blank.hpp"
 #include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/tool_words.hpp"
 #include "specs/text/printable.hpp"
 #include "workspace/obstructions.hpp"
 
@@ -29,13 +31,21 @@ double length_between(const LinkLengths& lengths, Link link) {
   return std::max({lengths.BC, lengths.BY, lengths.CY});
 }
 
-/// "draws the copy, carries router".
+/// "draws the copy with a cutter of 6 mm, carries router".
 std::string use_of(const Design& design, Joint joint) {
   if (joint == design.linkage.pole_joint()) return "fixed in the table";
-  std::string text = joint == design.linkage.tracer_joint() ? "follows the original" : "draws the copy";
+  const bool is_tracer = joint == design.linkage.tracer_joint();
+  std::string text = is_tracer ? "follows the original" : "draws the copy";
+  const std::optional<double> radius = !design.tool ? std::nullopt
+                                       : is_tracer  ? design.tool->follower_radius
+                                                    : design.tool->cutter_radius;
+  if (radius && *radius > 0)
+    text += fmt::format(" with a {} of {:.6g} mm", is_tracer ? "follower" : "cutter", 2 * *radius);
   for (std::size_t i = 0; i < design.bodies.size(); ++i)
     if (joint_of(design.bodies[i].at, design.linkage) == joint)
       text += ", carries " + printable(body_name(design.bodies, i));
+  if (const std::string offset = template_words(design.tool); is_tracer && !offset.empty())
+    text += "; " + offset;
   return text;
 }
 
@@ -64,8 +74,7 @@ class Bill {
                       .thickness = style_.thickness,
                       .blank_length = blank.length,
                       .blank_width = blank.width,
-                      .remark = fmt::format("{}, layer {}, see its drawing", form_of(design_, link),
-                                            design_.layers[link])});
+                      .remark = fmt::format("{}, layer {}", form_of(design_, link), design_.layers[link])});
   }
 
   void add_strip() {
@@ -208,8 +217,11 @@ std::string quoted(const std::string& text) {
   return cell + "\"";
 }
 
-/// Twelve digits: sums of heights carry no dust of rounding.
-std::string cell(double value) { return value == 0 ? "" : fmt::format("{:.12g}", value); }
+/// To a thousandth, or six digits of what is smaller than that tells: parts are bought and sawn by it, and made by their drawings.
+std::string cell(double value) {
+  if (value == 0) return "";
+  return value < 1 ? fmt::format("{:.6g}", value) : fmt::format("{}", std::round(value * 1e3) / 1e3);
+}
 
 }  // namespace
 
