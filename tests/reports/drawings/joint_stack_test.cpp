@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reports/drawings/bom.hpp"
+#include "reports/drawings/hardware_faults.hpp"
 #include "tests/reports/sample_designs.hpp"
 #include "workspace/contact/gap.hpp"
 
