@@ -88,8 +88,8 @@ class Bill {
                       .width = strip.width,
                       .thickness = strip.thickness,
                       .remark = "sawn into " + cuts +
-                                (design_.cutting.kerf > 0 ? "; a kerf for each is counted"
-                                                          : "; the saw's kerf comes on top")});
+                                (design_.cutting.kerf > 0 ? "; kerf counted"
+                                                          : "; kerf on top")});
   }
 
   void add_stack(const JointStack& stack) {

@@ -9,7 +9,9 @@
 
 #include "reports/drawings/joint_stack.hpp"
 #include "specs/text/printable.hpp"
+#include "synthesis/verification/stations.hpp"
 #include "workspace/contact/gap.hpp"
+#include "workspace/obstacle_names.hpp"
 #include "workspace/obstructions.hpp"
 
 namespace kempe {
@@ -58,11 +60,10 @@ bool overlap(const Heights& one, const Heights& other) { return one.from < other
 
 Heights heights_of(int layer, double thickness) { return {(layer - 1) * thickness, layer * thickness}; }
 
-/// A body in layer 1 goes down to the table, also where the linkage is raised; one in the highest layer goes up without end.
-Heights heights_of(const Body& body, double thickness) {
+/// What begins in layer 1 goes down to the table, also where the linkage is raised; what ends in the highest layer goes up without end.
+Heights heights_of(int lowest, int highest, double thickness) {
   constexpr double far = std::numeric_limits<double>::infinity();
-  return {body.lowest_layer == 1 ? -far : (body.lowest_layer - 1) * thickness,
-          body.highest_layer == most_layers ? far : body.highest_layer * thickness};
+  return {lowest == 1 ? -far : (lowest - 1) * thickness, highest == most_layers ? far : highest * thickness};
 }
 
 /// How near a round thing on a joint comes to a link that lacks the joint, over the openings shown; mm, negative: it meets it.
@@ -95,7 +96,8 @@ void tell_bodies_beside(const Design& design, const JointStack& stack, std::vect
     const Joint carrier = joint_of(body.at, design.linkage);
     const double apart = least_distance(design, stack.joint, carrier), reach = farthest(body);
     for (const StackItem& item : standing_out(stack))
-      if (overlap({item.from, item.to}, heights_of(body, design.style.thickness)) &&
+      if (overlap({item.from, item.to},
+                  heights_of(body.lowest_layer, body.highest_layer, design.style.thickness)) &&
           apart < reach + 0.5 * item.diameter + design.limits.clearance)
         faults.push_back(
             fmt::format("{}: {} of {} mm may come too near to {}, which reaches {:.2f} mm from {}; "
@@ -103,6 +105,59 @@ void tell_bodies_beside(const Design& design, const JointStack& stack, std::vect
                         stack.name, item.name, item.diameter, printable(body_name(design.bodies, i)), reach,
                         letter(carrier), apart));
   }
+}
+
+/// The places of a joint with the tracer at those of the region that the verification drives to.
+std::vector<Point> places_of(const Design& design, Joint joint) {
+  std::vector<Point> places;
+  if (design.region.empty()) return places;
+  for (const Point& tracer : stations_over(design.region, design.linkage.pole(), {}))
+    if (const auto opening = design.linkage.opening_at(tracer.norm()))
+      places.push_back(design.linkage.pose_at(*opening, std::atan2(tracer.y(), tracer.x()))[joint]);
+  return places;
+}
+
+/// True if the certified contact of one of its own links with the obstacle answers for an item: it lies within that link's outline.
+bool link_answers(const Design& design, const JointStack& stack, const StackItem& item,
+                  const Obstacle& obstacle) {
+  return item.diameter <= design.style.width &&
+         std::any_of(stack.links.begin(), stack.links.end(), [&](Link link) {
+           const int layer = design.layers[link];
+           return obstacle.lowest_layer <= layer && layer <= obstacle.highest_layer;
+         });
+}
+
+/// Obstacles stand on the table, the linkage `raised` above it.
+void tell_obstacles_beside(const Design& design, const JointStack& stack, double raised,
+                           std::vector<std::string>& faults) {
+  std::vector<Point> places;
+  for (std::size_t i = 0; i < design.obstacles.size(); ++i) {
+    const Obstacle& obstacle = design.obstacles[i];
+    const Heights heights = heights_of(obstacle.lowest_layer, obstacle.highest_layer, design.style.thickness);
+    for (const StackItem& item : standing_out(stack)) {
+      if (!overlap({item.from + raised, item.to + raised}, heights) ||
+          link_answers(design, stack, item, obstacle))
+        continue;
+      if (places.empty()) places = places_of(design, stack.joint);
+      double gap = std::numeric_limits<double>::infinity();
+      for (const Point& place : places)
+        gap = std::min(gap, distance(Region{{obstacle.shape}}, place) - 0.5 * item.diameter);
+      if (gap < design.limits.clearance)
+        faults.push_back(fmt::format("{}: {} of {} mm comes within {:.2f} mm of {}; clearance is {} mm",
+                                     stack.name, item.name, item.diameter, std::max(gap, 0.0),
+                                     printable(obstacle_name(design.obstacles, i)), design.limits.clearance));
+    }
+  }
+}
+
+/// Contact with obstacles is certified for a linkage that lies on the table.
+void tell_raised(const Design& design, double raised, std::vector<std::string>& faults) {
+  for (std::size_t i = 0; raised > 0 && i < design.obstacles.size(); ++i)
+    if (design.obstacles[i].lowest_layer > 1)
+      faults.push_back(fmt::format(
+          "layer 1 stands {} mm above the table, for the heads under it: {} must stand so much "
+          "higher too, since it begins in layer {}",
+          raised, printable(obstacle_name(design.obstacles, i)), design.obstacles[i].lowest_layer));
 }
 
 }  // namespace
@@ -126,6 +181,8 @@ std::vector<std::string> hardware_faults(const Design& design) {
   std::vector<std::string> faults;
   if (design.hardware.none()) return faults;
   const auto stacks = joint_stacks(design);
+  const double raised = raised_by(stacks);
+  tell_raised(design, raised, faults);
   for (std::size_t i = 0; i < stacks.size(); ++i) {
     if (stacks[i].is_post) continue;
     const std::string& hardware = design.hardware[stacks[i].joint];
@@ -134,6 +191,7 @@ std::vector<std::string> hardware_faults(const Design& design) {
           fmt::format("{}: no \"{}\" is made that grips {} mm", stacks[i].name, hardware, stacks[i].grip()));
     tell_links_beside(design, stacks[i], faults);
     tell_bodies_beside(design, stacks[i], faults);
+    tell_obstacles_beside(design, stacks[i], raised, faults);
     for (std::size_t j = i + 1; j < stacks.size(); ++j)
       if (auto fault = meeting(design, stacks[i], stacks[j])) faults.push_back(std::move(*fault));
   }

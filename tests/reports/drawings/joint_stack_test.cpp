@@ -1,5 +1,6 @@
 #include "reports/drawings/joint_stack.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -235,6 +236,33 @@ TEST(HardwareFaults, KnowHowNearLinksComeToNuts) {
   }
   EXPECT_GT(told, 10);
   EXPECT_GT(clear, 10);
+}
+
+TEST(HardwareFaults, TellOfHeadsThatHangBesideALowObstacle) {
+  Design design = testing::sample_design(1.6, Grounding::pole, 90, 70, 0);
+  design.style = {.width = 20, .pin_diameter = 8, .thickness = 4};
+  design.hardware = "M8 bolt";
+  design.layers.of = {2, 3, 3, 2};
+  const Point at =
+      design.linkage.pose_at(design.opening.middle(), 0.3).B;  // the tracer in the middle of the region
+  const auto clamp = [&](const Point& middle, int highest) {
+    design.obstacles = {
+        {{{middle + Point(-3, -3), middle + Point(3, -3), middle + Point(3, 3), middle + Point(-3, 3)}, {}},
+         1,
+         highest,
+         "clamp"}};
+    return hardware_faults(design);
+  };
+  const auto under = clamp(at, 1);
+  ASSERT_FALSE(under.empty());
+  EXPECT_EQ(under.front(), "pin B: head of 13 mm comes within 0.00 mm of clamp; clearance is " +
+                               fmt::format("{}", design.limits.clearance) + " mm");
+  EXPECT_TRUE(clamp(at, 3).empty());  // in the layers of the links, whose contact is certified
+  EXPECT_TRUE(clamp(at + Point(0, 300), 1).empty());
+  design.obstacles[0].lowest_layer = 3;
+  design.obstacles[0].highest_layer = 4;
+  ASSERT_EQ(hardware_faults(design).size(), 1U);
+  EXPECT_NE(hardware_faults(design)[0].find("clamp must stand so much higher too"), std::string::npos);
 }
 
 TEST(HardwareFaults, TellOfNutsThatABodyMayMeet) {
