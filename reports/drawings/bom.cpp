@@ -82,14 +82,13 @@ class Bill {
     std::string cuts;
     for (const Strip::Piece& piece : strip.pieces)
       cuts += fmt::format("{}{} {:.2f}", cuts.empty() ? "" : ", ", name(piece.link), piece.length);
-    items_.push_back({.item = "strip",
-                      .name = fmt::format("strip {} x {}", strip.width, strip.thickness),
-                      .length = strip.length,
-                      .width = strip.width,
-                      .thickness = strip.thickness,
-                      .remark = "sawn into " + cuts +
-                                (design_.cutting.kerf > 0 ? "; kerf counted"
-                                                          : "; kerf on top")});
+    items_.push_back(
+        {.item = "strip",
+         .name = fmt::format("strip {} x {}", strip.width, strip.thickness),
+         .length = strip.length,
+         .width = strip.width,
+         .thickness = strip.thickness,
+         .remark = "sawn into " + cuts + (design_.cutting.kerf > 0 ? "; kerf counted" : "; kerf on top")});
   }
 
   void add_stack(const JointStack& stack) {
