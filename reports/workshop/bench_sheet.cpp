@@ -202,13 +202,14 @@ void avoid_lines(Words& words, const Plan& plan) {
     words.placer().avoid(PictureBox{view.at(mark.at), Point(cross_half, cross_half)});
 }
 
-/// Names first: numbers find room beside their crosses, names only where the regions have it.
+/// Names first, those that may need a leader before those that it must not strike through: numbers find room beside their crosses,
+/// names only where the regions have it.
 void write_words(Sheet& sheet, const Plan& plan) {
   Words words(sheet, plan.task.lettering, plan.on_paper());
   avoid_lines(words, plan);
+  for (const NamedRegion& body : plan.bodies) words.write_in(body.name, plan.view, body.region, text_height);
   words.write_in("original", plan.view, plan.task.design.region, text_height);
   words.write_in("copy", plan.view, plan.copy, text_height);
-  for (const NamedRegion& body : plan.bodies) words.write_in(body.name, plan.view, body.region, text_height);
   int number = 0;
   for (const Mark& mark : plan.marks) {
     draw_cross(sheet, plan.view.at(mark.at));
