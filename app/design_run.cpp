@@ -13,6 +13,7 @@
 #include "reports/data/design_json.hpp"
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/step_assembly.hpp"
+#include "reports/drawings/tool_words.hpp"
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
@@ -211,23 +212,10 @@ std::string loads_lines(const Design& design) {
 }
 
 /// What to put on the tracer, or how to draw the template, so that the cut is right.
-std::string tool_line(const std::optional<ToolAdvice>& tool) {
-  if (!tool) return "";
-  std::string text = "tool         ";
-  if (tool->exact_follower_radius)
-    text +=
-        fmt::format("for a cutter of radius {:.4g} mm a follower of radius {:.4g} mm cuts the exact copy\n",
-                    *tool->cutter_radius, *tool->exact_follower_radius);
-  else
-    text +=
-        fmt::format("with a follower of radius {:.4g} mm a cutter of radius {:.4g} mm cuts the exact copy\n",
-                    *tool->follower_radius, *tool->exact_cutter_radius);
-  if (tool->template_offset && std::abs(*tool->template_offset) > 1e-9)
-    text += fmt::format(
-        "             with the follower of {:.4g} mm the cut lies {:.4g} mm {}: draw the template {:.4g} mm "
-        "{} all around\n",
-        *tool->follower_radius, std::abs(*tool->cut_outside), *tool->cut_outside > 0 ? "outside" : "inside",
-        std::abs(*tool->template_offset), *tool->template_offset > 0 ? "larger" : "smaller");
+std::string tool_lines(const std::optional<ToolAdvice>& tool) {
+  std::string text;
+  for (const std::string& words : tool_words(tool))
+    text += (text.empty() ? "tool         " : "             ") + words + "\n";
   return text;
 }
 
@@ -271,7 +259,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);
-  text += tool_line(design.tool);
+  text += tool_lines(design.tool);
   text += fmt::format(
       "verified     {} positions{} by the general solver: copy error {:.2g} mm, loop residual {:.2g} mm, {} "
       "changes of assembly mode\n",

@@ -41,6 +41,7 @@ struct Hardware {
   std::string_view thread = {};      ///< of the screw; empty: none
   double head_height = 0, head = 0;  ///< of a shoulder screw: k, d_k
   double shortest = 0, longest = 0;  ///< of a shoulder or a pin: commercial lengths
+  double thread_length = 0;          ///< of a shoulder screw, beyond its shoulder: b max
 };
 
 /// All of them, those that a spec can name, in the order of the documentation.

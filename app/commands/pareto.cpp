@@ -127,13 +127,24 @@ tl::expected<void, std::string> put_in_place(FrontDraft& front, const fs::path& 
   return write_whole(folder, front.own);
 }
 
+/// Why a front has fewer points than were asked for; empty where it has all, or was stopped.
+std::string fewer_points(std::size_t found, int asked, bool complete) {
+  if (!complete || found >= static_cast<std::size_t>(asked)) return "";
+  return fmt::format(
+      "{} searches gave {} different designs that no other beats in both: the rest gave the same again, or "
+      "worse ones",
+      asked, found);
+}
+
 /// The two figures of every point; front.csv has all digits, and lengths and pole.
-std::string summary_text(const ParetoFront& front, bool complete, const std::string& folder) {
+std::string summary_text(const ParetoFront& front, int asked, bool complete, const std::string& folder) {
   std::string text = fmt::format("{}front        {} designs: {} in {}, {} in {}\n",
                                  complete ? "" : "STOPPED EARLY: the front so far\n", front.rows.size(),
                                  front.first_name, front.first_unit, front.second_name, front.second_unit);
   for (const ParetoRow& row : front.rows)
     text += fmt::format("  {} {:14.6g} {:14.6g}\n", row.name, row.first, row.second);
+  if (const std::string why = fewer_points(front.rows.size(), asked, complete); !why.empty())
+    text += "points       " + why + "\n";
   return text + fmt::format(
                     "written      {}: report.html front.csv, and all files of a design in a folder a point\n",
                     printable(folder));
@@ -198,10 +209,12 @@ int run(const Session& session, const ParetoArguments& arguments) {
   if (const auto written = put_in_place(*files, arguments.folder); !written)
     return fail(session, cannot_write, written.error());
   nlohmann::ordered_json object{{"points", front->size()},
+                                {"asked", arguments.points},
                                 {"folder", arguments.folder},
                                 {"complete", complete},
                                 {"left_out", files->left_out}};
-  print(session.json ? json_text(object) : summary_text(files->chart, complete, arguments.folder));
+  print(session.json ? json_text(object)
+                     : summary_text(files->chart, arguments.points, complete, arguments.folder));
   for (const std::string& sentence : files->left_out) say(sentence);
   return stopping.interrupted() ? interrupted : done;
 }

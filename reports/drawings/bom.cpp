@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/drawings/blank.hpp"
 #include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/tool_words.hpp"
+#include "specs/text/printable.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -27,9 +31,22 @@ double length_between(const LinkLengths& lengths, Link link) {
   return std::max({lengths.BC, lengths.BY, lengths.CY});
 }
 
-std::string use_of(const CopyingLinkage& linkage, Joint joint) {
-  if (joint == linkage.pole_joint()) return "fixed in the table";
-  return joint == linkage.tracer_joint() ? "follows the original" : "draws the copy";
+/// "draws the copy with a cutter of 6 mm, carries router".
+std::string use_of(const Design& design, Joint joint) {
+  if (joint == design.linkage.pole_joint()) return "fixed in the table";
+  const bool is_tracer = joint == design.linkage.tracer_joint();
+  std::string text = is_tracer ? "follows the original" : "draws the copy";
+  const std::optional<double> radius = !design.tool ? std::nullopt
+                                       : is_tracer  ? design.tool->follower_radius
+                                                    : design.tool->cutter_radius;
+  if (radius && *radius > 0)
+    text += fmt::format(" with a {} of {:.6g} mm", is_tracer ? "follower" : "cutter", 2 * *radius);
+  for (std::size_t i = 0; i < design.bodies.size(); ++i)
+    if (joint_of(design.bodies[i].at, design.linkage) == joint)
+      text += ", carries " + printable(body_name(design.bodies, i));
+  if (const std::string offset = template_words(design.tool); is_tracer && !offset.empty())
+    text += "; " + offset;
+  return text;
 }
 
 class Bill {
@@ -57,8 +74,7 @@ class Bill {
                       .thickness = style_.thickness,
                       .blank_length = blank.length,
                       .blank_width = blank.width,
-                      .remark = fmt::format("{}, layer {}, see its drawing", form_of(design_, link),
-                                            design_.layers[link])});
+                      .remark = fmt::format("{}, layer {}", form_of(design_, link), design_.layers[link])});
   }
 
   void add_strip() {
@@ -66,14 +82,13 @@ class Bill {
     std::string cuts;
     for (const Strip::Piece& piece : strip.pieces)
       cuts += fmt::format("{}{} {:.2f}", cuts.empty() ? "" : ", ", name(piece.link), piece.length);
-    items_.push_back({.item = "strip",
-                      .name = fmt::format("strip {} x {}", strip.width, strip.thickness),
-                      .length = strip.length,
-                      .width = strip.width,
-                      .thickness = strip.thickness,
-                      .remark = "sawn into " + cuts +
-                                (design_.cutting.kerf > 0 ? "; a kerf for each is counted"
-                                                          : "; the saw's kerf comes on top")});
+    items_.push_back(
+        {.item = "strip",
+         .name = fmt::format("strip {} x {}", strip.width, strip.thickness),
+         .length = strip.length,
+         .width = strip.width,
+         .thickness = strip.thickness,
+         .remark = "sawn into " + cuts + (design_.cutting.kerf > 0 ? "; kerf counted" : "; kerf on top")});
   }
 
   void add_stack(const JointStack& stack) {
@@ -81,10 +96,9 @@ class Bill {
                       .name = stack.name,
                       .diameter = stack.diameter,
                       .length = stack.grip() + (stack.is_post ? raised_ : 0),
-                      .remark = stack.is_post
-                                    ? fmt::format("through {} down to the table, {}", links_of(stack),
-                                                  use_of(design_.linkage, stack.joint))
-                                    : "joins " + links_of(stack) + made_of(stack)});
+                      .remark = stack.is_post ? fmt::format("through {} down to the table, {}",
+                                                            links_of(stack), use_of(design_, stack.joint))
+                                              : "joins " + links_of(stack) + made_of(stack)});
     for (const StackItem& item : stack.items)
       if (item.kind == StackItem::Kind::spacer) add_spacer(stack, item);
     if (stack.is_post && stack.lowest == 1 && raised_ > 0)
@@ -152,13 +166,9 @@ class Bill {
   template <class Buy>
   void add_seats(const Hardware& hardware, int links, const Buy& buy) const {
     if (hardware.kind == HardwareKind::bearing)
-      buy("bearing",
-          fmt::format("bearing {} {} x {} x {}", hardware.name.substr(0, hardware.name.find(' ')),
-                      hardware.pin, hardware.seat, hardware.seat_width),
-          links, hardware.seat, hardware.seat_width);
+      buy("bearing", seat_name(hardware), links, hardware.seat, hardware.seat_width);
     if (hardware.kind == HardwareKind::bush)
-      buy("bush", fmt::format("bush ISO 3547 {} x {}", hardware.pin, hardware.seat), links, hardware.seat,
-          style_.thickness);
+      buy("bush", seat_name(hardware), links, hardware.seat, style_.thickness);
   }
 
   std::string remark_on(const Hardware& hardware) const {
@@ -190,9 +200,7 @@ class Bill {
   /// What a spacer as wide as a link must heed: contact is certified for pins and posts alone.
   std::string narrower() const {
     if (style_.width <= style_.pin_diameter + 2 * design_.quality.clearance_min) return "";
-    return fmt::format(
-        "; clearance is certified for {} mm diameter: turn the spacer down where something passes",
-        style_.pin_diameter);
+    return fmt::format("; turn it down to {} mm where something passes", style_.pin_diameter);
   }
 
   const Design& design_;
@@ -201,8 +209,18 @@ class Bill {
   double raised_ = 0;  ///< mm
 };
 
-/// Twelve digits: sums of heights carry no dust of rounding.
-std::string cell(double value) { return value == 0 ? "" : fmt::format("{:.12g}", value); }
+/// Always in quotation marks. A remark begins with words of this program; names from outside may be in it.
+std::string quoted(const std::string& text) {
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+/// To a thousandth, or six digits of what is smaller than that tells: parts are bought and sawn by it, and made by their drawings.
+std::string cell(double value) {
+  if (value == 0) return "";
+  return value < 1 ? fmt::format("{:.6g}", value) : fmt::format("{}", std::round(value * 1e3) / 1e3);
+}
 
 }  // namespace
 
@@ -213,9 +231,9 @@ std::string bom_csv(const Design& design) {
       "item,name,quantity,diameter_mm,length_mm,width_mm,thickness_mm,blank_length_mm,blank_width_mm,"
       "remark\n";
   for (const BomItem& item : bill_of_materials(design))
-    text += fmt::format("{},{},{},{},{},{},{},{},{},\"{}\"\n", item.item, item.name, item.quantity,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", item.item, item.name, item.quantity,
                         cell(item.diameter), cell(item.length), cell(item.width), cell(item.thickness),
-                        cell(item.blank_length), cell(item.blank_width), item.remark);
+                        cell(item.blank_length), cell(item.blank_width), quoted(item.remark));
   return text;
 }
 

@@ -130,11 +130,6 @@ Drawing assembly_mode(const Design& design) {
   return drawing;
 }
 
-std::string complex_text(Complex value) {
-  return fmt::format("{} {} {}i", figure(value.real()), value.imag() < 0 ? "-" : "+",
-                     figure(std::abs(value.imag())));
-}
-
 std::string stack_text(const LayerAssignment& layers) {
   std::string text;
   for (int layer = 1; layer <= layers.highest(); ++layer) {
@@ -167,12 +162,11 @@ void add_figures(Block& block, const Design& design, const CuttingSpec& cutting)
   block.row(drawing_title(design), 5);
   if (!design.title.empty()) block.row(copy_text(design));
   block.gap();
-  block.row("k = " + complex_text(linkage.k()) + ", shape s = " + complex_text(linkage.shape()));
   block.row(fmt::format("Pole {} at ({}, {}), tracer {}, pen {}", letter(linkage.pole_joint()),
                         figure(linkage.pole().x()), figure(linkage.pole().y()),
                         letter(linkage.tracer_joint()), letter(linkage.pen_joint())));
   block.row(design.opening.empty() ? "No opening keeps the transmission angle and the clearance asked for"
-                                   : fmt::format("Opening d = arg q - arg p kept within {} .. {} deg",
+                                   : fmt::format("Angle from bar VA to bar VB kept within {} .. {} deg",
                                                  figure(stated_degrees(design.opening.lower)),
                                                  figure(stated_degrees(design.opening.upper))));
   block.row("Layers from the table up: " + stack_text(design.layers));

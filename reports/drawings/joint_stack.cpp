@@ -91,7 +91,12 @@ class Fastening {
     add_nut(thread, end + thread.washer_height);
     stack_.fastener =
         Fastener{fmt::format("shoulder screw ISO 7379 {} x {} {}", hardware_.pin, *length, thread.name),
-                 *length, stack_.from, end, play};
+                 *length,
+                 stack_.from,
+                 end,
+                 play,
+                 thread.diameter,
+                 hardware_.thread_length};
   }
 
   void by_pin() {
@@ -127,50 +132,6 @@ class Fastening {
   JointStack& stack_;
 };
 
-bool stands_out(const StackItem& item) {
-  return item.kind != StackItem::Kind::link && item.kind != StackItem::Kind::spacer;
-}
-
-/// How far a stack's head, washers or nut reach from its axis in heights that an item of another shares, and that item.
-std::optional<std::string> meeting(const Design& design, const JointStack& one, const JointStack& other) {
-  const double apart = least_distance(design, one.joint, other.joint);
-  const auto sentence = [&](const StackItem& item, const std::string& what, double needed) {
-    return fmt::format("{} and {} come within {:.2f} mm of each other: {} of {} mm and {} need {:.2f} mm",
-                       one.name, other.name, apart, item.name, item.diameter, what, needed);
-  };
-  for (const StackItem& item : one.items) {
-    if (!stands_out(item)) continue;
-    if (other.is_post && item.from < other.to) {
-      const double needed = 0.5 * (item.diameter + other.diameter);
-      if (apart < needed) return sentence(item, "the post", needed);
-    }
-    for (const StackItem& beside : other.items) {
-      const double needed = 0.5 * (item.diameter + beside.diameter);
-      if (stands_out(beside) && item.from < beside.to && beside.from < item.to && apart < needed)
-        return sentence(item, beside.name, needed);
-    }
-  }
-  return std::nullopt;
-}
-
-/// "the nut of pin A stands in layer 3, where BCY lies".
-void tell_links_beside(const Design& design, const JointStack& stack, std::vector<std::string>& faults) {
-  const double thickness = design.style.thickness;
-  for (const StackItem& item : stack.items) {
-    if (!stands_out(item)) continue;
-    for (const Link link : all_links) {
-      const double top = design.layers[link] * thickness;
-      const bool is_nut =
-          item.kind == StackItem::Kind::nut && stack.fastener;  // the screw's end stands out of it
-      const double end = is_nut ? std::max(item.to, stack.fastener->to) : item.to;
-      if (item.from >= top || end <= top - thickness) continue;
-      faults.push_back(
-          fmt::format("{}: {} stands in layer {}, where link {} lies; contact is not certified there",
-                      stack.name, item.name, design.layers[link], name(link)));
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<JointStack> joint_stacks(const Design& design) {
@@ -185,43 +146,20 @@ std::vector<JointStack> joint_stacks(const Design& design) {
   return stacks;
 }
 
+std::string seat_name(const Hardware& hardware) {
+  if (hardware.kind == HardwareKind::bearing)
+    return fmt::format("bearing {} {} x {} x {}", hardware.name.substr(0, hardware.name.find(' ')),
+                       hardware.pin, hardware.seat, hardware.seat_width);
+  if (hardware.kind == HardwareKind::bush)
+    return fmt::format("bush ISO 3547 {} x {}", hardware.pin, hardware.seat);
+  return "";
+}
+
 double raised_by(const std::vector<JointStack>& stacks) {
   double lowest = 0;
   for (const JointStack& stack : stacks)
     for (const StackItem& item : stack.items) lowest = std::min(lowest, item.from);
   return -lowest;
-}
-
-double least_distance(const Design& design, Joint one, Joint other) {
-  const Complex s = design.linkage.shape();
-  const auto from = linkage_point(one, s), to = linkage_point(other, s);
-  const Complex along_p = design.linkage.VA() * (to.of_p - from.of_p),
-                along_q = design.linkage.VB() * (to.of_q - from.of_q);
-  const OpeningInterval openings = openings_to_show(design);
-  const auto at = [&](double opening) { return std::abs(along_p + along_q * std::polar(1.0, opening)); };
-  // |u + v e^id| falls until v e^id points against u and grows from there.
-  const double opposite = std::arg(-along_p * std::conj(along_q));
-  double least = std::min(at(openings.lower), at(openings.upper));
-  for (const double turn : {opposite - 2 * pi, opposite, opposite + 2 * pi})
-    if (openings.lower < turn && turn < openings.upper) least = std::min(least, at(turn));
-  return least;
-}
-
-std::vector<std::string> hardware_faults(const Design& design) {
-  std::vector<std::string> faults;
-  if (design.hardware.none()) return faults;
-  const auto stacks = joint_stacks(design);
-  for (std::size_t i = 0; i < stacks.size(); ++i) {
-    if (stacks[i].is_post) continue;
-    const std::string& hardware = design.hardware[stacks[i].joint];
-    if (!stacks[i].fastener && !hardware.empty())
-      faults.push_back(
-          fmt::format("{}: no \"{}\" is made that grips {} mm", stacks[i].name, hardware, stacks[i].grip()));
-    tell_links_beside(design, stacks[i], faults);
-    for (std::size_t j = i + 1; j < stacks.size(); ++j)
-      if (auto fault = meeting(design, stacks[i], stacks[j])) faults.push_back(std::move(*fault));
-  }
-  return faults;
 }
 
 }  // namespace kempe

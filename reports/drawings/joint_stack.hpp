@@ -33,6 +33,10 @@ struct Fastener {
   double length;     ///< mm: under the head; of a shoulder screw its shoulder; of a parallel pin all
   double from, to;   ///< mm, heights of that length
   double play = 0;   ///< mm, along the axis: what shims leave of a shoulder
+  double thread = 0,
+         thread_length =
+             0;  ///< mm, diameter and length of what goes on above `to`: the thread of a shoulder screw
+  double end() const { return to + thread_length; }
 };
 
 /// A pin (A, B, C: it joins two links) or a post (pole, tracer, pen: it also reaches down to the table).
@@ -55,16 +59,11 @@ struct JointStack {
 /// between two links. Where the design names a pin's hardware, it has its screws, washers and nuts: heads below, nuts above.
 std::vector<JointStack> joint_stacks(const Design& design);
 
+/// What is pressed into every link at a joint made so: "bearing 608 8 x 22 x 7", "bush ISO 3547 8 x 10"; empty: nothing.
+std::string seat_name(const Hardware& hardware);
+
 /// How far layer 1 must stand above the table, mm, so that the heads under it have room: the posts are longer and have spacers
 /// of so much under their lowest link. 0 where nothing hangs under layer 1.
 double raised_by(const std::vector<JointStack>& stacks);
-
-/// What the hardware of a design does that contact is not certified for, and lengths that nobody makes; a sentence each. Exact
-/// over the certified opening: heads and nuts against each other, and against posts; heads and nuts in layers where other links lie
-/// are named.
-std::vector<std::string> hardware_faults(const Design& design);
-
-/// The least distance of two joints over the certified opening, mm.
-double least_distance(const Design& design, Joint one, Joint other);
 
 }  // namespace kempe

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/hardware_faults.hpp"
 #include "specs/hardware.hpp"
 
 namespace kempe {

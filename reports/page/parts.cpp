@@ -7,6 +7,7 @@
 #include "reports/drawings/blank.hpp"
 #include "reports/drawings/bom.hpp"
 #include "reports/drawings/making_notes.hpp"
+#include "reports/drawings/tool_words.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
@@ -183,6 +184,7 @@ std::string hardware(const Design& design) {
 
 std::string notes(const Design& design) {
   std::string html;
+  for (const std::string& words : tool_words(design.tool)) html += "<li>" + html_escaped(words) + "</li>";
   for (const std::string& note : making_notes(design)) html += "<li>" + html_escaped(note) + "</li>";
   return html.empty() ? html : "<ul class=\"note\">" + html + "</ul>\n";
 }

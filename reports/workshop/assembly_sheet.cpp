@@ -7,15 +7,13 @@
 #include "reports/drawings/drawing.hpp"
 #include "reports/drawings/joint_stack.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
-#include "reports/pictures/picture_labels.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
+#include "reports/workshop/words.hpp"
 #include "specs/hardware.hpp"
 
 namespace kempe::workshop {
 namespace {
-
-constexpr double label_unit = 0.5;  ///< mm, in which words are moved away from what they name
 
 /// A part that a balloon points at, on the sheet.
 struct Pointed {
@@ -152,8 +150,9 @@ void draw_balloons(Sheet& sheet, std::vector<Pointed> parts, const Box& drawn, c
 }
 
 /// Letters of the joints and what they carry, clear of edges and of leaders.
-void draw_letters(Sheet& sheet, const Assembly& assembly, LabelPlacer& labels) {
+void draw_letters(const Assembly& assembly, Words& words) {
   const Design& design = assembly.task.design;
+  LabelPlacer& labels = words.placer();
   for (const Link link : all_links) {
     const ArcPolygon outline{outline_of(assembly, link), {}};
     const Ring ring = flattened(outline, 0.3, Flatten::grows).outer;
@@ -170,10 +169,7 @@ void draw_letters(Sheet& sheet, const Assembly& assembly, LabelPlacer& labels) {
     const std::string_view task = role(design.linkage, joint);
     const std::string text = std::string(1, letter(joint)) + (task.empty() ? "" : " ") + std::string(task);
     const Point at = assembly.view.at(assembly.pose[joint]);
-    const double width = assembly.task.lettering(text, heading_height);
-    const Point place =
-        labels.place_around(at, radius, Point(0.5 * width, 0.5 * heading_height), at - middle);
-    sheet.text(text, place - Point(0, 0.5 * heading_height), heading_height, Align::middle);
+    words.write(text, at, radius, heading_height, at - middle);
   }
 }
 
@@ -204,10 +200,10 @@ Sheet assembly_sheet(const Task& task) {
       task, pose, {scale, 0.5 * (field.lower + field.upper) - scale * 0.5 * (box.lower + box.upper)}};
   draw_links(sheet, assembly);
   draw_joints(sheet, assembly);
-  LabelPlacer labels({0.5 * (field.lower + field.upper), 0.5 * (field.upper - field.lower)}, label_unit);
+  Words words(sheet, task.lettering, field);
   const Box drawn{assembly.view.at(box.lower), assembly.view.at(box.upper)};
-  draw_balloons(sheet, pointed_parts(assembly), drawn, field, labels);
-  draw_letters(sheet, assembly, labels);
+  draw_balloons(sheet, pointed_parts(assembly), drawn, field, words.placer());
+  draw_letters(assembly, words);
   if (scale == 1 && drawn.lower.y() - 14 > field.lower.y() + ruler_room) draw_ruler(sheet);
   return sheet;
 }

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <variant>
 
-#include "geometry/edge_tree.hpp"
 #include "reports/drawings/design_drawing.hpp"
-#include "reports/pictures/picture_labels.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
 #include "reports/workshop/table.hpp"
+#include "reports/workshop/words.hpp"
 #include "specs/hardware.hpp"
+#include "workspace/obstacle_names.hpp"
 #include "workspace/obstructions.hpp"
 
 namespace kempe::workshop {
@@ -31,16 +31,21 @@ void include(Box& box, const Region& region) {
   box.upper = box.upper.cwiseMax(other.upper);
 }
 
+struct NamedRegion {
+  std::string name;
+  Region region;
+};
+
 /// Bodies where the drawn mechanism carries them.
-std::vector<Region> bodies_of(const Design& design) {
-  std::vector<Region> outlines;
+std::vector<NamedRegion> bodies_of(const Design& design) {
+  std::vector<NamedRegion> outlines;
   const Pose pose = assembly_pose(design);
-  for (const Body& body : design.bodies) {
-    const std::variant<Disc, Polygon> shape = placed(body, design.linkage, pose);
-    if (const auto* disc = std::get_if<Disc>(&shape))
-      outlines.push_back(Region::circle(disc->centre, disc->radius));
-    else
-      outlines.push_back(Region{{std::get<Polygon>(shape)}});
+  for (std::size_t i = 0; i < design.bodies.size(); ++i) {
+    const std::variant<Disc, Polygon> shape = placed(design.bodies[i], design.linkage, pose);
+    const auto* disc = std::get_if<Disc>(&shape);
+    outlines.push_back({body_name(design.bodies, i), disc != nullptr
+                                                         ? Region::circle(disc->centre, disc->radius)
+                                                         : Region{{std::get<Polygon>(shape)}}});
   }
   return outlines;
 }
@@ -56,7 +61,7 @@ Box edges_of(const Design& design, const Region& copy) {
   for (const Link link : all_links)
     include(box, flattened(ArcRegion{link_outline(link, pose, design.style)}, 0.1, Flatten::grows));
   for (const Obstacle& obstacle : design.obstacles) include(box, Region{{obstacle.shape}});
-  for (const Region& body : bodies_of(design)) include(box, body);
+  for (const NamedRegion& body : bodies_of(design)) include(box, body.region);
   return box;
 }
 
@@ -71,11 +76,8 @@ std::vector<Mark> marks_of(const Design& design, const Region& copy) {
   };
   corners("original", design.region);
   corners("copy", copy);
-  constexpr std::size_t most = 6;  // rows that the sheet has room for
-  for (std::size_t i = 0; i < std::min(most, design.obstacles.size()); ++i) {
-    const Obstacle& obstacle = design.obstacles[i];
-    corners(obstacle.name.empty() ? "obstacle" : obstacle.name, Region{{obstacle.shape}});
-  }
+  for (std::size_t i = 0; i < design.obstacles.size(); ++i)
+    corners(obstacle_name(design.obstacles, i), Region{{design.obstacles[i].shape}});
   return marks;
 }
 
@@ -92,88 +94,12 @@ void draw_region(Sheet& sheet, const View& view, const Region& region, Pen pen, 
   }
 }
 
-Region on_paper_of(const View& view, Region region) {
-  const auto put = [&](Ring& ring) {
-    for (Point& point : ring) point = view.at(point);
-  };
-  for (Polygon& polygon : region.polygons) {
-    put(polygon.outer);
-    for (Ring& hole : polygon.holes) put(hole);
-  }
-  return region;
-}
-
-/// Keeps labels clear of a region's edges, as far as few edges can say it.
-void avoid_edges(LabelPlacer& labels, const View& view, const Region& region) {
-  constexpr double detail = 2;  // mm on paper
-  for (const Polygon& polygon : region.polygons) {
-    const Ring ring = thinned(polygon.outer, detail / view.scale);
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      labels.avoid(view.at(ring[i]), view.at(ring[(i + 1) % ring.size()]), 0.3);
-  }
-}
-
 constexpr double cross_half = 1.5;  ///< mm, of a mark
 
 void draw_cross(Sheet& sheet, const Point& at) {
   sheet.line(at - Point(cross_half, cross_half), at + Point(cross_half, cross_half), Pen::thin);
   sheet.line(at - Point(cross_half, -cross_half), at + Point(cross_half, -cross_half), Pen::thin);
 }
-
-/// A word where it is clear of all that was placed before.
-class Words {
- public:
-  Words(Sheet& sheet, const Lettering& lettering, const Box& field)
-      : sheet_(sheet), lettering_(lettering),
-        placer_({0.5 * (field.lower + field.upper), 0.5 * (field.upper - field.lower)}, 0.3) {}
-
-  LabelPlacer& placer() { return placer_; }
-  void write(const std::string& text, const Point& anchor, double radius, double height) {
-    const Point half = Point(0.5 * lettering_(text, height), 0.5 * height);
-    const Point room = half + Point(0.2, 0.2);
-    std::vector<PictureBox> near;
-    for (const double away : {0.5, 1.0, 1.7, 2.5, 3.5, 5.0})
-      for (const int turn : {1, 7, 3, 5, 0, 2, 4, 6}) {  // of a circle's eighths; corners first
-        const Point direction = as_point(std::polar(1.0, turn * pi / 4));
-        near.push_back(
-            {anchor + (radius + away) * direction + room.cwiseProduct(direction.cwiseSign()), room});
-      }
-    constexpr double apart = 0.25;  // mm, from any line
-    const auto clear = placer_.place_if_apart(near, apart);
-    const Point place = clear ? *clear : placer_.place_around(anchor, radius, room, Point(1, 1));
-    sheet_.text(text, place - Point(0, half.y()), height, Align::middle);
-  }
-
-  /// In a region, given on paper, where it is clear there, nearest to its middle; else beside it.
-  void write_in(const std::string& text, const Region& region, double height) {
-    const Point half(0.5 * lettering_(text, height), 0.5 * height);
-    const Box box = bounding_box(region);
-    const Point middle = 0.5 * (box.lower + box.upper);
-    const EdgeTree edges(region, Point::Zero());
-    constexpr int steps = 24;  // each way
-    std::vector<PictureBox> places;
-    for (int i = 1; i < steps; ++i)
-      for (int j = 1; j < steps; ++j) {
-        const Point share(static_cast<double>(i) / steps, static_cast<double>(j) / steps);
-        const Point at = box.lower + share.cwiseProduct(box.upper - box.lower);
-        if (edges.winds_around(at)) places.push_back({at, half + Point(0.4, 0.8)});
-      }
-    std::stable_sort(places.begin(), places.end(), [&](const PictureBox& a, const PictureBox& b) {
-      return (a.centre - middle).norm() < (b.centre - middle).norm();
-    });
-    constexpr double apart = 0.2;  // mm, from any line
-    const auto clear = placer_.place_if_apart(places, apart);
-    const Point place =
-        clear ? *clear
-              : placer_.place_beside({middle, 0.5 * (box.upper - box.lower)}, half + Point(0.4, 0.8));
-    sheet_.text(text, place - Point(0, half.y()), height, Align::middle);
-  }
-
- private:
-  Sheet& sheet_;
-  const Lettering& lettering_;
-  LabelPlacer placer_;
-};
 
 void draw_mechanism(Sheet& sheet, const Design& design, const View& view) {
   const Pose pose = assembly_pose(design);
@@ -198,63 +124,108 @@ Table places_table(const std::vector<Mark>& marks, const Box& edges) {
   return table;
 }
 
-}  // namespace
+/// How the plan and its table share the paper.
+struct BenchLayout {
+  Orientation orientation = Orientation::portrait;
+  bool table_below = true;  ///< else it has sheets of its own
+  Box field{};              ///< of the plan, mm on paper
+  double scale = 0;
+};
 
-Sheet bench_sheet(const Task& task) {
-  const Design& design = task.design;
-  const Region copy = similar_image(design.region, design.linkage.k(), design.linkage.pole());
-  const Box edges = edges_of(design, copy);
-  const auto marks = marks_of(design, copy);
-  const Table table = places_table(marks, edges);
-  const Point size = sheet_size(task.paper, Orientation::portrait);
-  Box field = room_of(size);
-  field.lower.y() += table.height(task.lettering) + 4;
-  const Point extent = edges.upper - edges.lower;
-  const Point beside(22, 20);  // for dimensions
-  const double scale = fitting_scale(extent, field.upper - field.lower - 2 * beside);
-  Sheet sheet{size, {"Bench plan, seen from above", "-", scale_text(scale)}};
-  const View view{scale, 0.5 * (field.lower + field.upper) - 0.5 * scale * (edges.lower + edges.upper)};
-  const Box on_paper{view.at(edges.lower), view.at(edges.upper)};
+constexpr double above_places = 4;  ///< mm, of plan and table
+
+/// The largest scale of those that fit; the table stands below the plan unless a sheet of its own makes the plan larger.
+BenchLayout bench_layout(const Task& task, const Point& extent, const Table& table) {
+  const Point before(16, 16), behind(12, 12);  // for dimensions, mm
+  BenchLayout best;
+  for (const bool table_below : {true, false})
+    for (const Orientation orientation : {Orientation::portrait, Orientation::landscape}) {
+      Box field = room_of(sheet_size(task.paper, orientation));
+      if (table_below) field.lower.y() += table.height(task.lettering) + above_places;
+      field.lower += before;
+      field.upper -= behind;
+      const Point room = field.upper - field.lower;
+      if (!(room.y() > 0)) continue;
+      const double scale = fitting_scale(extent, room);
+      if (scale > best.scale) best = {orientation, table_below, field, scale};
+    }
+  return best;
+}
+
+/// All that the plan shows.
+struct Plan {
+  const Task& task;
+  Region copy;
+  std::vector<NamedRegion> bodies;
+  Box edges;
+  std::vector<Mark> marks;
+  View view;
+  Box on_paper() const { return {view.at(edges.lower), view.at(edges.upper)}; }
+};
+
+void draw_things(Sheet& sheet, const Plan& plan) {
+  const Design& design = plan.task.design;
+  const View& view = plan.view;
   draw_region(sheet, view, design.footprint, Pen::hatch, Fill::shade);
   draw_region(sheet, view, design.region, Pen::outline, Fill::paper);
-  draw_region(sheet, view, copy, Pen::outline, Fill::paper);
+  draw_region(sheet, view, plan.copy, Pen::outline, Fill::paper);
   for (const Obstacle& obstacle : design.obstacles)
     draw_region(sheet, view, Region{{obstacle.shape}}, Pen::phantom);
-  for (const Region& body : bodies_of(design)) draw_region(sheet, view, body, Pen::phantom);
+  for (const NamedRegion& body : plan.bodies) draw_region(sheet, view, body.region, Pen::phantom);
   draw_mechanism(sheet, design, view);
-  sheet.rectangle(on_paper, Pen::outline);
-  Words words(sheet, task.lettering, on_paper);
-  const Region table_edges = Region::rectangle(edges.lower, extent);
-  for (const Region* region : {&design.region, &copy, &design.footprint, &table_edges})
-    avoid_edges(words.placer(), view, *region);
-  for (const Obstacle& obstacle : design.obstacles)
-    avoid_edges(words.placer(), view, Region{{obstacle.shape}});
-  for (const Region& body : bodies_of(design)) avoid_edges(words.placer(), view, body);
+  if (design.table) draw_region(sheet, view, Region{{*design.table}}, Pen::outline);
+  sheet.rectangle(plan.on_paper(), design.table ? Pen::thin : Pen::outline);
+}
+
+/// Words keep clear of every line of the plan.
+void avoid_lines(Words& words, const Plan& plan) {
+  const Design& design = plan.task.design;
+  const View& view = plan.view;
+  const Region frame = Region::rectangle(plan.edges.lower, plan.edges.upper - plan.edges.lower);
+  for (const Region* region : {&design.region, &plan.copy, &design.footprint, &frame})
+    words.avoid_edges(view, *region);
+  if (design.table) words.avoid_edges(view, Region{{*design.table}});
+  for (const Obstacle& obstacle : design.obstacles) words.avoid_edges(view, Region{{obstacle.shape}});
+  for (const NamedRegion& body : plan.bodies) words.avoid_edges(view, body.region);
   const Pose pose = assembly_pose(design);
   for (const Link link : all_links)
-    avoid_edges(words.placer(), view,
-                flattened(ArcRegion{link_outline(link, pose, design.style)}, 0.1, Flatten::grows));
-  const Point pole = view.at(design.linkage.pole());
-  words.placer().avoid({on_paper.lower.x(), pole.y()}, pole, 0.3);
-  words.placer().avoid({pole.x(), on_paper.lower.y()}, pole, 0.3);
-  for (const Mark& mark : marks)
-    words.placer().avoid(PictureBox{view.at(mark.at), Point(cross_half, cross_half)});
-  // Names first: numbers find room beside their crosses, names only where the regions have it.
-  const auto name_region = [&](const std::string& text, const Region& region) {
-    if (!region.empty()) words.write_in(text, on_paper_of(view, region), text_height);
-  };
-  name_region("original", design.region);
-  name_region("copy", copy);
-  int number = 0;
-  for (const Mark& mark : marks) {
-    draw_cross(sheet, view.at(mark.at));
-    words.write(fmt::format("{}", ++number), view.at(mark.at), cross_half, heading_height);
+    words.avoid_edges(view,
+                      flattened(ArcRegion{link_outline(link, pose, design.style)}, 0.1, Flatten::grows));
+  const Point pole = view.at(design.linkage.pole()), corner = plan.on_paper().lower;
+  words.placer().avoid({corner.x(), pole.y()}, pole, 0.3);
+  words.placer().avoid({pole.x(), corner.y()}, pole, 0.3);
+  for (const Joint joint : all_joints) {
+    const double radius = 0.5 * pin_at(design.style, design.hardware, joint) * view.scale;
+    words.placer().avoid(PictureBox{view.at(pose[joint]), Point(radius, radius)});
   }
-  const Point from_edges = design.linkage.pole() - edges.lower;
+  for (const Mark& mark : plan.marks)
+    words.placer().avoid(PictureBox{view.at(mark.at), Point(cross_half, cross_half)});
+}
+
+/// Names first, those that may need a leader before those that it must not strike through: numbers find room beside their crosses,
+/// names only where the regions have it.
+void write_words(Sheet& sheet, const Plan& plan) {
+  Words words(sheet, plan.task.lettering, plan.on_paper());
+  avoid_lines(words, plan);
+  for (const NamedRegion& body : plan.bodies) words.write_in(body.name, plan.view, body.region, text_height);
+  words.write_in("original", plan.view, plan.task.design.region, text_height);
+  words.write_in("copy", plan.view, plan.copy, text_height);
+  int number = 0;
+  for (const Mark& mark : plan.marks) {
+    draw_cross(sheet, plan.view.at(mark.at));
+    words.write(fmt::format("{}", ++number), plan.view.at(mark.at), cross_half, heading_height);
+  }
+}
+
+void draw_bench_dimensions(Sheet& sheet, const Plan& plan) {
+  const Lettering& lettering = plan.task.lettering;
+  const Box on_paper = plan.on_paper();
+  const Point place = plan.task.design.linkage.pole(), pole = plan.view.at(place);
+  const Point from_edges = place - plan.edges.lower, extent = plan.edges.upper - plan.edges.lower;
   dimension_along_x(sheet, on_paper.lower, pole, on_paper.lower.y() - dimension_step - 2,
-                    figure(from_edges.x()), task.lettering, true);
+                    figure(from_edges.x()), lettering, true);
   dimension_along_y(sheet, on_paper.lower, pole, on_paper.lower.x() - dimension_step - 2,
-                    figure(from_edges.y()), task.lettering, true);
+                    figure(from_edges.y()), lettering, true);
   // The edges' names stand at the ends that are farther from the pole's dimensions.
   const Point middle = 0.5 * (on_paper.lower + on_paper.upper);
   const bool pole_right = pole.x() > middle.x(), pole_back = pole.y() > middle.y();
@@ -263,11 +234,47 @@ Sheet bench_sheet(const Task& task) {
   sheet.text("left edge", {on_paper.lower.x() - 1.5, pole_back ? on_paper.lower.y() : on_paper.upper.y()},
              text_height, pole_back ? Align::left : Align::right, 0.5 * pi);
   dimension_along_x(sheet, {on_paper.lower.x(), on_paper.upper.y()}, on_paper.upper,
-                    on_paper.upper.y() + dimension_step, figure(extent.x()), task.lettering);
+                    on_paper.upper.y() + dimension_step, figure(extent.x()), lettering);
   dimension_along_y(sheet, {on_paper.upper.x(), on_paper.lower.y()}, on_paper.upper,
-                    on_paper.upper.x() + dimension_step, figure(extent.y()), task.lettering);
-  table.draw(sheet, {field.lower.x(), field.lower.y() - 4}, task.lettering);
-  return sheet;
+                    on_paper.upper.x() + dimension_step, figure(extent.y()), lettering);
+}
+
+/// The table on sheets of its own.
+void append_table(std::vector<Sheet>& sheets, const Task& task, const Table& table) {
+  const Point size = sheet_size(task.paper, Orientation::portrait);
+  const Box room = room_of(size);
+  for (std::size_t row = 0; row < table.rows.size();) {
+    sheets.push_back({size, {"Bench plan, places", "-", "-"}});
+    const std::size_t last = table.fitting_rows(row, room.upper.y() - room.lower.y(), task.lettering);
+    table.draw(sheets.back(), {room.lower.x(), room.upper.y()}, task.lettering, row, last);
+    row = last;
+  }
+}
+
+}  // namespace
+
+std::vector<Sheet> bench_sheets(const Task& task) {
+  const Design& design = task.design;
+  const Region copy = similar_image(design.region, design.linkage.k(), design.linkage.pole());
+  const Box edges = edges_of(design, copy);
+  const auto marks = marks_of(design, copy);
+  const Table table = places_table(marks, edges);
+  const BenchLayout layout = bench_layout(task, edges.upper - edges.lower, table);
+  const View view{layout.scale, 0.5 * (layout.field.lower + layout.field.upper) -
+                                    0.5 * layout.scale * (edges.lower + edges.upper)};
+  const Point size = sheet_size(task.paper, layout.orientation);
+  std::vector<Sheet> sheets{{size, {"Bench plan, seen from above", "-", scale_text(layout.scale)}}};
+  const Plan plan{task, copy, bodies_of(design), edges, marks, view};
+  draw_things(sheets.front(), plan);
+  write_words(sheets.front(), plan);
+  draw_bench_dimensions(sheets.front(), plan);
+  const Box room = room_of(size);
+  if (layout.table_below)
+    table.draw(sheets.front(), {room.lower.x(), room.lower.y() + table.height(task.lettering)},
+               task.lettering);
+  else
+    append_table(sheets, task, table);
+  return sheets;
 }
 
 }  // namespace kempe::workshop

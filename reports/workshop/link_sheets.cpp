@@ -185,12 +185,30 @@ void note_holes(Sheet& sheet, const DrawnLink& link, const View& view, const Let
               centre + 0.5 * last.diameter * view.scale * (at - centre).normalized(), lettering);
 }
 
-void write_notes(Sheet& sheet, const Design& design, const CutPart& part, const Point& top_left) {
-  double y = top_left.y() - heading_height - 0.6;
+/// What the drawing and its tables do not say: the walls beside the holes, and of a bent link where its first hole lies in the blank.
+std::vector<std::string> notes_on(const Design& design, const DrawnLink& link) {
+  const double half = 0.5 * design.style.width;
+  double widest = 0;
+  for (const CutPart::Hole& hole : link.part.holes) widest = std::max(widest, hole.diameter);
+  std::vector<std::string> notes{fmt::format("Ends, corners R{}", figure(half)),
+                                 fmt::format("Thickness {}", figure(link.part.thickness))};
+  if (widest > 0 && widest < 2 * half)
+    notes.push_back(fmt::format("Hole to edge {}", figure(half - 0.5 * widest)));
+  if (is_off(-link.box.lower.y() - half)) {
+    const char datum = letter(link.part.holes.front().joint);
+    notes.push_back(fmt::format("{} from left {}", datum, figure(-link.box.lower.x())));
+    notes.push_back(fmt::format("{} from front {}", datum, figure(-link.box.lower.y())));
+  }
+  notes.insert(notes.end(), {"Seen from above:", "not to be mirrored"});
+  return notes;
+}
+
+constexpr double notes_head = heading_height + 0.6;  ///< mm, above the first line
+
+void write_notes(Sheet& sheet, const std::vector<std::string>& notes, const Point& top_left) {
+  double y = top_left.y() - notes_head;
   sheet.text("Notes", {top_left.x(), y}, heading_height);
-  for (const std::string& line : {fmt::format("Ends, corners R{}", figure(0.5 * design.style.width)),
-                                  fmt::format("Thickness {}", figure(part.thickness)),
-                                  std::string("Seen from above:"), std::string("not to be mirrored")})
+  for (const std::string& line : notes)
     sheet.text(line, {top_left.x(), y -= line_pitch * text_height}, text_height);
 }
 
@@ -200,8 +218,10 @@ std::string link_title(const Task& task, const CutPart& part) {
 
 struct Tables {
   Table holes, distances;
+  std::vector<std::string> notes;
   double height(const Lettering& lettering) const {
-    return std::max(holes.height(lettering), distances.height(lettering));
+    const double lines = line_pitch * text_height * static_cast<double>(notes.size());
+    return std::max({holes.height(lettering), distances.height(lettering), notes_head + lines});
   }
 };
 
@@ -244,7 +264,7 @@ Sheet dimensioned(const Task& task, const DrawnLink& link, const Tables& tables,
   tables.holes.draw(sheet, top_left, task.lettering);
   const Point second = top_left + Point(tables.holes.width() + between_tables, 0);
   tables.distances.draw(sheet, second, task.lettering);
-  write_notes(sheet, task.design, link.part, second + Point(tables.distances.width() + between_tables, 0));
+  write_notes(sheet, tables.notes, second + Point(tables.distances.width() + between_tables, 0));
   if (layout.scale == 1) draw_ruler(sheet);
   return sheet;
 }
@@ -253,7 +273,7 @@ Sheet dimensioned(const Task& task, const DrawnLink& link, const Tables& tables,
 
 std::vector<Sheet> link_sheets(const Task& task, Link link) {
   const DrawnLink drawn = drawn_link(task, link);
-  const Tables tables{hole_table(drawn.part), distance_table(drawn.part)};
+  const Tables tables{hole_table(drawn.part), distance_table(drawn.part), notes_on(task.design, drawn)};
   const Layout standing = layout_of(task, drawn, tables, Orientation::portrait);
   const Layout lying = layout_of(task, drawn, tables, Orientation::landscape);
   const Layout& layout = lying.scale > standing.scale ? lying : standing;

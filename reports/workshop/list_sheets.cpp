@@ -22,6 +22,7 @@ std::string size_of(const BomItem& item) {
     times(item.length);
     return text + fmt::format(", bore \u00d8{}", figure(item.diameter));
   }
+  if (item.item == "nut" || (item.item == "washer" && item.length > 0)) return figure(item.length) + " high";
   times(item.diameter, "\u00d8");
   times(item.blank_length > 0 ? item.blank_length : item.length);
   times(item.blank_width > 0 ? item.blank_width : item.width);
@@ -33,8 +34,8 @@ Table parts_list(const Task& task, double width) {
   Table table{"Parts list",
               {{"Item", 12, Align::middle},
                {"Qty", 10, Align::middle},
-               {"Part", 33},
-               {"Size, mm", 43},
+               {"Part", 37},
+               {"Size, mm", 39},
                {"Remark", width - 98}}};
   int number = 0;
   for (const BomItem& item : task.bill)

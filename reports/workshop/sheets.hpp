@@ -38,7 +38,7 @@ std::vector<Sheet> list_sheets(const Task& task);
 Sheet stack_sheet(const Task& task);
 /// A link with its dimensions and its table of holes, at 1:1 if the paper takes it; else smaller, and tiles at 1:1 follow.
 std::vector<Sheet> link_sheets(const Task& task, Link link);
-/// Where pole, region and copy lie on the table.
-Sheet bench_sheet(const Task& task);
+/// Where pole, region, copy and obstacles lie on the table: the plan, and the table of places below it or on sheets that follow.
+std::vector<Sheet> bench_sheets(const Task& task);
 
 }  // namespace kempe::workshop

@@ -8,6 +8,7 @@
 #include "reports/drawings/joint_stack.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
+#include "specs/hardware.hpp"
 
 namespace kempe::workshop {
 namespace {
@@ -58,12 +59,32 @@ class Section {
   /// Two halves beside the pin, hatched to one side or the other as the layer is odd or even.
   void draw_link(const StackItem& item) {
     const double full = 0.5 * item.diameter * scale_, outer = std::min(full, widest);
+    const Hardware* hardware = hardware_named(task_.design.hardware[stack_.joint]);
+    const double seat = hardware != nullptr ? std::min(0.5 * hardware->seat * scale_, outer) : 0;
     for (const bool left : {true, false}) {
-      const Box box = half_box(item.from, item.to, pin_, outer, left);
+      const Box box = half_box(item.from, item.to, std::max(pin_, seat), outer, left);
       hatch(box, std::lround(item.from / task_.design.style.thickness) % 2 == 0);
       outline_of_half(box, left, full > widest);
     }
     label(item);
+    if (seat > 0) draw_seat(*hardware, item, seat);
+  }
+
+  /// The bearing or bush in a link's hole, in the middle of its thickness; a bearing crossed as ISO 8826 shows it. Labelled once a
+  /// joint.
+  void draw_seat(const Hardware& hardware, const StackItem& link, double outer) {
+    const double width = hardware.seat_width > 0 ? hardware.seat_width : link.to - link.from;
+    const double middle = 0.5 * (link.from + link.to);
+    for (const bool left : {true, false}) {
+      const Box box = half_box(middle - 0.5 * width, middle + 0.5 * width, pin_, outer, left);
+      sheet_.rectangle(box, Pen::outline, Fill::paper);
+      if (hardware.kind != HardwareKind::bearing) continue;
+      sheet_.line(box.lower, box.upper, Pen::thin);
+      sheet_.line({box.lower.x(), box.upper.y()}, {box.upper.x(), box.lower.y()}, Pen::thin);
+    }
+    if (link.name != name(stack_.links.front())) return;
+    const std::string text = seat_name(hardware);
+    labels_.push_back({fmt::format("{}  {}", item_number(task_.bill, text), text), y(middle), outer});
   }
 
   /// The broken edge of a half is a thin zigzag.
@@ -94,12 +115,17 @@ class Section {
     sheet_.marks.emplace_back(ClipEnd{});
   }
 
-  /// A spacer, washer, shim, head or nut.
+  /// A spacer, washer, shim, head or nut; above a shoulder round the thread.
   void draw_ring(const StackItem& item) {
     const double outer = std::min(0.5 * item.diameter * scale_, widest);
-    for (const bool left : {true, false})
-      sheet_.rectangle(half_box(item.from, item.to, pin_, outer, left), Pen::outline, Fill::shade);
     label(item);
+    if (item.kind == StackItem::Kind::head)
+      return sheet_.rectangle({{x_ - outer, y(item.from)}, {x_ + outer, y(item.to)}}, Pen::outline,
+                              Fill::shade);
+    const bool on_thread = stack_.fastener && stack_.fastener->thread > 0 && item.from >= stack_.fastener->to;
+    const double inner = on_thread ? 0.5 * stack_.fastener->thread * scale_ : pin_;
+    for (const bool left : {true, false})
+      sheet_.rectangle(half_box(item.from, item.to, inner, outer, left), Pen::outline, Fill::shade);
   }
 
   /// One over the upper link, one under the lower; where that slides on the table both lie above.
@@ -121,7 +147,11 @@ class Section {
                  to = stack_.fastener ? stack_.fastener->to : stack_.to;
     const double low = stack_.is_post ? table_ - 8 : y(from), high = y(to);
     sheet_.rectangle({{x_ - pin_, low}, {x_ + pin_, high}}, Pen::outline, Fill::paper);
-    if (stack_.fastener) return sheet_.line({x_, low - 3}, {x_, high + 3}, Pen::centre);
+    if (stack_.fastener) {
+      const double end = y(stack_.fastener->end()), thread = 0.5 * stack_.fastener->thread * scale_;
+      if (end > high) sheet_.rectangle({{x_ - thread, high}, {x_ + thread, end}}, Pen::outline, Fill::paper);
+      return sheet_.line({x_, low - 3}, {x_, end + 3}, Pen::centre);
+    }
     const double head = high + (stack_.is_post ? 3 : 2 * washer_height + 3);
     for (const double side : {-pin_, pin_}) sheet_.line({x_ + side, high}, {x_ + side, head}, Pen::phantom);
     sheet_.line({x_, low - 3}, {x_, head + 2}, Pen::centre);
@@ -139,7 +169,7 @@ class Section {
     constexpr double apart = 2 * text_height;
     std::sort(labels_.begin(), labels_.end(),
               [](const SideLabel& a, const SideLabel& b) { return a.height < b.height; });
-    double free_from = table_;
+    double free_from = table_ + 0.5 * text_height + 0.8;  // the table strikes no word through
     for (const SideLabel& one : labels_) {
       const double at = std::max(one.height, free_from);
       const Point on_part(x_ + std::max(0.8 * one.reach, 0.5 * (pin_ + one.reach)), one.height);
@@ -182,22 +212,27 @@ double scale_of(const Task& task, const std::vector<JointStack>& stacks, double 
   double top = task.design.layers.highest() * task.design.style.thickness;
   for (const JointStack& stack : stacks) {
     for (const StackItem& item : stack.items) top = std::max(top, item.to);
-    if (stack.fastener) top = std::max(top, stack.fastener->to);
+    if (stack.fastener) top = std::max(top, stack.fastener->end());
   }
   return fitting_scale(Point(task.design.style.pin_diameter, raised_by(stacks) + top), Point(14, height), 50);
 }
 
 void write_heading(Sheet& sheet, const Task& task, const JointStack& stack, const Point& at) {
-  sheet.text(fmt::format("{}  {}", item_number(task.bill, stack.name), stack.name), at, heading_height);
-  sheet.text(fmt::format("\u00d8{}, grip {}", figure(stack.diameter), figure(stack.grip())),
-             at - Point(0, line_pitch * text_height), text_height);
+  const std::string heading = fmt::format("{}  {}", item_number(task.bill, stack.name), stack.name);
+  const std::string grip = fmt::format("\u00d8{}, grip {}", figure(stack.diameter), figure(stack.grip()));
+  const Point below = at - Point(0, line_pitch * text_height);
+  sheet.text(heading, at, heading_height);
+  if (!stack.fastener) return sheet.text(grip, below, text_height);
+  sheet.text(grip, at + Point(task.lettering(heading, heading_height) + 4, 0), text_height);
+  sheet.text(fmt::format("{}  {}", item_number(task.bill, stack.fastener->name), stack.fastener->name), below,
+             text_height);
 }
 
 }  // namespace
 
 Sheet stack_sheet(const Task& task) {
   constexpr std::size_t columns = 3, rows = 2;
-  constexpr double heading = 13, below_table = 16, left = 30;  // mm
+  constexpr double heading = 12, below_table = 12, above = 4, left = 30;  // mm
   Sheet sheet{sheet_size(task.paper, Orientation::landscape),
               {"Stack at each joint, section", stock_text(task.design), ""}};
   const auto stacks = joint_stacks(task.design);
@@ -205,7 +240,7 @@ Sheet stack_sheet(const Task& task) {
   const double note = 3 * text_height;
   const double row_height = (field.upper.y() - field.lower.y() - note) / rows;
   const double column_width = (field.upper.x() - field.lower.x() - left) / columns;
-  const double scale = scale_of(task, stacks, row_height - heading - below_table - 10);
+  const double scale = scale_of(task, stacks, row_height - heading - below_table - above);
   const double raised = raised_by(stacks);
   sheet.title.scale = scale_text(scale);
   for (std::size_t i = 0; i < stacks.size(); ++i) {

@@ -23,7 +23,7 @@ std::vector<Sheet> all_sheets(const workshop::Task& task) {
   append(list_sheets(task));
   append({stack_sheet(task)});
   for (const Link link : all_links) append(link_sheets(task, link));
-  append({bench_sheet(task)});
+  append(bench_sheets(task));
   return sheets;
 }
 

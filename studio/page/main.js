@@ -281,6 +281,7 @@
 
     /** What would make a design possible, as a button where the change can be written into the spec. */
     changeButton({ key, sentence }) {
+      const pole = /; the pole at \(([-+\d.e]+), ([-+\d.e]+)\) mm would do/.exec(sentence);
       const would = /; ([-+\d.e]+) would do/.exec(sentence), without = /(.*) is in the way; without it/.exec(sentence);
       let text = null, words = sentence;
       if (would && this.data.keys.some(({ table, name }) => `${table}.${name}` === key)) {
@@ -295,11 +296,35 @@
           text = this.doc.withoutTable(`obstacles.${index}`);
           words = `without ${without[1]}`;
         }
+      } else if (pole) {
+        text = this.withPole([Number(pole[1]), Number(pole[2])]);
+        words = `pole at (${pole[1]}, ${pole[2]})`;
+      } else if (key === "table" || key === "bodies") {
+        text = this.withoutAll(key);
+        words = key === "table" ? "without the table's edge" : "without the bodies";
       }
       if (text === null) return make("span", { className: "change", textContent: sentence });
       const button = make("button", { type: "button", textContent: words, title: sentence });
       button.addEventListener("click", () => this.change(text));
       return button;
+    }
+
+    /** The text with the pole at a place, wherever it might stand before; null where the text cannot be changed so. */
+    withPole(place) {
+      try {
+        const doc = new kempe.Doc(new kempe.Doc(this.doc.with("pole.at_mm", place)).without("pole.within_mm"));
+        return doc.has("pole.at_mm") && !doc.has("pole.within_mm") && !doc.has("pole") ? doc.text : null;
+      } catch (error) {
+        return null;
+      }
+    }
+
+    /** The text without a table, or without all tables [[name]]; null where it cannot be changed so. */
+    withoutAll(name) {
+      let doc = this.doc;
+      if (!doc.count(name)) return doc.tables.has(name) ? doc.withoutTable(name) : null;
+      for (let i = doc.count(name) - 1; i >= 0; --i) doc = new kempe.Doc(doc.withoutTable(`${name}.${i}`));
+      return doc.text;
     }
 
     obstacleNamed(words) {

@@ -249,6 +249,15 @@ class Front(Case):
         self.assertEqual(kempe("report", out / points[-1] / "design.json", "-o", again).returncode, 0)
         self.assertEqual((again / "drawing.dxf").read_bytes(), (out / points[-1] / "drawing.dxf").read_bytes())
 
+    def test_a_front_with_fewer_points_than_asked_says_why(self):
+        spec = self.scratch / "grid.toml"
+        spec.write_text(TEN_LINES.replace("[links]", "[links]\ngrid_mm = 20"))
+        run = kempe("pareto", spec, "--between", "size,transmission", "--points", "9", "-o", self.scratch / "few")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        found = len((self.scratch / "few/front.csv").read_text().splitlines()) - 1
+        self.assertLess(found, 9)
+        self.assertIn(f"9 searches gave {found} different designs", run.stdout)
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=1)

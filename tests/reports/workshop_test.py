@@ -43,6 +43,25 @@ def outlined_circles(page, radius):
     return [(x, y) for x, y, r in filter(None, found) if abs(r - radius) < EXACT]
 
 
+def departure(places, link, lengths):
+    """How far stated coordinates of a link's holes lie from those that its lengths give, mm: the latter laid on the former as well as
+    turning about the first hole allows, with either hand; the hand is not of this comparison."""
+    stated = [complex(*places[joint]) - complex(*places[link[0]]) for joint in link]
+    true = [0, lengths[frozenset(link[:2])]]
+    if len(link) == 3:
+        a, b, c = true[1], lengths[frozenset(link[0] + link[2])], lengths[frozenset(link[1:])]
+        along = (a * a + b * b - c * c) / (2 * a)
+        true.append(complex(along, math.sqrt(max(0.0, b * b - along * along))))
+    least = math.inf
+    for hand in (true, [complex(z).conjugate() for z in true]):
+        turn = sum(z * complex(w).conjugate() for z, w in zip(stated, hand))
+        turn /= abs(turn)
+        off = [z - turn * w for z, w in zip(stated, hand)]
+        middle = complex((max(z.real for z in off) + min(z.real for z in off)) / 2, (max(z.imag for z in off) + min(z.imag for z in off)) / 2)
+        least = min(least, max(max(abs((z - middle).real), abs((z - middle).imag)) for z in off))
+    return least
+
+
 def apart(one, other):
     """True if two boxes, turned or not, do not overlap: some side of one separates them."""
     for box in (one, other):
@@ -97,9 +116,7 @@ class Dimensions(Case):
         heading = next(one.text for one in first.texts if one.text.startswith("Holes, from "))
         places = {row[0]: (float(row[1]), float(row[2])) for row in first.table(heading, 78) if len(row) == 4 and row[0] != "Hole"}
         self.assertEqual(places[heading[-1]], (0, 0))
-        for pair in pairs:
-            one, other = (places[joint] for joint in pair)
-            self.assertLessEqual(abs(math.dist(one, other) - lengths[pair]), 2 * EXACT)
+        self.assertLessEqual(departure(places, link, lengths), EXACT)
         # the lines, on every sheet that shows the whole link
         for sheet in sheets:
             scale = drawing_of(sheet)[1]
@@ -140,20 +157,32 @@ class Dimensions(Case):
             self.assertLessEqual(abs(math.hypot(x - u, y - v) - 270), EXACT)
 
 
+def with_hardware(name):
+    """A spec whose links are wide and thick enough for any of it."""
+    text = (EXAMPLES.parent / "templates/sign-router.toml").read_text()
+    return re.sub("width_mm = .*", "width_mm = 40", re.sub("thickness_mm = .*", "thickness_mm = 9", re.sub('hardware = "[^"]*"', f'hardware = "{name}"', text)))
+
+
 class Parts(Case):
     def test_of_the_bill_are_drawn_and_no_others(self):
-        for example in ("plagiograph.toml", "pantorouter.toml", "clamped-plate.toml"):
-            with self.subTest(example):
-                out = self.drawn((EXAMPLES / example).read_text(), example, folder=pathlib.Path(example).stem)
+        specs = {example: (EXAMPLES / f"{example}.toml").read_text() for example in ("plagiograph", "pantorouter", "clamped-plate")}
+        specs |= {name: with_hardware(name) for name in ("M6 bolt", "M8 shoulder bolt", "608 bearing", "8 mm dowel", "6 mm dowel and bush")}
+        for name, text in specs.items():
+            with self.subTest(name):
+                out = self.drawn(text, name.replace(" ", "-") + ".toml", folder=name.replace(" ", "-"))
                 bill = list(csv.DictReader((out / "bom.csv").read_text().splitlines()))
                 pages = self.pages(out)
-                listed = {}
+                listed, in_lists = {}, set()
                 for page in pages:
                     if "Parts list" in {one.text for one in page.texts}:
+                        in_lists |= {one.text for one in page.texts}
                         for row in page.table("Parts list", 240):
                             if row and row[0].isdigit() and len(row) > 2:
                                 listed[int(row[0])] = row[2].removeprefix("link ")
-                self.assertEqual(listed, {i: one["name"] for i, one in enumerate(bill, 1)})
+                self.assertEqual(set(listed), set(range(1, len(bill) + 1)))
+                for number, one in enumerate(bill, 1):  # a long name goes on in the next line
+                    self.assertTrue(one["name"].startswith(listed[number]), one["name"])
+                    self.assertIn(one["name"][len(listed[number]):].strip(), in_lists | {""})
                 stack = next(page for page in pages if drawing_of(page)[0].startswith("Stack"))
                 assembly = next(page for page in pages if drawing_of(page)[0].startswith("Assembly"))
                 said = {int(m[1]): m[2] for m in (re.fullmatch(r"(\d+)  (.+)", one.text) for one in stack.texts) if m}
@@ -165,7 +194,35 @@ class Parts(Case):
                         self.assertIn(str(number), {text.text for text in assembly.texts}, one["name"])
                     if one["item"] == "link":
                         self.assertTrue(any(f"Link {one['name']}, item {number}" in drawing_of(page)[0] for page in pages))
-                self.assertEqual({bill[number - 1]["name"] for number in said} - {"washer"}, {name for name in said.values() if "washer" not in name})
+                for number, what in said.items():
+                    self.assertEqual("2 washers" if bill[number - 1]["name"] == "washer" else bill[number - 1]["name"], what)
+
+
+class Bench(Case):
+    def check_places(self, out, obstacles):
+        """Each place of the table against the design, from the edge of its [table]."""
+        design = json.loads((out / "design.json").read_text())
+        pages = self.pages(out)
+        heading = "Places on the bench, mm"
+        tables = [page.table(heading, 172) for page in pages if heading in {one.text for one in page.texts}]
+        rows = [row for table in tables for row in table if len(row) == 4 and row[0].isdigit()]
+        left, front = (min(point[i] for point in design["table"]["coordinates"][0][0]) for i in (0, 1))
+        pole = design["mechanism"]["pole_position_mm"]
+        self.assertEqual(rows[0][1][:4], "pole")
+        self.assertLessEqual(math.dist((float(rows[0][2]) + left, float(rows[0][3]) + front), pole), EXACT)
+        self.assertEqual(len(rows), 5 + 2 * obstacles)
+        self.assertEqual([int(row[0]) for row in rows], list(range(1, len(rows) + 1)))
+        plan = next(page for page in pages if drawing_of(page)[0].startswith("Bench plan"))
+        self.assertTrue({row[0] for row in rows} <= {one.text for one in plan.texts})
+        for body in design["bodies"]:
+            self.assertIn(body["name"], {one.text for one in plan.texts})
+        return drawing_of(plan)[1], len([page for page in pages if drawing_of(page)[0].startswith("Bench plan")])
+
+    def test_plan_and_places(self):
+        text = (EXAMPLES / "pantorouter.toml").read_text()
+        self.assertEqual(self.check_places(self.drawn(text), 3), (0.2, 1))
+        far = "".join(f'[[obstacles]]\nname = "bin {i}"\ncircle_mm = [{-390 + 15 * i}, -290, 5]\n' for i in range(30))
+        self.assertEqual(self.check_places(self.drawn(text + far, "bins.toml", folder="bins"), 33), (0.2, 3))
 
 
 class Sheets(Case):

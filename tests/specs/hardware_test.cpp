@@ -41,6 +41,7 @@ TEST(Hardware, HasSizesThatGoTogether) {
     if (each.kind == HardwareKind::shoulder_screw) {
       EXPECT_GT(each.pin, thread->diameter);
       EXPECT_GT(each.head, each.pin);
+      EXPECT_GE(each.thread_length, thread->washer_height + thread->nut_height + thread->pitch);
     } else {
       EXPECT_EQ(each.pin, thread->diameter);
     }

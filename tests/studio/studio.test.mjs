@@ -137,6 +137,18 @@ test("Where nothing exists, the reason is said and a button finds the way out", 
   });
 });
 
+test("A pole in the wrong place is moved by a button", async () => {
+  const text = "[copy]\nscale = 0.5\n[region]\nrectangle_mm = {at = [100, -60], size = [200, 120]}\n[limits]\nsheets_gap_mm = 5\n";
+  await on({}, async (page) => {
+    await rested(page);
+    await page.evaluate((spec) => window.kempe.studio.open(spec), text);
+    await page.waitForFunction(() => document.body.dataset.answer === "none");
+    await page.locator("#changes button", { hasText: /^pole at \(/ }).first().click();
+    await page.waitForFunction(() => document.body.dataset.answer === "design");
+    assert.match(await textOf(page), /\[pole\]\nat_mm = \[/);
+  });
+});
+
 test("Faults of the text stand at their lines; a decimal comma is a number", async () => {
   await on({}, async (page) => {
     await rested(page);

@@ -39,5 +39,8 @@ Tightest tightest_gap(const CopyingLinkage& linkage, const Pose& pose, const Lin
 /// in a few microseconds. gap is +infinity for an empty interval.
 Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
                            const LayerAssignment& layers, const OpeningInterval& openings);
+/// The same of the pairs given: pairs of pins and posts, or with links of one direction (VA and BCY, or VB and ACX).
+Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
+                           const std::vector<ContactPair>& pairs, const OpeningInterval& openings);
 
 }  // namespace kempe

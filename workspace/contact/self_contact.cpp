@@ -228,9 +228,13 @@ constexpr double pose_rounding = 1e-14;
 
 Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
                            const LayerAssignment& layers, const OpeningInterval& openings) {
+  return smallest_gap_over(linkage, style, contact_pairs(linkage, layers), openings);
+}
+
+Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
+                           const std::vector<ContactPair>& pairs, const OpeningInterval& openings) {
   Tightest tightest{std::numeric_limits<double>::infinity(), std::nullopt};
   if (openings.empty()) return tightest;
-  const std::vector<ContactPair> pairs = contact_pairs(linkage, layers);
   for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
     for_each_candidate(motion, openings, [&](double opening) {
       const double here = motion.distance_at(motion.angle_at(opening)) - motion.kept;

@@ -67,8 +67,8 @@ TEST(DesignDrawing, IsJudgedFaultlessByEzdxf) {
 
 TEST(DesignDrawing, StatesRatioRotationUnitsLayersAndLengths) {
   const std::string dxf = dxf_text(design_drawing(plagiograph()));
-  for (const char* words :
-       {"scale 1.4, rotation 90 deg", "k = 0 + 1.4i", "Units mm", "1 = VA BCY, 2 = VB ACX", "CY = 86.0233"})
+  for (const char* words : {"scale 1.4, rotation 90 deg", "Angle from bar VA to bar VB", "Units mm",
+                            "1 = VA BCY, 2 = VB ACX", "CY = 86.0233"})
     EXPECT_NE(dxf.find(words), std::string::npos) << words;
   Design lifted = plagiograph();
   lifted.layers.of = {2, 4, 4, 2};

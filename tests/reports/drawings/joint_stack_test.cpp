@@ -1,5 +1,6 @@
 #include "reports/drawings/joint_stack.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +9,9 @@
 #include <random>
 
 #include "reports/drawings/bom.hpp"
+#include "reports/drawings/hardware_faults.hpp"
 #include "tests/reports/sample_designs.hpp"
+#include "workspace/contact/gap.hpp"
 
 namespace kempe {
 namespace {
@@ -186,6 +189,96 @@ TEST(HardwareFaults, TellOfNutsThatMeetAndOfLengthsThatNobodyMakes) {
   design.style.thickness = 90;
   ASSERT_FALSE(hardware_faults(design).empty());
   EXPECT_NE(hardware_faults(design).front().find("is made that grips 180 mm"), std::string::npos);
+}
+
+/// Nuts and heads beside links, in every assignment to four layers, against 400 openings: what comes too near is told, and nothing
+/// that is clear.
+TEST(HardwareFaults, KnowHowNearLinksComeToNuts) {
+  int told = 0, clear = 0;
+  for (const double turn : {0.0, 60.0, 150.0}) {
+    Design design = testing::sample_design(std::polar(1.6, radians(turn)), Grounding::pole, 90, 70, 0);
+    design.style = {.width = 20, .pin_diameter = 8, .thickness = 4};
+    design.hardware = "M8 bolt";
+    design.limits.clearance = 0.5;
+    design.opening = shrink(design.linkage.assembly_mode().openings, radians(4));  // nearly folded flat
+    LinkStyle as_nut = design.style;
+    as_nut.pin_diameter = thread_of(*hardware_named("M8 bolt"))->nut_corners;
+    for (const LayerAssignment& layers : layer_assignments(4)) {
+      design.layers = layers;
+      const auto faults = hardware_faults(design);
+      for (const JointStack& stack : joint_stacks(design))
+        for (const StackItem& item : stack.items)
+          for (const Link link : all_links) {
+            const double low = (layers[link] - 1) * design.style.thickness;
+            if (item.kind != StackItem::Kind::nut || item.from >= low + design.style.thickness ||
+                item.to <= low)
+              continue;
+            const ContactPair pair{Part{.kind = Part::Kind::pin, .joint = stack.joint}, Part{.link = link}};
+            double least = HUGE_VAL;
+            for (int i = 0; i <= 400; ++i) {
+              const double opening = design.opening.lower + design.opening.width() * i / 400;
+              least = std::min(
+                  least, gap(pair, design.linkage.pose_at(opening, 0.4), design.linkage.shape(), as_nut));
+            }
+            const bool is_told = std::any_of(faults.begin(), faults.end(), [&](const std::string& fault) {
+              return fault.starts_with(stack.name + ": nut") &&
+                     fault.find("of link " + std::string(name(link)) + ";") != std::string::npos;
+            });
+            if (least < 0.5) {
+              EXPECT_TRUE(is_told) << stack.name << ' ' << name(link) << ' ' << least;
+            }
+            if (least > 1.0) {
+              EXPECT_FALSE(is_told) << stack.name << ' ' << name(link) << ' ' << least;
+            }
+            ++(is_told ? told : clear);
+          }
+    }
+  }
+  EXPECT_GT(told, 10);
+  EXPECT_GT(clear, 10);
+}
+
+TEST(HardwareFaults, TellOfHeadsThatHangBesideALowObstacle) {
+  Design design = testing::sample_design(1.6, Grounding::pole, 90, 70, 0);
+  design.style = {.width = 20, .pin_diameter = 8, .thickness = 4};
+  design.hardware = "M8 bolt";
+  design.layers.of = {2, 3, 3, 2};
+  const Point at =
+      design.linkage.pose_at(design.opening.middle(), 0.3).B;  // the tracer in the middle of the region
+  const auto clamp = [&](const Point& middle, int highest) {
+    design.obstacles = {
+        {{{middle + Point(-3, -3), middle + Point(3, -3), middle + Point(3, 3), middle + Point(-3, 3)}, {}},
+         1,
+         highest,
+         "clamp"}};
+    return hardware_faults(design);
+  };
+  const auto under = clamp(at, 1);
+  ASSERT_FALSE(under.empty());
+  EXPECT_EQ(under.front(), "pin B: head of 13 mm comes within 0.00 mm of clamp; clearance is " +
+                               fmt::format("{}", design.limits.clearance) + " mm");
+  EXPECT_TRUE(clamp(at, 3).empty());  // in the layers of the links, whose contact is certified
+  EXPECT_TRUE(clamp(at + Point(0, 300), 1).empty());
+  design.obstacles[0].lowest_layer = 3;
+  design.obstacles[0].highest_layer = 4;
+  ASSERT_EQ(hardware_faults(design).size(), 1U);
+  EXPECT_NE(hardware_faults(design)[0].find("clamp must stand so much higher too"), std::string::npos);
+}
+
+TEST(HardwareFaults, TellOfNutsThatABodyMayMeet) {
+  Design design = testing::sample_design(1.6, Grounding::pole, 90, 70, 0);
+  design.style = {.width = 20, .pin_diameter = 8, .thickness = 4};
+  design.hardware = "M8 bolt";
+  EXPECT_TRUE(hardware_faults(design).empty()) << hardware_faults(design).front();
+  design.bodies = {
+      Body{.shape = Disc{Point::Zero(), 10}, .lowest_layer = 2, .highest_layer = 8, .name = "router"}};
+  EXPECT_TRUE(hardware_faults(design).empty()) << hardware_faults(design).front();
+  std::get<Disc>(design.bodies[0].shape).radius = 400;
+  ASSERT_FALSE(hardware_faults(design).empty());
+  EXPECT_NE(
+      hardware_faults(design).front().find("may come too near to router, which reaches 400.00 mm from Y"),
+      std::string::npos)
+      << hardware_faults(design).front();
 }
 
 }  // namespace

@@ -238,14 +238,22 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
   EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,,,\"joins VA and ACX; countersunk head"));
   EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,,,\"joins VB and BCY\""));
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
-  EXPECT_THAT(
-      csv,
-      HasSubstr("spacer,spacer V,1,6,8,12,,,,\"between the links; clearance is certified for 6 mm diameter"));
-  EXPECT_THAT(
-      csv,
-      HasSubstr(
-          "spacer,spacer Y,1,6,8,12,,,,\"under the lowest link; clearance is certified for 6 mm diameter"));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,8,12,,,,\"between the links; turn it down to 6 mm"));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,8,12,,,,\"under the lowest link; turn it down to 6 mm"));
   EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
+}
+
+TEST(Bom, QuotesNamesFromOutside) {
+  Design design = plagiograph();
+  design.bodies = {Body{.shape = Disc{Point::Zero(), 1}, .name = "a \"5 in\" hand,\nheld"}};
+  EXPECT_THAT(bom_csv(design), HasSubstr("draws the copy, carries a \"\"5 in\"\" hand,\\nheld\"\n"));
+}
+
+TEST(Bom, HasLengthsToAThousandth) {
+  Design design = testing::sample_design(1.6, Grounding::pole, 100 / 3.0, 70, 0);
+  EXPECT_THAT(bom_csv(design), HasSubstr("link,VA,1,,45.333,12,4,45.333,12,"));
+  design.style = {.width = 0.001 / 3, .pin_diameter = 0.0001, .thickness = 0.0001};
+  EXPECT_THAT(bom_csv(design), HasSubstr(",0.000333333,0.0001,"));
 }
 
 TEST(Bom, LiftsALinkageOnSpacers) {
