@@ -192,7 +192,8 @@ def anastruct_answer(design, at, direction):
     """The pen's movement and the hand's force for 1 N at the pen.
 
     A beam hinged at one end keeps 4 EI / L at the other in anaStruct 1.7.0, where 3 EI / L is right. So no hinges are used: a pin is a flexure, a
-    piece so short that it passes forces and so soft that it passes no moment; both spoil the result by less than 1e-4."""
+    piece so short that it passes forces and so soft that it passes no moment; that spoils the result in
+    proportion to the piece's length, at the length taken by 0.035 % at most on the twenty designs."""
     from anastruct import SystemElements
 
     frame = SystemElements()
