@@ -200,7 +200,7 @@ class DesignProblem {
   std::optional<LoadErrorProfile> load_error_;  ///< where it is goal or limit
   std::optional<MassPolynomial> mass_;
   std::optional<SagProfile> sag_;  ///< where it is limited: assess() counts it, no row keeps it
-  double goal_scale_ = 1;  ///< of the load error (mm) or the mass (kg)
+  double goal_scale_ = 1;          ///< of the load error (mm) or the mass (kg)
   Reach reach_;
   LogBox box_;
   DesignLayout layout_;
