@@ -74,7 +74,8 @@ class Bill {
                       .thickness = style_.thickness,
                       .blank_length = blank.length,
                       .blank_width = blank.width,
-                      .remark = fmt::format("{}, layer {}", form_of(design_, link), design_.layers[link])});
+                      .remark = fmt::format("{}, layer {}{}", form_of(design_, link), design_.layers[link],
+                                            design_.material ? ", " + design_.material->name : "")});
   }
 
   void add_strip() {

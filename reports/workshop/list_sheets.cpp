@@ -116,8 +116,8 @@ std::string holes_text(const CutPart& part) {
 }
 
 std::string stock_text(const Design& design) {
-  return fmt::format("{} mm sheet, links {} mm wide", figure(design.style.thickness),
-                     figure(design.style.width));
+  return fmt::format("{}{} mm sheet, links {} mm wide", design.material ? design.material->name + ", " : "",
+                     figure(design.style.thickness), figure(design.style.width));
 }
 
 }  // namespace kempe::workshop
