@@ -9,10 +9,10 @@ namespace kempe {
 namespace {
 
 /// The corners of a piece's axis.
-struct Corners {
+struct HullCorners {
   std::array<Complex, 3> at;
   std::size_t count;
-  Corners(const JointHull& hull, const JointFrame& frame)
+  HullCorners(const JointHull& hull, const JointFrame& frame)
       : at{}, count(static_cast<std::size_t>(hull.count)) {
     for (std::size_t i = 0; i < count; ++i) at[i] = frame[hull.joints[i]];
   }
@@ -20,7 +20,7 @@ struct Corners {
 };
 
 NearestFeatures features_of(const GapTerm& term, const JointFrame& frame) {
-  const Corners first(term.first.hull, frame), second(term.second.hull, frame);
+  const HullCorners first(term.first.hull, frame), second(term.second.hull, frame);
   return nearest_features(first.span(), second.span());
 }
 
