@@ -11,8 +11,6 @@
 namespace kempe {
 namespace {
 
-constexpr Complex i_unit{0, 1};
-
 LinkagePoint between(const LinkagePoint& a, const LinkagePoint& b, double share) {
   return {a.of_p + share * (b.of_p - a.of_p), a.of_q + share * (b.of_q - a.of_q)};
 }
