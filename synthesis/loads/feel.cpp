@@ -44,7 +44,7 @@ std::string direction_words(Complex direction) {
   return fmt::format("{:.1f} degrees {} of its direction", std::abs(angle), angle > 0 ? "left" : "right");
 }
 
-std::string_view side_of(Link link) { return is_along_p(link) ? "V to A" : "V to B"; }
+std::string_view way_of(Link link) { return is_along_p(link) ? "V to A" : "V to B"; }
 
 }  // namespace
 
@@ -71,13 +71,13 @@ Feel feel_over(const CopyingLinkage& linkage, const LinkStyle& style, const Mate
 std::string words(const Counterweight& weight) {
   return fmt::format("{:.3g} kg on {}, {:.4g} mm from {}, {} ({})", weight.mass, name(weight.link),
                      weight.arm, letter(weight.joint), direction_words(weight.direction),
-                     side_of(weight.link));
+                     way_of(weight.link));
 }
 
 std::string words(const BalanceSpring& spring) {
   return fmt::format("{:.3g} N/mm from {:.4g} mm uphill of the pole to {}, {:.4g} mm from the pole, {} ({})",
                      spring.rate, spring.height, name(spring.link), spring.arm,
-                     direction_words(spring.direction), side_of(spring.link));
+                     direction_words(spring.direction), way_of(spring.link));
 }
 
 }  // namespace kempe
