@@ -95,7 +95,12 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
                                                      : nullptr;
   if (why != nullptr) {
     if (design.quality.loads) record.not_checked("quality.load_error_max_mm", why);
-    if (limit) record.not_checked("limits.load_error_mm", why);
+    if (limit && task.needed)
+      record.broken({.limit = "limits.load_error_mm",
+                     .allowed = limit,
+                     .sentence = std::string(why) + " under which it could be kept"});
+    else if (limit)
+      record.not_checked("limits.load_error_mm", why);
     return;
   }
   const FrameResponse found = response_over(task, *task.needed);

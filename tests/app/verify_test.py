@@ -446,7 +446,7 @@ class Verify(unittest.TestCase):
                 self.assertLessEqual({"limits", "links", "pole", "objective", "obstacles"}, said)
 
     def test_limits_of_another_version_are_refused_and_other_keys_named(self):
-        for table, key in (("limits", "load_error_mm"), ("limits", "transmision_deg"), ("tolerance", "length_um"),
+        for table, key in (("limits", "noise_mm"), ("limits", "transmision_deg"), ("tolerance", "length_um"),
                            ("links", "widest_mm"), ("pole", "near_mm"), ("objective", "forbidden")):
             stated = copy.deepcopy(self.designs["everything"])
             stated[table][key] = 1
