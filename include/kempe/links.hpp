@@ -34,12 +34,12 @@ struct LinkSection {
   bool operator==(const LinkSection&) const = default;
 };
 
-/// Stock lengths: those that a shop has, or that a part at hand gives.
+/// Stock lengths: those that a shop has, and lengths locked to those of a part at hand.
 struct KEMPE_EXPORT StockLengths {
   std::optional<double> grid;                   ///< mm: lengths are multiples of this
   std::vector<double> stock;                    ///< mm: lengths are from this list; empty: any
   std::array<std::optional<double>, 8> locked;  ///< mm, in the order of LinkLengths::names
-  /// True if anything is dictated.
+  /// True if grid, list or a locked length is given.
   bool any() const;
 };
 
@@ -78,8 +78,8 @@ struct LinkSpec {
   /// What the joints are made of. style.pin_diameter is that of the thickest pin then, and of every plain one; contact and
   /// least distances take it for the pin of every joint.
   JointHardware hardware{};
-  /// Sections to choose from, all links alike: sorted by area, the lightest first, each once. `style` has the first of them, or once a
-  /// design is found its own. Empty: style.width and style.thickness.
+  /// Sections to choose from, the same for all links: sorted by area, the lightest first, each once. `style` has the first of them; in the
+  /// spec of a design that was found, the design's own. Empty: style.width and style.thickness.
   std::vector<LinkSection> sections{};
 };
 

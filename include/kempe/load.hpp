@@ -1,5 +1,5 @@
 #pragma once
-// What pushes at the pen, and what carries the instrument's weight.
+// The force at the pen, the masses that pen and tracer carry, and what carries the instrument's weight.
 
 #include <algorithm>
 #include <optional>
@@ -10,7 +10,7 @@
 namespace kempe {
 
 /// The load of a copying linkage: a force at the pen in any direction in the plane, while pole and tracer are held; the masses that
-/// its points carry; and what carries them: the pole's post and the points that the table carries. Needs a material (Spec::material).
+/// its points carry; and what holds all this up: the pole's post and the points that rest on the table. Needs a material (Spec::material).
 struct Load {
   double pen_force = 0;          ///< N, > 0
   std::vector<Carrier> rests{};  ///< each once; empty: only the pole's post carries the weight

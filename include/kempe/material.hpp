@@ -10,7 +10,7 @@ struct Material {
   std::string name{};   ///< "steel", or what the spec calls it; for people
   double E = 0;         ///< MPa (N/mm^2), > 0: modulus of elasticity
   double density = 0;   ///< kg/m^3, > 0
-  double strength = 0;  ///< MPa, > 0: the stress in bending that reported safeties refer to
+  double strength = 0;  ///< MPa, > 0: what the largest stress in a link is compared with
   bool operator==(const Material&) const = default;
 };
 

@@ -23,7 +23,7 @@ std::string workspace(const Design& design);
 std::string tolerance(const Design& design);
 /// "Will it be stiff enough?": figure, picture, the whole error in one table with what would help. Empty without [load].
 std::string loads(const Design& design);
-/// How it lies in the hand: sag, friction, mass felt, balance. Empty without [load].
+/// "Weight, balance and feel": sag, friction, mass felt, counterweights and springs. Empty without [load].
 std::string weight(const Design& design);
 std::string verification(const Design& design);
 std::string search(const Design& design);

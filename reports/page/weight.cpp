@@ -1,4 +1,4 @@
-// "How does it lie in the hand?": how far tracer and pen sink, friction, the mass felt, and what balances a tilted table.
+// "Weight, balance and feel": how far tracer and pen sink, friction, the mass felt, and what balances a tilted table.
 #include <fmt/format.h>
 
 #include <cmath>
