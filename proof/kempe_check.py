@@ -576,6 +576,8 @@ class Design:
         away = min(hypot(*to_segment(self.pole, *edge)) for rings in task.pole for edge in edges_of(rings))
         if away > EPS_MM and not within(self.pole, task.pole):
             raise Refuted("the pole stands elsewhere than permitted")
+        if unread := sorted(key for key, value in self.data["limits"].items() if key not in TASK["limits"] and value is not None):
+            raise Open("not checked: " + ", ".join("limits." + key for key in unread))
 
 # Designs of a log, a box: ranges of a, b and the pole's x, y; cosines of the least and largest |psi|; layer assignments.
 Node = namedtuple("Node", "box window assignments")
