@@ -25,7 +25,7 @@ tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, con
 }
 
 tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec, const StopFlag& stop) {
-  if (spec.links.sections.size() > 1) return tl::unexpected(certificate::NoLog::no_rules);
+  if (spec.links.sections.size() > 1) return tl::unexpected(certificate::NoLog::sections);
   certificate::ProofOptions options;
   options.stop = stop;
   const auto log = certificate::prove(spec, Objective::size, std::nullopt, options);

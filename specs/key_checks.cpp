@@ -241,6 +241,7 @@ class ValueCheck {
   void check_sections(const toml::node& value) {
     const toml::array* list = value.as_array();
     if (!list || list->empty()) return refuse(value, describe(value));
+    if (list->size() > most_sections) return refuse(value, fmt::format("{} sections", list->size()));
     for (const toml::node& element : *list) check_point(element);
   }
 

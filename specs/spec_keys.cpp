@@ -298,7 +298,8 @@ std::string describe_allowed(const SpecKey& key, SpecUnit in_unit) {
     case text: return "text between quotation marks";
     case numbers: return fmt::format("a list of numbers {}{}", range, unit);
     case point: return fmt::format("[x, y], numbers {}{}", range, unit);
-    case sections: return fmt::format("[[width, thickness], ...], one or more, numbers {}{}", range, unit);
+    case sections:
+      return fmt::format("[[width, thickness], ...], 1 to {}, numbers {}{}", most_sections, range, unit);
     case layer_range: return fmt::format("[lowest, highest], whole numbers {}", range);
     case link_layers: return fmt::format("the layers of [VA, VB, ACX, BCY], whole numbers {}", range);
     case rings:

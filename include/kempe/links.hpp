@@ -66,6 +66,9 @@ struct JointHardware {
   bool operator==(const JointHardware&) const = default;
 };
 
+/// Most cross-sections that a spec may list: each is a search of its own.
+inline constexpr std::size_t most_sections = 32;
+
 /// What to build of, and within which lengths.
 struct LinkSpec {
   LinkStyle style;       ///< outlines

@@ -386,7 +386,7 @@ void read_links_limits(const JsonField& field, Allowed& allowed) {
   for (std::size_t i = 0; i < LinkLengths::names.size(); ++i)
     allowed.stock_lengths.locked[i] = perhaps_length(field, std::string(LinkLengths::names[i]) + "_mm");
   if (const auto sections = field.find("sections_mm"))
-    for (const JsonField& one : sections->elements(0, 100))
+    for (const JsonField& one : sections->elements(0, most_sections))
       if (const auto sides = one.elements(2, 2); sides.size() == 2)
         allowed.sections.push_back({length(sides[0]), length(sides[1])});
 }

@@ -18,6 +18,7 @@ struct ProofOptions {
 /// Why there is no log.
 enum class NoLog {
   no_rules,  ///< for the objective (only size and transmission have)
+  sections,  ///< several cross-sections are allowed, and a log speaks of one
   too_long,  ///< more lines than allowed
   stopped,
   too_tight,  ///< boxes too narrow for doubles are left: a design misses a limit by as little as nothing

@@ -101,6 +101,9 @@ TEST(LoadReader, SortsSections) {
   EXPECT_EQ(spec.links.style.thickness, 5);
   EXPECT_EQ(fault_of("[links]\nsections_mm = [[20, 5]]\nwidth_mm = 20\n").key, "links.width_mm");
   EXPECT_EQ(fault_of("[links]\nsections_mm = []\n").key, "links.sections_mm");
+  std::string many = "[20, 5]";
+  for (std::size_t i = 0; i < most_sections; ++i) many += ", [20, 5]";
+  EXPECT_EQ(fault_of("[links]\nsections_mm = [" + many + "]\n").found, "33 sections");
   EXPECT_EQ(fault_of("[links]\nsections_mm = [15, 5]\n").key, "links.sections_mm");
   EXPECT_EQ(fault_of("[links]\nsections_mm = [[20, 5], [5, 20]]\n").key, "links.sections_mm");  // a pin of 6
   EXPECT_EQ(fault_of("[links]\nsections_mm = [[20, 5], [15, 5]]\n[mechanism]\nvertex = \"pole\"\nVA_mm = "

@@ -114,7 +114,7 @@ ordered_json value_schema(const SpecKey& key) {
     case KeyKind::text: return {{"type", "string"}, {"minLength", 1}};
     case KeyKind::numbers: return list_schema(number, 1);
     case KeyKind::point: return point;
-    case KeyKind::sections: return list_schema(point, 1);
+    case KeyKind::sections: return list_schema(point, 1, most_sections);
     case KeyKind::layer_range: return list_schema(whole, 2, 2);
     case KeyKind::link_layers: return list_schema(whole, 4, 4);
     case KeyKind::rings: return {{"anyOf", {ring, list_schema(ring, 1)}}};
