@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "kempe/links.hpp"
 #include "specs/mirror_words.hpp"
 #include "specs/spec_keys.hpp"
 #include "specs/spec_unit.hpp"

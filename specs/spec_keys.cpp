@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/regions/region_checks.hpp"
+#include "kempe/links.hpp"
 
 namespace kempe {
 namespace {

@@ -85,12 +85,14 @@ class Frame {
   explicit Frame(const FrameTask& task) : task_(task), elements_(elements_of(task)) {
     post_ = number_place();  // post and hand come first: what is held
     pin_[task.tracer] = number_place();
-    pin_[task.pole] = post_;
+    pin_[task.pole] =
+        task.pole_compliance > 0 ? number_place() : post_;  // what all links at the pole hang on
     pin_[task.pen] = number_place();
     for (const Element& element : elements_)
       for (const FrameJoint joint : {element.from, element.to}) number_joint(element.link, joint);
     stiffness_ = MatrixX::Zero(count_, count_);
     for (const Element& element : elements_) add(element);
+    if (task.pole_compliance > 0) add_spring(pin_.at(task.pole), post_, task.pole_compliance);
     for (const Key& key : sprung_) add_spring(place_.at(key), pin_.at(key.second), compliance_of(key));
   }
 
@@ -148,7 +150,6 @@ class Frame {
 
   double compliance_of(const Key& key) const {
     const auto& [link, joint] = key;
-    if (joint == task_.pole && link != bar_VB) return task_.pole_compliance;
     if (joint >= joint_X || link == bar_VA) return 0;
     return task_.pin_compliance[joint];
   }

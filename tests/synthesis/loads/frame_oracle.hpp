@@ -21,10 +21,10 @@ struct FrameTask {
   /// A straight plate is one beam through its three joints in their order along it; else two arms from the corner A or B, joined
   /// stiffly there.
   bool straight_ACX = false, straight_BCY = false;
-  /// How far the two sides of a pin part per newton between them, mm/N, at V, A, B and C. At V it is the pin of VB: VA has the post's
-  /// there, or holds the tool.
+  /// How far the two sides of a pin part per newton between them, mm/N, at V, A, B and C. At V it is the pin of VB: VA holds the
+  /// tool there, or sits on the post.
   std::array<double, 4> pin_compliance{};
-  double pole_compliance = 0;  ///< of the pin between the post and the link at the pole; at V that is VA
+  double pole_compliance = 0;  ///< of the post, which bears all links at the pole
 };
 
 /// All for a unit force at the pen along x (first column) and along y (second), with post and tracer held.
