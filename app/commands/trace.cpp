@@ -101,7 +101,8 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
 /// What the hand feels, or why the file cannot tell.
 tl::expected<HandWork, InputError> hand_work_of(const StoredDesign& design, const CopyingLinkage& linkage,
                                                 const std::string& file) {
-  if (design.material && design.load) return HandWork(linkage, design.style, *design.material, *design.load);
+  if (design.material && design.load)
+    return HandWork(linkage, design.style, design.hardware, *design.material, *design.load);
   return tl::unexpected(InputError{file, 0, design.material ? "load" : "material", "a design without it",
                                    "one of a spec with [material] and [load]"});
 }

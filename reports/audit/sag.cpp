@@ -12,10 +12,11 @@ namespace {
 
 using namespace audit_slack;
 
-/// What the file says of material, load, play and section.
+/// What the file says of material, load, play, section and pins.
 Spec of_sag(const StoredDesign& design) {
   Spec spec;
   spec.links.style = design.style;
+  spec.links.hardware = design.hardware;
   spec.material = design.material;
   spec.load = design.load;
   spec.tolerance = design.tolerance;

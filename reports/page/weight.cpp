@@ -62,7 +62,8 @@ std::string weight(const Design& design) {
   if (!design.material || !design.load || !openings || openings->empty()) return {};
   WeightRows rows;
   add_sag(design, *openings, rows);
-  const Feel feel = feel_over(design.linkage, design.style, *design.material, *design.load, *openings);
+  const Feel feel =
+      feel_over(design.linkage, design.style, design.hardware, *design.material, *design.load, *openings);
   rows.push_back({"Friction in the pins", fmt::format("{:.2g} %", 100 * feel.friction_share),
                   "most that it adds to the work at the pen; " + lock_words(feel, design.linkage)});
   rows.push_back({"Mass felt at the tracer",

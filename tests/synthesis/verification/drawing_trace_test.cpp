@@ -164,7 +164,7 @@ TEST(DrawingTrace, OfALoadedInstrumentLiesBesideTheImageByItsGive) {
     const DrawnStroke stroke = reachable_stroke(one, random, 4);
     TraceOptions options{.step = 0.5, .keep_poses = true};
     options.work =
-        HandWork(linkage, {.width = 15, .thickness = 5}, {"steel", 200e3, 7850, 235}, {.pen_force = 10});
+        HandWork(linkage, {.width = 15, .thickness = 5}, {}, {"steel", 200e3, 7850, 235}, {.pen_force = 10});
     options.keep_hand = options.gives_way = true;
     const Trace trace = trace_drawing(one, {stroke}, options);
     ASSERT_EQ(trace.drawn.size(), 1U);
