@@ -27,10 +27,13 @@ std::string drop_words(const Drop& drop, double bears) {
 }
 
 void add_sag(const Design& design, const OpeningInterval& openings, WeightRows& rows) {
-  const SagAt sag = largest_sag(design.linkage, sag_conditions(spec_of(design), design.layers), openings).sag;
-  rows.push_back({"The pen sinks", length_text(sag.pen.total()), drop_words(sag.pen, sag.pen_bears)});
+  const LargestDrops sag =
+      largest_drops(design.linkage, sag_conditions(spec_of(design), design.layers), openings);
+  const Drop& pen = sag.pen.pen;
+  const Drop& tracer = sag.tracer.tracer;
+  rows.push_back({"The pen sinks", length_text(pen.total()), drop_words(pen, sag.pen.pen_bears)});
   rows.push_back(
-      {"The tracer sinks", length_text(sag.tracer.total()), drop_words(sag.tracer, sag.tracer_bears)});
+      {"The tracer sinks", length_text(tracer.total()), drop_words(tracer, sag.tracer.tracer_bears)});
 }
 
 std::string lock_words(const Feel& feel, const CopyingLinkage& linkage) {

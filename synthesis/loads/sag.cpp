@@ -181,4 +181,12 @@ LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& condi
   return {sag(opening), opening};
 }
 
+LargestDrops largest_drops(const CopyingLinkage& linkage, const SagConditions& conditions,
+                           const OpeningInterval& openings) {
+  const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
+  const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
+  return {.tracer = sag(top_over(openings, [&](double at) { return sag(at).tracer.total(); })),
+          .pen = sag(top_over(openings, [&](double at) { return sag(at).pen.total(); }))};
+}
+
 }  // namespace kempe

@@ -88,4 +88,11 @@ struct LargestSag {
 LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& conditions,
                        const OpeningInterval& openings);
 
+/// The sag where each of the two points sinks most by itself, which may be at two openings.
+struct LargestDrops {
+  SagAt tracer{}, pen{};
+};
+LargestDrops largest_drops(const CopyingLinkage& linkage, const SagConditions& conditions,
+                           const OpeningInterval& openings);
+
 }  // namespace kempe
