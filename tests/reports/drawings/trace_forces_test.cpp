@@ -10,7 +10,8 @@ namespace {
 
 TEST(TraceForces, SayWhereThePoseIsADeadPoint) {
   const auto linkage = *CopyingLinkage::make(-2, Grounding::pole, 60, 40, 0);
-  const HandWork work(linkage, {.width = 12, .thickness = 4}, {}, {"steel", 200e3, 7850, 235}, {.pen_force = 10});
+  const HandWork work(linkage, {.width = 12, .thickness = 4}, {}, {"steel", 200e3, 7850, 235},
+                      {.pen_force = 10});
   Trace trace;
   const double middle = linkage.assembly_mode().openings.middle();
   trace.poses = {{0, {1, 2}, linkage.pose_at(middle, 0), {1, 0}}, {0, {3, 4}, linkage.pose_at(0, 0), {1, 0}}};
