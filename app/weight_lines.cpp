@@ -34,7 +34,8 @@ std::string weight_lines(const Design& design) {
   if (!design.material || !design.load) return text;
   const auto openings = openings_over(design.linkage, design.region);
   if (!openings) return text;
-  const Feel feel = feel_over(design.linkage, design.style, *design.material, *design.load, *openings);
+  const Feel feel =
+      feel_over(design.linkage, design.style, design.hardware, *design.material, *design.load, *openings);
   text += fmt::format(
       "feel         {:.3g} to {:.3g} kg at the tracer, friction adds up to {:.2g} % to the work\n",
       feel.mass_least, feel.mass_most, 100 * feel.friction_share);

@@ -31,6 +31,8 @@ std::optional<double> FinishedDesign::load_error() const {
   return loads ? std::optional(loads->error_max) : std::nullopt;
 }
 
+std::optional<double> FinishedDesign::sag() const { return inside_->quality.sag; }
+
 std::optional<double> FinishedDesign::mass() const { return inside_->quality.mass; }
 LinkSection FinishedDesign::section() const { return {inside_->style.width, inside_->style.thickness}; }
 

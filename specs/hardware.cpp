@@ -101,6 +101,12 @@ double pin_at(const LinkStyle& style, const JointHardware& hardware, Joint joint
   return of != nullptr ? of->pin : style.pin_diameter;
 }
 
+std::array<double, 6> pin_diameters(const LinkStyle& style, const JointHardware& hardware) {
+  std::array<double, 6> pins{};
+  for (const Joint joint : all_joints) pins[static_cast<std::size_t>(joint)] = pin_at(style, hardware, joint);
+  return pins;
+}
+
 double bored_for(const LinkStyle& style, const JointHardware& hardware, Joint joint) {
   const Hardware* of = hardware_named(hardware[joint]);
   return of != nullptr && of->seat > 0 ? of->seat : pin_at(style, hardware, joint);

@@ -55,6 +55,8 @@ std::string_view standards_of(HardwareKind kind);
 
 /// Diameter of the pin or post at a joint, mm.
 double pin_at(const LinkStyle& style, const JointHardware& hardware, Joint joint);
+/// The same at every joint, in the order of Joint, mm.
+std::array<double, 6> pin_diameters(const LinkStyle& style, const JointHardware& hardware);
 /// What the links are bored for at a joint, mm: the pin's diameter, or that of the bearing or bush around it.
 double bored_for(const LinkStyle& style, const JointHardware& hardware, Joint joint);
 /// Diameter of a joint's holes as they are to be, kerf apart, mm. A bearing or bush is pressed in: the fit widens holes for pins

@@ -11,8 +11,6 @@
 namespace kempe {
 namespace {
 
-constexpr double MPa_per_GPa = 1000;
-
 std::string names_of_materials() {
   std::string names;
   for (const KnownMaterial& each : known_materials())

@@ -38,7 +38,6 @@ const KnownMaterial* material_named(std::string_view name) {
 }
 
 Material as_material(const KnownMaterial& known) {
-  constexpr double MPa_per_GPa = 1000;
   return {std::string(known.name), MPa_per_GPa * known.E_GPa, known.density, known.strength};
 }
 

@@ -8,6 +8,9 @@
 
 namespace kempe {
 
+/// E stands in GPa in files and in MPa in the program.
+inline constexpr double MPa_per_GPa = 1000, GPa_per_MPa = 1e-3;
+
 /// A material with where its figures come from.
 struct KnownMaterial {
   std::string_view name;            ///< as a spec writes it: "birch plywood"

@@ -9,6 +9,7 @@
 #include "kinematics/grounding.hpp"
 #include "kinematics/links.hpp"
 #include "kinematics/overloaded.hpp"
+#include "specs/materials.hpp"
 #include "specs/spec.hpp"
 #include "specs/spec_table.hpp"
 #include "specs/text/toml_access.hpp"
@@ -131,7 +132,6 @@ toml::table tool_table(const ToolSpec& tool) {
 }
 
 toml::table material_table(const Material& material) {
-  constexpr double GPa_per_MPa = 1e-3;
   toml::table table{{"E_GPa", GPa_per_MPa * material.E},
                     {"density_kg_m3", material.density},
                     {"strength_MPa", material.strength}};

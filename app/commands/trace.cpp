@@ -101,7 +101,8 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
 /// What the hand feels, or why the file cannot tell.
 tl::expected<HandWork, InputError> hand_work_of(const StoredDesign& design, const CopyingLinkage& linkage,
                                                 const std::string& file) {
-  if (design.material && design.load) return HandWork(linkage, design.style, *design.material, *design.load);
+  if (design.material && design.load)
+    return HandWork(linkage, design.style, design.hardware, *design.material, *design.load);
   return tl::unexpected(InputError{file, 0, design.material ? "load" : "material", "a design without it",
                                    "one of a spec with [material] and [load]"});
 }
@@ -122,21 +123,16 @@ std::string causes(const Trace& trace) {
 /// "1 line", "2 lines"
 std::string lines(std::size_t count) { return fmt::format("{} line{}", count, count == 1 ? "" : "s"); }
 
-/// Least and greatest force of the hand over what was drawn, N; nothing where no load was asked for.
-std::optional<std::pair<double, double>> hand_range(const Trace& trace) {
-  std::optional<std::pair<double, double>> range;
-  for (const TracedLine& line : trace.drawn)
-    for (const double force : line.hand)
-      range = range ? std::pair(std::min(range->first, force), std::max(range->second, force))
-                    : std::pair(force, force);
-  return range;
-}
-
-std::string hand_line(const Trace& trace) {
-  const auto range = hand_range(trace);
-  return range ? fmt::format("hand         {:.3g} to {:.3g} N at the tracer, friction included\n",
-                             range->first, range->second)
-               : "";
+std::string hand_lines(const Trace& trace) {
+  const HandForces forces = hand_forces(trace);
+  std::string text;
+  if (forces.any())
+    text = fmt::format("hand         {:.3g} to {:.3g} N at the tracer, friction included\n", forces.least,
+                       forces.most);
+  if (forces.dead_points > 0)
+    text += fmt::format("dead points  {} positions where no force of the hand holds the pen\n",
+                        forces.dead_points);
+  return text;
 }
 
 std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
@@ -149,7 +145,7 @@ std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const
     text += fmt::format("left out     {}, {} positions, {:.1f} mm: {}\n", lines(trace.missing.size()),
                         trace.poses_missed, trace.missing_length, causes(trace));
   if (!drawing.remark().empty()) text += "remark       " + drawing.remark() + "\n";
-  text += hand_line(trace);
+  text += hand_lines(trace);
   return text + "written      " + printable(arguments.copy) +
          (arguments.csv.empty() ? "" : ", " + printable(arguments.csv)) +
          (arguments.forces.empty() ? "" : ", " + printable(arguments.forces)) + "\n";
@@ -173,10 +169,12 @@ std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const
                                 {"texts", drawing.texts},
                                 {"images", drawing.images},
                                 {"references", drawing.references}};
-  if (const auto range = hand_range(trace)) {
-    object["hand_min_N"] = range->first;
-    object["hand_max_N"] = range->second;
+  const HandForces forces = hand_forces(trace);
+  if (forces.any()) {
+    object["hand_min_N"] = forces.least;
+    object["hand_max_N"] = forces.most;
   }
+  if (forces.dead_points > 0) object["dead_points"] = forces.dead_points;
   return json_text(object);
 }
 

@@ -42,6 +42,9 @@ class KEMPE_EXPORT FinishedDesign {
   std::optional<double> copy_error() const;
   /// mm, most that the pen gives way over the region under Spec::load, in its worst direction; absent without it.
   std::optional<double> load_error() const;
+  /// mm, most that tracer or pen sinks over the region by weight and play (docs/loads-out-of-plane.md); absent without
+  /// Spec::material.
+  std::optional<double> sag() const;
   std::optional<double> mass() const;  ///< kg, of the four links; absent without Spec::material
   /// Width and thickness of the links, mm: of LinkSpec::sections the one chosen.
   LinkSection section() const;

@@ -1,6 +1,9 @@
 #include "kinematics/planar/loads.hpp"
 
+#include <cmath>
+
 #include "kinematics/planar/rates.hpp"
+#include "kinematics/planar/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -34,12 +37,19 @@ class ForceSum {
 
 }  // namespace
 
+Point direction_between(const Point& a, const Point& b) {
+  const Point apart = a - b;
+  const double distance = apart.norm();
+  if (!(distance > slack::same_point * (a.norm() + b.norm()))) return Point::Constant(std::nan(""));
+  return apart / distance;
+}
+
 Eigen::VectorXd applied_forces(const PlanarLoads& loads, const PlanarPosition& position) {
   ForceSum sum(position);
   for (const PointForce& force : loads.forces)
     sum.add_force(force.at, turned(position, force.turns_with, force.newton));
   for (const PairForce& pair : loads.pairs) {
-    const Point apart = (place(position, pair.a) - place(position, pair.b)).normalized();
+    const Point apart = direction_between(place(position, pair.a), place(position, pair.b));
     sum.add_force(pair.a, pair.newton * apart);
     sum.add_force(pair.b, -pair.newton * apart);
   }

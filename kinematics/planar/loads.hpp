@@ -50,9 +50,13 @@ struct PlanarLoads {
   bool operator==(const PlanarLoads&) const = default;
 };
 
+/// The unit vector from b to a, in the table's frame. NaN where the two coincide (they are nearer than slack::same_point of their
+/// distances from the origin): a force along their line has no direction then.
+Point direction_between(const Point& a, const Point& b);
+
 /// The loads and the weights as generalised forces: for each body but the ground the force (N) and the moment about its
 /// frame's origin (N mm), in the order of the unknowns. Times the unknowns' rates (mm/s, rad/s) they are the power that the
-/// loads bring in, N mm/s.
+/// loads bring in, N mm/s. NaN for the bodies of a pair whose points coincide.
 Eigen::VectorXd applied_forces(const PlanarLoads& loads, const PlanarPosition& position);
 
 /// What the masses need to move as they do, in the same order and units: mass times acceleration of the centre of mass,

@@ -2,6 +2,7 @@
 
 #include "geometry/decompositions.hpp"
 #include "kinematics/overloaded.hpp"
+#include "kinematics/planar/loads.hpp"
 #include "kinematics/planar/slack.hpp"
 
 namespace kempe {
@@ -16,7 +17,7 @@ struct ToothContact {
 ToothContact contact_of(const GearPair& gears, const Point& first, const Point& second) {
   const Point between = second - first;
   const double share = gears.first_radius / (gears.first_radius + gears.second_radius);
-  return {first + share * between, left_of(between.normalized())};
+  return {first + share * between, left_of(direction_between(second, first))};
 }
 
 }  // namespace
@@ -89,6 +90,7 @@ std::optional<std::vector<Reaction>> ReactionSolver::at(const PlanarPosition& po
   equations_.set_values(driver_values);
   equations_.residual_and_jacobian(unknowns_of(position), gaps_, rows_);
   for (const Bearings& bearings : bearings_) put_tooth_force(bearings, position);
+  if (!rows_.allFinite() || !needed.allFinite()) return std::nullopt;
   scale_rows();
   Eigen::VectorXd right = needed;
   for (int body = 1; body < linkage_.body_count(); ++body) right[3 * body - 1] /= equations_.arm_of(body);
@@ -114,8 +116,10 @@ std::optional<std::vector<Reaction>> ReactionSolver::at(const PlanarPosition& po
   lambda.array() /= row_scale_.array();
 
   std::vector<Reaction> reactions;
-  for (int i = 0; i < static_cast<int>(linkage_.constraints().size()); ++i)
+  for (int i = 0; i < static_cast<int>(linkage_.constraints().size()); ++i) {
     reactions.push_back(reaction_of(i, lambda, doubt, position));
+    if (!reactions.back().force.allFinite()) return std::nullopt;
+  }
   return reactions;
 }
 
@@ -138,7 +142,7 @@ Reaction ReactionSolver::reaction_of(int number, const Eigen::VectorXd& lambda, 
             reaction.force = reaction.along * turned(position, c.origin.body, c.direction);
           },
           [&](const Distance& c) {
-            reaction.force = reaction.along * (place(position, c.a) - place(position, c.b)).normalized();
+            reaction.force = reaction.along * direction_between(place(position, c.a), place(position, c.b));
           },
           [&](const RelativeAngle&) {},
           [&](const GearPair& c) {

@@ -39,7 +39,7 @@ class ReactionSolver {
 
   /// One reaction for each constraint, drivers included, in the linkage's order. `needed` is inertia_forces less
   /// applied_forces at this closed position; `driver_values` are those in force. Nothing at a singular position, where no
-  /// forces balance the loads or no equation says which.
+  /// forces balance the loads or no equation says which, nor where a force acts along the line of two points that coincide.
   std::optional<std::vector<Reaction>> at(const PlanarPosition& position,
                                           const std::vector<double>& driver_values,
                                           const Eigen::VectorXd& needed);

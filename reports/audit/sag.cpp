@@ -1,4 +1,4 @@
-// The sag over the region, computed anew from the stored lengths, and the limit on it.
+// The sag over the region, recomputed from the stored lengths by the same formulas as the search's, and the limit on it.
 
 #include "synthesis/loads/sag.hpp"
 
@@ -12,10 +12,11 @@ namespace {
 
 using namespace audit_slack;
 
-/// What the file says of material, load, play and section.
+/// What the file says of material, load, play, section and pins.
 Spec of_sag(const StoredDesign& design) {
   Spec spec;
   spec.links.style = design.style;
+  spec.links.hardware = design.hardware;
   spec.material = design.material;
   spec.load = design.load;
   spec.tolerance = design.tolerance;
@@ -45,7 +46,12 @@ void audit_sag(const AuditTask& task, AuditRecord& record) {
                                      : nullptr;
   if (why != nullptr) {
     if (design.quality.sag) record.not_checked("quality.sag_max_mm", why);
-    if (limit) record.not_checked("limits.sag_mm", why);
+    if (limit && task.needed)
+      record.broken({.limit = "limits.sag_mm",
+                     .allowed = limit,
+                     .sentence = std::string(why) + ", without which it cannot be kept"});
+    else if (limit)
+      record.not_checked("limits.sag_mm", why);
     return;
   }
   const double found =

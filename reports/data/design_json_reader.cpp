@@ -9,6 +9,7 @@
 #include "reports/data/json_fields.hpp"
 #include "specs/file_kind.hpp"
 #include "specs/hardware.hpp"
+#include "specs/materials.hpp"
 #include "specs/text/json_text.hpp"
 #include "specs/text/printable.hpp"
 
@@ -336,7 +337,6 @@ Body body(const JsonField& field) {
 }
 
 Material material(const JsonField& field) {
-  constexpr double MPa_per_GPa = 1000;
   return {.name = printable(field["name"].text()),
           .E = MPa_per_GPa * field["E_GPa"].positive(),
           .density = field["density_kg_m3"].positive(),

@@ -6,6 +6,7 @@
 #include "kinematics/links.hpp"
 #include "kinematics/overloaded.hpp"
 #include "reports/data/geojson_geometry.hpp"
+#include "specs/materials.hpp"
 
 namespace kempe {
 
@@ -66,7 +67,6 @@ void add_bodies_and_table(const std::vector<Body>& bodies, const std::optional<P
 
 void add_material_and_load(const std::optional<Material>& material, const std::optional<Load>& load,
                            Json& json) {
-  constexpr double GPa_per_MPa = 1e-3;
   if (material)
     json["material"] = {{"name", material->name},
                         {"E_GPa", GPa_per_MPa * material->E},

@@ -18,25 +18,11 @@ namespace {
 constexpr std::array<std::string_view, 6> ramp{"#3b0f70", "#2a5c9c", "#1f8f8c",
                                                "#4aa84a", "#c9a400", "#e05a00"};
 
-/// The forces that the colours stand for.
-struct ForceScale {
-  double least = infinity, most = 0;
-  std::size_t step_of(double force) const {
-    if (!(most > least)) return 0;
-    const double share = std::clamp((force - least) / (most - least), 0.0, 1.0);
-    return std::min(ramp.size() - 1, static_cast<std::size_t>(share * ramp.size()));
-  }
-};
-
-ForceScale scale_of(const Trace& trace) {
-  ForceScale scale;
-  for (const TracedLine& line : trace.drawn)
-    for (const double force : line.hand) {
-      if (!std::isfinite(force)) continue;
-      scale.least = std::min(scale.least, force);
-      scale.most = std::max(scale.most, force);
-    }
-  return scale;
+/// The colour of a force.
+std::size_t step_of(const HandForces& scale, double force) {
+  if (!(scale.most > scale.least)) return 0;
+  const double share = std::clamp((force - scale.least) / (scale.most - scale.least), 0.0, 1.0);
+  return std::min(ramp.size() - 1, static_cast<std::size_t>(share * ramp.size()));
 }
 
 std::string piece(const Stroke& points, std::size_t step) {
@@ -46,7 +32,7 @@ std::string piece(const Stroke& points, std::size_t step) {
 }
 
 /// Neighbouring points of one colour in one path.
-std::string pieces_of(const TracedLine& line, const ForceScale& scale) {
+std::string pieces_of(const TracedLine& line, const HandForces& scale) {
   Stroke points = line.points;
   std::vector<double> hand = line.hand;
   if (line.closed && !points.empty()) {
@@ -56,9 +42,9 @@ std::string pieces_of(const TracedLine& line, const ForceScale& scale) {
   std::string text;
   Stroke run;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const std::size_t step = scale.step_of(0.5 * (hand[i] + hand[i + 1]));
+    const std::size_t step = step_of(scale, 0.5 * (hand[i] + hand[i + 1]));
     run.push_back(points[i]);
-    const bool ends = i + 2 == points.size() || scale.step_of(0.5 * (hand[i + 1] + hand[i + 2])) != step;
+    const bool ends = i + 2 == points.size() || step_of(scale, 0.5 * (hand[i + 1] + hand[i + 2])) != step;
     if (!ends) continue;
     run.push_back(points[i + 1]);
     text += piece(run, step);
@@ -67,7 +53,7 @@ std::string pieces_of(const TracedLine& line, const ForceScale& scale) {
   return text;
 }
 
-std::string legend(const ForceScale& scale, const Box& box) {
+std::string legend(const HandForces& scale, const Box& box) {
   const double top = -box.lower.y() + 4, side = 4;
   std::string text;
   for (std::size_t step = 0; step < ramp.size(); ++step)
@@ -89,13 +75,32 @@ std::string legend(const ForceScale& scale, const Box& box) {
 
 }  // namespace
 
+HandForces hand_forces(const Trace& trace) {
+  HandForces forces;
+  for (const TracedLine& line : trace.drawn)
+    for (const double force : line.hand) {
+      if (!std::isfinite(force)) {
+        ++forces.dead_points;
+        continue;
+      }
+      forces.least = std::min(forces.least, force);
+      forces.most = std::max(forces.most, force);
+    }
+  return forces;
+}
+
 std::string forces_csv(const Trace& trace, const HandWork& work) {
   std::string text =
       "stroke,tracer_x_mm,tracer_y_mm,hand_x_N,hand_y_N,hand_N,friction_N,pole_N,pin_A_N,pin_B_N,pin_C_N,"
       "pin_V_N,mass_felt_kg,give_x_mm,give_y_mm\n";
   for (const TracedPose& row : trace.poses) {
-    const auto at = row.pose ? work.at(*row.pose, row.heading) : std::nullopt;
-    if (!at) continue;
+    if (!row.pose) continue;
+    const auto at = work.at(*row.pose, row.heading);
+    if (!at) {
+      fmt::format_to(std::back_inserter(text), "{},{},{},,,,,,,,,,,,\n", row.stroke, row.tracer.x(),
+                     row.tracer.y());
+      continue;
+    }
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.stroke,
                    row.tracer.x(), row.tracer.y(), at->hand.x(), at->hand.y(), at->hand.norm(), at->friction,
                    at->pole, at->pins.A, at->pins.B, at->pins.C, at->pins.V, at->mass, at->give.x(),
@@ -105,8 +110,8 @@ std::string forces_csv(const Trace& trace, const HandWork& work) {
 }
 
 std::string coloured_by_hand(const Trace& trace, const Box& box) {
-  const ForceScale scale = scale_of(trace);
-  if (!(scale.least <= scale.most)) return {};
+  const HandForces scale = hand_forces(trace);
+  if (!scale.any()) return {};
   std::string paths;
   for (const TracedLine& line : trace.drawn) paths += pieces_of(line, scale);
   return SvgElement("g")

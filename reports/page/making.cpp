@@ -142,9 +142,7 @@ std::string layer_table(const Design& design) {
 
 /// "6 mm", or "4 mm at A B C, 8 mm at V X Y" as by_joint() says it.
 std::string pins_text(const Design& design) {
-  std::array<double, 6> pins{};
-  for (std::size_t i = 0; i < all_joints.size(); ++i)
-    pins[i] = pin_at(design.style, design.hardware, all_joints[i]);
+  const auto pins = pin_diameters(design.style, design.hardware);
   return design.hardware.differs() ? by_joint(pins, [](double pin) { return length_text(pin); })
                                    : length_text(design.style.pin_diameter);
 }

@@ -27,10 +27,13 @@ std::string drop_words(const Drop& drop, double bears) {
 }
 
 void add_sag(const Design& design, const OpeningInterval& openings, WeightRows& rows) {
-  const SagAt sag = largest_sag(design.linkage, sag_conditions(spec_of(design), design.layers), openings).sag;
-  rows.push_back({"The pen sinks", length_text(sag.pen.total()), drop_words(sag.pen, sag.pen_bears)});
+  const LargestDrops sag =
+      largest_drops(design.linkage, sag_conditions(spec_of(design), design.layers), openings);
+  const Drop& pen = sag.pen.pen;
+  const Drop& tracer = sag.tracer.tracer;
+  rows.push_back({"The pen sinks", length_text(pen.total()), drop_words(pen, sag.pen.pen_bears)});
   rows.push_back(
-      {"The tracer sinks", length_text(sag.tracer.total()), drop_words(sag.tracer, sag.tracer_bears)});
+      {"The tracer sinks", length_text(tracer.total()), drop_words(tracer, sag.tracer.tracer_bears)});
 }
 
 std::string lock_words(const Feel& feel, const CopyingLinkage& linkage) {
@@ -62,7 +65,8 @@ std::string weight(const Design& design) {
   if (!design.material || !design.load || !openings || openings->empty()) return {};
   WeightRows rows;
   add_sag(design, *openings, rows);
-  const Feel feel = feel_over(design.linkage, design.style, *design.material, *design.load, *openings);
+  const Feel feel =
+      feel_over(design.linkage, design.style, design.hardware, *design.material, *design.load, *openings);
   rows.push_back({"Friction in the pins", fmt::format("{:.2g} %", 100 * feel.friction_share),
                   "most that it adds to the work at the pen; " + lock_words(feel, design.linkage)});
   rows.push_back({"Mass felt at the tracer",

@@ -48,9 +48,9 @@ std::string_view way_of(Link link) { return is_along_p(link) ? "V to A" : "V to 
 
 }  // namespace
 
-Feel feel_over(const CopyingLinkage& linkage, const LinkStyle& style, const Material& material,
-               const Load& load, const OpeningInterval& openings) {
-  const PinFriction friction{load.friction, 0.5 * style.pin_diameter};
+Feel feel_over(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
+               const Material& material, const Load& load, const OpeningInterval& openings) {
+  const PinFriction friction(load.friction, style, hardware);
   const auto points = mass_points(linkage, {style, material.density, load.pen_mass, load.tracer_mass});
   const MassMoments moments = mass_moments(linkage, points);
   const auto share = [&](double opening) { return friction_share(linkage, opening, friction); };

@@ -21,9 +21,9 @@ struct Feel {
   std::optional<std::array<BalanceSpring, 2>>
       springs{};  ///< absent on a level table, and where the pole is not at V
 };
-/// Under a load, of links of this style and material.
-Feel feel_over(const CopyingLinkage& linkage, const LinkStyle& style, const Material& material,
-               const Load& load, const OpeningInterval& openings);
+/// Under a load, of links of this style and material on these joints.
+Feel feel_over(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
+               const Material& material, const Load& load, const OpeningInterval& openings);
 
 /// "2.10 kg, 300 mm beyond V on link VA, opposite to A", for a person.
 std::string words(const Counterweight& weight);

@@ -4,10 +4,16 @@
 #include <cmath>
 
 #include "geometry/complex_vectors.hpp"
+#include "specs/hardware.hpp"
 #include "synthesis/loads/link_forces.hpp"
 #include "synthesis/loads/moving_masses.hpp"
 
 namespace kempe {
+
+PinFriction::PinFriction(double mu, const LinkStyle& style, const JointHardware& hardware)
+    : coefficient(mu), radius(pin_diameters(style, hardware)) {
+  for (double& each : radius) each *= 0.5;
+}
 
 PinLoads pin_loads(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force) {
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
@@ -35,9 +41,11 @@ double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const Poin
                between = std::abs(speeds[1] - speeds[0]);
   const PinLoads loads = pin_loads(linkage, pose, pen_force);
   const bool at_V = linkage.pole_joint() == Joint::V;
-  const double sum = (loads.A + loads.B + loads.C) * between + loads.V * (at_V ? of_q : between) +
-                     loads.pole * (at_V ? of_p : of_q);
-  return friction.coefficient * friction.radius * sum;
+  const double at_joints =
+      loads.A * friction.at(Joint::A) + loads.B * friction.at(Joint::B) + loads.C * friction.at(Joint::C);
+  return friction.coefficient *
+         (at_joints * between + loads.V * friction.at(Joint::V) * (at_V ? of_q : between) +
+          loads.pole * friction.at(linkage.pole_joint()) * (at_V ? of_p : of_q));
 }
 
 double friction_share(const CopyingLinkage& linkage, double opening, const PinFriction& friction) {

@@ -3,14 +3,23 @@
 // that the pins bear without friction. That is right to first order; near the change points f and omega grow as 1 / sin d, and where
 // friction would take all of the hand's work the linkage is about to lock.
 
+#include <array>
+
+#include "kempe/links.hpp"
 #include "kinematics/copying_linkage.hpp"
 
 namespace kempe {
 
 /// Dry friction in round pins.
 struct PinFriction {
-  double coefficient = 0.15;  ///< mu, >= 0
-  double radius = 0;          ///< mm, > 0, of the pins
+  /// Pins of one radius, mm, > 0.
+  PinFriction(double mu, double of_all) : coefficient(mu) { radius.fill(of_all); }
+  /// Each joint's own pin.
+  PinFriction(double mu, const LinkStyle& style, const JointHardware& hardware);
+
+  double coefficient;            ///< mu, >= 0
+  std::array<double, 6> radius;  ///< mm, of the pins, in the order of Joint
+  double at(Joint joint) const { return radius[static_cast<std::size_t>(joint)]; }
 };
 
 /// N, what the pins bear without friction. Where the pole is at V, VA and VB turn on its post: `pole` is VA's part, `V` is VB's.

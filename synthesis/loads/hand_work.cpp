@@ -6,9 +6,9 @@
 
 namespace kempe {
 
-HandWork::HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const Material& material,
-                   const Load& load)
-    : linkage_(linkage), load_(load), friction_{load.friction, 0.5 * style.pin_diameter},
+HandWork::HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
+                   const Material& material, const Load& load)
+    : linkage_(linkage), load_(load), friction_(load.friction, style, hardware),
       bending_(linkage.k(), linkage.grounding(), style, material, load.pen_force),
       masses_(mass_points(linkage, {style, material.density, load.pen_mass, load.tracer_mass})),
       moments_(mass_moments(linkage, masses_)) {}

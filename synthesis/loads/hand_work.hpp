@@ -25,7 +25,8 @@ struct HandWorkAt {
 /// no force of inertia is in it.
 class HandWork {
  public:
-  HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const Material& material, const Load& load);
+  HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
+           const Material& material, const Load& load);
 
   /// The tracer moving along `heading`, a unit vector. Nothing at a dead point.
   std::optional<HandWorkAt> at(const Pose& pose, const Point& heading) const;

@@ -4,11 +4,10 @@
 
 #include "kinematics/assembly_mode.hpp"
 #include "specs/hardware.hpp"
+#include "synthesis/loads/gravity.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr double cubic_metres = 1e-9;  ///< a cubic millimetre
 
 double holes_in(Link link, const Spec& spec) {
   const LinkJoints joints = joints_of(link);
@@ -22,7 +21,8 @@ double holes_in(Link link, const Spec& spec) {
 }
 
 double mass_of(const Spec& spec, double area) {
-  return spec.material ? cubic_metres * spec.material->density * spec.links.style.thickness * area : 0;
+  return spec.material ? cubic_metres_per_mm3 * spec.material->density * spec.links.style.thickness * area
+                       : 0;
 }
 
 /// A size of linkage whose arms are long beside their width.

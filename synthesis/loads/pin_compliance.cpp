@@ -5,16 +5,15 @@
 #include <cstdlib>
 
 #include "specs/hardware.hpp"
+#include "synthesis/loads/steel.hpp"
 
 namespace kempe {
 namespace {
 
-constexpr double E = 200000, G = 77000;  ///< MPa, of steel
-
 /// `ends`: 12 where both ends are kept from tilting, 3 where one is free.
 double compliance_of(double diameter, double height, double ends) {
   const double area = 0.25 * pi * diameter * diameter, inertia = pi * std::pow(diameter, 4) / 64;
-  return std::pow(height, 3) / (ends * E * inertia) + 10 * height / (9 * G * area);
+  return std::pow(height, 3) / (ends * steel::E * inertia) + 10 * height / (9 * steel::G * area);
 }
 
 }  // namespace

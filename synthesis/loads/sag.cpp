@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "specs/hardware.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_arms.hpp"
+#include "synthesis/loads/steel.hpp"
 #include "synthesis/loads/top_over.hpp"
 
 namespace kempe {
 namespace {
-
-constexpr double steel = 200e3;  ///< MPa, E of pins and posts
 
 constexpr int number_of(Joint joint) { return static_cast<int>(joint); }
 
@@ -66,6 +66,7 @@ double SagAt::most() const { return std::max({0.0, tracer.total(), pen.total()})
 
 SagProfile::SagProfile(Complex k, Grounding grounding, const SagConditions& conditions)
     : shape_(shape_of(k, grounding)), roles_(roles_of(grounding)), conditions_(conditions),
+      pins_(pin_diameters(conditions.style, conditions.hardware)),
       down_(standard_gravity * std::cos(conditions.tilt)) {}
 
 void SagProfile::add_links(GrillagePlan& plan) const {
@@ -102,13 +103,16 @@ void SagProfile::add_weights(GrillagePlan& plan) const {
 void SagProfile::add_pins(GrillagePlan& plan) const {
   const LayerAssignment& layers = conditions_.layers;
   const double thickness = conditions_.style.thickness;
-  const double bending = steel * pi * std::pow(conditions_.style.pin_diameter, 4) / 64;
+  const auto bending = [&](Joint joint) {
+    return steel::E * pi * std::pow(pins_[static_cast<std::size_t>(joint)], 4) / 64;
+  };
   const auto join = [&](Joint joint, Link one, Link other) {
     const double apart = thickness * std::abs(layers[one] - layers[other]);
-    plan.pins.push_back({node_of(one, joint), node_of(other, joint), bending / apart});
+    plan.pins.push_back({node_of(one, joint), node_of(other, joint), bending(joint) / apart});
   };
   const auto stand = [&](Joint joint, Link link) {
-    plan.pins.push_back({node_of(link, joint), std::nullopt, bending / (thickness * (layers[link] - 0.5))});
+    const double height = thickness * (layers[link] - 0.5);
+    plan.pins.push_back({node_of(link, joint), std::nullopt, bending(joint) / height});
   };
   if (roles_.pole == Joint::V) {
     stand(Joint::V, Link::VA);
@@ -156,6 +160,7 @@ SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers) {
   const Load load = spec.load.value_or(Load{});
   const Material material = spec.material.value_or(Material{});
   return {.style = spec.links.style,
+          .hardware = spec.links.hardware,
           .layers = layers,
           .E = material.E,
           .density = material.density,
@@ -174,6 +179,14 @@ LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& condi
   const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
   const double opening = top_over(openings, [&](double at) { return sag(at).most(); });
   return {sag(opening), opening};
+}
+
+LargestDrops largest_drops(const CopyingLinkage& linkage, const SagConditions& conditions,
+                           const OpeningInterval& openings) {
+  const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
+  const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
+  return {.tracer = sag(top_over(openings, [&](double at) { return sag(at).tracer.total(); })),
+          .pen = sag(top_over(openings, [&](double at) { return sag(at).pen.total(); }))};
 }
 
 }  // namespace kempe

@@ -6,6 +6,8 @@
 // carries. A pin is a round steel bar that bends between the middles of its two links. Play lets every pin tilt by play / grip. Like
 // the load error the figures depend on lengths and opening alone. Model and limits: docs/loads-out-of-plane.md.
 
+#include <array>
+
 #include "kinematics/copying_linkage.hpp"
 #include "synthesis/loads/grillage.hpp"
 #include "workspace/parts.hpp"
@@ -27,6 +29,7 @@ FlatBar flat_bar(const LinkStyle& style, double E);
 /// What bears a linkage and what it carries, out of the plane.
 struct SagConditions {
   LinkStyle style{};
+  JointHardware hardware{};  ///< says how thick the pin of each joint is
   LayerAssignment layers{};
   double E = 0;            ///< MPa, of the links
   double density = 0;      ///< kg/m^3, of the links
@@ -73,7 +76,8 @@ class SagProfile {
   Complex shape_;
   JointRoles roles_;
   SagConditions conditions_;
-  double down_;  ///< m/s^2: gravity's part at right angles to the table
+  std::array<double, 6> pins_;  ///< mm, their diameters, in the order of Joint
+  double down_;                 ///< m/s^2: gravity's part at right angles to the table
 };
 
 /// The largest sag over an interval of openings (top_over.hpp), and at which.
@@ -83,5 +87,12 @@ struct LargestSag {
 };
 LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& conditions,
                        const OpeningInterval& openings);
+
+/// The sag where each of the two points sinks most by itself, which may be at two openings.
+struct LargestDrops {
+  SagAt tracer{}, pen{};
+};
+LargestDrops largest_drops(const CopyingLinkage& linkage, const SagConditions& conditions,
+                           const OpeningInterval& openings);
 
 }  // namespace kempe

@@ -189,8 +189,9 @@ class Tracing {
     constexpr double smallest_turn = radians(1);
     const Point before = heading_;
     head(from, to);
-    if (options_.gives_way && here && std::abs(cross(before, heading_)) > std::sin(smallest_turn))
-      add(from, here);
+    const bool turned_back = before.dot(heading_) < 0;
+    const bool turns = turned_back || std::abs(cross(before, heading_)) > std::sin(smallest_turn);
+    if (options_.gives_way && here && turns) add(from, here);
   }
 
   /// Where the pen is under its load, and what the hand then holds; without load, where it is.

@@ -81,6 +81,21 @@ class Weight(unittest.TestCase):
         kept["limits"]["sag_mm"] = 0.5 * kept["quality"]["sag_max_mm"]
         self.assertIn("limits.sag_mm", [one["limit"] for one in self.verified(kept)["broken"]])
 
+    def test_each_joint_has_its_own_pin(self):
+        mixed = self.design(TASK.replace("pin_diameter_mm = 5", 'hardware = {default = "M3 bolt", V = "M8 bolt"}') + LOAD)[1]
+        self.assertTrue(self.verified(mixed)["certified"])
+        mixed["mechanism"]["hardware"] = "M8 bolt"
+        self.assertIn("quality.sag_max_mm", [one["limit"] for one in self.verified(mixed)["broken"]])
+
+    def test_a_limit_without_a_material_is_broken(self):
+        stated = self.design("[limits]\nsag_mm = 50\n" + TASK + LOAD)[1]
+        del stated["material"], stated["load"]
+        for figure in [key for key in stated["quality"] if key.startswith(("sag", "mass", "load", "pin_f", "hand", "stress"))]:
+            del stated["quality"][figure]
+        said = self.verified(stated)
+        self.assertEqual([one["limit"] for one in said["broken"]], ["limits.sag_mm"])
+        self.assertFalse(said["certified"])
+
     def test_an_upright_table_has_its_balance(self):
         said, stated = self.design(TASK + LOAD + "tilt_deg = 90\n")
         self.assertIn("balance ", said)

@@ -49,6 +49,18 @@ TEST(Library, FindsADesignThatCopies) {
     }
 }
 
+TEST(Library, SaysHowFarADesignSinksWhereItHasAMaterial) {
+  Spec spec = given_mechanism();
+  EXPECT_FALSE(map(spec)->sag());
+  spec.material = Material{"steel", 200e3, 7850, 235};
+  spec.links.style.thickness = 2;
+  const Outcome outcome = map(spec);
+  ASSERT_TRUE(outcome) << outcome.reason();
+  ASSERT_TRUE(outcome->sag());
+  EXPECT_GT(*outcome->sag(), 0);
+  EXPECT_NE(outcome->json().find("\"sag_max_mm\""), std::string::npos);
+}
+
 TEST(Library, GivesTheSameDesignForAnyNumberOfThreads) {
   Options two;
   two.threads = 2;

@@ -410,6 +410,23 @@ TEST(Reactions, AreNoneAtADeadPoint) {
   EXPECT_FALSE(solver.at(position, {3}, Eigen::VectorXd::Zero(6)));
 }
 
+TEST(Reactions, AreNoneWhereAForceHasNoDirection) {
+  PlanarLinkage linkage;
+  const int crank = linkage.add_body("crank");
+  linkage.add(Revolute{{0, Point(0, 0)}, {crank, Point(0, 0)}}, "A");
+  linkage.drive(RelativeAngle{crank, 0, 0}, "crank");
+  ReactionSolver solver(linkage);
+  for (const double turn : {0.0, 0.5}) {
+    PlanarPosition position(2);
+    position[1].angle = turn;
+    PlanarLoads loads;
+    loads.pairs = {{{crank, Point(40, 0)}, {0, Point(40, 0)}, 12}};  // of a spring whose ends meet at 0
+    EXPECT_EQ(solver.at(position, {turn}, -applied_forces(loads, position)).has_value(), turn > 0) << turn;
+  }
+  linkage.add(Distance{{crank, Point(40, 0)}, {0, Point(40, 0)}, 0}, "spare");
+  EXPECT_FALSE(ReactionSolver(linkage).at(PlanarPosition(2), {0}, Eigen::VectorXd::Zero(3)));
+}
+
 TEST(Reactions, OfALinkageDrawnLargerAreTheSameForces) {
   Random random(64);
   for (int i = 0; i < test::samples(200); ++i) {

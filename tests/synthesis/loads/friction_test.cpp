@@ -47,19 +47,23 @@ TEST(Friction, TakesTheWorkThatTheHandDoesMore) {
     const double of_p = turn_of(pose.V, pose.A, speeds->V, speeds->A),
                  of_q = turn_of(pose.V, pose.B, speeds->V, speeds->B);
     const std::array<double, 5> turns{of_p, of_q, of_q, of_p, 0};  // of VA, VB, ACX, BCY and the ground
-    const double mu = 1e-4, radius = 4;
+    const double mu = 1e-4;
+    PinFriction friction{mu, 4};
+    friction.radius = {4, 1.5, 2, 5, 3, 100};  // no pin turns at Y
+    const Joint pole = linkage.pole_joint();
+    const std::array<Joint, 5> joints{Joint::A, Joint::B, Joint::C, Joint::V, pole};
     std::array<double, 5> moments{};
     Balance balance = links.solve(moments);
     for (int round = 0; round < 3; ++round) {
       for (std::size_t j = 0; j < 5; ++j) {
         const double against = turns[static_cast<std::size_t>(links.pins[j].link)] -
                                turns[static_cast<std::size_t>(links.pins[j].other)];
-        moments[j] = -std::copysign(mu * radius * balance.pins[j].norm(), against);
+        moments[j] = -std::copysign(mu * friction.at(joints[j]) * balance.pins[j].norm(), against);
       }
       balance = links.solve(moments);
     }
     const double more = balance.hand.dot(velocity) + drag.dot(pen_speed);
-    EXPECT_NEAR(friction_loss(linkage, pose, drag, velocity, {mu, radius}), more, 0.02 * more);
+    EXPECT_NEAR(friction_loss(linkage, pose, drag, velocity, friction), more, 0.02 * more);
   }
 }
 

@@ -135,7 +135,7 @@ TEST(LoadedInstrument, GivesWayAsItsBentLinksClose) {
     SCOPED_TRACE(i);
     const auto [linkage, opening, pose, heading] = random_case(random);
     const Load load{.pen_force = 0.1, .pen_mass = 0.02, .tilt = uniform(random, 0, 1.5)};
-    const auto work = HandWork(linkage, style, steel, load).at(pose, heading);
+    const auto work = HandWork(linkage, style, {}, steel, load).at(pose, heading);
     ASSERT_TRUE(work);
     const Point tracer = pose[linkage.tracer_joint()];
     const auto loaded =
@@ -153,7 +153,7 @@ TEST(LoadedInstrument, MadeAndLoadedItStaysWithinTheBudget) {
     const auto [linkage, opening, pose, heading] = random_case(random);
     if (is_flat(linkage.shape())) continue;  // a flat plate is toleranced by other lengths
     const double off = 0.01;
-    const auto work = HandWork(linkage, style, steel, {.pen_force = 20}).at(pose, heading);
+    const auto work = HandWork(linkage, style, {}, steel, {.pen_force = 20}).at(pose, heading);
     ASSERT_TRUE(work);
     CopyTolerance tolerance;
     tolerance.length.fill(off);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/random.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/loads/section_forces.hpp"
@@ -228,6 +230,51 @@ TEST(Sag, GrowsWithTheThirdPowerOfTheLengthsUnderATool) {
     const double once = profile.at(one.VA, one.VB, one.opening).pen.by_weight;
     EXPECT_NEAR(profile.at(2 * one.VA, 2 * one.VB, one.opening).pen.by_weight, 8 * once,
                 1e-6 * std::abs(once));
+  }
+}
+
+TEST(Sag, OfEachPointIsLargestWhereThatPointSinksMost) {
+  std::mt19937_64 random(13);
+  int apart = 0;
+  for (int i = 0; i < 30; ++i) {
+    const SagCase one = random_case(random);
+    const auto modes = assembly_modes(shape_of(one.k, one.grounding));
+    const auto mode = std::find_if(modes.begin(), modes.end(), [&](const AssemblyMode& each) {
+      return each.openings.lower < one.opening && one.opening < each.openings.upper;
+    });
+    const auto linkage = CopyingLinkage::make(one.k, one.grounding, one.VA, one.VB, mode->number);
+    const OpeningInterval openings = shrink(mode->openings, 0.2 * mode->openings.width());
+    const LargestDrops each = largest_drops(*linkage, one.conditions, openings);
+    const SagAt both = largest_sag(*linkage, one.conditions, openings).sag;
+    const double most = std::max(each.pen.pen.total(), each.tracer.tracer.total());
+    EXPECT_NEAR(most, both.most(), 1e-6 * both.most());
+    EXPECT_GE(each.pen.pen.total(), both.pen.total() - 1e-9 * both.most());
+    EXPECT_GE(each.tracer.tracer.total(), both.tracer.total() - 1e-9 * both.most());
+    if (each.tracer.tracer.total() > 1.01 * both.tracer.total() ||
+        each.pen.pen.total() > 1.01 * both.pen.total())
+      ++apart;
+  }
+  EXPECT_GT(apart, 3);  // what one opening for both understates
+}
+
+TEST(Sag, EachJointBendsItsOwnPin) {
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 20; ++i) {
+    SagCase thin = random_case(random);
+    thin.conditions.style.pin_diameter = 3;
+    const auto sag = [](const SagCase& one) {
+      return SagProfile(one.k, one.grounding, one.conditions).at(one.VA, one.VB, one.opening).pen.by_weight;
+    };
+    SagCase bought = thin;
+    bought.conditions.style.pin_diameter = 8;  // what a spec with an M8 bolt at Y states
+    bought.conditions.hardware.every = "M3 bolt";
+    bought.conditions.hardware.at[Y] = "M8 bolt";  // nothing is joined there
+    EXPECT_EQ(sag(bought), sag(thin));
+    bought.conditions.hardware = "M8 bolt";
+    SagCase thick = thin;
+    thick.conditions.style.pin_diameter = 8;
+    EXPECT_EQ(sag(bought), sag(thick));
+    EXPECT_NE(sag(thick), sag(thin));
   }
 }
 

@@ -164,7 +164,7 @@ TEST(DrawingTrace, OfALoadedInstrumentLiesBesideTheImageByItsGive) {
     const DrawnStroke stroke = reachable_stroke(one, random, 4);
     TraceOptions options{.step = 0.5, .keep_poses = true};
     options.work =
-        HandWork(linkage, {.width = 15, .thickness = 5}, {"steel", 200e3, 7850, 235}, {.pen_force = 10});
+        HandWork(linkage, {.width = 15, .thickness = 5}, {}, {"steel", 200e3, 7850, 235}, {.pen_force = 10});
     options.keep_hand = options.gives_way = true;
     const Trace trace = trace_drawing(one, {stroke}, options);
     ASSERT_EQ(trace.drawn.size(), 1U);
@@ -179,6 +179,23 @@ TEST(DrawingTrace, OfALoadedInstrumentLiesBesideTheImageByItsGive) {
     options.gives_way = false;
     EXPECT_LT(trace_drawing(one, {stroke}, options).departure, 1e-9);
   }
+}
+
+TEST(DrawingTrace, OfALoadedInstrumentGivesWayTheOtherWayWhereTheStrokeTurnsBack) {
+  Random random(10);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 120, 90, 3);
+  DrawnStroke stroke = reachable_stroke(one, random, 2);
+  stroke.points.push_back(stroke.points.front());
+  TraceOptions options{.step = 1000};
+  options.work = HandWork(one.mechanism.linkage, {.width = 15, .thickness = 5}, {},
+                          {"steel", 200e3, 7850, 235}, {.pen_force = 10});
+  options.gives_way = true;
+  const Trace trace = trace_drawing(one, {stroke}, options);
+  ASSERT_EQ(trace.drawn.size(), 1U);
+  const Stroke& points = trace.drawn[0].points;
+  ASSERT_EQ(points.size(), 4U);  // at the far end the pen springs from one side of its image to the other
+  EXPECT_LT((0.5 * (points[1] + points[2]) - image(one, stroke.points[1])).norm(), 1e-9);
+  EXPECT_GT((points[1] - points[2]).norm(), 1e-6);
 }
 
 }  // namespace
