@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "kempe/links.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/spec_keys.hpp"
 #include "specs/spec_unit.hpp"
