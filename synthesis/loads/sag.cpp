@@ -62,7 +62,11 @@ FlatBar flat_bar(const LinkStyle& style, double E) {
           shear * E * torsion_constant(style.width, style.thickness)};
 }
 
-double SagAt::most() const { return std::max({0.0, tracer.total(), pen.total()}); }
+double SagAt::most() const {
+  const double of_tracer = tracer.total(), of_pen = pen.total();
+  if (!std::isfinite(of_tracer) || !std::isfinite(of_pen)) return infinity;
+  return std::max({0.0, of_tracer, of_pen});
+}
 
 SagProfile::SagProfile(Complex k, Grounding grounding, const SagConditions& conditions)
     : shape_(shape_of(k, grounding)), roles_(roles_of(grounding)), conditions_(conditions),

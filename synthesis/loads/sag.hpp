@@ -54,7 +54,7 @@ struct Drop {
 struct SagAt {
   Drop tracer{}, pen{};
   double tracer_bears = 0, pen_bears = 0;  ///< N, what the table carries there; 0 where nothing rests
-  /// mm, of tracer and pen the one that sinks more; at least 0
+  /// mm, of tracer and pen the one that sinks more; at least 0; infinite where the equations say nothing (Grillage)
   double most() const;
 };
 

@@ -117,6 +117,8 @@ class DesignProblem {
   Assessment assess(const DesignPoint& point, int openings) const;
 
   /// True if both VA and VB are locked: only the pole can be free.
+  /// True with a limit on the sag: points keep it by being judged, and local solutions know nothing of it.
+  bool has_limit_without_row() const { return sag_ && limits_.sag; }
   bool lengths_are_locked() const { return box_.u.width() == 0 && box_.v.width() == 0; }
   /// Dimensions of the unit cube that unit_point() maps onto the designs: 2 for lengths unless they are locked, 2 more for
   /// a free pole.

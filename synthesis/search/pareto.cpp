@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/invariant.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/diagnosis/diagnosis.hpp"
@@ -63,9 +64,13 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
     return result.design.has_value();
   };
   const auto limited_value = [&](const ParetoPoint& point) { return limited_one == a ? point.a : point.b; };
-  const SearchResult first = best_design(task.with(goal_of(limited_one)));
+  SearchResult first = best_design(task.with(goal_of(limited_one)));
   if (!first.design && first.stopped && !first.proven_none) return found;
-  if (!first.design) return tl::unexpected(diagnose(task, first, origin));
+  if (!first.design) {
+    Diagnosis diagnosis = diagnose(task, first, origin);
+    if (!diagnosis.permitted || first.proven_none) return tl::unexpected(std::move(diagnosis.none));
+    first.design = std::move(diagnosis.permitted);
+  }
   const double from = value_of(spec, *first.design, limited_one);
   add(best_design(
       task.with(with_limit(limits, goal_of(limited_one), slackened(limited_one, from)), goal_of(other))));
@@ -82,8 +87,9 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
   return undominated(std::move(found), a, b);
 }
 
-/// Of bounds and proofs what claim_no_more() leaves.
+/// Of bounds and proofs what claim_no_more() leaves. Of one section: with several, no word about the first alone holds of all.
 Front front_of(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
+  invariant(spec.links.sections.size() < 2, "a front is of one section");
   if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
   const Point origin = local_origin(spec);
   if (origin.isZero(0)) return front_here(spec, origin, a, b, points, options);

@@ -35,20 +35,28 @@ SearchTask nominal_task(const SearchTask& task) {
   return task.with(task.control.part_of_time(task.budgets().time.nominal));
 }
 
+/// Of a search with a design. `nominal`: the task without what robust designs need beyond it.
+SearchOutcome told(const SearchTask& whole, const SearchTask& nominal, SearchResult found) {
+  FoundDesign design = finished(nominal, std::move(found));
+  if (!asks_for_robust(whole.spec())) return design;
+  return make_robust(whole, design);
+}
+
 /// `origin`: of the spec's coordinates, on the table.
 SearchOutcome synthesize_here(const Spec& spec, const Point& origin, const SearchOptions& options) {
   const SearchTask whole = pose(spec, SearchControl(options)), task = nominal_task(whole);
   SearchResult found = best_design(task);
   const std::optional<double> bound = has_stock_lengths(spec) ? std::nullopt : found.bound;
   if (!found.design && !found.proven_none) found = searched_again(task, std::move(found), has_design);
-  if (found.design) {
-    FoundDesign nominal = finished(task, std::move(found));
-    if (!asks_for_robust(spec)) return nominal;
-    return make_robust(whole, nominal);
-  }
+  if (found.design) return told(whole, task, std::move(found));
   if (found.stopped && !found.proven_none) return Stopped{found.evaluations, bound};
-  NoDesign none = diagnose(whole, found, origin);
-  return asks_for_robust(spec) ? told_without_robust(std::move(none)) : none;
+  Diagnosis diagnosis = diagnose(whole, found, origin);
+  if (diagnosis.permitted && !found.proven_none) {
+    found.design = std::move(diagnosis.permitted);
+    found.evaluations = diagnosis.none.evaluations;
+    return told(whole, task, std::move(found));
+  }
+  return asks_for_robust(spec) ? told_without_robust(std::move(diagnosis.none)) : std::move(diagnosis.none);
 }
 
 SearchOutcome back_to_the_table(SearchOutcome outcome, const Point& origin) {

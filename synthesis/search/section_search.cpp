@@ -24,12 +24,14 @@ bool is_better(const FoundDesign& one, const FoundDesign& other) {
   return is_maximized(one.goal) ? one.value > other.value + margin : one.value < other.value - margin;
 }
 
-/// A share of the time that is left; its design's reasons are looked for with the last section alone.
-SearchOptions options_for(const SearchOptions& options, Clock::time_point start, std::size_t sections_left) {
+/// A share of the time that is left; why there is no design is looked for with the last section alone, and only where no section before
+/// it had one.
+SearchOptions options_for(const SearchOptions& options, Clock::time_point start, std::size_t sections_left,
+                          bool has_one) {
   SearchOptions part = options;
   const double spent = std::chrono::duration<double>(Clock::now() - start).count();
   part.time_limit = std::max(0.0, options.time_limit - spent) / static_cast<double>(sections_left);
-  part.diagnose = options.diagnose && sections_left == 1;
+  part.diagnose = options.diagnose && sections_left == 1 && !has_one;
   return part;
 }
 
@@ -46,7 +48,8 @@ SearchOutcome best_of_sections(
   std::uint64_t evaluations = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const LinkSection& section = spec.links.sections[i];
-    SearchOutcome outcome = search(with_section(spec, section), options_for(options, start, count - i));
+    SearchOutcome outcome =
+        search(with_section(spec, section), options_for(options, start, count - i, best.has_value()));
     if (auto* found = std::get_if<FoundDesign>(&outcome)) {
       evaluations += found->evaluations;
       complete = complete && found->complete;

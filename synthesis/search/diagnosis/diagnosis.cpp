@@ -71,7 +71,7 @@ std::string in_vain(const NoDesign& none, const Questions& questions) {
 
 }  // namespace
 
-NoDesign diagnose(const SearchTask& task, const SearchResult& nothing, const Point& origin) {
+Diagnosis diagnose(const SearchTask& task, const SearchResult& nothing, const Point& origin) {
   NoDesign none{.requirement = "limits",
                 .sentence = nothing.proven_none ? "no design keeps all limits together"
                                                 : "the search found none that keeps all limits together",
@@ -79,7 +79,7 @@ NoDesign diagnose(const SearchTask& task, const SearchResult& nothing, const Poi
                 .proven = nothing.proven_none,
                 .obstacles_out_of_reach = names_out_of_reach(task.spec()),
                 .evaluations = nothing.evaluations};
-  if (!task.control.options().diagnose) return none;
+  if (!task.control.options().diagnose) return {std::move(none)};
   const Questions questions = asked_twice([&](bool thorough) { return asked(task, origin, thorough); });
   take_answers(questions, none);
   if (none.relaxations.empty()) {
@@ -88,7 +88,7 @@ NoDesign diagnose(const SearchTask& task, const SearchResult& nothing, const Poi
     none.sentence = none.relaxations.front().sentence;
     none.requirement = none.relaxations.front().key;
   }
-  return none;
+  return {std::move(none), questions.permitted()};
 }
 
 NoDesign diagnose_plain(const SearchTask& task, NoDesign reason, const Point& origin) {

@@ -5,6 +5,9 @@
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/best/improve.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
+#include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/search/steps/obstacle_check.hpp"
+#include "workspace/footprint.hpp"
 
 namespace kempe {
 
@@ -44,9 +47,55 @@ void Questions::keep(std::optional<Relaxation> found) {
   found_.push_back(*std::move(found));
 }
 
+bool Questions::permits(const FoundDesign& design) {
+  const DesignCheck check = check_design(spec(), limits(), design.linkage, design.layers);
+  if (!check.feasible) return false;
+  Attained attained = check.attained;
+  if (!task_.space().obstacles().empty()) {
+    const ObstacleCheck obstacles = check_obstacles(task_.space().spec(), limits(), design.linkage,
+                                                    design.layers, check.opening, task_.stop());
+    if (!obstacles.clear) return false;
+    attained.clearance = std::min(attained.clearance, obstacles.clearance);
+  }
+  if (task_.goal == Goal::footprint)
+    attained.footprint = footprint(design.linkage, spec().links.style, spec().region).area;
+  permitted_ = design;
+  permitted_->goal = task_.goal;
+  permitted_->attained = attained;
+  permitted_->value = attained.of(task_.goal);
+  permitted_->opening = check.opening;
+  return true;
+}
+
 bool Questions::has(const std::string& key) const {
   return std::any_of(found_.begin(), found_.end(), [&](const Relaxation& one) { return one.key == key; });
 }
+
+namespace {
+
+/// True where thick parts may keep a limit that thin ones break.
+bool asks_for_stiff_parts(const Requirements& limits) { return limits.load_error || limits.sag; }
+
+struct ThinnedPart {
+  double value;  ///< mm
+  FoundDesign design;
+};
+
+/// Of the thinnest part; where that is too soft, of the thickest of a few values in between with which there is a design.
+template <class With>
+std::optional<ThinnedPart> thinned_at_first(Questions& questions, const With& with, double least,
+                                            double demanded) {
+  if (auto design = with(least)) return ThinnedPart{least, *std::move(design)};
+  if (!asks_for_stiff_parts(questions.limits())) return std::nullopt;
+  for (const double share : questions.budget().thinner) {
+    if (questions.stopped()) break;
+    const double value = rounded_down(demanded - share * (demanded - least));
+    if (auto design = with(value)) return ThinnedPart{value, *std::move(design)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<Thinned> thinned(Questions& questions, double LinkStyle::*part, double least) {
   Spec spec = questions.spec();
@@ -54,17 +103,19 @@ std::optional<Thinned> thinned(Questions& questions, double LinkStyle::*part, do
     spec.links.style.*part = value;
     return questions.best_of(spec);
   };
-  double enough = least, too_much = questions.spec().links.style.*part;
-  auto design = with(enough);
-  for (int i = 0; design && i < questions.budget().halvings && !questions.stopped(); ++i) {
-    const double middle = rounded_down(0.5 * (enough + too_much));
-    if (middle <= enough) break;
-    const auto found = with(middle);
-    (found ? enough : too_much) = middle;
-    if (found) design = found;
+  double too_much = questions.spec().links.style.*part;
+  auto enough = thinned_at_first(questions, with, least, too_much);
+  for (int i = 0; enough && i < questions.budget().halvings && !questions.stopped(); ++i) {
+    const double middle = rounded_down(0.5 * (enough->value + too_much));
+    if (middle <= enough->value) break;
+    if (auto found = with(middle))
+      enough = ThinnedPart{middle, *std::move(found)};
+    else
+      too_much = middle;
   }
-  if (!design) return std::nullopt;
-  return Thinned{enough, *std::move(design), !questions.stopped()};
+  if (!enough) return std::nullopt;
+  const bool is_least = !questions.stopped() && !asks_for_stiff_parts(questions.limits());
+  return Thinned{enough->value, std::move(enough->design), is_least};
 }
 
 }  // namespace kempe

@@ -21,8 +21,9 @@ class Questions {
   const DiagnosisBudget& budget() const { return task_.budgets().diagnosis; }
   /// Of the task's coordinates on the table, mm.
   const Point& origin() const { return origin_; }
-  /// True once no other search is to begin: the task is stopped, or the budget of this round is spent.
-  bool stopped() const { return task_.stopped() || spent_ >= budget().evaluations; }
+  /// True once no other search is to begin: the task is stopped, the budget of this round is spent, or there is nothing to
+  /// diagnose.
+  bool stopped() const { return task_.stopped() || spent_ >= budget().evaluations || permitted_; }
   /// Of the budget, so far.
   std::uint64_t spent() const { return spent_; }
   /// True once the search for the least change of one limit, begun when so much was spent, has had its share.
@@ -41,6 +42,10 @@ class Questions {
   void note(const std::string& key);
   /// The sentence of a change that need not be the least says so from here on.
   void keep(std::optional<Relaxation> found);
+  /// True if the design keeps every limit of the task, which is looked at anew. It is kept then: the task's own search had
+  /// missed it.
+  bool permits(const FoundDesign& design);
+  const std::optional<FoundDesign>& permitted() const { return permitted_; }
   /// What was changed by that key already, with a design.
   bool has(const std::string& key) const;
 
@@ -54,6 +59,7 @@ class Questions {
   bool thorough_;
   std::vector<std::string> noted_;
   std::vector<Relaxation> found_;
+  std::optional<FoundDesign> permitted_;
   std::uint64_t evaluations_ = 0, spent_ = 0;
 };
 
@@ -76,8 +82,9 @@ void relax_parts(Questions& questions);
 /// The thickest hardware of the spec's kind with which there is a design.
 std::optional<Relaxation> smaller_hardware(Questions& questions);
 
-/// The thickest pin (or width) with which there is a design, and that design; nothing if none has one. By halving: thinner
-/// parts never forbid what thicker ones allow.
+/// The thickest pin (or width) with which there is a design, and that design; nothing if none was found. By halving: thinner
+/// parts never forbid what thicker ones allow, unless a limit on load error or sag asks for stiff ones. Under such a limit
+/// some values are tried where the thinnest part is of no avail, and the value need not be the thickest.
 struct Thinned {
   double value;  ///< mm
   FoundDesign design;

@@ -83,6 +83,11 @@ bool has_loosest(const MovableLimit& limit, double value) {
   return is_maximized(limit.goal) ? value <= limit.loosest : value >= limit.loosest;
 }
 
+bool keeps(const MovableLimit& limit, const FoundDesign& design, double demanded) {
+  const double attained = design.attained.of(limit.goal);
+  return is_maximized(limit.goal) ? attained >= demanded : attained <= demanded;
+}
+
 const MovableLimit& limit_of(Goal goal) {
   const MovableLimit* limit = movable_limits.data();
   while (limit->goal != goal) ++limit;
@@ -139,10 +144,12 @@ void relax_sag(Questions& questions) {
   Spec spec = questions.spec();
   spec.limits.sag = std::nullopt;
   const auto design = questions.best_of(spec);
+  if (design && questions.permits(*design)) return;
   const auto openings = design ? openings_over(design->linkage, spec.region) : std::nullopt;
   if (!openings) return;
-  const double possible =
-      rounded_up(largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most());
+  const double sag = largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most();
+  if (!std::isfinite(sag)) return;
+  const double possible = rounded_up(sag);
   questions.keep(Relaxation{.key = "limits.sag_mm",
                             .demanded = *demanded,
                             .possible = possible,
@@ -158,7 +165,8 @@ std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& limi
   if (!demanded || has_loosest(limit, *demanded) || questions.stopped()) return std::nullopt;
   questions.note(limit.key);
   const auto best = best_attained(questions, limit, *demanded);
-  if (!best) return std::nullopt;
+  // A limit that is kept is not in the way.
+  if (!best || questions.permits(best->design) || keeps(limit, best->design, *demanded)) return std::nullopt;
   return moved_to(questions, limit, *demanded, *best);
 }
 

@@ -81,6 +81,8 @@ struct LocalBudget {
   int final_openings = 129;  ///< the same for a result, before it is certified in closed form
   int exchanges = 10;        ///< rounds of the exchange method
   int evaluations = 120;     ///< of the local solver in one round
+  int halvings =
+      16;  ///< of the way from a start that keeps a limit without a row to a solution that does not
   /// Starts differ at least by so much in the unit square of lengths, or by so much of the task's size in the pole's place:
   /// nearer ones lead to the same solution.
   double lengths_apart = 0.15, poles_apart = 0.6;
@@ -137,7 +139,10 @@ struct DiagnosisBudget {
   int rounds = 8;  ///< of looking for a design nearer to what is demanded
   /// Of the way from what is demanded to what is attained: where such a design is looked for, the nearest first.
   std::array<double, 3> nearer{0.5, 0.9, 0.98};
-  int halvings = 10;                  ///< of what pins or links may have to give: to a thousandth
+  int halvings = 10;  ///< of what pins or links may have to give: to a thousandth
+  /// Of the way from a part's own size to the thinnest: what is tried under a limit that asks for stiff parts, where the thinnest
+  /// is of no avail.
+  std::array<double, 4> thinner{0.05, 0.2, 0.4, 0.7};
   int pole_digits = 4;                ///< grids that a pole's place is rounded to, each ten times finer
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };

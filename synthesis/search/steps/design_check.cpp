@@ -1,6 +1,7 @@
 #include "synthesis/search/steps/design_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
 #include "synthesis/loads/load_error.hpp"
@@ -60,8 +61,10 @@ OpeningInterval certified_opening(const Spec& spec, const Requirements& limits, 
 std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                                  const DesignCheck& check) {
   const Attained& has = check.attained;
+  // What is not a number keeps no limit, and an infinite figure breaks every finite one.
   const auto below = [](double value, double least) {
-    return value < least - slack::limit_rounding * std::abs(least);
+    if (!std::isfinite(least)) return !(value >= least);
+    return !(value >= least - slack::limit_rounding * std::abs(least));
   };
   if (below(has.shortest, limits.shortest)) return Goal::shortest;
   if (below(limits.longest, has.longest)) return Goal::longest;

@@ -55,6 +55,40 @@ DesignPoint rounded(const DesignProblem& problem, const DesignPoint& point) {
 
 using LocalSolver = std::function<LocalResult(const SmoothProgram&, const DesignVector&)>;
 
+/// Of the way between two points the part `share` from the first.
+DesignPoint point_between(const DesignPoint& from, const DesignPoint& to, double share) {
+  return {{std::lerp(from.lengths.u, to.lengths.u, share), std::lerp(from.lengths.v, to.lengths.v, share)},
+          from.pole + share * (to.pole - from.pole)};
+}
+
+/// The last feasible point on the way from a feasible start to a solution that breaks a limit without a row, and is infeasible by that.
+/// By halving.
+ChoiceResult last_feasible(const DesignProblem& problem, const ChoiceResult& start,
+                           const DesignPoint& solution, const LocalBudget& local) {
+  ChoiceResult best = start;
+  double kept = 0, broken = 1;
+  for (int i = 0; i < local.halvings; ++i) {
+    const double share = 0.5 * (kept + broken);
+    const ChoiceResult here = judged(problem, point_between(start.point, solution, share), local);
+    (here.feasible ? kept : broken) = share;
+    if (better(here, best)) best = here;
+  }
+  best.evaluations = start.evaluations + static_cast<std::uint64_t>(local.halvings);
+  return best;
+}
+
+/// What a solution becomes that breaks a limit without a row: a point that keeps it, if its start does.
+ChoiceResult kept_without_row(const DesignProblem& problem, const DesignPoint& start, ChoiceResult solved,
+                              const LocalBudget& local) {
+  if (solved.feasible) return solved;
+  ChoiceResult best = judged(problem, start, local);
+  if (best.feasible) best = last_feasible(problem, best, solved.point, local);
+  const std::uint64_t evaluations = best.evaluations + solved.evaluations;
+  if (!better(best, solved)) best = solved;
+  best.evaluations = evaluations;
+  return best;
+}
+
 /// The exchange method: solve, add the rows that the solution violates, solve again; then the last digits.
 ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, const LocalSolver& solve,
                       const LocalBudget& local, const StopFlag& stop) {
@@ -78,7 +112,7 @@ ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, con
     if (here.feasible || better(here, best)) best = here;
   }
   best.evaluations += evaluations;
-  return best;
+  return problem.has_limit_without_row() ? kept_without_row(problem, start, best, local) : best;
 }
 
 }  // namespace

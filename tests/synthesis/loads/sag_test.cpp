@@ -64,6 +64,22 @@ TEST(Sag, ABarOnAPropAtItsEndBearsThreeEighths) {
   EXPECT_GT(standing(plan, {1}).state.rises[1], 0);
 }
 
+TEST(Sag, WithoutASolutionIsNoNumberAndNeverNone) {
+  SagConditions conditions{.style = {.width = 15, .pin_diameter = 6, .thickness = 5},
+                           .layers = layer_assignments(2).front(),
+                           .E = 200e3,
+                           .density = 7850,
+                           .grip = 5};
+  const auto sag = [&](double scale) {
+    return SagProfile(copy_ratio(scale, 0), Grounding::pole, conditions).at(150, 120, 1.5).most();
+  };
+  EXPECT_NEAR(sag(1.01), sag(1.0101), 1e-3 * sag(1.01));
+  for (const double off : {1e-4, 1e-5, 2e-6, 1e-7}) EXPECT_EQ(sag(1 + off), infinity);  // arms of length 0
+  conditions.style.thickness = 1e-110;
+  EXPECT_EQ(sag(1.4), infinity);
+  EXPECT_EQ((SagAt{.tracer = {std::nan(""), 0}, .pen = {1, 0}}.most()), infinity);
+}
+
 TEST(Sag, TorsionConstantOfARectangle) {
   EXPECT_NEAR(torsion_constant(1, 1), 0.1406,
               0.0007);  // S. Timoshenko, J. N. Goodier, Theory of Elasticity, article 109

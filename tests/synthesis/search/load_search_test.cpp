@@ -7,7 +7,11 @@
 #include "specs/materials.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
+#include "synthesis/loads/sag.hpp"
+#include "synthesis/search/diagnosis/relaxations.hpp"
 #include "synthesis/search/search.hpp"
+#include "synthesis/search/section_search.hpp"
+#include "synthesis/search/steps/design_check.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
 
@@ -156,6 +160,102 @@ TEST(LoadSearch, SaysWhatLimitWouldDo) {
   ASSERT_NE(relaxed, none->relaxations.end());
   ASSERT_TRUE(relaxed->possible);
   EXPECT_LE(load_error_of(spec, relaxed->design), *relaxed->possible);
+}
+
+/// The engraver's pantograph of the examples in one grounding, with a limit on the sag that its smallest instrument does not keep.
+Spec engraver_with_a_limit_on_sag() {
+  Spec spec;
+  spec.copy = Copy::of(0.4, 0);
+  spec.region = Region::rectangle({-131.25, 0}, {262.5, 185});
+  spec.pole.place = Point(0, 330);
+  spec.links.style = {.width = 15, .pin_diameter = 8, .thickness = 5};
+  spec.links.shortest = 30;
+  spec.links.longest = 400;
+  spec.limits.clearance = 1;
+  spec.limits.transmission = radians(30);
+  spec.limits.copy_gap = 5;
+  spec.limits.sag = 3.5;
+  spec.tolerance = Tolerance{0.05, 0.02};
+  spec.material = as_material(*material_named("steel"));
+  spec.load = Load{10};
+  spec.objective.groundings = {Grounding::pen};
+  return spec;
+}
+
+TEST(SagSearch, FindsADesignThatALocalSolutionLeaves) {
+  const Spec spec = engraver_with_a_limit_on_sag();
+  const FoundDesign found = design_for(spec);
+  EXPECT_TRUE(check_design(spec, requirements_of(spec), found.linkage, found.layers).feasible);
+  EXPECT_LE(found.value, 551.5);  // what a search with a stricter limit on the longest link finds
+}
+
+TEST(SagSearch, SaysOfNoLimitThatIsKeptThatItIsInTheWay) {
+  Spec spec = engraver_with_a_limit_on_sag();
+  spec.limits.sag = 1;
+  const SearchOutcome outcome = synthesize(spec, {});
+  const auto* none = std::get_if<NoDesign>(&outcome);
+  ASSERT_NE(none, nullptr);
+  EXPECT_FALSE(none->proven);
+  for (const Relaxation& each : none->relaxations) {
+    EXPECT_FALSE(check_design(spec, requirements_of(spec), each.design.linkage, each.design.layers).feasible)
+        << each.sentence;
+    if (each.limit && each.possible) {
+      EXPECT_EQ(is_maximized(*each.limit), *each.possible < each.demanded) << each.sentence;
+    }
+  }
+}
+
+TEST(SagSearch, ThinnerPartsAreTriedFromThickToThin) {
+  Spec spec = plagiograph();
+  spec.load->pen_mass = 1;
+  const FoundDesign free = design_for(spec);
+  const auto openings = openings_over(free.linkage, spec.region);
+  ASSERT_TRUE(openings);
+  spec.limits.sag = 1.1 * largest_sag(free.linkage, sag_conditions(spec, free.layers), *openings).sag.most();
+  SearchOptions options;
+  options.budgets.diagnosis.halvings = 1;
+  const SearchTask task = pose(spec, SearchControl(options));
+  Questions questions(task, {0, 0}, false);
+  const auto thinner = thinned(questions, &LinkStyle::pin_diameter, 0.3);  // a pin of 0.3 mm bends too much
+  ASSERT_TRUE(thinner);
+  EXPECT_GT(thinner->value, 0.3);
+  EXPECT_FALSE(thinner->is_least);
+}
+
+TEST(SectionSearch, AsksWhyThereIsNoDesignOnlyWhereThereIsNone) {
+  Spec spec = plagiograph();
+  spec.links.sections = {{6, 2}, {6, 3}, {8, 3}};
+  const FoundDesign one{*CopyingLinkage::make(1.4, Grounding::pole, 1, 1, 0), LayerAssignment{}};
+  for (const bool first_has_one : {true, false}) {
+    std::vector<bool> asked;
+    const auto search = [&](const Spec&, const SearchOptions& options) -> SearchOutcome {
+      asked.push_back(options.diagnose);
+      if (first_has_one && asked.size() == 1) return one;
+      return NoDesign{};
+    };
+    best_of_sections(spec, {}, search);
+    EXPECT_EQ(asked, (std::vector<bool>{false, false, !first_has_one}));
+  }
+}
+
+TEST(LoadCheck, InfiniteFiguresKeepNoLimit) {
+  Spec spec = plagiograph();
+  const FoundDesign found = design_for(spec);
+  spec.limits.load_error = 0.5;
+  spec.links.style.width = spec.links.style.thickness = 1e-100;
+  const DesignCheck check = check_design(spec, requirements_of(spec), found.linkage, found.layers);
+  EXPECT_EQ(check.attained.load_error, HUGE_VAL);
+  EXPECT_EQ(check.broken, Goal::load_error);
+}
+
+TEST(LoadCheck, ASagThatIsNoNumberKeepsNoLimit) {
+  Spec spec = plagiograph();
+  const FoundDesign found = design_for(spec);
+  spec.limits.sag = 1000;
+  spec.links.style.thickness = 1e-110;
+  const DesignCheck check = check_design(spec, requirements_of(spec), found.linkage, found.layers);
+  EXPECT_EQ(check.attained.sag, HUGE_VAL);
+  EXPECT_EQ(check.broken, Goal::sag);
 }
 
 }  // namespace

@@ -61,6 +61,13 @@ TEST(Pareto, BetweenTransmissionAndCopyErrorWithAFreePole) {
   check_front(example("sixty"), Objective::transmission, Objective::copy_error, 6);
 }
 
+TEST(ParetoDeathTest, IsOfOneSection) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  Spec spec = example("plagiograph");
+  spec.links.sections = {{6, 2}, {6, 3}};
+  EXPECT_DEATH(pareto_front(spec, Objective::size, Objective::transmission, 5, {}), "one section");
+}
+
 TEST(Pareto, OfASpecWithoutDesignsSaysWhy) {
   Spec spec = example("plagiograph");
   spec.limits.transmission = radians(80);
