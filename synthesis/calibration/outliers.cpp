@@ -13,6 +13,7 @@
 
 #include "synthesis/calibration/outliers.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
