@@ -196,7 +196,7 @@ class Tracing {
 
   /// Where the pen is under its load, and what the hand then holds; without load, where it is.
   Point under_load(const Pose& pose) {
-    const Point pen = pose[task_.mechanism.linkage.pen_joint()];
+    const Point& pen = pose[task_.mechanism.linkage.pen_joint()];
     if (!options_.work) return pen;
     const auto work = options_.work->at(pose, heading_);
     if (options_.keep_hand) line_.hand.push_back(work ? work->hand.norm() : infinity);
