@@ -109,10 +109,13 @@ std::optional<std::vector<Reaction>> ReactionSolver::at(const PlanarPosition& po
                               .transpose()
                               .solve(qr.colsPermutation().transpose() * right);
   lambda.applyOnTheLeft(qr.householderQ());
-  Eigen::MatrixXd spare = Eigen::MatrixXd::Zero(equations, equations - unknowns);
-  spare.bottomRows(equations - unknowns).setIdentity();
-  spare.applyOnTheLeft(qr.householderQ());
-  const Eigen::VectorXd doubt = spare.rowwise().norm();
+  Eigen::VectorXd doubt = Eigen::VectorXd::Zero(equations);
+  if (equations > unknowns) {
+    Eigen::MatrixXd spare = Eigen::MatrixXd::Zero(equations, equations - unknowns);
+    spare.bottomRows(equations - unknowns).setIdentity();
+    spare.applyOnTheLeft(qr.householderQ());
+    doubt = spare.rowwise().norm();
+  }
   lambda.array() /= row_scale_.array();
 
   std::vector<Reaction> reactions;
