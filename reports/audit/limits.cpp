@@ -90,7 +90,7 @@ std::optional<ClearanceFigure> clearance_of(const AuditTask& task, const Beside&
   const Tightest own = smallest_gap_over(mapped.linkage, mapped.style, mapped.layers, openings);
   ClearanceFigure figure{own.gap, own.pair ? name(*own.pair) : "", mapped.linkage.tracer_at(own.opening, 0),
                          true};
-  if (const auto post = tightest_at_pole(mapped))
+  if (const auto post = tightest(gaps_at_pole(mapped)))
     figure = {post->gap, post->post + " and " + post->obstacle, mapped.linkage.pole(), true};
   return figure;
 }

@@ -329,7 +329,7 @@ double largest_shift_over(const std::vector<HolePiece>& pieces, const Instrument
 std::vector<HolePiece> pieces_near_obstacles(const MapTask& task, double within) {
   const ContactScene scene(task, within);
   std::vector<Part> parts;
-  for (const Encounter& one : scene.encounters)
+  for (const Encounter& one : scene.encounters.pairs)
     if (const Part& part = scene.pieces[one.piece].part;
         std::find(parts.begin(), parts.end(), part) == parts.end())
       parts.push_back(part);
@@ -370,7 +370,7 @@ RobustCheck check_robust(const MapTask& task, const CopyTolerance& tolerance) {
     check = OwnGaps(task, instruments).over(range.nearest, range.farthest);
   }
   if (!check.closes || task.obstacles.empty()) return check;
-  if (const auto post = tightest_at_pole(task); post && post->gap < check.clearance) {
+  if (const auto post = tightest(gaps_at_pole(task)); post && post->gap < check.clearance) {
     check.clearance = post->gap;  // neither moves
     check.parts = post->post + " and " + post->obstacle;
     check.at_distance = 0;

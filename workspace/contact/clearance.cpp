@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/sector.hpp"
-#include "workspace/contact/self_contact.hpp"
 #include "workspace/contact/subdivision.hpp"
 #include "workspace/reach.hpp"
 
@@ -55,8 +54,8 @@ Point place_at_distance(const Region& region, const Point& pole, double radius) 
 constexpr double as_tight = 1e-7;
 
 /// Tries points of the region in the open cells; keeps the smallest gap found. `named` is that of the pair named.
-void improve(ClearanceFigure& best, double& named, const ContactScene& scene, const Subdivision& cells,
-             const StopFlag& stop) {
+void improve(ClearanceFigure& best, double& named, const ContactScene& scene, const Encounters& encounters,
+             const Subdivision& cells, const StopFlag& stop) {
   const CopyingLinkage& linkage = cells.grid().linkage();
   const std::size_t stride = std::max<std::size_t>(1, cells.open().size() / tried_each_level);
   for (std::size_t i = 0; i < cells.open().size() && !stop(); i += stride) {
@@ -65,7 +64,7 @@ void improve(ClearanceFigure& best, double& named, const ContactScene& scene, co
     const Point reach = *point - linkage.pole();
     const auto opening = linkage.opening_at(reach.norm());
     if (!opening) continue;
-    const ObstacleGap here = tightest_obstacle(scene, *opening, std::atan2(reach.y(), reach.x()));
+    const ObstacleGap here = tightest_obstacle(scene, encounters, *opening, std::atan2(reach.y(), reach.x()));
     if (here.gap < named - as_tight * certain_to(linkage)) {
       best.parts = scene.piece_name(here.between) + " and " + scene.obstacle_name(here.between);
       best.at = *point;
@@ -76,16 +75,16 @@ void improve(ClearanceFigure& best, double& named, const ContactScene& scene, co
 }
 
 /// The figure, or what of the moving parts and obstacles comes nearer over the openings.
-ClearanceFigure with_obstacles(const MapTask& task, ClearanceFigure best, const OpeningInterval& openings,
-                               const StopFlag& stop) {
-  const ContactScene scene(task, best.gap);
-  if (scene.encounters.empty() || !(openings.width() > 0)) return best;
-  const EdgeTree region(task.region, task.linkage.pole());
-  Subdivision cells(scene, region, AngleGrid(task.linkage, openings), best.gap - certain_to(task.linkage),
+ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure best, const StopFlag& stop) {
+  const auto& [task, openings, own, at_pole, scene, region] = prepared;
+  const Encounters encounters = scene.nearer_than(best.gap);
+  if (encounters.pairs.empty() || !(openings.width() > 0)) return best;
+  Subdivision cells(scene, encounters, region, AngleGrid(task.linkage, openings),
+                    best.gap - certain_to(task.linkage),
                     {.contacts_stay_open = true, .region_only = true});
   double named = best.gap;
   while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
-    improve(best, named, scene, cells, stop);
+    improve(best, named, scene, encounters, cells, stop);
     cells.lower_clearance(best.gap - certain_to(task.linkage));
     if (!cells.split(unless(stop))) break;
   }
@@ -95,26 +94,27 @@ ClearanceFigure with_obstacles(const MapTask& task, ClearanceFigure best, const 
 
 }  // namespace
 
-std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop) {
-  if (task.region.empty()) return std::nullopt;
-  const OpeningInterval openings = openings_met(task.linkage, task.region);
-  if (openings.empty()) return std::nullopt;
-  const Tightest own = smallest_gap_over(task.linkage, task.style, task.layers, openings);
+std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& prepared, const StopFlag& stop) {
+  if (prepared.openings.empty()) return std::nullopt;
+  const auto& [task, openings, own, at_pole, scene, region] = prepared;
   ClearanceFigure best{
       own.gap, name(*own.pair),
       place_at_distance(task.region, task.linkage.pole(), task.linkage.radius_at(own.opening)), true};
-  if (const auto post = tightest_at_pole(task); post && post->gap < best.gap) {
+  if (const auto post = tightest(at_pole); post && post->gap < best.gap) {
     best.gap = post->gap;
     best.parts = post->post + " and " + post->obstacle;
   }
-  return with_obstacles(task, best, openings, stop);
+  return with_obstacles(prepared, best, stop);
+}
+
+std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop) {
+  return smallest_clearance(PreparedTask(task), stop);
 }
 
 ObstacleClearance obstacle_clearance(const MapTask& task, double within, const StopFlag& stop) {
-  const OpeningInterval openings = openings_met(task.linkage, task.region);
   const double sure = certain_to(task.linkage);
   const ClearanceFigure figure =
-      with_obstacles(task, {within + sure, "", task.linkage.pole(), true}, openings, stop);
+      with_obstacles(PreparedTask(task, within + sure), {within + sure, "", task.linkage.pole(), true}, stop);
   if (!figure.certified) return {figure, -std::numeric_limits<double>::infinity()};
   return {figure, figure.parts.empty() ? within : figure.gap - sure};
 }

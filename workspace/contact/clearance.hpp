@@ -2,7 +2,7 @@
 // The smallest gap while the tracer covers the region.
 
 #include "kinematics/stop_flag.hpp"
-#include "workspace/contact/contact_scene.hpp"
+#include "workspace/contact/prepared_task.hpp"
 
 namespace kempe {
 
@@ -17,6 +17,7 @@ struct ClearanceFigure {
 /// assembly mode does not exist are left out. Self-contact in closed form, obstacles by branch and bound over the
 /// two angles. Nothing if the region is empty or nowhere reachable. A gap is at least minus the half widths:
 /// the depth of axes that cross is not measured. Stopped early, the smallest gap met so far comes back, not certified.
+std::optional<ClearanceFigure> smallest_clearance(const PreparedTask& task, const StopFlag& stop = {});
 std::optional<ClearanceFigure> smallest_clearance(const MapTask& task, const StopFlag& stop = {});
 
 /// The same of moving parts and obstructions (obstructions.hpp) alone.

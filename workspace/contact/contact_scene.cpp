@@ -105,6 +105,10 @@ std::vector<std::vector<ScenePiece>> turning_pieces_of(const MapTask& task) {
   return of_bodies;
 }
 
+void add_once(std::vector<SceneFrame>& frames, SceneFrame frame) {
+  if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
+}
+
 }  // namespace
 
 ContactScene::ContactScene(const MapTask& task, double within)
@@ -138,14 +142,16 @@ ContactScene::ContactScene(const MapTask& task, double within)
     if (obstacle.edges.empty()) continue;
     obstacle.slack = turned + distance_rounding * (size + task.clearance + obstacle.edges.magnitude() +
                                                    (at_rest ? task.linkage.pole().norm() : 0.0));
-    const std::size_t before = encounters.size();
+    const std::size_t before = encounters.pairs.size();
     const double nearest =
         distance_from_origin(obstacle.edges.node(0).box) - obstacle.slack - obstruction.grown;
     const auto meet = [&](std::size_t piece) {
       const ScenePiece& one = pieces[piece];
-      if (nearest < farthest_of(motion_in(frame), one.hull) + one.half_width + within)
-        encounters.push_back(
-            {static_cast<std::uint16_t>(piece), static_cast<std::uint16_t>(obstacles.size())});
+      const Apart apart{nearest, farthest_of(motion_in(frame), one.hull) + one.half_width};
+      if (!apart.may_come_within(within)) return;
+      encounters.pairs.push_back(
+          {static_cast<std::uint16_t>(piece), static_cast<std::uint16_t>(obstacles.size())});
+      apart_.push_back(apart);
     };
     for (std::size_t i = 0; i < of_linkage; ++i) {
       const bool moves = !at_rest || pieces[i].part.kind != Part::Kind::pole_post;
@@ -157,10 +163,20 @@ ContactScene::ContactScene(const MapTask& task, double within)
       pieces.push_back(point_of(*obstruction.met, task.linkage));
       meet(pieces.size() - 1);
     }
-    if (encounters.size() == before) continue;
+    if (encounters.pairs.size() == before) continue;
     obstacles.push_back(std::move(obstacle));
-    if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
+    add_once(encounters.frames, frame);
   }
+}
+
+Encounters ContactScene::nearer_than(double gap) const {
+  Encounters nearer;
+  for (std::size_t i = 0; i < apart_.size(); ++i)
+    if (apart_[i].may_come_within(gap)) {
+      nearer.pairs.push_back(encounters.pairs[i]);
+      add_once(nearer.frames, obstacles[encounters.pairs[i].obstacle].frame);
+    }
+  return nearer;
 }
 
 namespace {
@@ -176,12 +192,12 @@ double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double
 
 }  // namespace
 
-ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing) {
+ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening, double bearing) {
   ObstacleGap tightest{std::numeric_limits<double>::infinity()};
   FramedJoints joints{};
-  for (const SceneFrame frame : scene.frames)
+  for (const SceneFrame frame : encounters.frames)
     joints[static_cast<std::size_t>(frame)] = scene.motion_in(frame).over(opening, 0, bearing, 0);
-  for (const Encounter& pair : scene.encounters) {
+  for (const Encounter& pair : encounters.pairs) {
     const ScenePiece& piece = scene.pieces[pair.piece];
     const SceneObstacle& obstacle = scene.obstacles[pair.obstacle];
     const double around = piece.half_width + obstacle.grown;
@@ -218,17 +234,16 @@ std::vector<PoleGap> gaps_at_pole(const MapTask& task) {
   return gaps;
 }
 
-std::optional<std::string> obstacle_at_pole(const MapTask& task) {
-  for (const PoleGap& at : gaps_at_pole(task))
-    if (at.gap < task.clearance) return at.obstacle;
-  return std::nullopt;
+std::optional<PoleGap> tightest(const std::vector<PoleGap>& gaps) {
+  const auto least = std::min_element(gaps.begin(), gaps.end(),
+                                      [](const PoleGap& a, const PoleGap& b) { return a.gap < b.gap; });
+  return least == gaps.end() ? std::nullopt : std::optional(*least);
 }
 
-std::optional<PoleGap> tightest_at_pole(const MapTask& task) {
-  const std::vector<PoleGap> gaps = gaps_at_pole(task);
-  const auto tightest = std::min_element(gaps.begin(), gaps.end(),
-                                         [](const PoleGap& a, const PoleGap& b) { return a.gap < b.gap; });
-  return tightest == gaps.end() ? std::nullopt : std::optional(*tightest);
+std::optional<std::string> obstacle_within(double clearance, const std::vector<PoleGap>& gaps) {
+  for (const PoleGap& at : gaps)
+    if (at.gap < clearance) return at.obstacle;
+  return std::nullopt;
 }
 
 }  // namespace kempe

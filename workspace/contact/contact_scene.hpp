@@ -44,6 +44,12 @@ struct Encounter {
   std::uint16_t piece, obstacle;
 };
 
+/// What may meet, and the frames in which it does.
+struct Encounters {
+  std::vector<Encounter> pairs;    ///< none of the pole post and what is at rest on the table: neither moves
+  std::vector<SceneFrame> frames;  ///< of their obstacles, each once
+};
+
 struct ContactScene {
   /// For contact: with the obstacles that anything comes nearer to than the task's clearance, perhaps.
   explicit ContactScene(const MapTask& task) : ContactScene(task, task.clearance) {}
@@ -57,9 +63,10 @@ struct ContactScene {
   std::vector<ScenePiece>
       pieces;  ///< links, pins, posts, bodies that turn, and the points of those that do not
   std::vector<SceneObstacle> obstacles;  ///< the others can be nowhere so near
-  std::vector<Encounter>
-      encounters;                  ///< none of the pole post and what is at rest on the table: neither moves
-  std::vector<SceneFrame> frames;  ///< those of the obstacles, each once
+  Encounters encounters;                 ///< all that may come so near as the scene was made for
+
+  /// Those that may come nearer than `gap` (mm), which is not more than what the scene was made for.
+  Encounters nearer_than(double gap) const;
 
   const LinkageMotion& motion_in(SceneFrame frame) const {
     if (is_of_link(frame))
@@ -75,6 +82,14 @@ struct ContactScene {
   const std::string& obstacle_name(const Encounter& between) const {
     return obstacles[between.obstacle].name;
   }
+
+ private:
+  /// Distances from the frame's origin: no edge of the obstacle is nearer, no place of the piece farther.
+  struct Apart {
+    double nearest_edge, farthest_piece;
+    bool may_come_within(double gap) const { return nearest_edge < farthest_piece + gap; }
+  };
+  std::vector<Apart> apart_;  // of the encounters, in their order
 };
 
 /// The smallest gap to any obstruction with the mechanism in one pose, mm; +infinity without obstructions. A piece inside an obstruction has the
@@ -83,7 +98,11 @@ struct ObstacleGap {
   double gap;
   Encounter between{};
 };
-ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing);
+ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening,
+                              double bearing);
+inline ObstacleGap tightest_obstacle(const ContactScene& scene, double opening, double bearing) {
+  return tightest_obstacle(scene, scene.encounters, opening, bearing);
+}
 
 /// The gap between the pole post, which does not move, and an obstacle in its layers or the table's edge.
 struct PoleGap {
@@ -92,9 +111,9 @@ struct PoleGap {
   double gap;            ///< mm
 };
 std::vector<PoleGap> gaps_at_pole(const MapTask& task);
-/// The smallest of them, the first of equals; nothing without an obstacle in its layers.
-std::optional<PoleGap> tightest_at_pole(const MapTask& task);
-/// The name of the first obstacle within `clearance` of the pole post; nothing if there is none.
-std::optional<std::string> obstacle_at_pole(const MapTask& task);
+/// The smallest of them, the first of equals; nothing if there are none.
+std::optional<PoleGap> tightest(const std::vector<PoleGap>& gaps);
+/// The obstacle of the first gap below a clearance, mm; nothing if all keep it.
+std::optional<std::string> obstacle_within(double clearance, const std::vector<PoleGap>& gaps);
 
 }  // namespace kempe

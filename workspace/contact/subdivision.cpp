@@ -68,16 +68,16 @@ struct Subdivision::Meeting {
   GapQuestion question;  ///< of a single edge: are they in contact, are they apart?
 };
 
-Subdivision::Subdivision(const ContactScene& scene, const EdgeTree& region, const AngleGrid& grid,
-                         double clearance, SubdivisionMode mode)
-    : scene_(scene), region_(region), grid_(grid), clearance_(clearance), mode_(mode), rows_(rows_remembered),
+Subdivision::Subdivision(const ContactScene& scene, const Encounters& encounters, const EdgeTree& region,
+                         const AngleGrid& grid, double clearance, SubdivisionMode mode)
+    : scene_(scene), encounters_(encounters), region_(region), grid_(grid), clearance_(clearance), mode_(mode), rows_(rows_remembered),
       columns_(columns_remembered) {
   add_roots();
 }
 
 void Subdivision::add_roots() {
   std::vector<ContactItem> items;
-  for (const Encounter& between : scene_.encounters) items.push_back({0, between});
+  for (const Encounter& between : encounters_.pairs) items.push_back({0, between});
   const std::uint32_t region_root = 0;
   for (std::uint32_t j = 0; j < roots_upwards; ++j)
     for (std::uint32_t i = 0; i < roots_across; ++i) {
@@ -126,7 +126,7 @@ bool Subdivision::split(const std::function<bool(const OpenCell&)>& wanted) {
 FramedOpenings Subdivision::over_openings(double opening, double half_opening) const {
   FramedOpenings over;
   over[0] = scene_.motion.over_openings(opening, half_opening);
-  for (const SceneFrame frame : scene_.frames)
+  for (const SceneFrame frame : encounters_.frames)
     if (frame != SceneFrame::table)
       over[static_cast<std::size_t>(frame)] = scene_.motion_in(frame).over_openings(opening, half_opening);
   return over;
@@ -135,7 +135,7 @@ FramedOpenings Subdivision::over_openings(double opening, double half_opening) c
 FramedJoints Subdivision::joints_over(const FramedOpenings& over, Complex turn, double half_bearing) const {
   FramedJoints joints;
   joints[0] = LinkageMotion::turned(over[0], turn, half_bearing);
-  for (const SceneFrame frame : scene_.frames)
+  for (const SceneFrame frame : encounters_.frames)
     if (frame != SceneFrame::table) {
       const auto i = static_cast<std::size_t>(frame);
       joints[i] = scene_.motion_in(frame).turned_in_frame(over[i], turn, half_bearing);

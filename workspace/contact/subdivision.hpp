@@ -57,10 +57,10 @@ struct SubdivisionMode {
 /// clearance to every obstacle at each of its points and a contact cell at none.
 class Subdivision {
  public:
-  /// `region` has the pole at the origin and may be empty. All arguments but the grid must outlive the
-  /// object.
-  Subdivision(const ContactScene& scene, const EdgeTree& region, const AngleGrid& grid, double clearance,
-              SubdivisionMode mode = {});
+  /// Decides about these encounters of the scene. `region` has the pole at the origin and may be empty. All arguments but
+  /// the grid must outlive the object.
+  Subdivision(const ContactScene& scene, const Encounters& encounters, const EdgeTree& region,
+              const AngleGrid& grid, double clearance, SubdivisionMode mode = {});
 
   const std::vector<FreeCell>& free() const { return free_; }
   const std::vector<ContactCell>& contact() const { return contact_; }
@@ -124,6 +124,7 @@ class Subdivision {
                                     std::size_t count) const;
 
   const ContactScene& scene_;
+  const Encounters& encounters_;
   const EdgeTree& region_;
   AngleGrid grid_;
   double clearance_;

@@ -56,7 +56,8 @@ struct SmallestGap {
   std::string one, other;
 };
 
-SmallestGap smallest_gap(const MapTask& task, double opening, double bearing) {
+SmallestGap smallest_gap(const MapTask& task, const std::vector<PoleGap>& at_pole, double opening,
+                         double bearing) {
   const Pose pose = task.linkage.pose_at(opening, bearing);
   const Tightest own = tightest_gap(task.linkage, pose, task.style, task.layers);
   SmallestGap smallest{own.gap, Cause::self_contact, name(own.pair->first), name(own.pair->second)};
@@ -65,7 +66,7 @@ SmallestGap smallest_gap(const MapTask& task, double opening, double bearing) {
   if (obstacle.gap < smallest.gap)
     smallest = {obstacle.gap, Cause::obstacle_contact, scene.piece_name(obstacle.between),
                 scene.obstacle_name(obstacle.between)};
-  if (const auto post = tightest_at_pole(task); post && post->gap < smallest.gap)
+  if (const auto post = tightest(at_pole); post && post->gap < smallest.gap)
     smallest = {post->gap, Cause::obstacle_contact, post->post, post->obstacle};
   return smallest;
 }
@@ -83,13 +84,14 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
     return lost(Cause::transmission_below_limit,
                 fmt::format("transmission below the limit: {:.4g} degrees here, the limit is {:.4g}",
                             degrees(transmission), degrees(limit)));
-  if (const auto obstacle = obstacle_at_pole(task))
+  const std::vector<PoleGap> at_pole = gaps_at_pole(task);
+  if (const auto obstacle = obstacle_within(task.clearance, at_pole))
     return lost(Cause::obstacle_contact,
                 fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
                             *obstacle),
                 {std::string("pole post ") + letter(linkage.pole_joint()), *obstacle});
   const Point reach = tracer - linkage.pole();
-  const SmallestGap smallest = smallest_gap(task, *opening, std::atan2(reach.y(), reach.x()));
+  const SmallestGap smallest = smallest_gap(task, at_pole, *opening, std::atan2(reach.y(), reach.x()));
   const double slack = undecided * (linkage.size() + task.clearance);
   if (smallest.gap < task.clearance - slack)
     return contact(smallest.cause, smallest.one, smallest.other, smallest.gap, task.clearance);

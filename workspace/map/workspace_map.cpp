@@ -198,24 +198,25 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
   map.clearance_min = HUGE_VAL;
-  const auto clearance = smallest_clearance(task, options.stop);
+  const PreparedTask prepared(task);
+  const auto clearance = smallest_clearance(prepared, options.stop);
   if (clearance && (clearance->certified || !options.stop())) {
     map.clearance_min = clearance->gap;
     map.clearance_min_parts = clearance->parts;
     map.clearance_min_at = clearance->at;
   }
-  if (const auto obstacle = obstacle_at_pole(task)) {
+  if (const auto obstacle = obstacle_within(task.clearance, prepared.at_pole)) {
     lose_all_to(map, task, *obstacle);
     return map;
   }
-  const ContactScene scene(task);
-  const EdgeTree region(task.region, task.linkage.pole());
+  const Encounters encounters = prepared.scene.nearer_than(task.clearance);
   std::vector<Subdivision> charts;
   for (const FreeOpenings& one : free)
-    charts.emplace_back(scene, region, AngleGrid(task.linkage, one.interval), task.clearance);
+    charts.emplace_back(prepared.scene, encounters, prepared.region, AngleGrid(task.linkage, one.interval),
+                        task.clearance);
   refine(charts, options.map_tolerance, options.stop);
-  for (const Subdivision& chart : charts) add_cells(map, scene, chart);
-  map.coverage = coverage_of(task, charts, region, options.stop);
+  for (const Subdivision& chart : charts) add_cells(map, prepared.scene, chart);
+  map.coverage = coverage_of(task, charts, prepared.region, options.stop);
   if (!map.coverage.covered && !options.stop()) add_losses(map, task.region);
   add_copy_overlap(map, task);
   map.complete = !options.stop();

@@ -1,7 +1,6 @@
 #include "synthesis/search/steps/obstacle_check.hpp"
 
 #include "workspace/contact/clearance.hpp"
-#include "workspace/contact/contact_scene.hpp"
 #include "workspace/map/coverage.hpp"
 
 namespace kempe {
@@ -13,21 +12,21 @@ ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, cons
   task.clearance = limits.clearance;
   task.transmission = limits.transmission;
   task.copy_gap.reset();  // not the obstacles' matter
-  if (obstacle_at_pole(task)) return {};
+  const PreparedTask prepared(task);
+  if (obstacle_within(task.clearance, prepared.at_pole)) return {};
   ObstacleCheck check;
-  if (const auto figure = smallest_clearance(task, stop)) {
+  if (const auto figure = smallest_clearance(prepared, stop)) {
     check.clearance = figure->gap;
     if (figure->gap < limits.clearance) {
       check.witness = figure->at;
       return check;
     }
   }
-  const ContactScene scene(task);
-  const EdgeTree region(task.region, linkage.pole());
+  const Encounters encounters = prepared.scene.nearer_than(limits.clearance);
   std::vector<Subdivision> charts;
-  charts.emplace_back(scene, region, AngleGrid(linkage, certified_opening), limits.clearance,
-                      SubdivisionMode{.region_only = true});
-  const Coverage coverage = coverage_of(task, charts, region, stop);
+  charts.emplace_back(prepared.scene, encounters, prepared.region, AngleGrid(linkage, certified_opening),
+                      limits.clearance, SubdivisionMode{.region_only = true});
+  const Coverage coverage = coverage_of(task, charts, prepared.region, stop);
   check.clear = coverage.covered;
   check.witness = coverage.witness;
   return check;
