@@ -109,8 +109,8 @@ BENCHMARK_CAPTURE(general_solver_pose, plagiograph, "plagiograph");
 void contact_interval(benchmark::State& state) {
   const MapTask task = bench::report_task();
   for (auto _ : state)
-    benchmark::DoNotOptimize(contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                                                   task.linkage.assembly_mode().openings));
+    benchmark::DoNotOptimize(contact_free_openings(
+        task.linkage, task.style, task.layers, task.limits.clearance, task.linkage.assembly_mode().openings));
   per_item(state, 1);
 }
 BENCHMARK(contact_interval);

@@ -36,7 +36,7 @@ inline Polygon disc(const Point& centre, double radius, int corners) {
 
 inline MapTask report_task() {
   const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
-  return {linkage, {6, 3, 4, PlateStyle::bent}, {}, 0.5, radians(20), {}, {}, {}};
+  return {linkage, {6, 3, 4, PlateStyle::bent}, {}, {.clearance = 0.5, .transmission = radians(20)}};
 }
 
 inline MapTask task_with(int obstacles) {

@@ -49,8 +49,8 @@ double least_time(const Work& work) {
 }
 
 OpeningInterval free_openings_of(const MapTask& task) {
-  return contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                               task.linkage.openings_with_transmission(task.transmission))
+  return contact_free_openings(task.linkage, task.style, task.layers, task.limits.clearance,
+                               task.linkage.openings_with_transmission(task.limits.transmission))
       .at(0)
       .interval;
 }
@@ -76,7 +76,7 @@ Sampled sample_grid(const MapTask& task, const ContactScene& scene, const Openin
         openings.lower + openings.width() * static_cast<double>(j) / static_cast<double>(upwards);
     for (std::size_t i = 0; i < across; ++i) {
       const double bearing = 2 * pi * (static_cast<double>(i) + turned) / static_cast<double>(across);
-      above[i] = tightest_obstacle(scene, opening, bearing).gap >= task.clearance;
+      above[i] = tightest_obstacle(scene, opening, bearing).gap >= task.limits.clearance;
       free_corners += above[i];
     }
     const double here = radius(opening), area = std::abs(here * here - radius_below * radius_below);
@@ -104,7 +104,7 @@ nlohmann::ordered_json scene_of(const MapTask& task, const OpeningInterval& open
           {"shape", {task.linkage.shape().real(), task.linkage.shape().imag()}},
           {"opening", {openings.lower, openings.upper}},
           {"width_mm", task.style.width},
-          {"clearance_mm", task.clearance},
+          {"clearance_mm", task.limits.clearance},
           {"obstacles", std::move(obstacles)}};
 }
 

@@ -10,13 +10,11 @@ MapTask map_task(const CopyingLinkage& linkage, const LayerAssignment& layers, c
   return {.linkage = linkage,
           .style = spec.links.style,
           .layers = layers,
-          .clearance = spec.limits.clearance,
-          .transmission = spec.limits.transmission,
+          .limits = spec.limits,
           .obstacles = spec.obstacles,
           .bodies = spec.bodies,
           .table = spec.table,
-          .region = spec.region,
-          .copy_gap = spec.limits.copy_gap};
+          .region = spec.region};
 }
 
 }  // namespace kempe

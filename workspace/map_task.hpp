@@ -14,13 +14,12 @@ struct MapTask {
   CopyingLinkage linkage;
   LinkStyle style;
   LayerAssignment layers;
-  double clearance = 0;     ///< mm
-  double transmission = 0;  ///< rad
+  /// Of these the map respects clearance, transmission and the gap between original and copy.
+  Limits limits{.clearance = 0, .transmission = 0};
   std::vector<Obstacle> obstacles{};
   std::vector<Body> bodies{};
   std::optional<Polygon> table{};
-  Region region{};                   ///< what must be covered; may be empty
-  std::optional<double> copy_gap{};  ///< mm
+  Region region{};  ///< what must be covered; may be empty
 };
 
 /// True if anything but the linkage itself can be in its way.

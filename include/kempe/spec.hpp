@@ -32,10 +32,10 @@ struct PoleSpec {
 
 /// What every design must keep over the whole region.
 struct Limits {
-  double clearance = 0.5;             ///< mm, >= 0
-  double transmission = 30 * degree;  ///< rad, 0 <= . < pi/2
-  std::optional<double> copy_gap;     ///< mm; absent: original and copy may overlap
-  std::optional<double> copy_error;   ///< mm, worst case under Tolerance; absent: not required
+  double clearance = 0.5;              ///< mm, >= 0
+  double transmission = 30 * degree;   ///< rad, 0 <= . < pi/2
+  std::optional<double> copy_gap{};    ///< mm; absent: original and copy may overlap
+  std::optional<double> copy_error{};  ///< mm, worst case under Tolerance; absent: not required
   /// mm, > 0, at most: of every link over its ends, its farthest joints and half a width beyond each; absent: any
   std::optional<double> longest_strip{};
   /// mm, > 0, at most: how far the pen gives way under Spec::load in its worst direction, in the plane; absent: not required

@@ -129,8 +129,8 @@ double magnitude(const StoredDesign& design) {
 AuditTask audit_task(const StoredDesign& design, const CopyingLinkage& linkage) {
   MapTask mapped{.linkage = linkage, .style = design.style, .layers = design.layers};
   if (design.limits) {
-    mapped.clearance = design.limits->clearance;
-    mapped.transmission = design.limits->transmission;
+    mapped.limits = *design.limits;
+    mapped.limits.copy_gap.reset();  // asked apart, of the copy
   }
   mapped.obstacles = design.obstacles;
   mapped.bodies = design.bodies;

@@ -86,7 +86,7 @@ void check_footprint(const AuditTask& task, AuditRecord& record) {
 bool is_covered(const AuditTask& task) {
   if (!task.map.coverage.covered) return false;
   MapTask mapped = task.map_task;
-  mapped.copy_gap = task.design.limits ? task.design.limits->copy_gap : std::nullopt;
+  mapped.limits.copy_gap = task.design.limits ? task.design.limits->copy_gap : std::nullopt;
   return !copy_overlap(mapped);
 }
 

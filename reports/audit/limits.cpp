@@ -103,14 +103,14 @@ void check_beside(const AuditTask& task, const char* key, const Beside& beside, 
   record.checked(key);
   const bool nearer = !without || with->gap < without->gap || task.design.region.empty();
   if (with->gap < least && nearer) {
-    record.broken(too_near(key, *with, task.map_task.clearance));
-    record.broken(too_near("limits.clearance_mm", *with, task.map_task.clearance));
+    record.broken(too_near(key, *with, task.map_task.limits.clearance));
+    record.broken(too_near("limits.clearance_mm", *with, task.map_task.limits.clearance));
   }
   without = with;
 }
 
 void check_clearance_limit(const AuditTask& task, AuditRecord& record) {
-  const double clearance = task.map_task.clearance;
+  const double clearance = task.map_task.limits.clearance;
   const double least = clearance - touching * reachable_annulus(task.linkage).outer - task.slack;
   auto found = clearance_of(task, {});
   if (!found) {
@@ -147,8 +147,8 @@ void check_opening(const AuditTask& task, AuditRecord& record) {
   record.checked("mechanism.opening_deg");
   if (stated.empty()) return;
   const MapTask& m = task.map_task;
-  const auto free = contact_free_openings(m.linkage, m.style, m.layers, m.clearance,
-                                          m.linkage.openings_with_transmission(m.transmission));
+  const auto free = contact_free_openings(m.linkage, m.style, m.layers, m.limits.clearance,
+                                          m.linkage.openings_with_transmission(m.limits.transmission));
   if (std::any_of(free.begin(), free.end(), [&](const FreeOpenings& one) {
         return one.interval.lower - angle_slack <= stated.lower &&
                stated.upper <= one.interval.upper + angle_slack;
@@ -223,12 +223,12 @@ void check_robust_claim(const AuditTask& task, AuditRecord& record) {
   if (design.region.empty()) return record.not_checked("tolerance.robust", "the file has no region");
   record.checked("tolerance.robust");
   const RobustCheck found = check_robust(task.map_task, CopyTolerance::uniform(*design.tolerance));
-  const bool holds = task.map.coverage.covered && found.keeps(task.map_task.clearance - task.slack);
+  const bool holds = task.map.coverage.covered && found.keeps(task.map_task.limits.clearance - task.slack);
   if (!holds && claims_to_be_robust(design))
     record.broken({.limit = "tolerance.robust",
                    .attained = found.closes ? std::optional(found.clearance) : std::nullopt,
-                   .allowed = task.map_task.clearance,
-                   .sentence = robust_fault(found, task.map_task.clearance)});
+                   .allowed = task.map_task.limits.clearance,
+                   .sentence = robust_fault(found, task.map_task.limits.clearance)});
   const auto& stated = design.quality.robust;
   if (!stated) return;
   record.checked("quality.robust");

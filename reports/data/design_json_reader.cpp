@@ -541,16 +541,13 @@ tl::expected<CopyingLinkage, InputError> linkage_of(const StoredDesign& design, 
 }
 
 MapTask map_task(const StoredDesign& design, const CopyingLinkage& linkage) {
-  const Limits limits = design.limits.value_or(Limits{});
   return {.linkage = linkage,
           .style = design.style,
           .layers = design.layers,
-          .clearance = limits.clearance,
-          .transmission = limits.transmission,
+          .limits = design.limits.value_or(Limits{}),
           .obstacles = design.obstacles,
           .bodies = design.bodies,
-          .table = design.table,
-          .copy_gap = limits.copy_gap};
+          .table = design.table};
 }
 
 namespace {
@@ -565,7 +562,7 @@ void drive_over_workspace(const StoredDesign& design, VerificationTask& task) {
   if (!task.mechanism.opening.empty()) map.certified_opening = task.mechanism.opening;
   task.workspace = part_to_drive_over(mapped, map);
   if (!task.mechanism.opening.empty()) return;
-  task.mechanism.opening = linkage->openings_with_transmission(mapped.transmission);
+  task.mechanism.opening = linkage->openings_with_transmission(mapped.limits.transmission);
   task.region_covered = false;
 }
 
@@ -582,8 +579,7 @@ VerificationTask verification_task(const StoredDesign& design) {
   task.layers = design.layers;
   if (task.region.empty() || !task.region_covered) drive_over_workspace(design, task);
   if (design.limits && task.region_covered) {
-    task.transmission = design.limits->transmission;
-    task.clearance = design.limits->clearance;
+    task.limits = *design.limits;
     task.obstacles = design.obstacles;
     task.bodies = design.bodies;
     task.table = design.table;

@@ -205,13 +205,11 @@ MapTask map_task(const Design& design) {
   return {.linkage = design.linkage,
           .style = design.style,
           .layers = design.layers,
-          .clearance = design.limits.clearance,
-          .transmission = design.limits.transmission,
+          .limits = design.limits,
           .obstacles = design.obstacles,
           .bodies = design.bodies,
           .table = design.table,
-          .region = design.region,
-          .copy_gap = design.limits.copy_gap};
+          .region = design.region};
 }
 
 Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOptions& options,

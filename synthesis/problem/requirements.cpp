@@ -7,23 +7,14 @@
 namespace kempe {
 
 Requirements requirements_of(const Spec& spec) {
-  return {.transmission = spec.limits.transmission,
-          .clearance = spec.limits.clearance,
-          .shortest = least_joint_distance(spec),
-          .longest = largest_joint_distance(spec),
-          .copy_gap = spec.limits.copy_gap,
-          .copy_error = spec.limits.copy_error,
-          .load_error = spec.limits.load_error,
-          .sag = spec.limits.sag};
+  Requirements limits{spec.limits};
+  limits.shortest = least_joint_distance(spec);
+  limits.longest = largest_joint_distance(spec);
+  return limits;
 }
 
 Spec with_limits(Spec spec, const Requirements& limits) {
-  spec.limits.transmission = limits.transmission;
-  spec.limits.clearance = limits.clearance;
-  spec.limits.copy_gap = limits.copy_gap;
-  spec.limits.copy_error = limits.copy_error;
-  spec.limits.load_error = limits.load_error;
-  spec.limits.sag = limits.sag;
+  spec.limits = static_cast<const Limits&>(limits);
   spec.links.longest = limits.longest;
   if (auto& strip = spec.limits.longest_strip)
     *strip = std::max(

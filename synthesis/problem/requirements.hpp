@@ -17,21 +17,15 @@ struct Choice {
   bool operator==(const Choice&) const = default;
 };
 
-/// The limits in force: those of a spec, or with one of them moved.
-struct Requirements {
-  double transmission = 0;             ///< rad, at least
-  double clearance = 0;                ///< mm, at least
-  double shortest = 0;                 ///< mm, at least: of any two joints of a link, their holes apart
-  double longest = 0;                  ///< mm, at most
-  std::optional<double> copy_gap{};    ///< mm, at least
-  std::optional<double> copy_error{};  ///< mm, at most
-  double pole_margin = 0;              ///< mm, the pole may stand so far outside its area
-  std::optional<double> size{};        ///< mm, at most
-  std::optional<double> footprint{};   ///< mm^2, at most
-  std::optional<double> load_error{};  ///< mm, at most
-  std::optional<double> mass{};        ///< kg, at most
-  std::optional<double>
-      sag{};  ///< mm, at most; kept by evaluating designs, not by a row of the design problem
+/// The limits in force: those of a spec, or with one of them moved; and those that a spec states elsewhere or not at all. The limit
+/// on the sag is kept by evaluating designs, not by a row of the design problem; that on the longest strip as `longest`.
+struct Requirements : Limits {
+  double shortest = 0;                ///< mm, at least: of any two joints of a link, their holes apart
+  double longest = 0;                 ///< mm, at most
+  double pole_margin = 0;             ///< mm, the pole may stand so far outside its area
+  std::optional<double> size{};       ///< mm, at most
+  std::optional<double> footprint{};  ///< mm^2, at most
+  std::optional<double> mass{};       ///< kg, at most
 };
 Requirements requirements_of(const Spec& spec);
 /// The spec with the limits in force in place of its own, as far as a spec can state them: not shortest, pole_margin, size,

@@ -156,40 +156,42 @@ class Checks {
     const auto angle = [](const Point& a, const Point& b) {
       return std::atan2(std::abs(cross(a, b)), std::abs(a.dot(b)));
     };
+    if (!task_.limits) return;
     const double seen =
         std::min(angle(pose.V - pose.A, pose.X - pose.A), angle(pose.A - pose.V, pose.B - pose.V));
-    if (seen < task_.transmission - slack::transmission_slack)
-      fail({"limits.transmission_deg", degrees(seen), degrees(task_.transmission), tracer,
+    if (seen < task_.limits->transmission - slack::transmission_slack)
+      fail({"limits.transmission_deg", degrees(seen), degrees(task_.limits->transmission), tracer,
             fmt::format("the transmission angle is {:.6f} degrees, less than {:.6f}", degrees(seen),
-                        degrees(task_.transmission))});
+                        degrees(task_.limits->transmission))});
   }
 
   void check_clearance(const Pose& pose, const Point& tracer) {
-    if (!task_.clearance) return;
+    if (!task_.limits) return;
     for (const ContactPair& pair : pairs_) {
       const double free = gap(pair, pose, shape_, task_.style);
-      if (free < *task_.clearance - slack::clearance_share * size_)
-        fail({"limits.clearance_mm", free, *task_.clearance, tracer,
-              fmt::format("{} are {:.6g} mm apart, less than {:.6g}", name(pair), free, *task_.clearance)});
+      if (free < task_.limits->clearance - slack::clearance_share * size_)
+        fail({"limits.clearance_mm", free, task_.limits->clearance, tracer,
+              fmt::format("{} are {:.6g} mm apart, less than {:.6g}", name(pair), free,
+                          task_.limits->clearance)});
     }
   }
 
   void check_obstacles(const Pose& pose, const Point& tracer) {
-    if (!task_.clearance || !watch_) return;
-    const auto near = watch_->nearest(pose, *task_.clearance - slack::clearance_share * size_);
+    if (!task_.limits || !watch_) return;
+    const auto near = watch_->nearest(pose, task_.limits->clearance - slack::clearance_share * size_);
     if (near)
-      fail({"obstacles", near->gap, *task_.clearance, tracer,
+      fail({"obstacles", near->gap, task_.limits->clearance, tracer,
             fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near->part, near->obstacle,
-                        near->gap, *task_.clearance)});
+                        near->gap, task_.limits->clearance)});
   }
 
   void check_bodies(const Pose& pose, const Point& tracer) {
-    if (!task_.clearance || !bodies_) return;
-    bodies_->for_each_near(pose, *task_.clearance - slack::clearance_share * size_,
+    if (!task_.limits || !bodies_) return;
+    bodies_->for_each_near(pose, task_.limits->clearance - slack::clearance_share * size_,
                            [&](const BodyWatch::Near& near) {
-                             fail({near.key, near.gap, *task_.clearance, tracer,
+                             fail({near.key, near.gap, task_.limits->clearance, tracer,
                                    fmt::format("{} and {} are {:.6g} mm apart, less than {:.6g}", near.one,
-                                               near.other, near.gap, *task_.clearance)});
+                                               near.other, near.gap, task_.limits->clearance)});
                            });
   }
 
@@ -279,8 +281,7 @@ VerificationTask verification_task(const Design& design) {
   task.style = design.style;
   task.layers = design.layers;
   if (task.region_covered) {
-    task.transmission = design.limits.transmission;
-    task.clearance = design.limits.clearance;
+    task.limits = design.limits;
     task.obstacles = design.obstacles;
     task.bodies = design.bodies;
     task.table = design.table;

@@ -34,8 +34,8 @@ struct VerificationTask {
   Region workspace{};
   LinkStyle style;
   LayerAssignment layers;
-  double transmission = 0;          ///< rad, limit kept over the region; 0: not checked
-  std::optional<double> clearance;  ///< mm, limit kept between parts, and to obstacles; absent: not checked
+  /// Kept over the region: of these transmission, and the clearance between parts and to obstacles. Absent: not checked.
+  std::optional<Limits> limits{};
   std::vector<Obstacle> obstacles{};
   std::vector<Body> bodies{};
   std::optional<Polygon> table{};

@@ -23,8 +23,8 @@ Obstacle draw_obstacle(const CopyingLinkage& linkage) {
 MapTask draw_map_task() {
   const CopyingLinkage linkage = draw_linkage(10);
   MapTask task{.linkage = linkage, .style = draw_style(), .layers = draw_layers()};
-  task.clearance = *between(0, 3);
-  task.transmission = radians(*between(0, 30));
+  task.limits.clearance = *between(0, 3);
+  task.limits.transmission = radians(*between(0, 30));
   const int obstacles = *whole(0, 3);
   for (int i = 0; i < obstacles; ++i) task.obstacles.push_back(draw_obstacle(linkage));
   return task;
@@ -47,7 +47,7 @@ TEST(MapLaws, MoreClearanceNeverFreesAPlace) {
   law(500, [] {
     const MapTask looser = draw_map_task();
     MapTask stricter = looser;
-    stricter.clearance += *logarithmic(1e-6, 10);
+    stricter.limits.clearance += *logarithmic(1e-6, 10);
     only_shrinks(looser, stricter);
   });
 }
@@ -83,7 +83,7 @@ TEST(MapLaws, ASteeperTransmissionLimitNeverFreesAPlace) {
   law(300, [] {
     const MapTask looser = draw_map_task();
     MapTask stricter = looser;
-    stricter.transmission += *between(0, 0.5);
+    stricter.limits.transmission += *between(0, 0.5);
     only_shrinks(looser, stricter);
   });
 }
@@ -93,7 +93,7 @@ TEST(MapLaws, TheWholeMapShrinksWithMoreClearanceAndWiderLinks) {
     const MapTask looser = draw_map_task();
     MapTask stricter = looser;
     if (*rc::gen::arbitrary<bool>())
-      stricter.clearance += *between(0.1, 5);
+      stricter.limits.clearance += *between(0.1, 5);
     else
       stricter.style.width *= *between(1.1, 2);
     const MapOptions options{.map_tolerance = 0.02, .largest_sheets = false};
@@ -133,7 +133,7 @@ TEST(MapLaws, VerdictsMoveWithTheTask) {
     moved.style.width *= movement.scale;
     moved.style.pin_diameter *= movement.scale;
     moved.style.thickness *= movement.scale;
-    moved.clearance *= movement.scale;
+    moved.limits.clearance *= movement.scale;
     for (Obstacle& obstacle : moved.obstacles) obstacle.shape = movement(obstacle.shape);
     for (int i = 0; i < 5; ++i) {
       const Point place = draw_place(task);

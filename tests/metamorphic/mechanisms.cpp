@@ -57,11 +57,9 @@ bool is_free_at_corners(const Spec& spec, const CopyingLinkage& linkage, const L
   const MapTask task{.linkage = linkage,
                      .style = spec.links.style,
                      .layers = layers,
-                     .clearance = spec.limits.clearance,
-                     .transmission = spec.limits.transmission,
+                     .limits = spec.limits,
                      .obstacles = spec.obstacles,
-                     .region = spec.region,
-                     .copy_gap = spec.limits.copy_gap};
+                     .region = spec.region};
   const Ring& ring = spec.region.polygons[0].outer;
   for (std::size_t i = 0; i < ring.size(); i += 1 + ring.size() / 6)
     if (!verdict_at(task, ring[i]).free) return false;

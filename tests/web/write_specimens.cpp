@@ -53,17 +53,14 @@ Json position(const ReportSpecimen& specimen, const kempe::ContactScene& scene, 
 std::string positions(const ReportSpecimen& specimen) {
   const kempe::Design& design = specimen.design;
   const kempe::CopyingLinkage& linkage = design.linkage;
-  const kempe::ContactScene scene({.linkage = linkage,
-                                   .style = design.style,
-                                   .layers = design.layers,
-                                   .clearance = 1e6,  // nothing is too far to count
-
-                                   .transmission = 0,
-                                   .obstacles = design.obstacles,
-                                   .bodies = design.bodies,
-                                   .table = design.table,
-                                   .region = {},
-                                   .copy_gap = {}});
+  const kempe::ContactScene scene(
+      {.linkage = linkage,
+       .style = design.style,
+       .layers = design.layers,
+       .limits = {.clearance = 1e6, .transmission = 0},  // nothing is too far to count
+       .obstacles = design.obstacles,
+       .bodies = design.bodies,
+       .table = design.table});
   const auto radii = linkage.radii_over(linkage.assembly_mode().openings);
   std::mt19937_64 random(11);
   const auto uniform = [&] { return kempe::test::share(random); };

@@ -80,8 +80,7 @@ ClearanceFigure with_obstacles(const PreparedTask& prepared, ClearanceFigure bes
   const Encounters encounters = scene.nearer_than(best.gap);
   if (encounters.pairs.empty() || !(openings.width() > 0)) return best;
   Subdivision cells(scene, encounters, region, AngleGrid(task.linkage, openings),
-                    best.gap - certain_to(task.linkage),
-                    {.contacts_stay_open = true, .region_only = true});
+                    best.gap - certain_to(task.linkage), {.contacts_stay_open = true, .region_only = true});
   double named = best.gap;
   while (!cells.open().empty() && cells.open().size() < most_cells && !stop()) {
     improve(best, named, scene, encounters, cells, stop);

@@ -23,7 +23,7 @@ double farthest_of(const LinkageMotion& motion, const PointHull& hull) {
 double direction_rounding(const MapTask& task) {
   constexpr double few_ulp = 8 * std::numeric_limits<double>::epsilon();
   const CopyingLinkage& linkage = task.linkage;
-  const OpeningInterval openings = linkage.openings_with_transmission(task.transmission);
+  const OpeningInterval openings = linkage.openings_with_transmission(task.limits.transmission);
   if (openings.empty()) return 0;
   const double chain =
       chain_length_per_tracer(linkage.k(), linkage.grounding()) * linkage.radii_over(openings).lower;
@@ -140,7 +140,7 @@ ContactScene::ContactScene(const MapTask& task, double within)
                            obstruction.name,
                            0};
     if (obstacle.edges.empty()) continue;
-    obstacle.slack = turned + distance_rounding * (size + task.clearance + obstacle.edges.magnitude() +
+    obstacle.slack = turned + distance_rounding * (size + task.limits.clearance + obstacle.edges.magnitude() +
                                                    (at_rest ? task.linkage.pole().norm() : 0.0));
     const std::size_t before = encounters.pairs.size();
     const double nearest =
@@ -192,7 +192,8 @@ double distance_to(const SceneObstacle& obstacle, const MovingHull& hull, double
 
 }  // namespace
 
-ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening, double bearing) {
+ObstacleGap tightest_obstacle(const ContactScene& scene, const Encounters& encounters, double opening,
+                              double bearing) {
   ObstacleGap tightest{std::numeric_limits<double>::infinity()};
   FramedJoints joints{};
   for (const SceneFrame frame : encounters.frames)

@@ -52,7 +52,7 @@ struct Encounters {
 
 struct ContactScene {
   /// For contact: with the obstacles that anything comes nearer to than the task's clearance, perhaps.
-  explicit ContactScene(const MapTask& task) : ContactScene(task, task.clearance) {}
+  explicit ContactScene(const MapTask& task) : ContactScene(task, task.limits.clearance) {}
   /// For gaps: with those that anything comes nearer to than `within`, mm.
   ContactScene(const MapTask& task, double within);
 

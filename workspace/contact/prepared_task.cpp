@@ -15,10 +15,10 @@ OpeningInterval openings_over_region(const MapTask& task) {
 /// mm, which gaps the scene must know: those up to the clearance are contact, and none above the smallest that is known without
 /// moving anything is the smallest of all.
 double asked_for(const PreparedTask& prepared) {
-  if (prepared.openings.empty()) return prepared.task.clearance;
+  if (prepared.openings.empty()) return prepared.task.limits.clearance;
   double smallest = prepared.own.gap;
   for (const PoleGap& at : prepared.at_pole) smallest = std::min(smallest, at.gap);
-  return std::max(prepared.task.clearance, smallest);
+  return std::max(prepared.task.limits.clearance, smallest);
 }
 
 }  // namespace

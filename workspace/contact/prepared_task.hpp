@@ -12,9 +12,10 @@ struct PreparedTask {
   /// For the smallest gap over the region, for contact, and for gaps up to `within`, mm.
   explicit PreparedTask(const MapTask& task, double within = 0);
 
-  const MapTask& task;          ///< must outlive the object
-  OpeningInterval openings;     ///< at which the tracer is over the region; empty without a region, or if it is out of reach
-  Tightest own;                 ///< of the linkage's parts against each other over them; infinite if there are none
+  const MapTask& task;  ///< must outlive the object
+  OpeningInterval
+      openings;  ///< at which the tracer is over the region; empty without a region, or if it is out of reach
+  Tightest own;  ///< of the linkage's parts against each other over them; infinite if there are none
   std::vector<PoleGap> at_pole;  ///< of what stands beside the pole post
   ContactScene scene;
   EdgeTree region;  ///< the pole at the origin

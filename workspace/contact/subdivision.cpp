@@ -70,8 +70,8 @@ struct Subdivision::Meeting {
 
 Subdivision::Subdivision(const ContactScene& scene, const Encounters& encounters, const EdgeTree& region,
                          const AngleGrid& grid, double clearance, SubdivisionMode mode)
-    : scene_(scene), encounters_(encounters), region_(region), grid_(grid), clearance_(clearance), mode_(mode), rows_(rows_remembered),
-      columns_(columns_remembered) {
+    : scene_(scene), encounters_(encounters), region_(region), grid_(grid), clearance_(clearance),
+      mode_(mode), rows_(rows_remembered), columns_(columns_remembered) {
   add_roots();
 }
 

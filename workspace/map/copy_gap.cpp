@@ -23,19 +23,19 @@ std::size_t corners_of(const Region& region) {
 }  // namespace
 
 std::optional<CopyOverlap> copy_overlap(const MapTask& task) {
-  if (!task.copy_gap || task.region.empty()) return std::nullopt;
+  if (!task.limits.copy_gap || task.region.empty()) return std::nullopt;
   const Region copy = similar_image(task.region, task.linkage.k(), task.linkage.pole());
-  if (are_apart(task.region, copy, *task.copy_gap)) return std::nullopt;
+  if (are_apart(task.region, copy, *task.limits.copy_gap)) return std::nullopt;
   const NearestPlaces nearest = *nearest_places(task.region, copy);
   const std::string found =
       nearest.distance > 0 ? fmt::format("are {:.2f} mm apart", nearest.distance) : "overlap";
   CopyOverlap overlap{
       fmt::format("overlap: the original and its copy {}; {:.2f} mm are required (sheets_gap_mm)", found,
-                  *task.copy_gap),
+                  *task.limits.copy_gap),
       nearest.on_one,
       {}};
   if (corners_of(task.region) > most_region_corners) return overlap;
-  if (const auto around = grown(copy, *task.copy_gap))
+  if (const auto around = grown(copy, *task.limits.copy_gap))
     overlap.area = intersection(as_arcs(task.region), as_arcs(*around));
   return overlap;
 }

@@ -119,7 +119,7 @@ Decided decide_region(const MapTask& task, const Subdivision& chart, const StopF
   if (chart.region_in_contact()) return {chart.region_in_contact()->second, std::nullopt, {}};
   Subdivision cells = chart;
   cells.look_at_region_only();
-  cells.lower_clearance(task.clearance - touching * reachable_annulus(task.linkage).outer);
+  cells.lower_clearance(task.limits.clearance - touching * reachable_annulus(task.linkage).outer);
   while (!cells.open().empty() && !cells.region_in_contact() && cells.open().size() < most_open_cells &&
          !stop())
     if (!cells.split(unless(stop))) break;

@@ -23,7 +23,7 @@ struct Compared {
 };
 
 Compared compared_openings(const MapTask& task) {
-  const OpeningInterval usable = task.linkage.openings_with_transmission(task.transmission);
+  const OpeningInterval usable = task.linkage.openings_with_transmission(task.limits.transmission);
   if (const auto needed = openings_over(task.linkage, task.region)) return {*needed, true};
   return {usable.empty() ? task.linkage.assembly_mode().openings : usable, false};
 }
@@ -31,8 +31,8 @@ Compared compared_openings(const MapTask& task) {
 double widest_free(const MapTask& task) {
   double width = 0;
   for (const FreeOpenings& one :
-       contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                             task.linkage.openings_with_transmission(task.transmission)))
+       contact_free_openings(task.linkage, task.style, task.layers, task.limits.clearance,
+                             task.linkage.openings_with_transmission(task.limits.transmission)))
     width = std::max(width, one.interval.width());
   return width;
 }
@@ -51,7 +51,7 @@ LayerFinding finding_of(MapTask task, const LayerAssignment& layers, const Compa
     finding.parts = figure->parts;
     finding.at = figure->at;
   }
-  finding.keeps_clearance = finding.gap >= task.clearance;
+  finding.keeps_clearance = finding.gap >= task.limits.clearance;
   return finding;
 }
 
@@ -107,7 +107,7 @@ LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop)
     for (const LayerFinding& finding : choice.findings)
       if (finding.layers.highest() == fewer) {
         choice.why_not_fewer.push_back(
-            why_not(fmt::format("{} layers", fewer), finding, best, task.clearance));
+            why_not(fmt::format("{} layers", fewer), finding, best, task.limits.clearance));
         break;
       }
   if (!best.layers.is_stacked())
@@ -119,7 +119,7 @@ LayerChoice choose_layers(const MapTask& task, int layers, const StopFlag& stop)
         stacked != choice.findings.end())
       choice.why_not_fewer.push_back(
           why_not(fmt::format("{} layers, none of them empty,", best.layers.highest()), *stacked, best,
-                  task.clearance));
+                  task.limits.clearance));
   return choice;
 }
 

@@ -79,23 +79,23 @@ Verdict verdict_at(const MapTask& task, const Point& tracer) {
   const auto opening = linkage.opening_at(distance);
   if (!opening) return unreachable(linkage, opening.error(), distance);
   const double transmission = linkage.transmission_angle(*opening);
-  const double limit = std::max(task.transmission, least_usable_angle);
+  const double limit = std::max(task.limits.transmission, least_usable_angle);
   if (transmission < limit - limit_rounding)
     return lost(Cause::transmission_below_limit,
                 fmt::format("transmission below the limit: {:.4g} degrees here, the limit is {:.4g}",
                             degrees(transmission), degrees(limit)));
   const std::vector<PoleGap> at_pole = gaps_at_pole(task);
-  if (const auto obstacle = obstacle_within(task.clearance, at_pole))
+  if (const auto obstacle = obstacle_within(task.limits.clearance, at_pole))
     return lost(Cause::obstacle_contact,
                 fmt::format("contact: {} stands within the clearance of the pole post, whatever the position",
                             *obstacle),
                 {std::string("pole post ") + letter(linkage.pole_joint()), *obstacle});
   const Point reach = tracer - linkage.pole();
   const SmallestGap smallest = smallest_gap(task, at_pole, *opening, std::atan2(reach.y(), reach.x()));
-  const double slack = undecided * (linkage.size() + task.clearance);
-  if (smallest.gap < task.clearance - slack)
-    return contact(smallest.cause, smallest.one, smallest.other, smallest.gap, task.clearance);
-  if (smallest.gap < task.clearance + slack)
+  const double slack = undecided * (linkage.size() + task.limits.clearance);
+  if (smallest.gap < task.limits.clearance - slack)
+    return contact(smallest.cause, smallest.one, smallest.other, smallest.gap, task.limits.clearance);
+  if (smallest.gap < task.limits.clearance + slack)
     return {false,
             true,
             std::nullopt,

@@ -80,7 +80,8 @@ std::vector<ContactOpenings> lost_openings(const MapTask& task, const std::vecto
   }
   add_gap(within.upper);
   if (gaps.empty()) return {};
-  const auto contacts = contact_openings(task.linkage, task.style, task.layers, task.clearance, within);
+  const auto contacts =
+      contact_openings(task.linkage, task.style, task.layers, task.limits.clearance, within);
   std::vector<ContactOpenings> lost;
   for (auto [from, to] : gaps)  // each by as few contacts as the sorted list needs
     while (from < to) {
@@ -123,13 +124,13 @@ ArcRegion region_beyond(const MapTask& task, const Annulus& chain) {
 /// What is lost whatever the bearing: annuli.
 void add_lost_annuli(WorkspaceMap& map, const MapTask& task, const std::vector<FreeOpenings>& free) {
   const Annulus chain = chain_annulus(task.linkage), reach = reachable_annulus(task.linkage);
-  const Annulus usable = usable_annulus(task.linkage, task.transmission);
+  const Annulus usable = usable_annulus(task.linkage, task.limits.transmission);
   ArcRegion unreachable = as_region({chain.centre, 0, chain.inner});
   append(unreachable, region_beyond(task, chain));
   add_lost(map, Cause::out_of_reach, {}, std::move(unreachable));
   add_lost(map, Cause::beyond_change_point, {}, difference(chain, reach));
   add_lost(map, Cause::transmission_below_limit, {}, difference(reach, usable));
-  const OpeningInterval within = task.linkage.openings_with_transmission(task.transmission);
+  const OpeningInterval within = task.linkage.openings_with_transmission(task.limits.transmission);
   if (within.empty()) return;
   for (const ContactOpenings& one : lost_openings(task, free, within))
     add_lost(map, Cause::self_contact, {name(one.pair.first), name(one.pair.second)},
@@ -192,9 +193,9 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   WorkspaceMap map;
   map.map_tolerance = options.map_tolerance;
   map.reachable = as_region(reachable_annulus(task.linkage));
-  map.usable = as_region(usable_annulus(task.linkage, task.transmission));
-  const auto free = contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                                          task.linkage.openings_with_transmission(task.transmission));
+  map.usable = as_region(usable_annulus(task.linkage, task.limits.transmission));
+  const auto free = contact_free_openings(task.linkage, task.style, task.layers, task.limits.clearance,
+                                          task.linkage.openings_with_transmission(task.limits.transmission));
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
   map.clearance_min = HUGE_VAL;
@@ -205,15 +206,15 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
     map.clearance_min_parts = clearance->parts;
     map.clearance_min_at = clearance->at;
   }
-  if (const auto obstacle = obstacle_within(task.clearance, prepared.at_pole)) {
+  if (const auto obstacle = obstacle_within(task.limits.clearance, prepared.at_pole)) {
     lose_all_to(map, task, *obstacle);
     return map;
   }
-  const Encounters encounters = prepared.scene.nearer_than(task.clearance);
+  const Encounters encounters = prepared.scene.nearer_than(task.limits.clearance);
   std::vector<Subdivision> charts;
   for (const FreeOpenings& one : free)
     charts.emplace_back(prepared.scene, encounters, prepared.region, AngleGrid(task.linkage, one.interval),
-                        task.clearance);
+                        task.limits.clearance);
   refine(charts, options.map_tolerance, options.stop);
   for (const Subdivision& chart : charts) add_cells(map, prepared.scene, chart);
   map.coverage = coverage_of(task, charts, prepared.region, options.stop);

@@ -9,11 +9,10 @@ ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, cons
                               const LayerAssignment& layers, const OpeningInterval& certified_opening,
                               const StopFlag& stop) {
   MapTask task = map_task(linkage, layers, spec);
-  task.clearance = limits.clearance;
-  task.transmission = limits.transmission;
-  task.copy_gap.reset();  // not the obstacles' matter
+  task.limits = limits;
+  task.limits.copy_gap.reset();  // not the obstacles' matter
   const PreparedTask prepared(task);
-  if (obstacle_within(task.clearance, prepared.at_pole)) return {};
+  if (obstacle_within(task.limits.clearance, prepared.at_pole)) return {};
   ObstacleCheck check;
   if (const auto figure = smallest_clearance(prepared, stop)) {
     check.clearance = figure->gap;

@@ -38,13 +38,11 @@ std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& li
   const MapTask task{.linkage = linkage,
                      .style = spec.links.style,
                      .layers = layers,
-                     .clearance = spec.limits.clearance,
-                     .transmission = 0,
+                     .limits = {.clearance = spec.limits.clearance, .transmission = 0},
                      .obstacles = spec.obstacles,
                      .bodies = spec.bodies,
                      .table = spec.table,
-                     .region = spec.region,
-                     .copy_gap = std::nullopt};
+                     .region = spec.region};
   const auto figure = smallest_clearance(task);
   return figure ? std::optional(figure->gap) : std::nullopt;
 }

@@ -62,11 +62,9 @@ bool keeps_clearance(const Spec& spec, const CopyingLinkage& linkage, const Laye
   const MapTask task{.linkage = linkage,
                      .style = spec.links.style,
                      .layers = layers,
-                     .clearance = spec.limits.clearance,
-                     .transmission = spec.limits.transmission,
+                     .limits = spec.limits,
                      .obstacles = spec.obstacles,
-                     .region = spec.region,
-                     .copy_gap = std::nullopt};
+                     .region = spec.region};
   const auto figure = smallest_clearance(task);
   return figure && figure->gap >= spec.limits.clearance;
 }

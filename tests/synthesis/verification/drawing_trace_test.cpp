@@ -24,7 +24,7 @@ TraceTask task(Complex k, Grounding grounding, double VA, double VB, int assembl
                Point pole = Point::Zero()) {
   const auto linkage = *CopyingLinkage::make(k, grounding, VA, VB, assembly_mode, pole);
   const OpeningInterval all = linkage.assembly_mode().openings;
-  return {MapTask{linkage, {}, {}, 0, 0, {}, {}, std::nullopt}, shrink(all, 0.15 * all.width())};
+  return {MapTask{linkage, {}, {}}, shrink(all, 0.15 * all.width())};
 }
 
 /// A random stroke whose corners the tracer reaches.

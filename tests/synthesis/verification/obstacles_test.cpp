@@ -154,7 +154,7 @@ TEST(ObstacleWatch, FindsWhatStandsInTheWayWhereverThePoleStands) {
                       linkage.pole(),
                       openings};
     task.k = linkage.k();
-    task.clearance = 0;
+    task.limits = {.clearance = 0, .transmission = 0};
     task.obstacles = {{.shape = star(random, linkage.pole() + Point(1e4, 0), 50), .highest_layer = 8}};
     EXPECT_FALSE(sees_obstacle(task));
     const Ring& corners = task.region.polygons.front().outer;

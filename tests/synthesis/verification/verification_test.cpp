@@ -123,10 +123,10 @@ TEST(Verification, SeesARegionBeyondReach) {
 
 TEST(Verification, SeesALimitThatIsNotKept) {
   VerificationTask task = task_for(report(), 0.3);
-  task.transmission = radians(60);
+  task.limits = {.clearance = -HUGE_VAL, .transmission = radians(60)};
   EXPECT_NE(verify(task).failure.find("transmission"), std::string::npos);
   task = task_for(report(), 0.3);
-  task.clearance = 50;
+  task.limits = {.clearance = 50, .transmission = 0};
   EXPECT_NE(verify(task).failure.find("apart"), std::string::npos);
   task = task_for(report(), 0.3);
   task.longest = 60;
@@ -257,7 +257,7 @@ TEST(Verification, DrivesAsNearToDeadAndChangePointsAsADesignMayStand) {
     const CopyingLinkage linkage = random_linkage(random);
     VerificationTask task = with_shape(linkage);
     task.mechanism.opening = linkage.openings_with_transmission(0);
-    task.transmission = least_usable_angle;
+    task.limits = {.clearance = -HUGE_VAL, .transmission = least_usable_angle};
     task.region = flattened(as_region(usable_annulus(linkage, 0)), 1e-3 * linkage.size(), Flatten::shrinks);
     const auto radii = linkage.radii_over(task.mechanism.opening);
     const double bearing = uniform(random, -pi, pi);

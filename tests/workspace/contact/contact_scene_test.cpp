@@ -46,11 +46,7 @@ TEST(ContactScene, ItsSlackHoldsTheRoundingOfJointsNearThePoleToo) {
     MapTask task{.linkage = linkage,
                  .style = {10, 6, 4, PlateStyle::bent},
                  .layers = test::random_layers(dice),
-                 .clearance = 1,
-                 .transmission = limit,
-                 .obstacles = {},
-                 .region = {},
-                 .copy_gap = std::nullopt};
+                 .limits = {.clearance = 1, .transmission = limit}};
     const Point corner = linkage.pole() + Point(10, 10);
     const Ring square{corner, corner + Point(20, 0), corner + Point(20, 20), corner + Point(0, 20)};
     task.obstacles = {{.shape = {square, {}}, .lowest_layer = 1, .highest_layer = 4}};

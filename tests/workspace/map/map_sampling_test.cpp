@@ -50,11 +50,7 @@ MapTask task_of(const Case& one) {
   MapTask task{linkage,
                {6, 3, 4, one.plate},
                layer_assignments(4)[static_cast<std::size_t>(one.layers)],
-               0.5,
-               radians(20),
-               {},
-               {},
-               {}};
+               {.clearance = 0.5, .transmission = radians(20)}};
   const double reach = reachable_annulus(linkage).outer;
   for (int i = 0; i < one.obstacles; ++i) {
     const Point centre =
@@ -91,12 +87,13 @@ TEST_P(MapSampling, NoFreePolygonHoldsAContactAndTheAreasAgree) {
     if (is_free) {
       const auto solids = test::solids(task.linkage, *joints, task.style, task.layers);
       gap = test::self_gap(solids);
-      if (gap >= task.clearance) gap = std::min(gap, test::obstacle_gap(solids, obstacles, task.clearance));
-      is_free = gap >= task.clearance;
+      if (gap >= task.limits.clearance)
+        gap = std::min(gap, test::obstacle_gap(solids, obstacles, task.limits.clearance));
+      is_free = gap >= task.limits.clearance;
     }
     truly_free += is_free;
-    if (!is_free && gap < task.clearance - 1e-9) wrongly_free += free.contains(tracer);
-    if (is_free && gap > task.clearance + 1e-9)
+    if (!is_free && gap < task.limits.clearance - 1e-9) wrongly_free += free.contains(tracer);
+    if (is_free && gap > task.limits.clearance + 1e-9)
       for (const test::Locator& one : lost) wrongly_lost += one.contains(tracer);
   }
   EXPECT_EQ(wrongly_free, 0);
@@ -143,7 +140,7 @@ TEST(ClearanceSampling, FigureIsThatOfThePlainGapsWhereverTheObstaclesStand) {
   for (int i = 0; i < 300; ++i) {
     const CopyingLinkage linkage = test::random_linkage(dice);
     const LinkStyle thin{1, 0.5, 4, dice.below(2) == 0 ? PlateStyle::bent : PlateStyle::triangle};
-    MapTask task{linkage, thin, test::random_layers(dice), 0.5, 0, {}, {}, {}};
+    MapTask task{linkage, thin, test::random_layers(dice), {.clearance = 0.5, .transmission = 0}};
     const Annulus reach = reachable_annulus(linkage);
     const double out = reach.outer, radius = linkage.radius_at(linkage.assembly_mode().openings.middle());
     const test::Z centre = as_complex(linkage.pole()) + std::polar(radius, dice.between(-pi, pi));

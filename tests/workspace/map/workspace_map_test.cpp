@@ -37,13 +37,13 @@ Obstacle block(Polygon shape, int lowest = 1, int highest = 4) {
 /// The plagiograph report's linkage, free between 57.4 and 73.9 mm from the pole.
 MapTask report_task(Point pole = Point::Zero()) {
   const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2, pole);
-  return {linkage, {6, 3, 4, PlateStyle::bent}, {}, 0.5, radians(10), {}, {}, {}};
+  return {linkage, {6, 3, 4, PlateStyle::bent}, {}, {.clearance = 0.5, .transmission = radians(10)}};
 }
 
 Annulus free_annulus(const MapTask& task) {
   return annulus_over(task.linkage,
-                      contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                                            task.linkage.openings_with_transmission(task.transmission))
+                      contact_free_openings(task.linkage, task.style, task.layers, task.limits.clearance,
+                                            task.linkage.openings_with_transmission(task.limits.transmission))
                           .at(0)
                           .interval);
 }
@@ -63,22 +63,18 @@ TEST(WorkspaceMap, WithoutObstaclesTheAreasAreThoseOfTheAnnuli) {
     const MapTask task{test::random_linkage(dice),
                        test::random_style(dice),
                        test::random_layers(dice),
-                       dice.between(0, 1),
-                       dice.between(0, 0.4),
-                       {},
-                       {},
-                       {}};
+                       {.clearance = dice.between(0, 1), .transmission = dice.between(0, 0.4)}};
     const WorkspaceMap map = map_workspace(task, no_sheets);
     double free = 0;
     for (const FreeOpenings& one :
-         contact_free_openings(task.linkage, task.style, task.layers, task.clearance,
-                               task.linkage.openings_with_transmission(task.transmission)))
+         contact_free_openings(task.linkage, task.style, task.layers, task.limits.clearance,
+                               task.linkage.openings_with_transmission(task.limits.transmission)))
       free += area(annulus_over(task.linkage, one.interval));
     const Annulus chain = chain_annulus(task.linkage);
     const double whole = pi * chain.outer * chain.outer;
     EXPECT_NEAR(area(map.collision_free), free, 1e-9 * whole);
     EXPECT_NEAR(area(map.reachable), area(reachable_annulus(task.linkage)), 1e-9 * whole);
-    EXPECT_NEAR(area(map.usable), area(usable_annulus(task.linkage, task.transmission)), 1e-9 * whole);
+    EXPECT_NEAR(area(map.usable), area(usable_annulus(task.linkage, task.limits.transmission)), 1e-9 * whole);
     EXPECT_EQ(map.uncertain.size(), 0u);
     EXPECT_NEAR(all_areas(map), whole, 1e-6 * whole) << "every place has its verdict";
     with_free += free > 0;
@@ -176,7 +172,7 @@ TEST(WorkspaceMap, ShrinksAsClearanceAndWidthGrow) {
     MapTask task = with_obstacles(report_task(), dice, 3);
     WorkspaceMap before = map_workspace(task, no_sheets);
     for (const bool widen : {false, true, false, true}) {
-      (widen ? task.style.width : task.clearance) += widen ? 1 : 0.7;
+      (widen ? task.style.width : task.limits.clearance) += widen ? 1 : 0.7;
       const WorkspaceMap after = map_workspace(task, no_sheets);
       EXPECT_LE(area(after.collision_free), area(before.collision_free) + area(before.uncertain) + 1e-9);
       before = after;
@@ -283,7 +279,7 @@ TEST(Coverage, HoleOfTheRegionLeavesRoomForAnObstacle) {
   const Coverage coverage = map_workspace(task, no_sheets).coverage;
   const auto clearance = smallest_clearance(task);
   ASSERT_TRUE(clearance);
-  EXPECT_EQ(coverage.covered, clearance->gap >= task.clearance) << coverage.why_not;
+  EXPECT_EQ(coverage.covered, clearance->gap >= task.limits.clearance) << coverage.why_not;
 }
 
 TEST(Coverage, PartsCutOffFromEachOtherAreNamed) {
@@ -320,9 +316,9 @@ TEST(Coverage, PartsCutOffFromEachOtherAreNamed) {
 TEST(Coverage, SheetsThatOverlapAreRefusedAndThoseApartAreNot) {
   MapTask task = report_task();
   task.region = {{box(60, -5, 8, 10)}};
-  task.copy_gap = 5;
+  task.limits.copy_gap = 5;
   EXPECT_TRUE(map_workspace(task, no_sheets).coverage.covered);
-  task.copy_gap = 100;
+  task.limits.copy_gap = 100;
   const WorkspaceMap map = map_workspace(task, no_sheets);
   EXPECT_FALSE(map.coverage.covered);
   EXPECT_EQ(map.coverage.cause, Cause::copy_overlap);
@@ -339,7 +335,7 @@ TEST(Coverage, ManyCornersAndHolesAreDecided) {
   const Coverage coverage = map_workspace(task, no_sheets).coverage;
   const auto clearance = smallest_clearance(task);
   ASSERT_TRUE(clearance);
-  EXPECT_EQ(coverage.covered, clearance->gap >= task.clearance) << coverage.why_not;
+  EXPECT_EQ(coverage.covered, clearance->gap >= task.limits.clearance) << coverage.why_not;
 }
 
 TEST(Coverage, AgreesWithVerdictsAndClearanceOnRandomTasks) {
@@ -349,11 +345,7 @@ TEST(Coverage, AgreesWithVerdictsAndClearanceOnRandomTasks) {
     MapTask task{test::random_linkage(dice),
                  {5, 3, 4, PlateStyle::bent},
                  test::random_layers(dice),
-                 0.5,
-                 radians(8),
-                 {},
-                 {},
-                 {}};
+                 {.clearance = 0.5, .transmission = radians(8)}};
     const Annulus reach = reachable_annulus(task.linkage);
     const double size = reach.outer;
     for (int k = dice.below(4); k > 0; --k) {
@@ -374,7 +366,7 @@ TEST(Coverage, AgreesWithVerdictsAndClearanceOnRandomTasks) {
         << i;
     if (map.coverage.covered) {
       ++covered;
-      EXPECT_GE(map.clearance_min, task.clearance - 1e-2) << i;
+      EXPECT_GE(map.clearance_min, task.limits.clearance - 1e-2) << i;
       for (int sample = 0; sample < 20; ++sample) {
         const Point point = middle + extent * Point(dice.between(-1, 1), dice.between(-1, 1));
         if (contains(task.region, point)) {
@@ -404,7 +396,7 @@ TEST(Clearance, IsAttainedAndNoSampleIsBelowIt) {
     const auto clearance = smallest_clearance(task);
     ASSERT_TRUE(clearance);
     EXPECT_LT(distance(task.region, clearance->at), 1e-6);
-    task.clearance = clearance->gap - 1e-2;
+    task.limits.clearance = clearance->gap - 1e-2;
     for (int sample = 0; sample < 300; ++sample) {
       const Point point =
           as_point(std::polar(65.0, bearing)) + Point(dice.between(-6, 6), dice.between(-6, 6));
@@ -414,7 +406,7 @@ TEST(Clearance, IsAttainedAndNoSampleIsBelowIt) {
           verdict.cause == Cause::self_contact || verdict.cause == Cause::obstacle_contact;
       EXPECT_FALSE(in_contact) << verdict.sentence;
     }
-    task.clearance = clearance->gap + 1e-3;
+    task.limits.clearance = clearance->gap + 1e-3;
     EXPECT_FALSE(verdict_at(task, clearance->at).free);
   }
 }
@@ -453,11 +445,9 @@ TEST(LayerChoice, LinksStandAboveAnEmptyLayerWhereThatHelpsAndItSaysSo) {
   MapTask task{.linkage = *CopyingLinkage::make({-0.5, 0}, Grounding::pole, 37.7, 44.8, 0),
                .style = {15, 6, 4, PlateStyle::bent},
                .layers = {},
-               .clearance = 1,
-               .transmission = radians(25),
+               .limits = {.clearance = 1, .transmission = radians(25)},
                .obstacles = {block(box(6, -200, 8, 400), 1, 1), block(box(-14, -200, 8, 400), 1, 1)},
-               .region = {{box(62, -28, 56, 56)}},
-               .copy_gap = std::nullopt};
+               .region = {{box(62, -28, 56, 56)}}};
   const LayerChoice choice = choose_layers(task, 3);
   EXPECT_FALSE(choice.best.has_links_in(1));
   ASSERT_EQ(choice.why_not_fewer.size(), 2u);
