@@ -49,7 +49,7 @@ std::optional<JsonField> JsonField::find(std::string_view key) const {
   return (*this)[key];
 }
 
-std::vector<std::string> JsonField::unknown_keys(std::initializer_list<std::string_view> known) const {
+std::vector<std::string> JsonField::unknown_keys(const std::vector<std::string_view>& known) const {
   std::vector<std::string> keys;
   if (value_ == nullptr || !value_->is_object()) return keys;
   for (const auto& [key, value] : value_->items())

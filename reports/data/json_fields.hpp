@@ -2,7 +2,6 @@
 // Hostile JSON as values: every field is asked for by key and type, and all that is wrong is remembered.
 
 #include <cstdint>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -35,7 +34,7 @@ class JsonField {
   Elements elements(std::size_t least, std::size_t most) const;
 
   /// The members of an object that are not among `known`, dotted, in the order of the alphabet.
-  std::vector<std::string> unknown_keys(std::initializer_list<std::string_view> known) const;
+  std::vector<std::string> unknown_keys(const std::vector<std::string_view>& known) const;
 
   bool is_null() const { return value_ != nullptr && value_->is_null(); }
   bool is_object() const { return value_ != nullptr && value_->is_object(); }

@@ -1,0 +1,130 @@
+#include <cmath>
+
+#include "reports/data/stored/parts.hpp"
+#include "reports/data/stored/values.hpp"
+#include "specs/text/printable.hpp"
+
+namespace kempe::stored {
+namespace {
+
+constexpr std::size_t most_solvers = 100, longest_solver_name = 200;
+
+Robustness robustness(const JsonField& field) {
+  return {.holds = field["holds"].boolean(),
+          .clearance = field["clearance_min_mm"].number_or_null().value_or(-HUGE_VAL),
+          .clearance_loss = field["clearance_loss_mm"].number_or_null().value_or(HUGE_VAL),
+          .nominal_value = field["nominal_value"].number_or_null()};
+}
+
+/// All of them or none.
+std::optional<LoadFigures> load_figures(const JsonField& field) {
+  if (!field.find("load_error_max_mm")) return std::nullopt;
+  return LoadFigures{.error_max = field["load_error_max_mm"].number(),
+                     .error_min = field["load_error_min_mm"].number(),
+                     .pin_force_max = field["pin_force_max_N"].number(),
+                     .hand_force_max = field["hand_force_max_N"].number(),
+                     .stress_max = field["stress_max_MPa"].number_or_null().value_or(HUGE_VAL)};
+}
+
+Quality quality(const JsonField& field) {
+  Quality result;
+  result.size = field["size_mm"].number();
+  result.transmission_min = radians(field["transmission_min_deg"].number(0, 90));
+  result.clearance_min = field["clearance_min_mm"].number_or_null().value_or(HUGE_VAL);
+  result.copy_error_worst = field["copy_error_worst_mm"].number_or_null();
+  result.copy_error_rss = field["copy_error_rss_mm"].number_or_null();
+  result.distortion_worst = field["distortion_worst_mm"].number_or_null();
+  result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
+  result.proven_bound = field["lower_bound"].number_or_null();
+  result.loads = load_figures(field);
+  if (const auto sag = field.find("sag_max_mm")) result.sag = sag->number();
+  if (const auto mass = field.find("mass_kg")) result.mass = mass->number();
+  if (const auto one = field.find("robust")) result.robust = robustness(*one);
+  return result;
+}
+
+Verification verification(const JsonField& field) {
+  constexpr std::int64_t most = 1'000'000'000;
+  Verification result;
+  result.samples = static_cast<std::size_t>(field["samples"].integer(0, most));
+  result.copy_error_max = field["copy_error_max_mm"].number_or_null().value_or(HUGE_VAL);
+  result.loop_residual_max = field["loop_residual_max_mm"].number_or_null().value_or(HUGE_VAL);
+  result.scale = field["scale"].number();
+  result.rotation = radians(field["rotation_deg"].number());
+  result.flips = static_cast<int>(field["flips"].integer(0, most));
+  result.holds = field["certified"].boolean();
+  if (const auto over = field.find("driven_over")) result.over_workspace = over->text() == "workspace";
+  if (const auto failure = field.find("failure")) result.failure = failure->text();
+  return result;
+}
+
+FittingSheet sheet(const JsonField& field) {
+  return {.name = field["name"].text(),
+          .width = length(field["width_mm"]),
+          .height = length(field["height_mm"]),
+          .centre = point(field["centre_mm"]),
+          .turn = radians(field["turn_deg"].number(-360, 360))};
+}
+
+StoredMap stored_map(const JsonField& field) {
+  const auto number = [&](std::string_view key) {
+    const auto one = field.find(key);
+    return one ? std::optional(one->number()) : std::nullopt;
+  };
+  StoredMap result{.reachable = number("reachable_mm2"),
+                   .usable = number("usable_mm2"),
+                   .collision_free = number("collision_free_mm2"),
+                   .uncertain = number("uncertain_mm2"),
+                   .map_tolerance = number("map_tolerance"),
+                   .sheets = {}};
+  if (result.map_tolerance) field["map_tolerance"].number(1e-5, 0.5);
+  if (const auto sheets = field.find("sheets"))
+    for (const JsonField& one : sheets->elements(0, 100)) result.sheets.push_back(sheet(one));
+  if (const auto largest = field.find("largest_sheet"); largest && largest->find("width_mm"))
+    result.sheets.push_back(sheet(*largest));
+  return result;
+}
+
+ToolAdvice tool(const JsonField& field) {
+  return {.follower_radius = field["follower_radius_mm"].number_or_null(),
+          .cutter_radius = field["cutter_radius_mm"].number_or_null(),
+          .exact_follower_radius = field["exact_follower_radius_mm"].number_or_null(),
+          .exact_cutter_radius = field["exact_cutter_radius_mm"].number_or_null(),
+          .cut_outside = field["cut_outside_mm"].number_or_null(),
+          .template_offset = field["template_offset_mm"].number_or_null()};
+}
+
+void read_run(const JsonField& field, StoredDesign& design) {
+  if (const auto objective = field.find("objective")) {
+    std::vector<std::pair<std::string, Objective>> choices;
+    for (const Objective one : {Objective::size, Objective::transmission, Objective::copy_error,
+                                Objective::footprint, Objective::load_error, Objective::mass})
+      choices.emplace_back(name(one), one);
+    design.objective = one_of(*objective, choices);
+  }
+  if (const auto value = field.find("value")) design.value = value->number();
+  StoredSearch& search = design.search;
+  if (const auto solvers = field.find("solvers"))
+    for (const JsonField& solver : solvers->elements(0, most_solvers))
+      search.solvers.push_back(printable(solver.text(), longest_solver_name));
+  if (const auto evaluations = field.find("evaluations")) search.evaluations = evaluations->natural();
+  if (const auto seed = field.find("seed")) search.seed = seed->natural();
+  if (const auto complete = field.find("complete")) search.complete = complete->boolean();
+}
+
+}  // namespace
+
+void read_claims(const JsonField& root, StoredDesign& design) {
+  design.quality = quality(root["quality"]);
+  design.footprint = root["quality"]["footprint_mm2"].number_or_null();
+  design.region_covered = root["workspace"]["region_covered"].boolean();
+  design.map = stored_map(root["workspace"]);
+  design.verification = verification(root["verification"]);
+}
+
+void read_search(const JsonField& root, StoredDesign& design) {
+  if (const auto field = root.find("tool")) design.tool = tool(*field);
+  if (const auto field = root.find("search")) read_run(*field, design);
+}
+
+}  // namespace kempe::stored
