@@ -11,7 +11,6 @@
 
 #include "kinematics/four_bar.hpp"
 #include "synthesis/functions/defects.hpp"
-#include "synthesis/functions/structural_error.hpp"
 
 namespace kempe {
 
@@ -48,6 +47,13 @@ struct MinimaxOptimum {
   /// True if first- or second-order conditions prove that every near linkage within the limits has a larger
   /// error.
   bool proven = false;
+};
+
+/// One place of the structural error's curve.
+struct StructuralErrorSample {
+  double x, y_wanted, y_generated;
+  double input_angle, output_angle;  ///< rad
+  double error;                      ///< rad at the output crank: generated - wanted
 };
 
 struct FunctionDesign {

@@ -28,19 +28,6 @@ inline constexpr double start_moved = 1e-9;
 /// rad: two starts that are nearer are one solution, met twice.
 inline constexpr double same_start = 1e-7;
 
-// Structural error (closed families)
-
-/// None: the shortest part of a Newton step that is tried; and of a levelling step, which overshoots less.
-inline constexpr double least_newton_share = 1e-6, least_levelling_share = 1e-4;
-/// Share of the largest wanted value: a residual that is rounding; and one too large to be called converged.
-inline constexpr double residual_rounding = 1e-15, residual_converged = 1e-9;
-/// Share of the cost, or of the parameters: a gain or a step that is rounding.
-inline constexpr double cost_at_rest = 1e-15;
-/// None: damping of Gauss and Newton's steps: none below the first, begun anew at the second, given up above the third.
-inline constexpr double damping_none = 1e-12, damping_first = 1e-6, damping_most = 1e8;
-/// Share of the largest ripple: ripples are equal; and so they are where rounding ends the levelling.
-inline constexpr double equal_ripples = 1e-10, equal_after_rounding = 1e-6;
-
 // Least squares and minimax on the four-bar
 
 /// None: what a limit may be missed by inside the solver; designs are kept inside it by more.
