@@ -20,9 +20,9 @@ endfunction()
 
 # kempe_whole_folders(TARGET [FOLDER ...]): with KEMPE_UNITY the sources of a folder are compiled as one, their headers and
 # templates once: a fresh build takes a part of the CPU time, a changed file more. A folder that is named here is compiled with
-# all that is below it (`.`: the whole target), but for what a folder named later holds. What is compiled as one must not give
-# two helpers one name (that one shadows another is no fault). Files that include CGAL or the like (*_backend.cpp) stay apart,
-# alone unless their room groups them.
+# all that is below it (`.`: the whole target), but for what a folder named later holds; `one,other`: both as one. What is
+# compiled as one must not give two helpers one name (that one shadows another is no fault). Files that include CGAL or the like
+# (*_backend.cpp) stay apart, alone unless their room groups them.
 function(kempe_whole_folders target)
   if(NOT KEMPE_UNITY)
     return()
@@ -33,9 +33,12 @@ function(kempe_whole_folders target)
     get_filename_component(folder ${source} DIRECTORY)
     set(group ${folder})
     foreach(joined IN LISTS ARGN)
-      if(joined STREQUAL "." OR folder STREQUAL joined OR folder MATCHES "^${joined}/")
-        set(group ${joined})
-      endif()
+      string(REPLACE "," ";" folders ${joined})
+      foreach(one IN LISTS folders)
+        if(one STREQUAL "." OR folder STREQUAL one OR folder MATCHES "^${one}/")
+          set(group ${joined})
+        endif()
+      endforeach()
     endforeach()
     if(NOT IS_ABSOLUTE ${source} AND NOT source MATCHES "_backend\\.cpp$")
       string(MAKE_C_IDENTIFIER "sources_${group}" group)
