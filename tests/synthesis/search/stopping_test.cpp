@@ -9,6 +9,7 @@
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/certificate/proof_tree.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/problem/obstacle_gap.hpp"
 #include "synthesis/search/pareto.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/search/steps/design_check.hpp"
@@ -16,6 +17,7 @@
 #include "synthesis/verification/verification.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
