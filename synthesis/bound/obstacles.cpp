@@ -196,9 +196,8 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
     if (stop_()) return false;
     const PlacedJoints joints(reach_, roles_, lengths, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
-      return term.layers.has(layers) &&
-             obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints, clearance_,
-                          Beyond::anything) < clearance_;
+      return term.layers.has(layers) && obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints,
+                                                     clearance_, Beyond::anything) < clearance_;
     });
   };
   const auto is_kept = [&](const Place& place) {

@@ -187,7 +187,8 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
       std::min(reach_.from_near_end(result.near_opening), reach_.from_far_end(result.far_opening));
   has.pole_margin = space_.pole_distance(point.pole);
   const double far = far_apart * unit;
-  const double enough = goal_ == Goal::clearance ? far : std::min(far, limits_.clearance);  // more counts for nothing
+  const double enough =
+      goal_ == Goal::clearance ? far : std::min(far, limits_.clearance);  // more counts for nothing
   has.clearance = smallest_gap(lengths, result.near_opening, result.far_opening, openings, enough);
   if (!terms_.obstacles.empty()) has.clearance = smallest_obstacle_gap(point, has.clearance);
   if (goal_ == Goal::footprint || limits_.footprint) has.footprint = footprint_at(point);

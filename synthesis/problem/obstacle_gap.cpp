@@ -217,8 +217,8 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
     const double part_below = distance_below(piece, part.centre) - part.radius;
     const double needed = std::min(gap, enough + term.piece.half_width);
     const double exact_up_to = beyond == Beyond::anything ? needed : infinity;
-    gap = std::min(gap, part_below > needed ? part_below
-                                            : convex_distance(piece.span(), part.corners, exact_up_to));
+    gap = std::min(
+        gap, part_below > needed ? part_below : convex_distance(piece.span(), part.corners, exact_up_to));
   }
   return gap - term.piece.half_width;
 }

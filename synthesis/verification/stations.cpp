@@ -72,8 +72,8 @@ class Hatch {
   double extent() const { return box_.upper[1 - along_] - box_.lower[1 - along_]; }
 
   Point end(Point corner, std::size_t line) const {
-    corner[1 - along_] = box_.lower[1 - along_] +
-                         extent() * (static_cast<double>(line) + 0.5) / static_cast<double>(lines());
+    corner[1 - along_] =
+        box_.lower[1 - along_] + extent() * (static_cast<double>(line) + 0.5) / static_cast<double>(lines());
     return corner;
   }
 

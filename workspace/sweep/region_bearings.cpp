@@ -62,8 +62,7 @@ std::vector<Bearings> RegionBearings::between(double inner, double outer, double
   return merged(std::move(found), gap);
 }
 
-void RegionBearings::add_circle(double radius, std::vector<Bearings>& found,
-                                const StopFlag& stop) const {
+void RegionBearings::add_circle(double radius, std::vector<Bearings>& found, const StopFlag& stop) const {
   std::vector<double> angles;
   for_each_edge_between(edges_, radius, radius, [&](const EdgeTree::Edge& edge) {
     const Point &a = edge.from, &b = edge.to;
