@@ -74,6 +74,69 @@ NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second) {
   return best;
 }
 
+namespace {
+
+/// Share of a separation: by more no distance is smaller than it, whatever was rounded.
+constexpr double separation_rounding = 1e-12;
+
+bool is_beyond(double separation, double enough) {
+  return separation - separation_rounding * std::abs(separation) > enough;
+}
+
+/// The wider of `widest` and the separations along the normals of `edges`' edges; the first one beyond `enough`, if any is.
+double separation(ConvexCorners edges, ConvexCorners corners, double widest, double enough) {
+  const double outward = free_side(edges);
+  for (std::size_t i = 0; i < edge_count(edges); ++i) {
+    const Complex edge = next(edges, i) - edges[i];
+    const double length = std::sqrt(std::norm(edge));
+    if (!(length > 0)) continue;
+    const Complex along = edge / length;
+    double lowest = infinity, highest = -infinity;
+    for (const Complex& corner : corners) {
+      const double height = cross(along, corner - edges[i]);
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+    if (outward >= 0) widest = std::max(widest, lowest);
+    if (outward <= 0) widest = std::max(widest, -highest);
+    if (is_beyond(widest, enough)) return widest;
+  }
+  return widest;
+}
+
+/// Of two sets that are apart.
+double squared_apart(ConvexCorners first, ConvexCorners second) {
+  double least = infinity;
+  for (const Complex& one : first)
+    for (const Complex& other : second) least = std::min(least, std::norm(one - other));
+  const auto beside_edges = [&](ConvexCorners edges, ConvexCorners corners) {
+    for (std::size_t i = 0; i < edge_count(edges); ++i) {
+      const Complex edge = next(edges, i) - edges[i];
+      const double length_squared = std::norm(edge);
+      for (const Complex& corner : corners) {
+        const Complex to_corner = corner - edges[i];
+        const double along = dot(edge, to_corner);
+        if (along <= 0 || along >= length_squared) continue;
+        const double product = cross(edge, to_corner);
+        least = std::min(least, product * product / length_squared);
+      }
+    }
+  };
+  beside_edges(first, second);
+  beside_edges(second, first);
+  return least;
+}
+
+}  // namespace
+
+double convex_distance(ConvexCorners first, ConvexCorners second, double enough) {
+  double widest = separation(first, second, -infinity, enough);
+  if (is_beyond(widest, enough)) return widest;
+  widest = separation(second, first, widest, enough);
+  if (is_beyond(widest, enough) || (widest < 0 && widest > -infinity)) return widest;
+  return std::sqrt(squared_apart(first, second));
+}
+
 double distance_from(Complex point, ConvexCorners set) {
   const double outward = free_side(set);
   double least_squared = std::norm(point - set[0]), highest = -infinity;

@@ -28,6 +28,10 @@ struct NearestFeatures {
 
 NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second);
 
+/// nearest_features(first, second).distance to the last bit, and quicker. Where it is beyond `enough`, mm, some number that is, too,
+/// and is no larger but for rounding.
+double convex_distance(ConvexCorners first, ConvexCorners second, double enough = infinity);
+
 /// The distance of a point alone, without the features; as nearest_features({&point, 1}, set).distance but for rounding, and
 /// several times as quick.
 double distance_from(Complex point, ConvexCorners set);

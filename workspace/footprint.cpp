@@ -88,7 +88,7 @@ std::optional<PolarBins> swept_bins(const CopyingLinkage& linkage, const LinkSty
   for (int slab = 0; slab < grid.slabs && !stop(); ++slab) {
     const double opening = openings.lower + (2 * slab + 1) * half_slab;
     const double a = linkage.radius_at(opening - half_slab), b = linkage.radius_at(opening + half_slab);
-    const auto bearings = region_bearings.between(std::min(a, b), std::max(a, b), one_bin);
+    const auto bearings = region_bearings.between(std::min(a, b), std::max(a, b), one_bin, stop);
     sweep_rings(pieces_at(sweep, motion, opening, half_slab, bins.step() / 2), bearings, bins.rings(),
                 bins.step(), [&](int ring, const Bearings& angles, const Bearings& turned) {
                   bins.fill(ring, {angles.from + turned.from, angles.to + turned.to});

@@ -10,13 +10,6 @@
 namespace kempe {
 namespace {
 
-bool is_convex(const Ring& ring) {
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) < 0) return false;
-  return true;
-}
-
 /// Triangles joined across their common edges (Hertel and Mehlhorn 1983: at most four times as many parts as the fewest).
 class JoinedTriangles {
  public:
@@ -95,6 +88,13 @@ ConvexPart as_part(const Ring& ring) {
 }
 
 }  // namespace
+
+bool is_convex(const Ring& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (orientation(ring[i], ring[(i + 1) % n], ring[(i + 2) % n]) < 0) return false;
+  return true;
+}
 
 std::vector<ConvexPart> convex_parts(const Polygon& polygon) {
   if (polygon.holes.empty() && is_convex(polygon.outer)) return {as_part(polygon.outer)};

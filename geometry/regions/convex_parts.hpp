@@ -9,6 +9,9 @@ namespace kempe {
 
 using ConvexPart = std::vector<Complex>;
 
+/// Of an anticlockwise ring; corners within straight edges do no harm.
+bool is_convex(const Ring& ring);
+
 /// The polygon itself if it is convex, else triangles joined as long as they stay convex. Guarantees:
 ///  1. the corners are the polygon's own, so nothing is rounded: the union is the polygon, and no part reaches outside;
 ///  2. parts run anticlockwise, have an area, and overlap at most in edges;

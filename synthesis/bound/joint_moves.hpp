@@ -12,6 +12,7 @@
 // place of R |1 - M|. All of it in intervals.
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "synthesis/bound/box.hpp"
@@ -39,6 +40,20 @@ using JointMoves = std::array<double, 6>;
 std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
                                               const std::array<Complex, 6>& joints,
                                               std::optional<Joint> seen_from = std::nullopt);
+
+/// The same for many boxes and places: what depends on grounding and assembly mode alone is kept.
+class JointMoving {
+ public:
+  explicit JointMoving(const ModeFacts& mode);
+  std::optional<JointMoves> at_most(const DesignBox& box, const Point& place,
+                                    const std::array<Complex, 6>& joints,
+                                    std::optional<Joint> seen_from = std::nullopt) const;
+
+ private:
+  struct Known;
+  ModeFacts mode_;
+  std::shared_ptr<const Known> known_;
+};
 
 /// The same for the tracer and the pen alone, in the order of Joint, infinite for the others. The copy fixes these two whatever the
 /// lengths are, so it is said of places, too, that the middle design does not reach.

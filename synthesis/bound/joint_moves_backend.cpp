@@ -49,46 +49,84 @@ IntervalComplex place_in(const std::array<Complex, 6>& joints, Joint joint, std:
 double DesignBox::t() const { return std::sqrt(lengths.t.lower * lengths.t.upper); }
 double DesignBox::w() const { return std::sqrt(lengths.w.lower * lengths.w.upper); }
 
-std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
-                                              const std::array<Complex, 6>& joints,
-                                              std::optional<Joint> seen_from) {
+struct JointMoving::Known {
+  /// A joint as seen from the pole or from a carrier, and by how much its map turns with rho's own.
+  struct Seen {
+    FromPole at;
+    Interval turns;
+  };
+  using SeenJoints = std::array<Seen, 6>;
+  FromPole tracer;
+  Interval tracer_Q;
+  std::array<SeenJoints, 1 + 6> seen;  ///< from the pole, and from each joint
+
+  /// While an OutwardRounding lives.
+  explicit Known(const ModeFacts& mode) {
+    const JointRoles roles = roles_of(mode.grounding);
+    const MaterialPoint ground = material_point(roles.pole, mode.s);
+    const auto from_pole = [&](Joint joint) {
+      const MaterialPoint at = material_point(joint, mode.s);
+      return FromPole{widened(at.of_a) - widened(ground.of_a), widened(at.of_b) - widened(ground.of_b)};
+    };
+    tracer = from_pole(roles.tracer);
+    tracer_Q = length(tracer.Q);
+    const auto as_seen = [&](const FromPole& at) {
+      return Seen{at, length(at.Q * tracer.P - at.P * tracer.Q)};
+    };
+    for (const Joint joint : all_joints) {
+      const FromPole at = from_pole(joint);
+      seen[0][number(joint)] = as_seen(at);
+      for (const Joint other : all_joints) {
+        const FromPole carrier = from_pole(other);
+        seen[1 + number(other)][number(joint)] = as_seen({at.P - carrier.P, at.Q - carrier.Q});
+      }
+    }
+  }
+
+  static std::size_t number(Joint joint) { return static_cast<std::size_t>(joint); }
+};
+
+JointMoving::JointMoving(const ModeFacts& mode) : mode_(mode) {
+  const OutwardRounding rounding;
+  known_ = std::make_shared<const Known>(mode);
+}
+
+std::optional<JointMoves> JointMoving::at_most(const DesignBox& box, const Point& place,
+                                               const std::array<Complex, 6>& joints,
+                                               std::optional<Joint> seen_from) const {
   const OutwardRounding rounding;
   const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
   const Interval distance = length(arm);
-  const auto turn = turn_at(mode, box, distance);
+  const auto turn = turn_at(mode_, box, distance);
   if (!turn) return std::nullopt;
   const Interval delta(rho_away(box, *turn));
-  const IntervalComplex rho = Interval(box.t()) * direction_at(Interval(mode.bend * turn->middle));
+  const IntervalComplex rho = Interval(box.t()) * direction_at(Interval(mode_.bend * turn->middle));
 
-  const JointRoles roles = roles_of(mode.grounding);
-  const MaterialPoint ground = material_point(roles.pole, mode.s);
-  const auto from_pole = [&](Joint joint) {
-    const MaterialPoint at = material_point(joint, mode.s);
-    return FromPole{widened(at.of_a) - widened(ground.of_a), widened(at.of_b) - widened(ground.of_b)};
-  };
-  const FromPole tracer = from_pole(roles.tracer);
+  const FromPole& tracer = known_->tracer;
   const IntervalComplex D = tracer.P + tracer.Q * rho;
-  const Interval D_length = length(D), least = D_length - length(tracer.Q) * delta;
+  const Interval D_length = length(D), least = D_length - known_->tracer_Q * delta;
   if (!(least.inf() > 0.05 * D_length.sup())) return std::nullopt;
   const IntervalComplex per_D = exactly(1.0) / D;
   const Interval spread = delta / (D_length * least);
   // What the pole adds to a joint's place: all of its own, or nothing where both places have it.
   const IntervalComplex of_pole = exactly(seen_from ? 0.0 : 1.0), origin = seen_from ? exactly(0.0) : pole;
+  const Known::SeenJoints& seen = known_->seen[seen_from ? 1 + Known::number(*seen_from) : 0];
   JointMoves moves;
   for (const Joint joint : all_joints) {
-    FromPole at = from_pole(joint);
-    if (seen_from) {
-      const FromPole carrier = from_pole(*seen_from);
-      at = {at.P - carrier.P, at.Q - carrier.Q};
-    }
+    const auto& [at, turns] = seen[Known::number(joint)];
     const IntervalComplex M = (at.P + at.Q * rho) * per_D;
-    const Interval map_moves = length(at.Q * tracer.P - at.P * tracer.Q) * spread;
+    const Interval map_moves = turns * spread;
     const Interval beside = length(of_pole - M) + map_moves;
     const Interval off = length(origin + arm * M - place_in(joints, joint, seen_from));
-    moves[static_cast<std::size_t>(joint)] =
-        (Interval(box.radius) * beside + distance * map_moves + off).sup();
+    moves[Known::number(joint)] = (Interval(box.radius) * beside + distance * map_moves + off).sup();
   }
   return moves;
+}
+
+std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,
+                                              const std::array<Complex, 6>& joints,
+                                              std::optional<Joint> seen_from) {
+  return JointMoving(mode).at_most(box, place, joints, seen_from);
 }
 
 JointMoves copying_joints_move_at_most(const ModeFacts& mode, Complex k, const DesignBox& box,

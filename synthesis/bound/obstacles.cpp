@@ -49,7 +49,7 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
                            const std::vector<LayerAssignment>& layers, KnownShapes shapes, StopFlag stop)
-    : mode_(mode), k_(spec.copy.k()), reach_(k_, mode.grounding, mode.assembly_mode.number),
+    : mode_(mode), moving_(mode), k_(spec.copy.k()), reach_(k_, mode.grounding, mode.assembly_mode.number),
       roles_(roles_of(mode.grounding)), clearance_(spec.limits.clearance), shapes_(std::move(shapes)),
       many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
   for (const Point& place : tracer_places(spec.region, first_places)) places_.push_back({place});
@@ -97,7 +97,7 @@ struct ObstacleTest::Look {
 
   std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints,
                                      std::optional<Joint> seen_from) {
-    const auto moves = joints_move_at_most(test.mode_, box, test.places_[place].at, joints.all(), seen_from);
+    const auto moves = test.moving_.at_most(box, test.places_[place].at, joints.all(), seen_from);
     moved = moves ? std::max(moved, *std::max_element(moves->begin(), moves->end()))
                   : std::numeric_limits<double>::infinity();
     return moves;
@@ -196,8 +196,8 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
     if (stop_()) return false;
     const PlacedJoints joints(reach_, roles_, lengths, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
-      return term.layers.has(layers) &&
-             obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints, clearance_) < clearance_;
+      return term.layers.has(layers) && obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints,
+                                                     clearance_, Beyond::anything) < clearance_;
     });
   };
   const auto is_kept = [&](const Place& place) {

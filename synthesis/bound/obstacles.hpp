@@ -85,6 +85,7 @@ class ObstacleTest {
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 
   ModeFacts mode_;
+  JointMoving moving_;
   Complex k_;
   Reach reach_;
   JointRoles roles_;

@@ -125,7 +125,7 @@ class Tree {
     for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
     if (!obstacle_shapes_)
       obstacle_shapes_ = std::make_shared<const std::vector<ObstacleShape>>(
-          obstacle_shapes(bounding::obstructions_of(spec_)));
+          obstacle_shapes(bounding::obstructions_of(spec_), options_.stop));
     obstacle_tests_.push_back(std::make_unique<bounding::ObstacleTest>(spec_, branch.mode, layers,
                                                                        obstacle_shapes_, options_.stop));
   }

@@ -52,7 +52,7 @@ ObstacleLeaves::Target ObstacleLeaves::target_of(const Ring& outline, bool by_ed
   for (const Point& corner : outline) target.corners.push_back(as_complex(corner));
   if (outline.size() == 1) {
     target.edges = {std::nullopt};
-  } else if (!by_edges_alone && convex_parts({outline, {}}).size() == 1) {
+  } else if (!by_edges_alone && is_convex(outline)) {
     target.edges = {std::nullopt};
     target.deepest = 0.5 * least_width(outline);
   } else {

@@ -109,12 +109,11 @@ bool copy_gap_decides_poles(const Spec& spec) {
   return spec.limits.copy_gap && std::holds_alternative<Region>(spec.pole.place);
 }
 
-tl::expected<ProofLog, NoLog> log_of(const Spec& spec, Objective objective, Loosening& bound,
-                                     const ProofOptions& options, CutOrder order) {
+tl::expected<ProofLog, NoLog> log_of(const Spec& spec, const RegionPlaces& places, Objective objective,
+                                     Loosening& bound, const ProofOptions& options, CutOrder order) {
   const bool by_size = objective == Objective::size;
   const double transmission =
       by_size ? spec.limits.transmission : std::max(spec.limits.transmission, bound.bound().value_or(0));
-  const RegionPlaces places(spec.region);
   ProofLog log{objective, std::nullopt, {}};
   for (const Grounding grounding : all_groundings) {
     const auto& permitted = spec.objective.groundings;
@@ -150,11 +149,13 @@ tl::expected<ProofLog, NoLog> prove(const Spec& spec, Objective objective, const
                                     const ProofOptions& options) {
   if ((objective != Objective::size && objective != Objective::transmission) || spec.region.empty())
     return tl::unexpected(NoLog::no_rules);
+  if (options.stop()) return tl::unexpected(NoLog::stopped);
+  const RegionPlaces places(spec.region);
   Loosening loosening(objective, bound);
   while (true) {
-    auto log = log_of(spec, objective, loosening, options, CutOrder::by_sum);
+    auto log = log_of(spec, places, objective, loosening, options, CutOrder::by_sum);
     if (!log && log.error() == NoLog::too_long && copy_gap_decides_poles(spec))
-      log = log_of(spec, objective, loosening, options, CutOrder::poles_first);
+      log = log_of(spec, places, objective, loosening, options, CutOrder::poles_first);
     if (log) return log;
     const NoLog why = log.error();
     if (why == NoLog::stopped || !loosening.loosen())

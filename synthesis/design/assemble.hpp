@@ -29,9 +29,9 @@ tl::expected<Design, std::string> certified_design(const Spec& spec, const Found
 /// By how much commands may exceed a time limit (s).
 inline double grace_after(double limit) { return std::max(0.1, 0.1 * limit); }
 /// A design found when the limit was over is mapped, verified and proven for so much longer, s; then all that stays as it is.
-inline double time_to_map(double limit) { return 0.5 * grace_after(limit); }
+inline double time_to_map(double limit) { return 0.4 * grace_after(limit); }
 /// And its files are written for so much longer.
-inline double time_to_write(double limit) { return 0.8 * grace_after(limit); }
+inline double time_to_write(double limit) { return 0.65 * grace_after(limit); }
 
 /// The linkage that the spec's mechanism gives; `file` is for the error.
 tl::expected<CopyingLinkage, InputError> given_linkage(const Spec& spec, const std::string& file);

@@ -95,12 +95,13 @@ DesignPoint DesignProblem::unit_point(std::span<const double> z) const {
   return {lengths_are_locked() ? unit_lengths(pole, 0, 0) : unit_lengths(pole, z[0], z[1]), pole};
 }
 
-double DesignProblem::smallest_gap(const LogLengths& lengths, double from, double to, int openings) const {
-  double smallest = far_apart * layout_.unit;
+double DesignProblem::smallest_gap(const LogLengths& lengths, double from, double to, int openings,
+                                   double enough) const {
+  double smallest = enough;
   for (int i = 0; i < openings && !terms_.gaps.empty(); ++i) {
     const double share = openings > 1 ? i / (openings - 1.0) : 0.5;
     const JointFrame frame(reach_.shape(), lengths, from + share * (to - from));
-    for (const GapTerm& term : terms_.gaps) smallest = std::min(smallest, gap_value(term, frame));
+    for (const GapTerm& term : terms_.gaps) smallest = std::min(smallest, gap_value(term, frame, smallest));
   }
   return smallest;
 }
@@ -110,7 +111,8 @@ double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double eno
   for (const Point& place : places_) {
     const PlacedJoints joints(reach_, roles_, point.lengths, point.pole, place);
     for (const ObstacleTerm& term : terms_.obstacles)
-      smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest));
+      smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest,
+                                                 Beyond::anything));
   }
   return smallest;
 }
@@ -184,9 +186,11 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   has.transmission =
       std::min(reach_.from_near_end(result.near_opening), reach_.from_far_end(result.far_opening));
   has.pole_margin = space_.pole_distance(point.pole);
-  has.clearance = smallest_gap(lengths, result.near_opening, result.far_opening, openings);
-  if (!terms_.obstacles.empty())
-    has.clearance = smallest_obstacle_gap(point, std::min(has.clearance, far_apart * unit));
+  const double far = far_apart * unit;
+  const double enough =
+      goal_ == Goal::clearance ? far : std::min(far, limits_.clearance);  // more counts for nothing
+  has.clearance = smallest_gap(lengths, result.near_opening, result.far_opening, openings, enough);
+  if (!terms_.obstacles.empty()) has.clearance = smallest_obstacle_gap(point, has.clearance);
   if (goal_ == Goal::footprint || limits_.footprint) has.footprint = footprint_at(point);
   if (limits_.copy_gap || goal_ == Goal::copy_gap)
     has.copy_gap = space_.smallest_copy_gap(point.pole).distance;

@@ -159,7 +159,8 @@ class DesignProblem {
   RowJet footprint_objective(const DesignVector& x, Derivatives wanted) const;
   double goal_in_vector(double value) const;
   double violation_of(const Attained& attained) const;
-  double smallest_gap(const LogLengths& lengths, double from, double to, int openings) const;
+  /// Or `enough`, if no gap is smaller.
+  double smallest_gap(const LogLengths& lengths, double from, double to, int openings, double enough) const;
   Box pole_box() const;
   RowJet near_row(std::size_t edge, const DesignVector& x) const;
   RowJet far_row(std::size_t corner, const DesignVector& x) const;

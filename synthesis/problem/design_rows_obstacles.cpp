@@ -130,7 +130,8 @@ void DesignProblem::add_obstacles(std::vector<Row>& rows, const DesignVector& x,
     const PlacedJoints joints(reach_, roles_, lengths_of(x), layout_.pole(x), places_[p]);
     for (std::size_t t = 0; t < terms_.obstacles.size(); ++t) {
       const ObstacleTerm& term = terms_.obstacles[t];
-      const double gap = obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest[t]);
+      const double gap =
+          obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest[t], Beyond::anything);
       if (gap >= smallest[t]) continue;
       smallest[t] = gap;
       worst[t] = {Row::Kind::obstacle, t, 0, p};

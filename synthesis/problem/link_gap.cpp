@@ -91,8 +91,9 @@ JointFrame::JointFrame(Complex s, const LogLengths& lengths, double opening) {
   for (std::size_t i = 0; i < 6; ++i) at_[i] = of_p_[i] + of_q_[i];
 }
 
-double gap_value(const GapTerm& term, const JointFrame& frame) {
-  return features_of(term, frame).distance - term.needed();
+double gap_value(const GapTerm& term, const JointFrame& frame, double enough) {
+  const HullCorners first(term.first.hull, frame), second(term.second.hull, frame);
+  return convex_distance(first.span(), second.span(), enough + term.needed()) - term.needed();
 }
 
 LinkageJet gap_jet(const GapTerm& term, const JointFrame& frame) {

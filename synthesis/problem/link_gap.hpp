@@ -46,8 +46,8 @@ class JointFrame {
   std::array<Complex, 6> of_p_, of_q_, at_;
 };
 
-/// Signed gap, mm: distance less the half widths; negative depth where the axes cross.
-double gap_value(const GapTerm& term, const JointFrame& frame);
+/// Signed gap, mm: distance less the half widths; negative depth where the axes cross. Where it is larger than `enough`, anything larger.
+double gap_value(const GapTerm& term, const JointFrame& frame, double enough = infinity);
 /// The same with derivatives.
 LinkageJet gap_jet(const GapTerm& term, const JointFrame& frame);
 

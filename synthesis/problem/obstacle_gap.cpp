@@ -105,9 +105,11 @@ double length_of(const Ring& ring) {
 
 }  // namespace
 
-std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions) {
+std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions,
+                                           const StopFlag& stop) {
   std::vector<ObstacleShape> shapes;
   for (const Obstruction& obstruction : obstructions) {
+    if (stop()) break;
     ObstacleShape shape;
     std::vector<Complex> outer;
     for (const Polygon& polygon : obstruction.shape.polygons) {
@@ -206,16 +208,17 @@ PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
 }
 
 double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
-                    double enough) {
+                    double enough, Beyond beyond) {
   const PieceCorners piece(term, joints);
   const double below = distance_below(piece, obstacle.centre) - obstacle.radius - term.piece.half_width;
   if (below > enough) return below;
   double gap = std::numeric_limits<double>::infinity();
   for (const EncircledPart& part : obstacle.parts) {
     const double part_below = distance_below(piece, part.centre) - part.radius;
-    gap = std::min(gap, part_below > std::min(gap, enough + term.piece.half_width)
-                            ? part_below
-                            : nearest_features(piece.span(), part.corners).distance);
+    const double needed = std::min(gap, enough + term.piece.half_width);
+    const double exact_up_to = beyond == Beyond::anything ? needed : infinity;
+    gap = std::min(
+        gap, part_below > needed ? part_below : convex_distance(piece.span(), part.corners, exact_up_to));
   }
   return gap - term.piece.half_width;
 }

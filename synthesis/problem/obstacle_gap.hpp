@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "geometry/regions/convex_parts.hpp"
+#include "kinematics/stop_flag.hpp"
 #include "synthesis/problem/link_gap.hpp"
 #include "workspace/obstructions.hpp"
 
@@ -36,8 +37,9 @@ struct ObstacleShape {
   Complex centre;
   double radius = 0;
 };
-/// In the order of the obstructions.
-std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions);
+/// In the order of the obstructions; once stopped, those so far.
+std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions,
+                                           const StopFlag& stop = {});
 
 /// What a piece of a body has beyond a piece of a link: its corners stand beside the link's end, and turn with it.
 struct BesideLink {
@@ -96,9 +98,12 @@ class PlacedJoints {
   std::array<Complex, 6> at_;
 };
 
+/// What is told of a gap larger than `enough`: a lower bound that is close to it, or any that is larger than `enough`, which is quicker.
+enum class Beyond { near_it, anything };
+
 /// A lower bound of the gap where it is larger than `enough`, else the gap, mm; negative: depth.
 double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
-                    double enough);
+                    double enough, Beyond beyond = Beyond::near_it);
 PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
                            const PlacedJoints& joints);
 

@@ -95,7 +95,14 @@ void add_contributions(const Sensitivities& all, const Sensitivities& left, cons
   }
 }
 
-void append_lattice(const Region& region, std::size_t about, std::vector<Point>& places) {
+/// contains(), which looks at every corner, only where rounding might deceive the other.
+bool is_in(const Region& region, const RegionReach& reach, const Point& place) {
+  const double distance = reach.nearest(place).distance;
+  return std::abs(distance) > slack::on_boundary * reach.diagonal() ? distance < 0 : contains(region, place);
+}
+
+void append_lattice(const Region& region, const RegionReach& reach, std::size_t about,
+                    std::vector<Point>& places) {
   const double step = std::sqrt(area(region) / static_cast<double>(about));
   if (!(step > 0)) return;
   const Box box = bounding_box(region);
@@ -105,7 +112,7 @@ void append_lattice(const Region& region, std::size_t about, std::vector<Point>&
     for (int column = 0; column <= columns; ++column) {
       const Point place =
           box.lower + Point((column + 0.5) / (columns + 1) * size.x(), (row + 0.5) / (rows + 1) * size.y());
-      if (contains(region, place)) places.push_back(place);
+      if (is_in(region, reach, place)) places.push_back(place);
     }
 }
 
@@ -168,7 +175,7 @@ tl::expected<CopyErrorAt, Unreachable> copy_error_at(const CopyingLinkage& linka
 ErrorPlaces error_places(const Region& region, std::size_t about) {
   ErrorPlaces result{RegionReach(region), {}};
   append_rings(result.reach, about / 2, result.places);
-  append_lattice(region, about - about / 2, result.places);
+  append_lattice(region, result.reach, about - about / 2, result.places);
   return result;
 }
 

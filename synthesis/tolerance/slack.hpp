@@ -6,6 +6,8 @@ namespace kempe::slack {
 
 /// None: keeps the change point a huge number instead of a division by zero.
 inline constexpr double smallest_sine = 1e-120;
+/// Of the region's extent: places so near to the boundary are told apart exactly.
+inline constexpr double on_boundary = 1e-9;
 /// Factor: the longest deviation is found when no direction can hold one longer by more.
 inline constexpr double close_enough = 1 + 1e-9;
 /// Factor: errors, slopes and steps are doubles, off by some dozen units in the last place; all of them are taken this much to

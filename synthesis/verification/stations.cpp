@@ -50,35 +50,67 @@ void add_extremes(const Region& region, const Point& pole, std::vector<Point>& s
   stations.push_back(farthest);
 }
 
-/// Parameters in [0, 1] at which the line from `a` to `b` crosses the region's boundary, ascending.
-std::vector<double> crossings(const Region& region, const Point& a, const Point& b) {
-  std::vector<double> at;
-  const Point along = b - a;
-  const auto look = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point& from = ring[i];
-      const Point edge = ring[(i + 1) % ring.size()] - from;
-      const double before = cross(along, from - a), after = cross(along, from + edge - a);
-      if ((before < 0) == (after < 0)) continue;
-      const Point meeting = from + edge * (before / (before - after));
-      at.push_back((meeting - a).dot(along) / along.squaredNorm());
+/// Parallel lines across the region, evenly spread.
+class Hatch {
+ public:
+  Hatch(const Region& region, int lines, bool upright)
+      : along_(upright ? 1 : 0), box_(bounding_box(region)), crossings_(static_cast<std::size_t>(lines)) {
+    for (const Polygon& polygon : region.polygons) {
+      look(polygon.outer);
+      for (const Ring& hole : polygon.holes) look(hole);
     }
-  };
-  for (const Polygon& polygon : region.polygons) {
-    look(polygon.outer);
-    for (const Ring& hole : polygon.holes) look(hole);
+    for (std::vector<double>& at : crossings_) std::sort(at.begin(), at.end());
   }
-  std::sort(at.begin(), at.end());
-  return at;
-}
+
+  std::size_t lines() const { return crossings_.size(); }
+  Point from(std::size_t line) const { return end(box_.lower, line); }
+  Point to(std::size_t line) const { return end(box_.upper, line); }
+  /// Parameters in [0, 1] at which a line crosses the region's boundary, ascending.
+  const std::vector<double>& crossings(std::size_t line) const { return crossings_[line]; }
+
+ private:
+  double extent() const { return box_.upper[1 - along_] - box_.lower[1 - along_]; }
+
+  Point end(Point corner, std::size_t line) const {
+    corner[1 - along_] =
+        box_.lower[1 - along_] + extent() * (static_cast<double>(line) + 0.5) / static_cast<double>(lines());
+    return corner;
+  }
+
+  void look(const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) look(ring[i], ring[(i + 1) % ring.size()]);
+  }
+
+  /// At the lines that the edge comes to, and one more on either side for the sake of rounding.
+  void look(const Point& from, const Point& to) {
+    const auto line_at = [&](double place) {
+      const double share = extent() > 0 ? (place - box_.lower[1 - along_]) / extent() : 0;
+      return share * static_cast<double>(lines()) - 0.5;
+    };
+    const double one = line_at(from[1 - along_]), other = line_at(to[1 - along_]);
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(std::min(one, other)) - 1));
+    const auto last = static_cast<std::size_t>(std::max(0.0, std::ceil(std::max(one, other)) + 1));
+    for (std::size_t line = first; line <= last && line < lines(); ++line) cross_line(line, from, to);
+  }
+
+  void cross_line(std::size_t line, const Point& from, const Point& to) {
+    const Point a = this->from(line), along = this->to(line) - a, edge = to - from;
+    const double before = cross(along, from - a), after = cross(along, from + edge - a);
+    if ((before < 0) == (after < 0)) return;
+    const Point meeting = from + edge * (before / (before - after));
+    crossings_[line].push_back((meeting - a).dot(along) / along.squaredNorm());
+  }
+
+  int along_;
+  Box box_;
+  std::vector<std::vector<double>> crossings_;
+};
 
 void hatch(const Region& region, const Point& pole, int lines, bool upright, std::vector<Point>& stations) {
-  const Box box = bounding_box(region);
-  const int along = upright ? 1 : 0, across = 1 - along;
-  for (int i = 0; i < lines; ++i) {
-    Point a = box.lower, b = box.upper;
-    a[across] = b[across] = box.lower[across] + (box.upper[across] - box.lower[across]) * (i + 0.5) / lines;
-    const auto at = crossings(region, a, b);
+  const Hatch all(region, lines, upright);
+  for (std::size_t i = 0; i < all.lines(); ++i) {
+    const Point a = all.from(i), b = all.to(i);
+    const std::vector<double>& at = all.crossings(i);
     for (std::size_t j = 0; j + 1 < at.size(); j += 2) {
       constexpr int pieces = 8;  // there and back alternately, so that the tracer draws a meander
       for (int n = 0; n <= pieces; ++n) {

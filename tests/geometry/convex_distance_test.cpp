@@ -41,6 +41,27 @@ TEST(ConvexDistance, OfAPointAloneIsThatOfTheTwoSets) {
   EXPECT_GT(inside, test::expected(50));
 }
 
+TEST(ConvexDistance, WithoutItsFeaturesItIsTheSameToTheLastBit) {
+  Chance chance(13);
+  int overlapping = 0, beyond = 0;
+  for (int n = 0; n < test::samples(5000); ++n) {
+    std::vector<Complex> first = convex_corners(chance), second = convex_corners(chance);
+    const double exact = nearest_features(first, second).distance;
+    EXPECT_EQ(convex_distance(first, second), exact);
+    const double enough = exact + chance.symmetric(10), told = convex_distance(first, second, enough);
+    if (exact <= enough) {
+      EXPECT_EQ(told, exact);
+    } else {
+      EXPECT_GT(told, enough);
+      EXPECT_LE(told, exact + 1e-9);
+    }
+    overlapping += exact < 0;
+    beyond += exact > enough;
+  }
+  EXPECT_GT(overlapping, test::expected(100));
+  EXPECT_GT(beyond, test::expected(500));
+}
+
 TEST(ConvexDistance, NoPlaceOfTheOutlineIsNearer) {
   Chance chance(12);
   for (int n = 0; n < test::samples(300); ++n) {

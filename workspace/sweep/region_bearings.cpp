@@ -51,17 +51,18 @@ void add_edge(const Point& a, const Point& b, double inner, double outer, std::v
 
 }  // namespace
 
-std::vector<Bearings> RegionBearings::between(double inner, double outer, double gap) const {
+std::vector<Bearings> RegionBearings::between(double inner, double outer, double gap,
+                                              const StopFlag& stop) const {
   std::vector<Bearings> found;
   for_each_edge_between(edges_, inner, outer, [&](const EdgeTree::Edge& edge) {
     add_edge(edge.from, edge.to, inner, outer, found);
   });
-  add_circle(inner, found);
-  if (outer > inner) add_circle(outer, found);
+  add_circle(inner, found, stop);
+  if (outer > inner) add_circle(outer, found, stop);
   return merged(std::move(found), gap);
 }
 
-void RegionBearings::add_circle(double radius, std::vector<Bearings>& found) const {
+void RegionBearings::add_circle(double radius, std::vector<Bearings>& found, const StopFlag& stop) const {
   std::vector<double> angles;
   for_each_edge_between(edges_, radius, radius, [&](const EdgeTree::Edge& edge) {
     const Point &a = edge.from, &b = edge.to;
@@ -79,7 +80,9 @@ void RegionBearings::add_circle(double radius, std::vector<Bearings>& found) con
   // A circle that only touches the region may seem to miss its edges by rounding, so one place tells nothing.
   if (angles.empty() && inside(1) && inside(1 + 2 * pi / 3) && inside(1 + 4 * pi / 3))
     found.push_back({0, 2 * pi});
+  constexpr std::size_t between_polls = 64;
   for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (i % between_polls == 0 && stop()) return;
     const double to = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * pi;
     if (inside(0.5 * (angles[i] + to))) found.push_back({angles[i], to});
   }

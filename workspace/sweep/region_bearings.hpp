@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/edge_tree.hpp"
+#include "kinematics/stop_flag.hpp"
 #include "workspace/sweep/bearings.hpp"
 
 namespace kempe::sweep {
@@ -15,11 +16,11 @@ class RegionBearings {
  public:
   RegionBearings(const Region& region, const Point& pole) : edges_(region, pole) {}
 
-  /// Gaps between bearings up to `gap` are filled.
-  std::vector<Bearings> between(double inner, double outer, double gap = 0) const;
+  /// Gaps between bearings up to `gap` are filled. Once stopped, they are not all.
+  std::vector<Bearings> between(double inner, double outer, double gap = 0, const StopFlag& stop = {}) const;
 
  private:
-  void add_circle(double radius, std::vector<Bearings>& found) const;
+  void add_circle(double radius, std::vector<Bearings>& found, const StopFlag& stop) const;
 
   EdgeTree edges_;  ///< seen from the pole
 };

@@ -67,6 +67,7 @@ bool learn(const SearchTask& task, Subproblem& sub, ChoiceResult& found, bool ma
   if (task.space().obstacles().empty()) return false;
   const ObstacleCheck obstacles = checked_obstacles(task, sub, *linkage, check.opening);
   found.feasible = obstacles.clear;
+  found.obstacle_clearance = obstacles.clearance;
   if (obstacles.clear || !obstacles.witness || !may_solve_again || task.stopped()) return false;
   sub.problem->add_place(*obstacles.witness);
   return true;
@@ -94,9 +95,12 @@ std::optional<FoundDesign> design_of(const SearchTask& task, const Subproblem& s
   design.attained = check.attained;
   if (task.goal == Goal::footprint || task.limits.footprint)
     design.attained.footprint = footprint(*linkage, task.spec().links.style, task.spec().region).area;
-  if (!task.space().obstacles().empty())
-    design.attained.clearance = std::min(
-        design.attained.clearance, checked_obstacles(task, subproblem, *linkage, check.opening).clearance);
+  if (!task.space().obstacles().empty()) {
+    const double gap = found.obstacle_clearance
+                           ? *found.obstacle_clearance
+                           : checked_obstacles(task, subproblem, *linkage, check.opening).clearance;
+    design.attained.clearance = std::min(design.attained.clearance, gap);
+  }
   design.value = design.attained.of(task.goal);
   design.opening = check.opening;
   design.seed = task.control.options().seed;

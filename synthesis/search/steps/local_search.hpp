@@ -2,6 +2,7 @@
 // One local solution of one choice: the exchange method, the last digits, and the figures of the point judged anew.
 
 #include <cstdint>
+#include <optional>
 
 #include "synthesis/problem/design_problem.hpp"
 #include "synthesis/search/steps/budgets.hpp"
@@ -15,6 +16,8 @@ struct ChoiceResult {
   double violation = 0;  ///< what is missing at the nearest miss
   DesignPoint point{};
   std::uint64_t evaluations = 0;
+  /// mm; of what is certified among obstacles: the smallest gap to them.
+  std::optional<double> obstacle_clearance{};
 };
 
 /// Not run: infeasible, at infinite cost.

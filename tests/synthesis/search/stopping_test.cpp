@@ -7,13 +7,17 @@
 
 #include "specs/spec_reader.hpp"
 #include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/certificate/proof_tree.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/problem/obstacle_gap.hpp"
 #include "synthesis/search/pareto.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
+#include "synthesis/verification/verification.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "workspace/obstructions.hpp"
 
 namespace kempe {
 namespace {
@@ -205,6 +209,30 @@ TEST(Stopping, WithoutTimeEveryPhaseAfterTheSearchEndsAtOnceAndSaysSo) {
   EXPECT_TRUE(std::isinf(design.quality.footprint));
   EXPECT_TRUE(design.footprint.polygons.empty());
   EXPECT_LE(stop.polls(), 600U);
+}
+
+TEST(Stopping, WithoutTimeNoProofIsBegunAndNoOutlineIsTakenApart) {
+  Spec spec = example("clamped-plate");
+  CountingStop proof(1), shapes(1);
+  const auto log =
+      certificate::prove(spec, Objective::size, std::nullopt, {.lines = 1000, .stop = proof.flag()});
+  ASSERT_FALSE(log);
+  EXPECT_EQ(log.error(), certificate::NoLog::stopped);
+  EXPECT_EQ(proof.polls(), 1U);
+  EXPECT_TRUE(obstacle_shapes(obstructions_of(spec.obstacles, {}, {}), shapes.flag()).empty());
+  EXPECT_EQ(shapes.polls(), 1U);
+}
+
+TEST(Stopping, WithoutTimeFewPlacesAreDrivenTo) {
+  const Spec spec = example("clamped-plate");
+  SearchOptions options;
+  options.diagnose = false;
+  const auto found = std::get<FoundDesign>(synthesize(spec, options));
+  CountingStop stop(1);
+  const VerificationRun run =
+      run_verification(verification_task(assemble_design(spec, found, {})), {.stop = stop.flag()});
+  EXPECT_FALSE(run.complete);
+  EXPECT_LE(run.found.samples, 20U);
 }
 
 TEST(Stopping, AFrontStoppedEarlyIsWhatThereWas) {
