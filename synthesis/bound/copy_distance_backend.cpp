@@ -51,8 +51,9 @@ bool copy_surely_inside(Complex k, const Point& copied, const RegionReach& regio
     const double least = std::min(along_n(image - exactly(as_complex(edge.from))).inf(),
                                   along_n(image - exactly(as_complex(edge.to))).inf());
     // The middle may be beside the image, by no more than both are off.
-    const double beside = std::min(along_n(exactly(as_complex(middle)) - exactly(as_complex(edge.from))).inf(),
-                                   along_n(exactly(as_complex(middle)) - exactly(as_complex(edge.to))).inf());
+    const double beside =
+        std::min(along_n(exactly(as_complex(middle)) - exactly(as_complex(edge.from))).inf(),
+                 along_n(exactly(as_complex(middle)) - exactly(as_complex(edge.to))).inf());
     if (!(least > (length(n) * moved).sup() && beside > 0)) return false;
   }
   return true;

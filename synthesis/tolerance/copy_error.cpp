@@ -190,8 +190,7 @@ Sensitivities Sensitivities::turned(Complex turn) const {
 
 CopyErrorProfile::CopyErrorProfile(Complex k, Grounding grounding, const CopyTolerance& tolerance)
     : pole_is_at_V_(pole_is_at_V(grounding)), pen_is_at_V_(pen_is_at_V(grounding)), tolerance_(tolerance),
-      k_(k), s_(shape_of(k, grounding)),
-      output_(pen_is_at_V(grounding) ? -k : 1.0), flat_(is_flat(s_)),
+      k_(k), s_(shape_of(k, grounding)), output_(pen_is_at_V(grounding) ? -k : 1.0), flat_(is_flat(s_)),
       xi_(hole_displacements(1.0 / s_, flat_)), eta_(hole_displacements(s_, flat_)) {}
 
 Sensitivities CopyErrorProfile::sensitivities(double opening) const {
@@ -366,7 +365,8 @@ OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const Ope
       step = std::max(2 * step, std::min(0.5 * sine, excess / slope_at_most(0.5 * sine)));
       const auto ruled_out = [&] {
         const double last = (other - here) * direction < step ? other : here + direction * step;
-        return surely_exceeds(limit, {std::min(here, last) - slack::beyond_end, std::max(here, last) + slack::beyond_end});
+        return surely_exceeds(
+            limit, {std::min(here, last) - slack::beyond_end, std::max(here, last) + slack::beyond_end});
       };
       while (step >= slack::finest * sine && !ruled_out()) step *= 0.5;
       if (!(step >= slack::finest * sine) || steps > most_steps) return here;

@@ -293,7 +293,8 @@ TEST(StrictRounding, ACopyIsInsideExactlyWhereItIs) {
     const bool inside = bounding::copy_surely_inside(k, place, reach, pole, radius);
     ASSERT_FALSE(inside && !(reached > (1 - static_cast<long double>(k)) * radius)) << i;
     (inside ? said : not_said) += 1;
-    const long double hair = 64 * std::numeric_limits<double>::epsilon() * static_cast<long double>(away + 300);
+    const long double hair =
+        64 * std::numeric_limits<double>::epsilon() * static_cast<long double>(away + 300);
     ASSERT_TRUE(inside || !(reached > (1 - static_cast<long double>(k)) * radius + hair)) << i;
   }
   EXPECT_GT(said, test::expected(100));
