@@ -11,8 +11,8 @@ do. Outlines that never meet lie one in the other always or never: one place of 
 """
 from types import SimpleNamespace
 
-from kempe_check import (AT_REST, JOINTS, LINKS, POINT, UNIT, WIDTH, Pair, Refuted, Tree, Z, edges_of, fits, half, must,
-                         occupied, pieces, polygons, tree_of, where)
+from kempe_check import (AT_REST, JOINTS, LINKS, POINT, UNIT, WIDTH, Pair, Refuted, Z, edges_of, fits, half, must, occupied,
+                         pieces, polygons, where)
 
 ALONG_P = ("VA", "BCY")
 EQUALLY_NEAR = 1 + 1e-9
@@ -27,7 +27,7 @@ def ring_of(value, path):
 
 def body(value, path):
     """Its corners, closed to a ring unless it is a disc about one corner; how far it reaches beyond them."""
-    found = fits(value, {"layers": [range(1, 65)] * 2, "at": {"tracer", "pen"}, "turns_with": {*LINKS, None}}, path)
+    found = fits(value, {"layers": [(1, 64)] * 2, "at": {"tracer", "pen"}, "turns_with": {*LINKS, None}}, path)
     if "circle_mm" in value:
         disc = fits(value, {"circle_mm": {"centre": POINT, "radius": WIDTH}}, path)
         ring, beyond = [disc.centre], disc.radius
@@ -68,10 +68,6 @@ def overlap(rings, taken, at):
     """Whether a ring at a place lies in a polygon, or the other way round; asked of two whose outlines do not meet."""
     moved = [(c[0] + at[0], c[1] + at[1]) for c in taken]
     return len(rings[0]) > 1 and where(moved[0], rings) > 0 or len(taken) > 1 and where(rings[0][0], [moved]) > 0
-
-
-def tree(some):
-    return Tree([some[0][0]], 0.0, ()) if len(some) == 1 and some[0][0] == some[0][1] else tree_of(some)
 
 
 def axis(shape, link):
@@ -162,31 +158,31 @@ def pairs_of(design):
         joint, wide = one.joint, one.beyond + task.clearance_mm
         for part, joints in JOINTS.items():
             if is_kept_from(one, part, joints) and not occupied(part, design.layers).isdisjoint(one.layers):
-                found += [Pair(part, piece, one.name, [joint], one.frame, half(task, part) + wide, tree(edges(one.ring)),
+                found += [Pair(part, piece, one.name, [joint], one.frame, half(task, part) + wide, edges(one.ring),
                                never if one.link else within([one.ring])) for piece in pieces(task, part)]
         for block, other in zip(design.blocks, task.obstacles):
             if not set(one.layers) & set(other.layers):
                 continue
-            found += turning(one, other.name, ["pole"], "table", wide, tree(edges_of(block))) if one.link else [
-                Pair(one.name, [joint], other.name, ["pole"], "table", wide, tree(difference(block, one.ring)),
+            found += turning(one, other.name, ["pole"], "table", wide, edges_of(block)) if one.link else [
+                Pair(one.name, [joint], other.name, ["pole"], "table", wide, difference(block, one.ring),
                      within(block, one.ring))]
         for other in bodies[:i]:
             if other.at == one.at or not set(one.layers) & set(other.layers):
                 continue
             moving, still = (one, other) if one.link else (other, one)
             both = wide + other.beyond
-            found += turning(moving, still.name, [still.joint], still.frame, both, tree(edges(still.ring))) if moving.link else [
-                Pair(one.name, [joint], other.name, [other.joint], "table", both, tree(difference([other.ring], one.ring)),
+            found += turning(moving, still.name, [still.joint], still.frame, both, edges(still.ring)) if moving.link else [
+                Pair(one.name, [joint], other.name, [other.joint], "table", both, difference([other.ring], one.ring),
                      within([other.ring], one.ring))]
     for edge in table:
         def off(at, taken=((0.0, 0.0),)):
             return where((taken[0][0] + at[0], taken[0][1] + at[1]), [edge]) < 0
 
         found += [Pair(part, piece, "what is off the table", ["pole"], "table", half(task, part) + task.clearance_mm,
-                       tree(edges(edge)), off) for part in JOINTS for piece in pieces(task, part)]
+                       edges(edge), off) for part in JOINTS for piece in pieces(task, part)]
         for one in bodies:
             wide = one.beyond + task.clearance_mm
-            found += turning(one, "what is off the table", ["pole"], "table", wide, tree(edges(edge))) if one.link else [
-                Pair(one.name, [one.joint], "what is off the table", ["pole"], "table", wide, tree(difference([edge], one.ring)),
+            found += turning(one, "what is off the table", ["pole"], "table", wide, edges(edge)) if one.link else [
+                Pair(one.name, [one.joint], "what is off the table", ["pole"], "table", wide, difference([edge], one.ring),
                      lambda at, ring=one.ring: off(at, ring))]
     return found

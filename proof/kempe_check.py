@@ -17,25 +17,30 @@ import sys
 from collections import namedtuple
 from fractions import Fraction
 from functools import cache
-from importlib import import_module
 from itertools import combinations, product
 from math import hypot, inf, nextafter
+from pathlib import Path
 from types import SimpleNamespace
 
 EPS_MM, EPS_DEG = 1e-6, 1e-6
 MOST_CELLS = 200_000  # of one search; then the answer is "not proven"
 LINKS = ("VA", "VB", "ACX", "BCY")
-PINS = {"A": ("VA", "ACX"), "B": ("VB", "BCY"), "C": ("ACX", "BCY"), "V": ("VA", "VB")}
-POSTS = {"V": ("VA", "VB"), "X": ("ACX",), "Y": ("BCY",)}
-JOINTS = {**{link: link for link in LINKS}, **{"pin " + j: j for j in PINS}, **{"post " + j: j for j in POSTS}}  # of each part
+# Each part, and the links whose layers say which it fills: a link its own, a pin those between its two, a post those below.
+LAYERED_BY = {**{link: (link,) for link in LINKS}, "pin A": ("VA", "ACX"), "pin B": ("VB", "BCY"), "pin C": ("ACX", "BCY"),
+              "pin V": ("VA", "VB"), "post V": ("VA", "VB"), "post X": ("ACX",), "post Y": ("BCY",)}
+JOINTS = {part: part.split()[-1] for part in LAYERED_BY}
 LENGTHS = ("VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY")
 VERTICES = ("pole", "tracer", "pen")  # who stands at the vertex V
-SHARED = ("region", "pole", "links", "limits", "obstacles", "bodies", "table", "objective", "tolerance", "cutting")  # in both files
+SHARED = ("region", "pole", "links", "limits", "obstacles", "bodies", "table", "objective", "tolerance", "cutting")  # by both files
 AT_REST = {"joint": "pole", "beyond": 0.0, "rest": 1.0}  # seen from; what its rings are grown by; 1 in the table's frame
 
 class Open(Exception): """Nothing is decided."""
 class Refuted(Exception): """A claim is false, and why."""
 class Unreadable(Exception): """A file that says nothing definite: file, key, what was found, what is allowed."""
+
+def need(good, reason="", fault=Open):
+    if not good:
+        raise fault(reason)
 
 class I:
     """An interval that holds the exact value, each result moved outwards by one step; `d`: its derivatives, by variable."""
@@ -72,8 +77,7 @@ class I:
 
     def __truediv__(self, o):
         o = o if o.__class__ is I else I(o)
-        if not (o.lo > 1e-140 or o.hi < -1e-140):
-            raise Open
+        need(o.lo > 1e-140 or o.hi < -1e-140)
         inverse = I(nextafter(1 / o.hi, -inf), nextafter(1 / o.lo, inf))
         inverse.d = o.slopes_times(-(inverse * inverse))
         return self * inverse
@@ -81,8 +85,7 @@ class I:
     __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self):
-        if not self.lo >= 0:
-            raise Open
+        need(self.lo >= 0)
         root = I(max(0.0, nextafter(math.sqrt(self.lo), -inf)), nextafter(math.sqrt(self.hi), inf))
         root.d = self.d and self.slopes_times(I(0.5) / root)
         return root
@@ -126,6 +129,7 @@ def unit_circle(degrees):
 
 # Plane geometry in doubles: exact where it decides, else a guess that is proven by intervals or kept away from by a slack.
 def edges_of(rings): return [edge for ring in rings for edge in zip(ring, ring[1:])]
+def within(point, some): return any(where(point, rings) >= 0 for rings in some)  # one of some polygons, or on its edge
 
 def side(p, q, r):
     """The sign of the turn p-q-r, exact."""
@@ -147,10 +151,6 @@ def where(point, rings):
                 inside = -inside
     return inside
 
-def within(point, some):
-    """True if a point lies in one of some polygons, or on its edge."""
-    return any(where(point, rings) >= 0 for rings in some)
-
 def to_segment(p, a, b):
     """From p to the nearest point of the segment a-b."""
     ax, ay, dx, dy = a[0] - p[0], a[1] - p[1], b[0] - a[0], b[1] - a[1]
@@ -161,13 +161,10 @@ def to_segment(p, a, b):
 def apart(A, B):
     """The shortest way from convex A to convex B, given by their corners in order; (0, 0) if they meet."""
     edges, others = ([(Q[i - 1], Q[i]) for i in range(len(Q))] for Q in (A, B))
-    for p, around in ((A[0], others), (B[0], edges)):  # one inside the other?
-        turns = [side(*edge, p) for edge in around] if len(around) > 2 else [0]
-        if min(turns) > 0 or max(turns) < 0:
-            return 0.0, 0.0
-    for (a, b), (c, d) in product(edges, others) if len(A) > 1 and len(B) > 1 else ():
-        if side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0:
-            return 0.0, 0.0
+    crossed = len(A) > 1 < len(B) and any(side(a, b, c) * side(a, b, d) < 0 > side(c, d, a) * side(c, d, b)
+                                          for (a, b), (c, d) in product(edges, others))
+    if crossed or len(B) > 2 and where(A[0], [B + B[:1]]) > 0 or len(A) > 2 and where(B[0], [A + A[:1]]) > 0:
+        return 0.0, 0.0
     ways = [to_segment(p, *e) for p in A for e in others] + [(-x, -y) for x, y in (to_segment(p, *e) for p in B for e in edges)]
     return min(ways, key=lambda v: hypot(*v))
 
@@ -185,15 +182,10 @@ def squared_distances(origin, some):
         squares += [x * x + y * y] + [(x * v - y * u) ** 2 / length] * (0 < along < length)
     return [I(nextafter(float(square), -inf), nextafter(float(square), inf)) for square in (min(squares), max(squares))]
 
-Tree = namedtuple("Tree", "corners size children")  # edges under rectangles; an edge itself has no children
-SPOT = Tree([(0.0, 0.0)], 0.0, ())
-
-def tree_of(edges):
-    if len(edges) == 1:
-        return Tree(edges[0], 0.0, ())
-    (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*(p for e in edges for p in e)))
-    children = tree_of(edges[:len(edges) // 2]), tree_of(edges[len(edges) // 2:])
-    return Tree([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], math.dist((x0, y0), (x1, y1)), children)
+def around(edges):
+    """The corners of an edge, or of the upright rectangle around several."""
+    (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*(p for edge in edges for p in edge)))
+    return edges[0] if len(edges) == 1 else ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
 
 def clip(ring, axis, at, keep):
     """The part of a polygon on one side of a line; corners on the line have its coordinate exactly."""
@@ -209,23 +201,19 @@ def clip(ring, axis, at, keep):
 
 def cover(parts, pending, rings, pending_in):
     """Cells of a polygon, halved until nothing is pending in any. `rings`: the polygon's, if it is not convex."""
-    (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*parts[0]))
-    todo, cells = [([x0, x1, y0, y1], parts, pending)], 0
+    todo, cells = [([(min(c), max(c)) for c in zip(*parts[0])], parts, pending)], 0
     while todo:
         (box, parts, pending), cells = todo.pop(), cells + 1
         # A corner of the cell counts only if it is in the region; all others are on the region's edges.
-        hull = [c for c in {c for part in parts for c in part}
-                if rings is None or not (c[0] in box[:2] and c[1] in box[2:]) or where(c, rings) >= 0]
+        corners = {c for part in parts for c in part}
+        hull = [c for c in corners if rings is None or c not in product(*box) or where(c, rings) >= 0]
         left = pending_in(box, hull, pending) if hull else None
         if left is not None:
-            axis = 0 if box[1] - box[0] >= box[3] - box[2] else 1
-            m = 0.5 * box[2 * axis] + 0.5 * box[2 * axis + 1]
-            if m in box[2 * axis:2 * axis + 2] or cells > MOST_CELLS:
-                raise Open
-            for end, keep in ((1, -1), (0, 1)):
-                child = list(box)
-                child[2 * axis + end] = m
-                todo.append((child, [clip(part, axis, m, keep) for part in parts], left))
+            axis, low, high = max(((i, *box[i]) for i in (0, 1)), key=lambda each: each[2] - each[1])
+            m = 0.5 * low + 0.5 * high
+            need(low < m < high and cells <= MOST_CELLS)
+            for half, keep in (((low, m), -1), ((m, high), 1)):
+                todo.append(([*box[:axis], half, *box[axis + 1:]], [clip(part, axis, m, keep) for part in parts], left))
 
 def cloud(still, moving, ways):
     """Places whose hull, grown by a radius, holds a point over a cell (mean value theorem); the radius; how far the point moves."""
@@ -236,36 +224,29 @@ def cloud(still, moving, ways):
     return points, radius, max(math.dist(p, middle) for p in points)
 
 # Values of a file
-def plain(reason):
-    """On one line: names from the files may hold anything."""
-    return str(reason).encode("unicode_escape").decode()
+def plain(reason): return str(reason).encode("unicode_escape").decode()  # on one line: names from the files may hold anything
 
 def must(good, path, value, allowed):
-    if not good:
-        raise Unreadable(f"{path.rstrip('.')}: found {'nothing' if value is None else plain(value)[:60]}; allowed: {allowed}")
+    need(good, f"{path.rstrip('.')}: found {'nothing' if value is None else plain(value)[:60]}; allowed: {allowed}", Unreadable)
 
 def fits(value, shape, path):
-    """The value, if it is as `shape` says: (least, largest) or (least, largest, None) a number, or one or nothing; range: a whole
-    number; set: one of these; [shape]: a list; [shape, shape]: two; {key: shape}: a table, with its inner tables merged into it."""
-    kind, out = type(shape), SimpleNamespace()
-    if kind is dict:
+    """The value, if it is as `shape` says: (least, largest) a number, a whole one if both are written so, or what else the tuple
+    lists; {..}: one of these; [shape]: a list; [shape, shape]: two; {key: shape}: a table, with its inner tables merged into it."""
+    if isinstance(shape, dict):
+        out = SimpleNamespace()
         for key, inner in shape.items():
             found = fits(value.get(key) if isinstance(value, dict) else None, inner, f"{path}{key}.")
             vars(out).update(vars(found) if isinstance(found, SimpleNamespace) else {key: found})
         return out
-    if kind is list:
+    if isinstance(shape, list):
         must(isinstance(value, list) and len(shape) in (1, len(value)), path, value, "a list" + " of two" * (len(shape) - 1))
         return (list if len(shape) == 1 else tuple)(fits(each, inner, path) for each, inner in zip(value, shape * len(value)))
-    if kind is tuple:
-        number = type(value) in (int, float) and shape[0] <= value <= shape[1]
+    if isinstance(shape, tuple):
+        number = type(value) in {type(end) for end in shape[:2]} | {int} and shape[0] <= value <= shape[1]
         must(number or value in shape[2:], path, value, f"a number from {shape[0]:g} to {shape[1]:g}")
-    elif kind is range:
-        must(type(value) is int and value in shape, path, value, f"a number from {shape[0]} to {shape[-1]}")
-    elif kind is set:
+    elif isinstance(shape, set):
         must(any(value == each for each in shape), path, value, " or ".join(sorted(map(str, shape))))
-    else:
-        return shape(value, path)
-    return value
+    return shape(value, path) if callable(shape) else value
 
 def polygons(value, path):
     found = fits(value, {"type": {"MultiPolygon"}, "coordinates": [[[POINT]]]}, path).coordinates
@@ -276,13 +257,13 @@ def polygons(value, path):
     return found
 
 def obstacle(value, path):
-    found = fits(value, {"shape": polygons, "layers": [range(0, 65)] * 2}, path)
+    found = fits(value, {"shape": polygons, "layers": [(0, 64)] * 2}, path)
     must(len(found.shape) == 1, path, value, "one polygon")
     layers = range(found.layers[0], found.layers[1] + 1)
     return SimpleNamespace(rings=found.shape[0], layers=layers, name=value.get("name") or "an obstacle", **AT_REST)
 
 def links(value, path):
-    found = {link.name: link for link in fits(value, [{"name": set(LINKS), "layer": range(1, 65), "shape": SHAPES}], path)}
+    found = {link.name: link for link in fits(value, [{"name": set(LINKS), "layer": (1, 64), "shape": SHAPES}], path)}
     good = len(value) == len(found) == 4 and found["ACX"].shape == found["BCY"].shape != "bar"
     must(good, path, value, "VA, VB, ACX and BCY, both plates of one shape")
     return {link: found[link].layer for link in LINKS}, found["ACX"].shape
@@ -293,28 +274,26 @@ def area(value, path):
     must(found, path, value, "an area")
     return found
 
-def stock(value, path):
-    return value and fits(value, [LENGTH], path)
+def stock(value, path): return value and fits(value, [LENGTH], path)
 
-POINT, LENGTH, MAYBE, WIDTH = [(-2e7, 2e7)] * 2, (0, 1e9), (0, 1e9, None), (1e-6, 1e9)
-SIZES = {name + "_mm": MAYBE for name in LENGTHS}
+POINT, LENGTH, MAYBE, WIDTH = [(-2e7, 2e7)] * 2, (0.0, 1e9), (0.0, 1e9, None), (1e-6, 1e9)
 SHAPES, OBJECTIVE, NUMBER = {"bar", "bent", "triangle"}, {"size", "transmission"}, (-1e9, 1e9, None)  # of others no log can be
-TASK = {"region": polygons, "obstacles": [obstacle], "copy": {"scale": WIDTH, "rotation_deg": (-3600, 3600)},
-        "limits": {"clearance_mm": LENGTH, "transmission_deg": (0, 90), "sheets_gap_mm": MAYBE, "copy_error_mm": MAYBE,
-                   "longest_strip_mm": MAYBE},
-        "tolerance": {"length_mm": MAYBE, "play_mm": MAYBE, "robust": {True, False, None}}}
+LIMITS = {"clearance_mm": LENGTH, "transmission_deg": (0.0, 90.0), "sheets_gap_mm": MAYBE, "copy_error_mm": MAYBE,
+          "longest_strip_mm": MAYBE}
+TASK = {"region": polygons, "obstacles": [obstacle], "copy": {"scale": WIDTH, "rotation_deg": (-3600.0, 3600.0)},
+        "limits": LIMITS, "tolerance": {"length_mm": MAYBE, "play_mm": MAYBE, "robust": {True, False, None}}}
 WIDTHS = {"link_width_mm": WIDTH, "pin_diameter_mm": WIDTH}
-CHOICE = {"links": {"longest_mm": LENGTH, "shortest_mm": LENGTH, "wall_mm": LENGTH, "seat_mm": MAYBE, "layers": range(1, 9),
-                    "grid_mm": MAYBE, "stock_mm": stock, **SIZES},
-          "cutting": {"hole_fit_mm": (-10, 10)}, "objective": {"groundings": [set(VERTICES)]}, "pole": area}
-DESIGN = {"format": {"kempe-design/1"}, **TASK,
-          "mechanism": {**WIDTHS, "links": links, "vertex": set(VERTICES), "assembly": range(4), "pole_position_mm": POINT,
-                        "lengths_mm": lambda value, path: vars(fits(value, dict.fromkeys(LENGTHS, WIDTH), path))}}
+LINKAGE = {**WIDTHS, "links": links, "vertex": set(VERTICES), "assembly": (0, 3), "pole_position_mm": POINT,
+           "lengths_mm": lambda value, path: vars(fits(value, dict.fromkeys(LENGTHS, WIDTH), path))}
+CHOICE = {"links": {"longest_mm": LENGTH, "shortest_mm": LENGTH, "wall_mm": LENGTH, "seat_mm": MAYBE, "layers": (1, 8),
+                    "grid_mm": MAYBE, "stock_mm": stock, **{name + "_mm": MAYBE for name in LENGTHS}},
+          "cutting": {"hole_fit_mm": (-10.0, 10.0)}, "objective": {"groundings": [set(VERTICES)]}, "pole": area}
+DESIGN = {"format": {"kempe-design/1"}, **TASK, "mechanism": LINKAGE}
 LOG = {"format": {"kempe-certificate/1"}, "claim": {"bound", "none"}, "objective": OBJECTIVE, "bound": NUMBER,
        "task": {**TASK, **CHOICE, **WIDTHS, "plate": {"bent", "triangle"}}}
 STATED = {"search": {"objective": OBJECTIVE, "value": NUMBER[:2]}, "quality": {"lower_bound": NUMBER}}
 
-# Linkages
+# Linkages and their parts
 class Shape:
     """What ratio and vertex fix: s, g, the factors of the lengths, and the modes."""
     def __init__(self, task, vertex):
@@ -325,11 +304,12 @@ class Shape:
         self.straight = not (k.y.lo or k.y.hi)
         self.modes = 2 if self.straight else 4
         self.up = -1.0 if s.y.hi < 0 or self.straight and s.x.hi < 0 else 1.0  # the sign of arg s
-        if not (self.straight or s.y.lo > 0 or s.y.hi < 0) or not self.abs_s.lo > 0:
-            raise Open("the shape is nearly degenerate")
+        need((self.straight or s.y.lo > 0 or s.y.hi < 0) and self.abs_s.lo > 0, "the shape is nearly degenerate")
         self.turn = s.conj() / self.abs_s
         half = (self.abs_s + self.abs_1s + 1.0) * 0.5
         self.size = (half + 1.0, half + self.abs_s)  # of a and of b
+        between = I(task.pin_diameter_mm) + task.clearance_mm  # of two posts; so far from the tracer the pole is at least:
+        self.posts = I((between / (I(min(1.0, self.abs_s.hi, self.abs_1s.hi)) * self.abs_g)).lo)
         self.of_a = {"VA": ONE, "BC": ONE, "BY": self.abs_s, "CY": self.abs_1s}
         self.of_b = {"VB": self.abs_s, "AC": self.abs_s, "AX": ONE, "CX": self.abs_1s}
         # (alpha, beta) of joint - pole = alpha p + beta q/s
@@ -349,7 +329,8 @@ class Shape:
             return limit.x, -limit.x
         # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 where d comes to arg s itself.
         cc, cs = self.s.x * (-self.up * self.signs(mode)[0]) / self.abs_s, self.s.y * self.up / self.abs_s
-        return (limit.x, cc * limit.x + cs * limit.y) if (mode > 1) == (self.up > 0) else (cc * limit.x - cs * limit.y, -limit.x)
+        starts_dead = (mode > 1) == (self.up > 0)
+        return (limit.x, cc * limit.x + cs * limit.y) if starts_dead else (cc * limit.x - cs * limit.y, -limit.x)
 
     def opened(self, a, b, w, sign):
         """By (1) and (2), for constants alpha, beta: the place alpha p + beta q/s, seen from the table and from frames that turn
@@ -366,15 +347,12 @@ def half(task, part): return 0.5 * (task.link_width_mm if part in LINKS else tas
 
 def occupied(part, layers):
     """The layers that a part fills, given those of the links."""
-    if part in LINKS:
-        return {layers[part]}
-    levels = sorted(layers[link] for link in (PINS if part.startswith("pin") else POSTS)[part[-1]])
-    return set(range(levels[0] + 1, levels[-1]) if part.startswith("pin") else range(1, levels[0]))
+    levels = sorted(layers[link] for link in LAYERED_BY[part])
+    return set(levels if part in LINKS else range(levels[0] + 1, levels[-1]) if part.startswith("pin") else range(1, levels[0]))
 
 def share(one, other, layers, obstacles):
     """True if a part has a layer in common with a part, or with an obstacle given by its number."""
-    others = occupied(other, layers) if isinstance(other, str) else obstacles[other].layers
-    return not occupied(one, layers).isdisjoint(others)
+    return not occupied(one, layers).isdisjoint(occupied(other, layers) if isinstance(other, str) else obstacles[other].layers)
 
 def permitted(task, name):
     """The least and the largest that a length may be. A strip also holds half a width beyond each of the joints."""
@@ -391,13 +369,13 @@ def pieces(task, part):
 def beside(name):
     """Another file of the checker."""
     try:
-        return import_module(name)
+        return __import__(name)
     except ModuleNotFoundError:
         raise Open(f"needs {name}.py") from None
 
 # Two parts whose axes may not come nearer than `wide`: names, joints that span them, the frame they are seen from; the other is
-# spanned by its joints and a tree of edges, those of a polygon's rings.
-Pair = namedtuple("Pair", "one joints other others frame wide tree rings", defaults=(SPOT, None))
+# spanned by its joints and by each of some edges, those of a polygon's rings.
+Pair = namedtuple("Pair", "one joints other others frame wide edges rings", defaults=([((0.0, 0.0),) * 2], None))
 
 class Design:
     """Claims 1 and 2, and the limits."""
@@ -407,71 +385,60 @@ class Design:
         (self.layers, task.plate), self.lengths, self.pole = task.links, task.lengths_mm, task.pole_position_mm
         shape = self.shape = Shape(task, task.vertex)
         self.sign, self.sign_d = shape.signs(task.assembly)
-        if task.assembly >= shape.modes:
-            raise Unreadable(f"{name}: mechanism.assembly: found {task.assembly}; allowed: 0 to {shape.modes - 1}")
+        must(task.assembly < shape.modes, f"{name}: mechanism.assembly", task.assembly, f"0 to {shape.modes - 1}")
         self.a, self.b = I(self.lengths["VA"]), I(self.lengths["VB"]) / shape.abs_s
         self.exact = {n: f * unit for unit, factors in ((self.a, shape.of_a), (self.b, shape.of_b)) for n, f in factors.items()}
         # Places are taken from the pole. In doubles they, and the corners of cells, are off by less than `slip`.
-        self.region, self.blocks = self.local(task.region), self.local(o.rings for o in task.obstacles)
+        given = task.region + [o.rings for o in task.obstacles]
+        local = [[[(c[0] - self.pole[0], c[1] - self.pole[1]) for c in ring] for ring in rings] for rings in given]
+        self.region, self.blocks = local[:len(task.region)], local[len(task.region):]
         sizes = [max((abs(c) for rings in some for ring in rings for corner in ring for c in corner), default=0.0)
-                 for some in (task.region + [o.rings for o in task.obstacles] + [[[self.pole]]], self.region + self.blocks)]
+                 for some in (given + [[[self.pole]]], local)]
         self.slip = 2.0 ** -50 * sizes[0] + 2.0 ** -44 * sizes[1]
-
-    def local(self, some):
-        return [[[(c[0] - self.pole[0], c[1] - self.pole[1]) for c in ring] for ring in rings] for rings in some]
 
     def reached(self):
         """Claim 1. Sets the range of distances, and what the openings are at its ends."""
-        shape, limit, self.openings = self.shape, self.task.transmission_deg, []
-        if not self.region or within(self.pole, self.task.region):
-            raise Refuted("the pole stands in the region, where the tracer cannot go" if self.region else "the file has no region")
+        task, shape, self.openings = self.task, self.shape, []
+        need(self.region, "the file has no region", Refuted)
+        need(not within(self.pole, task.region), "the pole stands in the region, where the tracer cannot go", Refuted)
         for name, length in self.lengths.items():
-            if (self.exact[name] - length).size() > EPS_MM:
-                raise Refuted(f"length {name} = {length} does not fit VA, VB and the ratio")
-        sine = unit_circle(max(0.0, limit - EPS_DEG)).y
-        for place, square in zip(("nearest", "farthest"), squared_distances(self.pole, self.task.region)):
+            fitting = (self.exact[name] - length).size() <= EPS_MM
+            need(fitting, f"length {name} = {length} does not fit VA, VB and the ratio", Refuted)
+        first, last = shape.window(task.assembly, max(0.0, task.transmission_deg - EPS_DEG))
+        for place, square in zip(("nearest", "farthest"), squared_distances(self.pole, task.region)):
             c = (square * shape.abs_g.square() - self.a.square() - self.b.square()) / (self.a * self.b * 2.0)
-            if c.lo > 1 or c.hi < -1:
-                raise Refuted(f"the {place} place, {math.sqrt(square.middle()):.6g} mm from the pole, is out of reach")
-            sin_psi = ((1.0 - c) * (c + 1.0)).sqrt()
-            sin_d = (shape.s.x * sin_psi * self.sign + shape.s.y * c) / shape.abs_s * self.sign_d
-            for kind, x in (("dead", sin_psi), ("change", sin_d)):
-                if x.hi < sine.lo or x.hi <= 0:
-                    away = math.degrees(math.asin(max(-1, x.hi)))
-                    raise Refuted(f"at the {place} place the {kind} point is only {away:.6g} degrees away")
-                if not (x.lo >= sine.hi and x.lo > 0):
-                    raise Open
-            self.openings.append((square.sqrt(), c, sin_psi, sin_d))
+            here = f"the {place} place, {math.sqrt(square.middle()):.6g} mm from the pole,"
+            need(c.lo <= 1 and c.hi >= -1, here + " is out of reach", Refuted)
+            need(c.lo <= first.hi and c.hi >= last.lo, here + " is too near to a dead or change point, or beyond it", Refuted)
+            need(c.hi < first.lo and c.lo > last.hi)
+            self.openings.append((square.sqrt(), c))
         self.range = [opening[0] for opening in self.openings]
-        return f" (transmission {limit:g} degrees, eps {EPS_DEG:g} degrees)"
+        return f" (transmission {task.transmission_deg:g} degrees, eps {EPS_DEG:g} degrees)"
 
-    def seen(self, z, frame="table"):
+    def seen(self, z):
         """All joints from the pole, with the tracer at z."""
-        place = self.shape.opened(self.a, self.b, self.shape.g * z, self.sign)[frame]
+        place = self.shape.opened(self.a, self.b, self.shape.g * z, self.sign)["table"]
         return {joint: place(*constants) for joint, constants in self.shape.seen.items()}
 
     def clear(self):
         """Claim 2, or claim 5 with losses. Contact of the linkage with itself does not change if all turns about the pole."""
-        task, pairs = self.task, []
-        if not self.range:
-            raise Open("claim 1 comes first")
+        need(self.range, "claim 1 comes first")
+        task, itself, blocked = self.task, [], []
         for other, one in combinations(JOINTS, 2):
-            together = share(one, other, self.layers, ())
-            if together and not may_meet(one, other) and {one, other} <= set(LINKS):
-                raise Refuted(f"{other} and {one} share a joint and a layer")
-            if may_meet(one, other) and (together or one.startswith("post") and other.startswith("post")):
+            together, joined = share(one, other, self.layers, ()), not may_meet(one, other)
+            need(not (together and joined and {one, other} <= set(LINKS)), f"{other}, {one} share a joint and a layer", Refuted)
+            if not joined and (together or one.startswith("post") and other.startswith("post")):
                 # Parallel to VB and ACX, or to VA and BCY: seen from there such parts do not turn.
-                frame = "ACX" if {"VB", "ACX"} & {one, other} else "VA"
                 wide = half(task, one) + half(task, other) + task.clearance_mm
-                pairs += [Pair(other, A, one, B, frame, wide) for A, B in product(pieces(task, other), pieces(task, one))]
+                frame = "ACX" if {"VB", "ACX"} & {one, other} else "VA"
+                itself += [Pair(other, A, one, B, frame, wide) for A, B in product(pieces(task, other), pieces(task, one))]
         for (i, block), part in product(enumerate(self.blocks), JOINTS):
             if share(part, i, self.layers, task.obstacles):
-                wide, tree, name = half(task, part) + task.clearance_mm, tree_of(edges_of(block)), task.obstacles[i].name
-                pairs += [Pair(part, piece, name, ["pole"], "table", wide, tree, block) for piece in pieces(task, part)]
-        if self.data.get("bodies") or self.data.get("table"):
-            pairs += beside("bodies_check").pairs_of(self)
-        blocked = [pair for pair in pairs if pair.frame == "table"]
-        cover([[(self.range[0].lo, 0.0), (self.range[1].hi, 0.0)]], [p for p in pairs if p.frame != "table"], None, self.pending_in)
+                wide, name = half(task, part) + task.clearance_mm, task.obstacles[i].name
+                blocked += [Pair(part, one, name, ["pole"], "table", wide, edges_of(block), block) for one in pieces(task, part)]
+        for pair in beside("bodies_check").pairs_of(self) if self.data.get("bodies") or self.data.get("table") else ():
+            (blocked if pair.frame == "table" else itself).append(pair)
+        cover([[(self.range[0].lo, 0.0), (self.range[1].hi, 0.0)]], itself, None, self.pending_in)
         self.keep_out(blocked)
         for rings in self.region[1:] if blocked else ():
             self.join(self.region[0][0], rings[0], blocked)
@@ -483,48 +450,51 @@ class Design:
             joints = self.seen(Z(*rings[0][0]))
             for pair in pairs:
                 at = (joints[pair.joints[0]] - joints[pair.others[0]]).middle()
-                if pair.rings(at) if callable(pair.rings) else where(at, pair.rings) > 0:
-                    raise Refuted(f"{pair.one} is inside {pair.other}")
+                inside = pair.rings(at) if callable(pair.rings) else where(at, pair.rings) > 0
+                need(not inside, f"{pair.one} is inside {pair.other}", Refuted)
             simple = len(rings) == 1 and convex(rings[0])
             cover([ring[:-1] for ring in rings], pairs, None if simple else rings, self.pending_in)
 
     def pending_in(self, box, hull, pending):
         """The pairs not proven apart over the hull; None if there are none, and the linkage closes."""
-        m, slip, seen = (0.5 * box[0] + 0.5 * box[1], 0.5 * box[2] + 0.5 * box[3]), self.slip, self.shape.seen
-        z = Z(I(box[0] - slip, box[1] + slip, {"x": ONE}), I(box[2] - slip, box[3] + slip, {"y": ONE}))
+        m, slip, seen = tuple(0.5 * low + 0.5 * high for low, high in box), self.slip, self.shape.seen
+        z = Z(*(I(low - slip, high + slip, {v: ONE}) for v, (low, high) in zip("xy", box)))
         try:
             moving, still = (self.shape.opened(self.a, self.b, self.shape.g * at, self.sign) for at in (z, Z(*m)))
             loss = self.losses(z) if self.losses else lambda *which: 0.0
         except Open:
             return pending
         ways = [{v: I(c - slip, c + slip) - o for v, c, o in zip("xy", corner, m)} for corner in hull]
-        clouds, spots, left, todo = {}, {}, [], list(pending)
+
+        spot = cache(lambda joint, frame: still[frame](*seen[joint]).middle())
+
+        @cache
+        def way(i, j, frame):  # from joint to joint
+            constants = [to - of for of, to in zip(seen[i], seen[j])]
+            return cloud(still[frame](*constants), moving[frame](*constants), ways)
+
+        left, todo = [], list(pending)
         while todo:
             pair = todo.pop()
-            names, frame, ends = list(product(pair.joints, pair.others)), pair.frame, pair.tree.corners
-            for i, j in names:  # the way from joint to joint
-                if (i, j, frame) not in clouds:
-                    constants = [to - of for of, to in zip(seen[i], seen[j])]
-                    clouds[i, j, frame] = cloud(still[frame](*constants), moving[frame](*constants), ways)
-                    spots.update({(n, frame): still[frame](*seen[n]).middle() for n in (i, j) if (n, frame) not in spots})
-            P, Q = ([spots[n, frame] for n in some] for some in (pair.joints, pair.others))
+            frame, ends = pair.frame, around(pair.edges)
+            clouds = {(i, j): way(i, j, frame) for i, j in product(pair.joints, pair.others)}
+            P, Q = ([spot(joint, frame) for joint in some] for some in (pair.joints, pair.others))
             v = apart(P, [(q[0] + e[0], q[1] + e[1]) for q in Q for e in ends])
             if gap := hypot(*v):  # one direction n proves the two apart all over the cell
                 n = v[0] / gap, v[1] / gap
                 far, near = min(n[0] * p[0] + n[1] * p[1] for p in ends), inf
-                for i, j in names:
-                    points, radius, _ = clouds[i, j, frame]
+                for (i, j), (points, radius, _) in clouds.items():
                     near = min(near, min(n[0] * p[0] + n[1] * p[1] for p in points) - radius - loss(n, pair, i, j))
                 slack = 1e-14 * (abs(far) + abs(near) + max(abs(c) for p in ends for c in p)) + 4 * slip
                 if far + near >= pair.wide - EPS_MM + slack:
                     continue
-            if pair.tree.children and pair.tree.size > max(clouds[i, j, frame][2] for i, j in names):
-                todo += [pair._replace(tree=child) for child in pair.tree.children]
+            several = len(pair.edges) // 2
+            if several and math.dist(ends[0], ends[2]) > max(moved for *_, moved in clouds.values()):
+                todo += [pair._replace(edges=some) for some in (pair.edges[:several], pair.edges[several:])]
                 continue
-            real = frame != "table" or within(m, self.region)
-            if real and gap < pair.wide - 2 * EPS_MM and not pair.tree.children:
-                raise Refuted(f"{pair.one} and {pair.other} come to {gap:.6g} mm from axis to axis with the tracer at "
-                              f"({m[0]:.6g}, {m[1]:.6g}) from the pole; needed: {pair.wide:g}")
+            met = not several and gap < pair.wide - 2 * EPS_MM and (frame != "table" or within(m, self.region))
+            need(not met, f"{pair.one} and {pair.other} come to {gap:.6g} mm from axis to axis with the tracer at "
+                          f"({m[0]:.6g}, {m[1]:.6g}) from the pole; needed: {pair.wide:g}", Refuted)
             left.append(pair)
         return left or None
 
@@ -532,15 +502,14 @@ class Design:
         """Two polygons are joined if a way from corner to corner, straight or on a circle about the pole, is clear as well."""
         A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: math.dist(*pq))
         least, most, start, end = self.range[0].hi, self.range[1].lo, math.atan2(A[1], A[0]), math.atan2(B[1], B[0])
-        ways = [[A, B]]
+        ways = [[]]
         for part, turns in product((0.5, 0.25, 0.75, 0.1, 0.9), (0, -1, 1)):
             r, turn = least + part * (most - least), (end - start + 2 * math.pi * turns) / 400
-            ways.append([A, *((r * math.cos(start + turn * i), r * math.sin(start + turn * i)) for i in range(401)), B])
-        for way in ways:
+            ways.append([(r * math.cos(start + turn * i), r * math.sin(start + turn * i)) for i in range(401)])
+        for steps in ways:
             try:
-                for p, q in zip(way, way[1:]):
-                    if hypot(*to_segment((0.0, 0.0), p, q)) < least - EPS_MM or max(hypot(*p), hypot(*q)) > most + EPS_MM:
-                        raise Open
+                for p, q in zip([A, *steps], [*steps, B]):
+                    need(hypot(*to_segment((0.0, 0.0), p, q)) >= least - EPS_MM and max(hypot(*p), hypot(*q)) <= most + EPS_MM)
                     cover([[p, q]], pairs, None, self.pending_in)
                 return
             except (Open, Refuted):
@@ -557,27 +526,26 @@ class Design:
         task, vertex = self.task, self.shape.vertex
         if task.sheets_gap_mm is not None:  # the pen is a part that keeps away from the region itself
             gap, pen = max(task.sheets_gap_mm, 1e-9 + EPS_MM), "V" if vertex == "pen" else "Y"
-            self.keep_out([Pair("the pen", pen, "the original", ["pole"], "table", gap, tree_of(edges_of(rings)), rings)
+            self.keep_out([Pair("the pen", pen, "the original", ["pole"], "table", gap, edges_of(rings), rings)
                            for rings in self.region])
         if task.copy_error_mm is not None:
             beside("tolerance_check").Tolerances(self).copy_error()
-        if any(self.data.get(key) is None for key in CHOICE):
-            raise Open("not checked: pole, links, objective (not stated)")
+        need(all(self.data.get(key) is not None for key in CHOICE), "not checked: pole, links, objective (not stated)")
         vars(task).update(vars(fits(self.data, CHOICE, self.name + ": ")))
         for name, length in self.lengths.items():
             low, high = permitted(task, name)
             off = [low - length, length - high]
-            off += [abs(math.remainder(length, task.grid_mm))] if task.grid_mm and name not in ("CX", "CY") else []
-            off += [min(abs(length - each) for each in task.stock_mm)] if task.stock_mm and name not in ("CX", "CY") else []
-            if max(off) > EPS_MM:
-                raise Refuted(f"length {name} = {length}: too short or long, not as locked, or not of the grid or the stock")
-        if vertex not in task.groundings or max(self.layers.values()) > task.layers:
-            raise Refuted("this vertex or layer is not permitted")
+            if name not in ("CX", "CY"):
+                off += [abs(math.remainder(length, task.grid_mm))] if task.grid_mm else []
+                off += [min(abs(length - each) for each in task.stock_mm)] if task.stock_mm else []
+            need(max(off) <= EPS_MM, f"length {name} = {length}: too short or long, not as locked, not of grid or stock", Refuted)
+        possible = vertex in task.groundings and max(self.layers.values()) <= task.layers
+        need(possible, "this vertex or layer is not permitted", Refuted)
         away = min(hypot(*to_segment(self.pole, *edge)) for rings in task.pole for edge in edges_of(rings))
-        if away > EPS_MM and not within(self.pole, task.pole):
-            raise Refuted("the pole stands elsewhere than permitted")
-        if unread := sorted(key for key, value in self.data["limits"].items() if key not in TASK["limits"] and value is not None):
-            raise Open("not checked: " + ", ".join("limits." + key for key in unread))
+        need(away <= EPS_MM or within(self.pole, task.pole), "the pole stands elsewhere than permitted", Refuted)
+        stated = sorted(key for key, value in self.data["limits"].items() if value is not None)
+        unread = ["limits." + key for key in stated if key not in LIMITS]
+        need(not unread, "not checked: " + ", ".join(unread))
 
 # Designs of a log, a box: ranges of a, b and the pole's x, y; cosines of the least and largest |psi|; layer assignments.
 Node = namedtuple("Node", "box window assignments")
@@ -591,31 +559,26 @@ class Certificate:
         task = self.task = fits(self.data, LOG, name + ": ")
         self.blocks, self.claim, self.objective, self.bound = task.obstacles, task.claim, task.objective, task.bound
         self.by = self.objective if self.bound is not None else None
-        if (self.claim == "bound") != (self.bound is not None):
-            raise Unreadable(f"{name}: bound: found {self.bound}; allowed: a number beside claim bound, null beside none")
+        must((self.claim == "none") == (self.bound is None), name + ": bound", self.bound, "a number beside claim bound alone")
 
     def belongs_to(self, design):
         """The log speaks of the design's task, and proves what the design's file states."""
-        copy, theirs = design.data["copy"], {key: design.data.get(key) for key in SHARED}
-        theirs["copy"] = {key: copy.get("wanted_" + key, copy[key]) for key in ("scale", "rotation_deg")}
-        theirs.update({key: design.data["mechanism"][key] for key in WIDTHS}, plate=design.task.plate)
+        copy, mechanism = design.data["copy"], design.data["mechanism"]
+        wanted = {key: copy.get("wanted_" + key, copy[key]) for key in ("scale", "rotation_deg")}
+        theirs = {**{key: design.data.get(key) for key in SHARED}, **{key: mechanism[key] for key in WIDTHS},
+                  "plate": design.task.plate, "copy": wanted}
         for key in theirs:
-            if self.data["task"].get(key) != theirs[key]:
-                raise Open(f"the log's {key} is not the design's")
-        stated = fits(design.data, STATED, design.name + ": ")
-        if self.claim != "bound" or stated.objective != self.objective:
-            raise Open("the log is about something else than the design's objective")
-        over = 1 if self.objective == "size" else -1
-        if over * stated.value < over * self.bound - EPS_MM:
-            raise Refuted(f"this design has {stated.value}")
-        if stated.lower_bound is not None and over * stated.lower_bound > over * self.bound + EPS_MM:
-            raise Open(f"the file states {stated.lower_bound}")
+            need(self.data["task"].get(key) == theirs[key], f"the log's {key} is not the design's")
+        stated, over = fits(design.data, STATED, design.name + ": "), 1 if self.objective == "size" else -1
+        need(self.claim == "bound" and stated.objective == self.objective, "the log is not about the design's objective")
+        need(over * stated.value >= over * self.bound - EPS_MM, f"this design has {stated.value}", Refuted)
+        proven = stated.lower_bound is None or over * stated.lower_bound <= over * self.bound + EPS_MM
+        need(proven, f"the file states {stated.lower_bound}")
 
     def prove(self):
-        task = self.data["task"]
         for vertex in (v for v in VERTICES if v in self.task.groundings):
             self.shape = Shape(self.task, vertex)
-            if task.get("bodies") or task.get("table"):
+            if self.data["task"].get("bodies") or self.data["task"].get("table"):
                 self.blocks = self.task.obstacles + beside("bodies_check").blocks_of(self, vertex)
             for mode in range(self.shape.modes):
                 (self.sign, self.sign_d), todo = self.shape.signs(mode), [self.root(mode)]
@@ -625,8 +588,7 @@ class Certificate:
                         todo += reversed(self.step(todo.pop(), self.lines[self.at]))
                     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, Open, Unreadable) as fault:
                         raise Open(f"{vertex}, mode {mode}, line {self.at + 1}: {fault or 'nothing is decided'}") from None
-        if self.at != len(self.lines) - 1:
-            raise Open(f"line {self.at + 2}: all trees are closed")
+        need(self.at == len(self.lines) - 1, f"line {self.at + 2}: all trees are closed")
         return f" ({self.at} nodes)"
 
     def root(self, mode):
@@ -645,42 +607,39 @@ class Certificate:
         for rule in ("split", "share", "contact", "copy_error"):
             if rule in line:
                 return getattr(self, rule)(node, line)
-        if not getattr(self, "leaf_" + line["leaf"])(node, line):
-            raise Open(f"{line['leaf']} does not refute")
+        need(getattr(self, "leaf_" + line["leaf"])(node, line), f"{line['leaf']} does not refute")
         return []
 
     def split(self, node, line):
         old, at = node.box[line["split"]], float(line["at"])
-        if not old.lo < at < old.hi:
-            raise Open(f"{at} does not split {old.lo} to {old.hi}")
+        need(old.lo < at < old.hi, f"{at} does not split {old.lo} to {old.hi}")
         return [node._replace(box={**node.box, line["split"]: part}) for part in (I(old.lo, at), I(at, old.hi))]
 
     def share(self, node, line):
         one, other = line["share"]
-        if one not in JOINTS or other not in JOINTS and not 0 <= other < len(self.blocks):
-            raise Open("unknown parts")
+        need(one in JOINTS and (other in JOINTS or 0 <= other < len(self.blocks)), "unknown parts")
         return [node._replace(assignments=[l for l in node.assignments if share(one, other, l, self.blocks) == wanted])
                 for wanted in (True, False)]
 
     def contact(self, node, line):
         u, (one, other) = I(float(line["u"])), line["contact"]
         keep_apart = may_meet(one[0], other[0]) and all(share(one[0], other[0], l, ()) for l in node.assignments)
-        if not 0 < u.lo < 1e9 or not keep_apart:
-            raise Open("these parts need not keep apart")
+        need(0 < u.lo < 1e9 and keep_apart, "these parts need not keep apart")
         turn = Z(ONE - u.square(), u * 2.0 * self.sign) / (u.square() + ONE)
         alpha, beta = (one - other for one, other in zip(self.material(one), self.material(other)))
         allowed = I(half(self.task, one[0])) + half(self.task, other[0]) + self.task.clearance_mm
-        if not all((alpha * a + beta * (turn * b)).square().hi < allowed.square().lo for a, b in corners(node.box, "ab")):
-            raise Open("the points are not in contact all over the box")
+        met = all((alpha * a + beta * (turn * b)).square().hi < allowed.square().lo for a, b in corners(node.box, "ab"))
+        need(met, "the points are not in contact all over the box")
         return [node._replace(window=window) for window in ((node.window[0], turn.x), (turn.x, node.window[1]))]
+
+    def copy_error(self, node, line): return beside("tolerance_check").cut(self, node, line)
 
     def material(self, named, origin="pole"):
         """(alpha, beta) of a material point of a part, seen from a joint."""
         part, *t = named
         t, seen = [float(x) for x in t], [self.shape.seen[joint] for joint in JOINTS[part]]
-        off_bent_plate = len(t) == 2 and self.task.plate == "bent" and 0 not in t
-        if len(t) != len(seen) - 1 or not all(0 <= x <= 1 for x in t) or sum(map(Fraction, t)) > 1 or off_bent_plate:
-            raise Open(f"{named} is no point of a part")
+        on_part = len(t) == len(seen) - 1 and all(0 <= x <= 1 for x in t) and sum(map(Fraction, t)) <= 1
+        need(on_part and (len(t) < 2 or self.task.plate != "bent" or 0 in t), f"{named} is no point of a part")
         return [sum(((to - at) * x for x, to in zip(t, others)), start=at - o)
                 for o, (at, *others) in zip(self.shape.seen[origin], zip(*seen))]
 
@@ -688,18 +647,15 @@ class Certificate:
     def place(self, value):
         """A place of the region, as intervals."""
         if len(value) == 2:
-            if not within(fits([*value], POINT, "place"), self.task.region):
-                raise Open(f"{value} is not in the region")
+            need(within(fits([*value], POINT, "place"), self.task.region), f"{value} is not in the region")
             return Z(*value)
         polygon, ring, corner, t = value
-        if not (min(polygon, ring, corner) >= 0 and 0 <= t <= 1):
-            raise Open(f"{value} is no place of the region")
+        need(min(polygon, ring, corner) >= 0 and 0 <= t <= 1, f"{value} is no place of the region")
         p, q = (Z(*c) for c in self.task.region[polygon][ring][corner:corner + 2])
         return p + (q - p) * float(t)
 
     def leaf_lengths(self, node, line): return any(i.lo > i.hi for i in node.box.values())
     def leaf_layers(self, node, line): return not node.assignments
-    def copy_error(self, node, line): return beside("tolerance_check").cut(self, node, line)
 
     def leaf_sum(self, node, line):
         """A sum Q of requirements is negative all over the box: about its middle, Q has the squares k of x and y, l of a and b, and
@@ -708,18 +664,15 @@ class Certificate:
         (of_a, of_b), gg, P = self.shape.size, self.shape.abs_g.square(), Z(x, y)
         Q, k, l, m, bound, pull = ZERO, ZERO, ZERO, ZERO, ZERO, NIL
         for name, *places, weight in line["of"]:
-            if not 0 <= weight < 1e9:
-                raise Open("a weight is negative")
+            need(0 <= weight < 1e9, "a weight is negative")
             weight = I(float(weight))
             if name == "bound":
-                if self.by != "size":
-                    raise Open("there is no bound")
-                bound += weight
-                Q += weight * (self.bound - of_a * a - of_b * b)
+                need(self.by == "size", "there is no bound")
+                bound, Q = bound + weight, Q + weight * (self.bound - of_a * a - of_b * b)
                 continue
             away = self.place(tuple(places[0])) - P
             if name == "posts":
-                times, Q = weight, Q - weight * self.posts_apart().square()
+                times, Q = weight, Q - weight * self.shape.posts.square()
             else:
                 sign, times = {"far": (weight, -weight * gg), "near": (-weight, weight * gg)}[name]
                 l, m = l + sign, m + sign * node.window[name == "near"]
@@ -733,11 +686,6 @@ class Certificate:
             inside = q.hi < 0 and g.hi < (q * h * -2.0).lo
             most += g.square() / (q * -4.0) if inside else g * h + q * h.square()
         return most.hi < 0
-
-    def posts_apart(self):
-        """How near tracer and pole may come, at least, by the two nearest posts."""
-        shape, between = self.shape, I(self.task.pin_diameter_mm) + self.task.clearance_mm
-        return I((between / (I(min(1.0, shape.abs_s.hi, shape.abs_1s.hi)) * shape.abs_g)).lo)
 
     def leaf_pole(self, node, line):
         """The box of poles holds no place of their area: no edge of it comes near, and a corner is not inside."""
@@ -755,10 +703,10 @@ class Certificate:
         """A part's point stays, over the box, within reach of a convex piece of an obstacle, or of a body seen from its joint."""
         index, named, edge, box = line["obstacle"], line["point"], line["edge"], node.box
         block, (ring, *holes) = self.blocks[index], self.blocks[index].rings
-        if block.joint in JOINTS[named[0]] or not all(share(named[0], index, l, self.blocks) for l in node.assignments):
-            raise Open("the part does not meet this obstacle")
-        if edge is None and (holes or not convex(ring)) or edge is not None and not 0 <= edge < len(ring) - 1:
-            raise Open("the obstacle is not convex, or has no such edge")
+        meets = block.joint not in JOINTS[named[0]] and all(share(named[0], index, l, self.blocks) for l in node.assignments)
+        need(meets, "the part does not meet this obstacle")
+        convex_piece = 0 <= edge < len(ring) - 1 if edge is not None else not holes and convex(ring)
+        need(convex_piece, "the obstacle is not convex, or has no such edge")
         K, T = ring[:-1] if edge is None else ring[edge:edge + 2], self.place(tuple(line["place"]))
         constants = self.material(named, block.joint)
 
@@ -775,52 +723,48 @@ class Certificate:
 def claim(name, proof):
     """Prints one claim's line; True if it is proven."""
     try:
-        print(f"{name}: proven{proof() or ''}")
-        return True
+        said = f"proven{proof() or ''}"
     except Refuted as reason:
-        print(f"{name}: refuted: {plain(reason)}")
+        said = f"refuted: {plain(reason)}"
     except (Open, ArithmeticError) as reason:
-        print(f"{name}: not proven{': ' + plain(reason) if str(reason) else ''}")
-    return False
+        said = "not proven" + (": " + plain(reason) if str(reason) else "")
+    print(f"{name}: {said}")
+    return said.startswith("proven")
 
 def once(pairs):
-    if len(dict(pairs)) < len(pairs):
-        raise ValueError(f"a key twice in {[key for key, _ in pairs]}")
+    need(len(dict(pairs)) == len(pairs), f"a key twice in {[key for key, _ in pairs]}", ValueError)
     return dict(pairs)
 
 def read(name):
     """The objects of a JSON or JSON lines file."""
     try:
-        with open(name, encoding="utf-8") as file:
-            text = file.read()
+        text = Path(name).read_text(encoding="utf-8")
         parts = text.rstrip("\n").split("\n") if name.endswith(".jsonl") else [text]
         return [json.loads(part, object_pairs_hook=once) for part in parts]
     except (OSError, ValueError, RecursionError) as fault:
         raise Unreadable(f"{name}: found {plain(fault)[:80]}; allowed: a file of JSON, each key once")
 
 def main(names):
-    if len(names) not in (1, 2):
-        raise Unreadable(__doc__)
-    files = [read(name) for name in names]
+    need(len(names) in (1, 2), __doc__, Unreadable)
+    files, claims = [read(name) for name in names], []
     try:
         design = None if names[0].endswith(".jsonl") else Design(names[0], files.pop(0)[0])
-        logs = [Certificate(names[-1], lines) for lines in files]
+        log = Certificate(names[-1], files[0]) if files else None
     except Open as fault:
         raise Unreadable(f"{names[0]}: copy: found {fault}; allowed: a ratio that no shape of is degenerate")
-    claims = []
     if design:
         claims = [("1 every point is reached on one assembly mode", design.reached),
                   ("2 the parts keep their clearance", design.clear), ("limits of the file", design.limits)]
         title = "5 every instrument within the tolerances stays on one assembly mode and keeps the clearance"
         claims += [(title, design.every_instrument)] * bool(design.task.robust)
-    for log in logs:
-        better, unit = {"size": ("smaller", " mm"), "transmission": ("larger", " degrees")}[log.objective]
-        title = "4 no design exists" if log.claim == "none" else f"3 no design is {better} than {log.bound:.12g}{unit}"
-        claims.append((title, lambda log=log: (design and log.belongs_to(design)) or log.prove()))
+    if log:
+        better = {"size": "smaller than {:.12g} mm", "transmission": "larger than {:.12g} degrees"}[log.objective]
+        title = "4 no design exists" if log.claim == "none" else "3 no design is " + better.format(log.bound)
+        claims.append((title, lambda: (design and log.belongs_to(design)) or log.prove()))
     good = all([claim(*each) for each in claims])
     if design:
         unread = sorted(design.data.keys() - {*SHARED, "format", "copy", "mechanism"})
-        print("not looked at:", plain(", ".join(unread + ["claim 3, whose log is certificate.jsonl"] * (not logs))))
+        print("not looked at:", plain(", ".join(unread + ["claim 3, whose log is certificate.jsonl"] * (not log))))
     return good
 
 if __name__ == "__main__":

@@ -153,7 +153,7 @@ class Tolerances:
     def too_wrong_in(self, box, hull, pending):
         """None if the copy error keeps its limit all over a cell of cos psi."""
         limit = self.design.task.copy_error_mm
-        sine, slopes = self.sources(I(box[0], box[1]))
+        sine, slopes = self.sources(I(*box[0]))
         if sine.lo > 0 and not self.exceeding(slopes, (limit + EPS_MM) * sine.lo):
             return None
         sine, slopes = self.sources(I(hull[0][0]))
@@ -164,7 +164,7 @@ class Tolerances:
     def not_surely_wrong_in(self, box, hull, pending):
         """None if the copy error is above its limit all over a cell of cos psi."""
         limit = self.design.task.copy_error_mm
-        sine, slopes = self.sources(I(box[0], box[1]))
+        sine, slopes = self.sources(I(*box[0]))
         if self.exceeding(slopes, limit * max(0.0, sine.hi), -1):
             return None
         sine, slopes = self.sources(I(hull[0][0]))
@@ -213,7 +213,8 @@ class Tolerances:
 def cut(log, node, line):
     """A rule of claims 3 and 4: openings before the first and after the second cosine exceed the limit on the copy error; that is
     all of them, if the first is no larger."""
-    (start, end), (first, last), tolerances = node.window, fits(line["copy_error"], [(-1, 1)] * 2, "copy_error"), Tolerances(log)
+    (start, end), tolerances = node.window, Tolerances(log)
+    first, last = fits(line["copy_error"], [(-1.0, 1.0)] * 2, "copy_error")
     for low, high in ((first, start.hi), (end.lo, last)):
         if low < high:
             tolerances.exceeded(low, high)

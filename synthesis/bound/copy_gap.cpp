@@ -36,8 +36,10 @@ CopyGap::Verdict CopyGap::verdict(const Point& pole, double radius) const {
     const Point image = pole + as_point(k_ * from_pole), source = pole + as_point(from_pole / k_);
     const RegionReach::Nearest to_image = region_.nearest(image), to_source = region_.nearest(source);
     const double distance = std::min(to_image.distance, std::abs(k_) * to_source.distance);
-    // No distance is below a gap of 0: there the image must lie inside, deeper than all that rounding and the pole's way can take off.
-    if (distance + slack < 0) return Verdict::too_near;
+    // No distance is below a gap of 0: there the image must lie inside, deeper than the pole's way can take off.
+    if (distance < 0 && (copy_surely_inside(k_, place, region_, pole, radius) ||
+                         copy_surely_inside(1.0 / k_, place, region_, pole, radius)))
+      return Verdict::too_near;
     const auto too_near = [&](const PlaceOnSegment& copied, const PlaceOnSegment& other) {
       return copy_distance_at_most(k_, copied, other, pole, radius) < *gap_;
     };

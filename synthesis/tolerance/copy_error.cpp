@@ -189,8 +189,8 @@ Sensitivities Sensitivities::turned(Complex turn) const {
 }
 
 CopyErrorProfile::CopyErrorProfile(Complex k, Grounding grounding, const CopyTolerance& tolerance)
-    : pole_is_at_V_(pole_is_at_V(grounding)), tolerance_(tolerance), s_(shape_of(k, grounding)),
-      output_(pen_is_at_V(grounding) ? -k : 1.0), flat_(is_flat(s_)),
+    : pole_is_at_V_(pole_is_at_V(grounding)), pen_is_at_V_(pen_is_at_V(grounding)), tolerance_(tolerance),
+      k_(k), s_(shape_of(k, grounding)), output_(pen_is_at_V(grounding) ? -k : 1.0), flat_(is_flat(s_)),
       xi_(hole_displacements(1.0 / s_, flat_)), eta_(hole_displacements(s_, flat_)) {}
 
 Sensitivities CopyErrorProfile::sensitivities(double opening) const {
@@ -356,24 +356,20 @@ double CopyErrorProfile::slope_at_most(double sine) const {
 OpeningInterval CopyErrorProfile::openings_not_ruled_out(double limit, const OpeningInterval& within) const {
   constexpr int most_steps = 4000;
   if (within.empty()) return {};
-  // From an end inwards: an error above the limit cannot fall to it sooner than its largest slope allows.
-  // Steps halve the allowance, so that the sine at the step's far side may be half of that at its near side
-  // and no less.
+  // From an end inwards: as far as the error is proven to be above the limit. How far is guessed by its largest slope.
   const auto advance = [&](double end, double direction, double other) {
-    double here = end;
+    double here = end, step = 0;
     for (int steps = 0; (other - here) * direction > 0; ++steps) {
-      const double sine = std::abs(std::sin(here));
-      if (sine < slack::at_change_point) {
-        const double least = slack::surely * std::abs(output_ * (1.0 - s_)) * tolerance_.length[0] /
-                             (2 * slack::at_change_point);
-        if (!(least > limit)) return here;
-        here += direction * slack::at_change_point;
-        continue;
-      }
-      const double excess = slack::surely * longest_deviation(sensitivities(here), tolerance_).length - limit;
-      if (!(excess > 0)) return here;
-      const double step = slack::surely * std::min(0.5 * sine, excess / slope_at_most(0.5 * sine));
-      if (step < slack::finest * sine || steps > most_steps) return here;
+      const double sine = std::max(std::abs(std::sin(here)), slack::at_change_point);
+      const double excess = longest_deviation(sensitivities(here), tolerance_).length - limit;
+      step = std::max(2 * step, std::min(0.5 * sine, excess / slope_at_most(0.5 * sine)));
+      const auto ruled_out = [&] {
+        const double last = (other - here) * direction < step ? other : here + direction * step;
+        return surely_exceeds(
+            limit, {std::min(here, last) - slack::beyond_end, std::max(here, last) + slack::beyond_end});
+      };
+      while (step >= slack::finest * sine && !ruled_out()) step *= 0.5;
+      if (!(step >= slack::finest * sine) || steps > most_steps) return here;
       here += direction * step;
     }
     return other;

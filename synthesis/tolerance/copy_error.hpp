@@ -101,21 +101,24 @@ class CopyErrorProfile {
   /// and refined.
   std::vector<OpeningInterval> openings_within(double limit, const OpeningInterval& within) const;
 
-  /// An interval that holds every opening of `within` at which `worst` does not exceed the limit (mm): proven
-  /// by the largest slope, wider than the tightest by a few thousandths of a radian at most. Empty if there
-  /// is no such opening.
+  /// Whether `worst` is above the limit (mm) at every opening of the interval, with k known to sixteen units in its last place:
+  /// true is proven with directed rounding along one direction, false says nothing.
+  bool surely_exceeds(double limit, const OpeningInterval& openings) const;
+
+  /// An interval that holds every opening of `within` at which `worst` does not exceed the limit (mm): what is left out
+  /// surely_exceeds() it. Wider than the tightest by a few thousandths of a radian at most. Empty if there is no such opening.
   OpeningInterval openings_not_ruled_out(double limit, const OpeningInterval& within) const;
 
   bool flat() const { return flat_; }
   const CopyTolerance& tolerance() const { return tolerance_; }
 
  private:
-  /// |d worst / d opening| is nowhere larger where |sin d| is at least `sine`.
+  /// |d worst / d opening| is nowhere larger where |sin d| is at least `sine`, but for rounding: a guess of how far to go.
   double slope_at_most(double sine) const;
 
-  bool pole_is_at_V_;
+  bool pole_is_at_V_, pen_is_at_V_;
   CopyTolerance tolerance_;
-  Complex s_, output_;  // output_: pen deviation per unit of the loops' deviation
+  Complex k_, s_, output_;  // output_: pen deviation per unit of the loops' deviation
   bool flat_;
   std::array<Complex, 3> xi_, eta_;  // hole X by AC, AX, CX in ACX's frame; hole Y by BC, BY, CY in BCY's
 };

@@ -10,13 +10,11 @@ inline constexpr double smallest_sine = 1e-120;
 inline constexpr double on_boundary = 1e-9;
 /// Factor: the longest deviation is found when no direction can hold one longer by more.
 inline constexpr double close_enough = 1 + 1e-9;
-/// Factor: errors, slopes and steps are doubles, off by some dozen units in the last place; all of them are taken this much to
-/// the safe side.
-inline constexpr double surely = 1 - 1e-9;
 /// Of the sine: the shortest step along the openings.
 inline constexpr double finest = 1e-6;
-/// Of the sine: nearer to a change point the error is beyond any limit worth its name, or there is no tolerance. The error is
-/// told there from below, with twice this sine.
+/// Sine: nearer to a change point steps are as long as here.
 inline constexpr double at_change_point = 1e-4;
+/// rad: what is ruled out is ruled out so far beyond both of its ends. An end of a mode is a double, off by less.
+inline constexpr double beyond_end = 1e-13;
 
 }  // namespace kempe::slack

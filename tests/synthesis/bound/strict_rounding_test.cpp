@@ -8,8 +8,10 @@
 #include <numbers>
 
 #include "synthesis/bound/branch.hpp"
+#include "synthesis/bound/copy_distance.hpp"
 #include "synthesis/bound/copy_gap.hpp"
 #include "synthesis/bound/joint_moves.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 
@@ -252,6 +254,51 @@ TEST(StrictRounding, SheetsAreTooNearExactlyWhereTheyAre) {
   }
   EXPECT_GT(said, test::expected(300));
   EXPECT_GT(apart, test::expected(100));
+}
+
+/// Ratios so near to 1 that the shape, 1 - k, is known to few digits: a length whose error moves the pen by |s| times itself, and
+/// limits a hair above that. No opening exceeds them.
+TEST(StrictRounding, OpeningsThatKeepTheLimitOnTheCopyErrorAreNotRuledOut) {
+  test::SpecDice dice(931);
+  int off = 0;
+  for (int i = 0; i < test::samples(60); ++i) {
+    const long double beyond = dice.log_uniform(1e-13, 1e-11), scale = 1 + beyond;
+    CopyTolerance tolerance;
+    tolerance.length[4] = 1;  // AX: |s| = k - 1 in all openings
+    const CopyErrorProfile profile(static_cast<double>(scale), Grounding::tracer, tolerance);
+    const OpeningInterval openings{radians(20), radians(160)};
+    const double limit = static_cast<double>((scale - 1) * (1 + 1e-6L));
+    const OpeningInterval left = profile.openings_not_ruled_out(limit, openings);
+    EXPECT_EQ(left.lower, openings.lower) << i;
+    EXPECT_EQ(left.upper, openings.upper) << i;
+    off += profile.at(1).worst > limit * (1 + 1e-5);
+  }
+  EXPECT_GT(off, test::expected(5));  // there the doubles are above the limit
+}
+
+/// A copy that surely lies in the original overlaps it; where it only touches an edge, that is not said.
+TEST(StrictRounding, ACopyIsInsideExactlyWhereItIs) {
+  test::SpecDice dice(941);
+  int said = 0, not_said = 0;
+  for (int i = 0; i < test::samples(600); ++i) {
+    const double away = std::pow(10, dice.uniform(2, 6)), k = dice.uniform(0.2, 0.8);
+    const double x = std::round(away), height = dice.uniform(5, 10);
+    const RegionReach reach(Region{{{{{x, 0}, {x + 20, 0}, {x + 20, 2 * height}, {x, 2 * height}}, {}}}});
+    // The copy of the place comes to `into` mm beyond the left edge; poles nearer to it than that leave it inside.
+    const double into = dice.log_uniform(1e-9, 1) * (i % 2 == 0 ? 1 : -1);
+    const Point place(x + 20, height), pole((x + into - k * (x + 20)) / (1 - k), height);
+    const long double reached =
+        pole.x() + static_cast<long double>(k) * (static_cast<long double>(place.x()) - pole.x()) - x;
+    const double radius = std::abs(into) * dice.uniform(0, 2);
+    const bool inside = bounding::copy_surely_inside(k, place, reach, pole, radius);
+    ASSERT_FALSE(inside && !(reached > (1 - static_cast<long double>(k)) * radius)) << i;
+    (inside ? said : not_said) += 1;
+    const long double hair =
+        64 * std::numeric_limits<double>::epsilon() * static_cast<long double>(away + 300);
+    ASSERT_TRUE(inside || !(reached > (1 - static_cast<long double>(k)) * radius + hair)) << i;
+  }
+  EXPECT_GT(said, test::expected(100));
+  EXPECT_GT(not_said, test::expected(100));
 }
 
 }  // namespace
