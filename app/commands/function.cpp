@@ -6,12 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/data/atomic_file.hpp"
+#include "reports/linkages/generated.hpp"
 #include "reports/pictures/error_plot.hpp"
 #include "specs/generator_spec.hpp"
 #include "specs/text/expression.hpp"
+#include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 #include "synthesis/functions/function_generator.hpp"
 
@@ -19,7 +22,7 @@ namespace kempe::app {
 namespace {
 
 struct FunctionArguments {
-  std::string spec_file, plot_file;
+  std::string spec_file, plot_file, linkage_file;
 };
 
 std::string_view in_words(FunctionMethod method) {
@@ -156,7 +159,7 @@ std::string plot_of(const FunctionDesign& design, const std::string& title) {
 }
 
 int run(const Session& session, const FunctionArguments& arguments) {
-  if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file}))
+  if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file, arguments.linkage_file}))
     return fail(session, *clash);
   const auto text = read_text_file(arguments.spec_file);
   if (!text) return fail(session, text.error());
@@ -172,12 +175,19 @@ int run(const Session& session, const FunctionArguments& arguments) {
     const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted_text(*spec)));
     if (!written) return fail(session, cannot_write, written.error());
   }
+  if (!arguments.linkage_file.empty()) {
+    const std::string linkage = function_linkage(*task, *design, wanted_text(*spec));
+    if (const int code = write_output(session, arguments.linkage_file, linkage); code != done) return code;
+  }
   auto object = json_of(*task, *design);
   if (const std::string words = reservation(*design); !words.empty()) {
     object["reservation"] = words;
     say(words);
   }
   print(session.json ? json_text(object) : text_of(*spec, *task, *design));
+  if (!session.json && !arguments.linkage_file.empty())
+    print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
+                      printable(arguments.linkage_file)));
   return done;
 }
 
@@ -191,6 +201,8 @@ void add_function_command(CLI::App& program, Session& session) {
   command->add_option("SPEC", arguments->spec_file, "What is wanted (TOML; see docs/function-generator.md)")
       ->required();
   command->add_option("--plot", arguments->plot_file, "Write the structural error's curve as SVG");
+  command->add_option("--linkage", arguments->linkage_file,
+                      "Write the four-bar as a linkage file, for solve, mobility and centres");
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

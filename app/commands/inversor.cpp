@@ -8,11 +8,19 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
+#include "app/linkage_run.hpp"
+#include "app/output_check.hpp"
+#include "reports/linkages/generated.hpp"
 #include "specs/generator_spec.hpp"
+#include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 
 namespace kempe::app {
 namespace {
+
+struct InversorArguments {
+  std::string spec_file, linkage_file, kind;
+};
 
 std::string_view spoken_name(InversorKind kind) {
   switch (kind) {
@@ -69,7 +77,22 @@ std::string text_of(const InversorTask& task, const std::vector<InversorAnswer>&
   return text;
 }
 
-int run(const Session& session, const std::string& file) {
+/// The design whose linkage file is wanted, of the kind asked for or else the best; nothing with the reason where there is none.
+tl::expected<InversorDesign, std::string> chosen_design(const std::string& kind,
+                                                        const std::vector<InversorAnswer>& answers,
+                                                        const InversorDesign& best) {
+  if (kind.empty()) return best;
+  for (const InversorAnswer& answer : answers) {
+    if (name(answer.kind) != kind) continue;
+    if (answer.design) return *answer.design;
+    return tl::unexpected("no linkage file: " + kind + ": " + answer.why_not);
+  }
+  return best;
+}
+
+int run(const Session& session, const InversorArguments& arguments) {
+  const std::string& file = arguments.spec_file;
+  if (const auto clash = output_clash({file}, {arguments.linkage_file})) return fail(session, *clash);
   const auto text = read_text_file(file);
   if (!text) return fail(session, text.error());
   const auto spec = read_inversor_spec(*text, file);
@@ -82,8 +105,17 @@ int run(const Session& session, const std::string& file) {
                           spec->longest};
   const auto answers = design_inversors(task);
   const auto best = smallest(answers);
+  if (best && !arguments.linkage_file.empty()) {
+    const auto chosen = chosen_design(arguments.kind, answers, *best);
+    if (!chosen) return fail_unproven(session, chosen.error());
+    const int code = write_output(session, arguments.linkage_file, inversor_linkage(task, *chosen));
+    if (code != done) return code;
+  }
   if (best && !session.json) {
     print(text_of(task, answers, *best));
+    if (!arguments.linkage_file.empty())
+      print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
+                        printable(arguments.linkage_file)));
     return done;
   }
   nlohmann::ordered_json object{{"focal_length_mm", task.focal_length},
@@ -104,12 +136,24 @@ int run(const Session& session, const std::string& file) {
 }  // namespace
 
 void add_inversor_command(CLI::App& program, Session& session) {
-  CLI::App* command = add_command(program, session, "inversor", "Design an inversor for a lens",
-                                  "kempe inversor specs/examples/generators/enlarger.toml");
-  auto file = std::make_shared<std::string>();
-  command->add_option("SPEC", *file, "Lens and range of magnification (TOML; see docs/inversor.md)")
+  CLI::App* command =
+      add_command(program, session, "inversor", "Design an inversor for a lens",
+                  "kempe inversor specs/examples/generators/enlarger.toml --linkage inversor.toml");
+  auto arguments = std::make_shared<InversorArguments>();
+  command
+      ->add_option("SPEC", arguments->spec_file,
+                   "Lens and range of magnification (TOML; see docs/inversor.md)")
       ->required();
-  command->callback([&session, file] { session.chosen = [&session, file] { return run(session, *file); }; });
+  auto* linkage =
+      command->add_option("--linkage", arguments->linkage_file,
+                          "Write the best one as a linkage file, for solve, mobility and centres");
+  std::vector<std::string> kinds;
+  for (const InversorKind kind : all_inversors) kinds.emplace_back(name(kind));
+  command->add_option("--kind", arguments->kind, "Write this one instead of the best")
+      ->check(CLI::IsMember(kinds))
+      ->needs(linkage);
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }
 
 }  // namespace kempe::app

@@ -164,6 +164,24 @@ bool stays_movable(const LinkAssortment& assortment, int loops, int freedoms) {
   return true;
 }
 
+/// Links that slide along a line of another without turning against it: a slot and a fixed angle of one pair of bodies.
+int sliding_pairs_of(const PlanarLinkage& linkage) {
+  std::multiset<std::set<int>> slots;
+  for (const auto& [name, constraint] : linkage.constraints())
+    if (const auto* slot = std::get_if<Coordinate>(&constraint))
+      slots.insert({slot->point.body, slot->origin.body});
+  int count = 0;
+  for (const auto& [name, constraint] : linkage.constraints()) {
+    const auto* angle = std::get_if<RelativeAngle>(&constraint);
+    if (angle == nullptr || linkage.is_particle(angle->body)) continue;
+    const auto found = slots.find({angle->body, angle->reference});
+    if (found == slots.end()) continue;
+    slots.erase(found);
+    ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 Mobility mobility_of(const PlanarLinkage& driven, const PlanarPosition& closed, std::uint64_t seed) {
@@ -173,7 +191,9 @@ Mobility mobility_of(const PlanarLinkage& driven, const PlanarPosition& closed, 
   result.links = linkage.body_count() - result.particles;
   for (const auto& [name, constraint] : linkage.constraints())
     (equation_count(constraint) == 2 ? result.full_joints : result.half_joints) += 1;
-  result.half_joints -= result.particles;
+  result.sliding_pairs = sliding_pairs_of(linkage);
+  result.full_joints += result.sliding_pairs;
+  result.half_joints -= result.particles + 2 * result.sliding_pairs;
   result.unknowns = linkage.unknown_count() - result.particles;
   result.equations = linkage.equation_count() - result.particles;
   result.gruebler = result.unknowns - result.equations;

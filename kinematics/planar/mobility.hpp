@@ -10,10 +10,11 @@ namespace kempe {
 
 /// What a closed position of a linkage tells of its freedoms. Drivers are left out.
 struct Mobility {
-  int links = 0;        ///< the ground included
-  int particles = 0;    ///< points that belong to no link: two freedoms each
-  int full_joints = 0;  ///< revolute joints: each takes two freedoms
-  int half_joints = 0;  ///< every other equation: each takes one
+  int links = 0;          ///< the ground included
+  int particles = 0;      ///< points that belong to no link: two freedoms each
+  int full_joints = 0;    ///< revolute joints and sliding pairs: each takes two freedoms
+  int sliding_pairs = 0;  ///< those of the full joints in which a link slides along another without turning
+  int half_joints = 0;    ///< every other equation: each takes one
   int unknowns = 0, equations = 0;
   int gruebler = 0;  ///< unknowns - equations: the count alone
 

@@ -25,11 +25,25 @@ std::string describe_redundancy(const LinkageModel& model, const std::vector<int
   return fmt::format("one of these equations is redundant: {}", fmt::join(names_of(model, set), "; "));
 }
 
+/// The count and the truth, and why they differ: mobility - count = redundant equations - shaky freedoms.
 std::string compared_with_count(const Mobility& m) {
-  const int finite = m.mobility, excess = static_cast<int>(m.redundant.size()) - m.shaky_freedoms();
-  if (finite == m.gruebler) return fmt::format("Gruebler's count and the true mobility agree: {}", finite);
-  return fmt::format("Gruebler counts {}, the true mobility is {}: {} redundant", m.gruebler, finite,
-                     excess == 1 ? "1 equation is" : fmt::format("{} equations are", excess));
+  const int redundant = static_cast<int>(m.redundant.size()), shaky = m.shaky_freedoms();
+  const std::string equations =
+      redundant == 1 ? "1 equation is redundant" : fmt::format("{} equations are redundant", redundant);
+  const std::string freedoms = counted(shaky, "freedom is shaky", "freedoms are shaky");
+  const std::string why = redundant == 0 ? freedoms : shaky == 0 ? equations : equations + ", " + freedoms;
+  if (m.mobility != m.gruebler)
+    return fmt::format("Gruebler counts {}, the true mobility is {}: {}", m.gruebler, m.mobility, why);
+  const std::string agree = fmt::format("Gruebler's count and the true mobility agree: {}", m.mobility);
+  return redundant == 0 ? agree : fmt::format("{}, by chance: {}", agree, why);
+}
+
+/// What the count cannot see; empty where nothing is redundant.
+std::string blindness_of_the_count(const Mobility& m) {
+  if (m.redundant.empty()) return {};
+  return "the count knows how many links and joints there are, not their lengths and places: it takes every "
+         "equation "
+         "for a new demand, but a redundant one is met already wherever the others are";
 }
 
 std::string driver_sentence(const LinkageModel& model, const Mobility& m) {
@@ -106,8 +120,16 @@ std::string constraint_label(const LinkageModel& model, int number) {
   return std::holds_alternative<Coordinate>(constraint) ? with_links("slider") : named.name;
 }
 
+std::string gruebler_in_numbers(const Mobility& m) {
+  const bool points = m.particles > 0;
+  return fmt::format("3 (n - 1){} - 2 j1 - j2 = 3 ({} - 1){} - 2 * {} - {} = {}", points ? " + 2 p" : "",
+                     m.links, points ? fmt::format(" + 2 * {}", m.particles) : "", m.full_joints,
+                     m.half_joints, m.gruebler);
+}
+
 std::vector<std::string> mobility_sentences(const LinkageModel& model, const Mobility& m) {
   std::vector<std::string> sentences{compared_with_count(m)};
+  if (const std::string blind = blindness_of_the_count(m); !blind.empty()) sentences.push_back(blind);
   for (const auto& set : m.redundant) sentences.push_back(describe_redundancy(model, set));
   if (m.shaky_freedoms() > 0)
     sentences.push_back(
@@ -133,8 +155,10 @@ std::string mobility_json(const LinkageFile& file, const LinkageModel& model, co
               {"links", m.links},
               {"free_points", m.particles},
               {"full_joints", m.full_joints},
+              {"sliding_pairs", m.sliding_pairs},
               {"half_joints", m.half_joints},
               {"gruebler", m.gruebler},
+              {"gruebler_in_numbers", gruebler_in_numbers(m)},
               {"unknowns", m.unknowns},
               {"equations", m.equations},
               {"rank", m.rank},

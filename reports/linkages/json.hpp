@@ -11,7 +11,11 @@
 
 namespace kempe {
 
-/// One JSON object: links, joints, gruebler, rank, mobility, redundant sets by name, singular_position, and
+/// "3 (n - 1) - 2 j1 - j2 = 3 (4 - 1) - 2 * 4 - 0 = 1": Gruebler's count with its numbers; with "+ 2 p" where points belong
+/// to no link.
+std::string gruebler_in_numbers(const Mobility& mobility);
+
+/// One JSON object: links, joints, gruebler (with its numbers), rank, mobility, redundant sets by name, singular_position, and
 /// sentences that say why the count and the true mobility differ. `drivers` is the number of driven values.
 std::string mobility_json(const LinkageFile& file, const LinkageModel& model, const Mobility& mobility);
 

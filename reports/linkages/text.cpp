@@ -83,10 +83,15 @@ std::string driver_line(const LinkageFile& file, const LinkageModel& model, std:
 std::string mobility_text(const LinkageFile& file, const LinkageModel& model, const Mobility& m) {
   std::string text = fmt::format("linkage      {}: {}", file.name, count_of(m.links, "link", "links"));
   if (m.particles > 0) text += ", " + count_of(m.particles, "point without a link", "points without a link");
-  text += fmt::format(", {}", count_of(m.full_joints, "revolute joint", "revolute joints"));
+  text += fmt::format(", {}", count_of(m.full_joints - m.sliding_pairs, "revolute joint", "revolute joints"));
+  if (m.sliding_pairs > 0) text += ", " + count_of(m.sliding_pairs, "sliding pair", "sliding pairs");
   if (m.half_joints > 0) text += ", " + count_of(m.half_joints, "half joint", "half joints");
-  text += fmt::format("\nGruebler     {}: {} unknowns - {} equations\n", m.gruebler, m.unknowns, m.equations);
-  text += fmt::format("mobility     {}: {} of the equations independent\n", m.mobility, m.rank);
+  text += fmt::format(
+      "\nGruebler     {}\n             {} unknowns - {} equations; n links with the ground, j1 full joints, "
+      "j2 half joints{}\n",
+      gruebler_in_numbers(m), m.unknowns, m.equations, m.particles > 0 ? ", p points without a link" : "");
+  text +=
+      fmt::format("mobility     {}: {} of the {} equations independent\n", m.mobility, m.rank, m.equations);
   text += fmt::format("drivers      {}\n", model.linkage.drivers().size());
   const char* label = "result";
   for (const std::string& sentence : mobility_sentences(model, m)) {

@@ -7,6 +7,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -111,7 +112,65 @@ class Function(Case):
             self.assertRefused(kempe("function", self.file(good.replace(old, new))), code, *words)
 
 
+    def test_the_linkage_file_moves_as_the_function_says(self):
+        """The general solver, which knows no Freudenstein, gives the output crank's printed angles and the function's values."""
+        for spec, wanted in [(GENERATORS / "logarithm.toml", math.log10), (GENERATORS / "table.toml", None)]:
+            linkage = self.scratch / "linkage.toml"
+            answer = self.answer("function", spec, "--linkage", linkage)
+            samples = answer["structural_error"]
+            solved = self.answer("solve", linkage, "--steps", len(samples) - 1)
+            self.assertIsNone(solved["stop"])
+            columns = [solved["columns"].index(f"{name}_angle_deg") for name in ("input", "output")]
+            x_head, y_head = (re.search(rf"^# {v} = (\S+) \+ (\S+) \* \(angle of \S+ - (\S+)\) / (\S+)$", linkage.read_text(),
+                                        re.MULTILINE).groups() for v in "xy")
+            dial = lambda head, angle: float(head[0]) + float(head[1]) * (angle - float(head[2])) / float(head[3])
+            y_a_degree = abs(float(y_head[1]) / float(y_head[3]))
+            for row, sample in zip(solved["rows"], samples, strict=True):
+                angles = [row[column] for column in columns]
+                for angle, printed in zip(angles, (sample["input_deg"], sample["output_deg"])):
+                    self.assertAlmostEqual((angle - printed + 180) % 360 - 180, 0, places=8)
+                self.assertAlmostEqual(dial(x_head, angles[0]), sample["x"], places=9)
+                y = dial(y_head, float(y_head[2]) + (angles[1] - float(y_head[2]) + 180) % 360 - 180)
+                if wanted:
+                    y_wanted = wanted(sample["x"])
+                    self.assertLess(abs(y - y_wanted), 1.0001 * answer["structural_error_max_deg"] * y_a_degree)
+            self.assertEqual(self.answer("mobility", linkage)["mobility"], 1)
+            self.assertEqual(self.answer("centres", linkage)["count"], 6)
+        self.assertIn("linkage file", kempe("function", spec, "--linkage", linkage).stdout)
+
+
 class Inversor(Case):
+    def test_the_linkage_file_keeps_the_lens_in_focus_on_a_straight_line(self):
+        """The general solver knows lengths alone: the image stays on the scale line, and x x' = f^2."""
+        for spec, kinds in [("copy-camera", ["peaucellier", "hart", "right_angle"]), ("enlarger", ["hart", "right_angle"])]:
+            answer = self.answer("inversor", GENERATORS / f"{spec}.toml")
+            f, (low, high) = answer["focal_length_mm"], answer["magnification"]
+            for kind in kinds:
+                linkage = self.scratch / "linkage.toml"
+                wish = [] if kind == answer["best"] else ["--kind", kind]
+                self.answer("inversor", GENERATORS / f"{spec}.toml", "--linkage", linkage, *wish)
+                solved = self.answer("solve", linkage)
+                self.assertIsNone(solved["stop"])
+                Px, Py, Qx, Qy = (solved["columns"].index(f"{p}_{axis}_mm") for p in "PQ" for axis in "xy")
+                for row in solved["rows"]:
+                    self.assertAlmostEqual(row[Py], 0, places=8)
+                    self.assertAlmostEqual(row[Qy], 0, places=8)
+                    self.assertAlmostEqual(row[Px] * row[Qx], f * f if kind == "peaucellier" else -f * f, delta=1e-8 * f * f)
+                    p, q = row[Px] + f, abs(row[Qx]) + f
+                    self.assertAlmostEqual(1 / p + 1 / q, 1 / f, places=12)
+                first, last = solved["rows"][0], solved["rows"][-1]
+                self.assertAlmostEqual(abs(first[Qx]), f * low, delta=1e-8 * f)
+                self.assertAlmostEqual(abs(last[Qx]), f * high, delta=1e-8 * f)
+                self.assertEqual(self.answer("mobility", linkage)["mobility"], 1)
+                self.assertTrue(all(c["velocity_error"] < 1e-8 for c in self.answer("centres", linkage, "--at", 30)["centres"]))
+
+    def test_no_linkage_file_of_an_inversor_that_does_not_exist(self):
+        linkage = self.scratch / "linkage.toml"
+        self.assertRefused(kempe("inversor", GENERATORS / "enlarger.toml", "--linkage", linkage, "--kind", "peaucellier"), 6,
+                           "magnification 1")
+        self.assertFalse(linkage.exists())
+        self.assertRefused(kempe("inversor", GENERATORS / "enlarger.toml", "--linkage", linkage, "--kind", "scott"), 2)
+        self.assertRefused(kempe("inversor", GENERATORS / "enlarger.toml", "--kind", "hart"), 2)
     def test_all_three_and_the_best(self):
         answer = self.answer("inversor", GENERATORS / "copy-camera.toml")
         sizes = {one["kind"]: one["size_mm"] for one in answer["inversors"]}

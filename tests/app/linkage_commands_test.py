@@ -386,6 +386,27 @@ class Mobility(Case):
             self.assertEqual(answer["mobility"], expected, name)
             self.assertTrue(answer["sentences"])
 
+    def test_gruebler_is_computed_again_from_what_is_printed(self):
+        for linkage in sorted(LINKAGES.glob("*.toml")):
+            with self.subTest(linkage.name):
+                text = kempe("mobility", linkage, "--quiet").stdout
+                answer = json.loads(kempe("mobility", linkage, "--json", "--quiet").stdout)
+                count = re.search(r"^Gruebler +(3 \(n - 1\).*)$", text, re.MULTILINE)[1]
+                self.assertEqual(count, answer["gruebler_in_numbers"])
+                _, numbers, result = count.split(" = ")
+                product = re.sub(r"^3 \(", "3 * (", numbers)
+                self.assertRegex(product, r"^[-+*() 0-9]+$")
+                self.assertEqual(eval(product), int(result))
+                unknowns, equations = map(int, re.search(r"(\d+) unknowns - (\d+) equations", text).groups())
+                mobility, independent = map(int, re.search(r"^mobility +(\d+): (\d+) of the", text, re.MULTILINE).groups())
+                self.assertEqual(unknowns - equations, int(result))
+                self.assertEqual((mobility, independent), (answer["mobility"], answer["rank"]))
+                if mobility != int(result):
+                    self.assertRegex(text, f"Gruebler counts {result}, the true mobility is {mobility}: .*(redundant|shaky)")
+        piston = kempe("mobility", LINKAGES / "slider-crank.toml").stdout
+        self.assertIn("3 revolute joints, 1 sliding pair\n", piston)
+        self.assertIn("3 (4 - 1) - 2 * 4 - 0 = 1\n", piston)
+
     def test_number_synthesis(self):
         answer = json.loads(kempe("mobility", "--links", 6, "--dof", 1, "--json").stdout)
         self.assertEqual(answer["joints"], 7)

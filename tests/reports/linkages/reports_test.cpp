@@ -180,7 +180,19 @@ C = [70, 17]
   EXPECT_EQ(three["mobility"], 1);
   ASSERT_EQ(three["redundant"].size(), 1u);
   EXPECT_EQ(three["sentences"][0], "Gruebler counts 0, the true mobility is 1: 1 equation is redundant");
-  EXPECT_THAT(three["sentences"][1].get<std::string>(), HasSubstr("joint F (rod, middle)"));
+  EXPECT_THAT(three["sentences"][1].get<std::string>(), HasSubstr("the count knows"));
+  EXPECT_THAT(three["sentences"][2].get<std::string>(), HasSubstr("joint F (rod, middle)"));
+}
+
+TEST(MobilityJson, WritesGrueblersCountWithItsNumbers) {
+  Mobility m;
+  m.links = 5;
+  m.full_joints = 6;
+  EXPECT_EQ(gruebler_in_numbers(m), "3 (n - 1) - 2 j1 - j2 = 3 (5 - 1) - 2 * 6 - 0 = 0");
+  m.particles = 2;
+  m.half_joints = 3;
+  m.gruebler = 1;
+  EXPECT_EQ(gruebler_in_numbers(m), "3 (n - 1) + 2 p - 2 j1 - j2 = 3 (5 - 1) + 2 * 2 - 2 * 6 - 3 = 1");
 }
 
 TEST(MobilityJson, ListsAssortments) {

@@ -1,0 +1,22 @@
+#pragma once
+// What `kempe inversor` and `kempe function` design, as a linkage file that `solve`, `mobility` and `centres` take.
+
+#include <string>
+
+#include "synthesis/functions/function_generator.hpp"
+#include "synthesis/functions/inversor.hpp"
+
+namespace kempe {
+
+/// The inversor with its focus O at the origin and the scale line along x: the object's point P at x = f/m from O is driven over
+/// the range of magnifications, the image's point Q follows at x' = f m; on the same side of O with Peaucellier's, on the
+/// other with Hart's and the right angle, whose pivot F stands at distance f from the scale line. mm; every
+/// length to its last digit.
+std::string inversor_linkage(const InversorTask& task, const InversorDesign& design);
+
+/// The four-bar O-A-B-D with its input crank O-A driven over its range, O at the origin, D on the x axis; the table has the output
+/// crank's angle. `wanted` says in one line what function it is. mm, degrees; every number to its last digit.
+std::string function_linkage(const FunctionTask& task, const FunctionDesign& design,
+                             const std::string& wanted);
+
+}  // namespace kempe
