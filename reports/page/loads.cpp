@@ -6,7 +6,7 @@
 
 #include "reports/page/charts.hpp"
 #include "reports/page/html_table.hpp"
-#include "reports/page/load_picture.hpp"
+#include "reports/page/error_pictures.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "specs/hardware.hpp"
@@ -278,7 +278,7 @@ std::string loads(const Design& design) {
           : "",
       design.tolerance ? "" : " The spec gives no tolerance: neither lengths nor play are in the table.");
   const std::string html = verdict(design, rows) + load_budget_table(rows) + note +
-                           "<div class=\"columns\"><div>" + load_picture(design) + "</div><div>" +
+                           "<div class=\"columns\"><div>" + error_pictures(design) + "</div><div>" +
                            load_chart(design, *used) + "</div></div>\n" + forces_table(design, *used);
   return html_section("loads", "Will it be stiff enough?", html);
 }

@@ -1,4 +1,4 @@
-#include "reports/page/load_picture.hpp"
+#include "reports/page/error_pictures.hpp"
 
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ std::string circle_words(const ContourCircle& circle, const Design& design, cons
 
 }  // namespace
 
-std::string load_picture(const Design& design) {
+std::string error_pictures(const Design& design) {
   if (!design.quality.loads || !design.load || !design.material) return {};
   const CopyingLinkage& linkage = design.linkage;
   const Errors errors{
