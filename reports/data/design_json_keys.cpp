@@ -61,7 +61,7 @@ void note_keys(const JsonField& root, StoredDesign& design) {
   look_in("search", {"objective", "value", "solvers", "evaluations", "seed", "complete"});
   look_in("limits", {"clearance_mm", "transmission_deg", "sheets_gap_mm", "copy_error_mm", "longest_strip_mm",
                      "load_error_mm", "sag_mm"});
-  look_in("material", {"name", "E_GPa", "density_kg_m3", "strength_MPa"});
+  look_in("material", {"name", "E_GPa", "density_kg_m3", "strength_MPa", "G_GPa"});
   look_in("load", {"pen_N", "rests", "pen_mass_kg", "tracer_mass_kg", "tilt_deg", "grip_mm", "friction"});
   look_in("tolerance", {"length_mm", "play_mm", "robust"});
   if (const auto obstacles = root.find("obstacles"))

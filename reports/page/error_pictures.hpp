@@ -1,5 +1,5 @@
 #pragma once
-// The load error over the region as a picture: darker is softer, contours are circles about the pole.
+// The error of a made and loaded instrument over the region, part by part: darker is more, contours are circles about the pole.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace kempe {
 
-/// A figure with its caption; empty without load figures.
-std::string load_picture(const Design& design);
+/// Figures with their captions: tolerances, load, both together in the plane, and sag; those that are not 0. Empty without load figures.
+std::string error_pictures(const Design& design);
 
 }  // namespace kempe

@@ -30,8 +30,7 @@ struct Requirements {
   std::optional<double> footprint{};   ///< mm^2, at most
   std::optional<double> load_error{};  ///< mm, at most
   std::optional<double> mass{};        ///< kg, at most
-  std::optional<double>
-      sag{};  ///< mm, at most; kept by evaluating designs, not by a row of the design problem
+  std::optional<double> sag{};         ///< mm, at most
 };
 Requirements requirements_of(const Spec& spec);
 /// The spec with the limits in force in place of its own, as far as a spec can state them: not shortest, pole_margin, size,
