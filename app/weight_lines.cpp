@@ -67,7 +67,7 @@ std::string budget_lines(const Design& design) {
   const auto budget = error_budget(design);
   if (!budget) return "";
   std::string text = "budget       in the plane " + parts_of(*budget, true) + "\n";
-  if (design.quality.sag) text += "             down " + parts_of(*budget, false) + "\n";
+  if (budget->sum(false) > 0) text += "             down " + parts_of(*budget, false) + "\n";
   const std::string in_plane = help_words(budget->most_helpful(true)),
                     down = help_words(budget->most_helpful(false));
   if (!in_plane.empty()) text += "             most would help " + in_plane + "\n";

@@ -265,7 +265,7 @@ class Solids:
                 element += 1
                 lines += [f"{element}, " + ", ".join(map(str, nodes[:10])) + ",", ", ".join(map(str, nodes[10:]))]
         for material, (modulus, poisson, mass) in {"link": (E, nu, density), "pin": (*STEEL, 1e-20)}.items():
-            lines += [f"*MATERIAL, NAME={material}", "*ELASTIC", f"{modulus}, {poisson}", "*DENSITY", f"{mass}",
+            lines += [f"*MATERIAL, NAME={material}", "*ELASTIC", f"{modulus:.9g}, {poisson:.9g}", "*DENSITY", f"{mass:.9g}",
                       f"*SOLID SECTION, ELSET=E{material}, MATERIAL={material}"]
         equations = self.equations + [[(number, dof, 1) for number in tracer] for dof in (1, 2)]
         for terms in equations:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/loads/load_error.hpp"
@@ -20,6 +21,9 @@ namespace {
 /// Widths and thicknesses of flat bars as the trade has them, mm (EN 10058, EN 10278).
 constexpr double flat_widths[] = {6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100};
 constexpr double flat_thicknesses[] = {2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40};
+
+/// mm: a sag below this is the rounding of none.
+constexpr double no_drop = 1e-9;
 
 template <std::size_t size>
 double next_of(const double (&sizes)[size], double value) {
@@ -145,21 +149,28 @@ void add_sag(const Measured& of, std::vector<BudgetEntry>& entries) {
     (weight.point == Carrier::tracer ? other.tracer_rests : other.pen_rests) = true;
     return other;
   }();
-  const std::string rests =
-      fmt::format("the {} resting on the table", weight.point == Carrier::tracer ? "tracer" : "pen");
-  entries.push_back({ErrorSource::weight,
-                     weight.drop,
-                     {{instead(thicker.style, now.style), worst_drop(of, thicker, &Drop::by_weight).drop},
-                      {rests, worst_drop(of, resting, &Drop::by_weight).drop}}});
-  if (now.play == 0) return;
+  const auto rest = [&](PartOfDrop part) {
+    const char* point = weight.point == Carrier::tracer ? "tracer" : "pen";
+    return BudgetChange{fmt::format("the {} resting on the table", point),
+                        worst_drop(of, resting, part).drop};
+  };
+  const bool is_level = now.tilt == 0;  // on a tilted table little holds down what rests
+  BudgetEntry by_weight{
+      ErrorSource::weight,
+      weight.drop,
+      {{instead(thicker.style, now.style), worst_drop(of, thicker, &Drop::by_weight).drop}}};
+  if (is_level) by_weight.changes.push_back(rest(&Drop::by_weight));
+  if (weight.drop > no_drop) entries.push_back(std::move(by_weight));
+  if (!(tilt.drop > no_drop)) return;
   SagConditions gripped = now;
   gripped.grip *= 2;
-  entries.push_back(
-      {ErrorSource::tilt,
-       tilt.drop,
-       {{fmt::format("pins gripped over {:.3g} mm instead of {:.3g} mm", gripped.grip, now.grip),
-         worst_drop(of, gripped, &Drop::by_play).drop},
-        {rests, worst_drop(of, resting, &Drop::by_play).drop}}});
+  BudgetEntry by_play{
+      ErrorSource::tilt,
+      tilt.drop,
+      {{fmt::format("pins gripped over {:.3g} mm instead of {:.3g} mm", gripped.grip, now.grip),
+        worst_drop(of, gripped, &Drop::by_play).drop}}};
+  if (is_level) by_play.changes.push_back(rest(&Drop::by_play));
+  entries.push_back(std::move(by_play));
 }
 
 /// Changes that help, the best first; entries in the order of ErrorBudget.
