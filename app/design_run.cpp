@@ -199,7 +199,8 @@ std::string loads_lines(const Design& design) {
                         design.style.thickness, design.allowed->sections.size());
   if (const auto& loads = design.quality.loads) {
     text += fmt::format(
-        "load         {:g} N at the pen: it gives way by {:.4g} mm at worst, {:.4g} mm at least\n",
+        "load         {:g} N at the pen: it gives way by {:.4g} mm at worst, {:.4g} mm in the stiffest "
+        "direction\n",
         design.load->pen_force, loads->error_max, loads->error_min);
     text += fmt::format(
         "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, {} bears {:.3g} MPa\n",
@@ -256,6 +257,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
         *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
   text += loads_lines(design);
   text += weight_lines(design);
+  text += budget_lines(design);
   text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
   text += region_line(design);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/feel.hpp"
 #include "workspace/reach.hpp"
 
@@ -9,7 +10,12 @@ namespace kempe::app {
 namespace {
 
 std::string sag_line(const Design& design) {
-  if (!design.quality.sag) return "";
+  if (!design.quality.sag)
+    return design.material && openings_over(design.linkage, design.region)
+               ? "sag          not stated: two joints of a link are so near each other that its equations "
+                 "lose "
+                 "their digits\n"
+               : "";
   const bool plays = design.tolerance && design.tolerance->play > 0;
   return fmt::format("sag          {:.4g} mm at most at tracer and pen, by weight{}\n", *design.quality.sag,
                      plays ? " and play" : "");
@@ -27,6 +33,21 @@ std::string balance_lines(const Feel& feel, double tilt) {
   return text;
 }
 
+/// "0.52 mm at worst: lengths 0.4, play 0.11, load 0.01, pins 0.001"
+std::string parts_of(const ErrorBudget& budget, bool in_plane) {
+  std::string text;
+  for (const BudgetEntry& entry : budget.entries)
+    if (is_in_plane(entry.source) == in_plane)
+      text += fmt::format("{} {} {:.3g}", text.empty() ? "" : ",", name(entry.source), entry.error);
+  return fmt::format("{:.3g} mm at worst:{}", budget.sum(in_plane), text);
+}
+
+std::string help_words(const BudgetEntry* entry) {
+  return entry == nullptr ? ""
+                          : fmt::format("{} ({}: {:.3g} -> {:.3g} mm)", entry->changes.front().words,
+                                        name(entry->source), entry->error, entry->changes.front().after);
+}
+
 }  // namespace
 
 std::string weight_lines(const Design& design) {
@@ -40,6 +61,20 @@ std::string weight_lines(const Design& design) {
       "feel         {:.3g} to {:.3g} kg at the tracer, friction adds up to {:.2g} % to the work\n",
       feel.mass_least, feel.mass_most, 100 * feel.friction_share);
   return design.load->tilt > 0 ? text + balance_lines(feel, design.load->tilt) : text;
+}
+
+std::string budget_lines(const Design& design) {
+  const auto budget = error_budget(design);
+  if (!budget) return "";
+  std::string text = "budget       in the plane " + parts_of(*budget, true) + "\n";
+  if (budget->sum(false) > 0) text += "             down " + parts_of(*budget, false) + "\n";
+  const std::string in_plane = help_words(budget->most_helpful(true)),
+                    down = help_words(budget->most_helpful(false));
+  if (!in_plane.empty()) text += "             most would help " + in_plane + "\n";
+  if (!down.empty())
+    text += fmt::format("             {} {}\n", in_plane.empty() ? "most would help" : "and against sinking",
+                        down);
+  return text;
 }
 
 }  // namespace kempe::app

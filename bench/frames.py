@@ -123,6 +123,7 @@ class Design:
         self.width, self.thickness = mechanism["link_width_mm"], mechanism["thickness_mm"]
         self.straight = abs(math.sin(math.radians(design["copy"]["rotation_deg"]))) < 1e-12
         self.E = 1000 * design["material"]["E_GPa"]
+        self.G = 1000 * design["material"]["G_GPa"] if "G_GPa" in design["material"] else self.E / 2.6
         self.density = 1e-9 * design["material"]["density_kg_m3"]
         load = design["load"]
         self.force, self.rests = load["pen_N"], load["rests"]
@@ -231,7 +232,7 @@ def pynite_answer(design, at, direction):
     from Pynite import FEModel3D
 
     frame = FEModel3D()
-    frame.add_material("material", design.E, design.E / 2.6, 0.3, 0)
+    frame.add_material("material", design.E, design.G, 0.3, 0)
     frame.add_section("section", design.area(), 1, design.second_moment(), 1)
     for joint, place in at.items():
         frame.add_node(joint, place.real, place.imag, 0)
@@ -275,7 +276,7 @@ class Grillage:
         thickness, width, E = design.thickness, design.width, design.E
         thin, wide = sorted((thickness, width))
         torsion = wide * thin**3 * (1 / 3 - 0.21 * thin / wide * (1 - (thin / wide) ** 4 / 12))  # Roark, table 10.1
-        self.frame.add_material("link", E, E / 2.6, 0.3, 0)
+        self.frame.add_material("link", E, design.G, 0.3, 0)
         self.frame.add_material("steel", 200000, 200000 / 2.6, 0.3, 0)
         self.frame.add_section("arm", design.area(), width * thickness**3 / 12, design.second_moment(), torsion)
         round_ = math.pi * design.pin**4 / 64

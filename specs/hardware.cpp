@@ -107,6 +107,12 @@ std::array<double, 6> pin_diameters(const LinkStyle& style, const JointHardware&
   return pins;
 }
 
+double rubbing_radius(const LinkStyle& style, const JointHardware& hardware, Joint joint) {
+  const Hardware* of = hardware_named(hardware[joint]);
+  const double pin = pin_at(style, hardware, joint);
+  return of != nullptr && of->kind == bearing ? 0.25 * (pin + of->seat) : 0.5 * pin;
+}
+
 double bored_for(const LinkStyle& style, const JointHardware& hardware, Joint joint) {
   const Hardware* of = hardware_named(hardware[joint]);
   return of != nullptr && of->seat > 0 ? of->seat : pin_at(style, hardware, joint);

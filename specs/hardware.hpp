@@ -57,6 +57,8 @@ std::string_view standards_of(HardwareKind kind);
 double pin_at(const LinkStyle& style, const JointHardware& hardware, Joint joint);
 /// The same at every joint, in the order of Joint, mm.
 std::array<double, 6> pin_diameters(const LinkStyle& style, const JointHardware& hardware);
+/// The radius at which a joint's links rub as they turn, mm: that of the pin; of a bearing the mean of bore and outer radius.
+double rubbing_radius(const LinkStyle& style, const JointHardware& hardware, Joint joint);
 /// What the links are bored for at a joint, mm: the pin's diameter, or that of the bearing or bush around it.
 double bored_for(const LinkStyle& style, const JointHardware& hardware, Joint joint);
 /// Diameter of a joint's holes as they are to be, kerf apart, mm. A bearing or bush is pressed in: the fit widens holes for pins

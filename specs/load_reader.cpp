@@ -40,6 +40,9 @@ std::optional<Material> read_material(const TableView& table, Complaints& compla
   std::optional<double> E_GPa;
   table.set("E_GPa", E_GPa);
   if (E_GPa) material.E = MPa_per_GPa * *E_GPa;
+  std::optional<double> G_GPa;
+  table.set("G_GPa", G_GPa);
+  if (G_GPa) material.G = MPa_per_GPa * *G_GPa;
   table.set("density_kg_m3", material.density);
   table.set("strength_MPa", material.strength);
   if (material.name.empty()) material.name = "the material given";

@@ -15,6 +15,7 @@ inline constexpr double MPa_per_GPa = 1000, GPa_per_MPa = 1e-3;
 struct KnownMaterial {
   std::string_view name;            ///< as a spec writes it: "birch plywood"
   double E_GPa, density, strength;  ///< GPa, kg/m^3, MPa
+  double G_GPa;                     ///< GPa; 0: E / 2.6
   std::string_view source;          ///< a sentence for docs/loads.md and the report
 };
 

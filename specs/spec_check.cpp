@@ -136,6 +136,7 @@ toml::table material_table(const Material& material) {
                     {"density_kg_m3", material.density},
                     {"strength_MPa", material.strength}};
   put(table, "name", material.name, std::string());
+  if (material.G) table.insert("G_GPa", GPa_per_MPa * *material.G);
   return table;
 }
 

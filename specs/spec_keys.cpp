@@ -132,6 +132,8 @@ constexpr SpecKey keys[] = {
      "density; left out: that of the name"},
     {"material", "strength_MPa", number, above(0, 1e5), "", optional, "", "235",
      "stress that it bears in bending; left out: that of the name"},
+    {"material", "G_GPa", number, above(0, 1e4), "", optional, "", "77",
+     "shear modulus; left out: that of the name, else E_GPa / 2.6"},
 
     {"load", "pen_N", number, above(0, 1e6), "", required, "", "10",
      "force at the pen, in any direction in the plane"},

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -80,15 +81,20 @@ tl::expected<Design, std::string> draft_point(const ParetoPoint& point, const st
   return design;
 }
 
-std::string csv_head(Objective first, Objective second) {
-  return fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm\n", name(first),
-                     unit_of(first), name(second), unit_of(second));
+bool has_choice_of_sections(const Spec& spec) { return spec.links.sections.size() > 1; }
+
+std::string csv_head(Objective first, Objective second, bool with_section) {
+  return fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm{}\n", name(first),
+                     unit_of(first), name(second), unit_of(second),
+                     with_section ? ",width_mm,thickness_mm" : "");
 }
 
-std::string csv_row(const ParetoRow& row, const CopyingLinkage& l) {
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", row.name, row.first, row.second, name(l.grounding()),
+std::string csv_row(const ParetoRow& row, const Design& design, bool with_section) {
+  const CopyingLinkage& l = design.linkage;
+  return fmt::format("{},{},{},{},{},{},{},{},{}{}\n", row.name, row.first, row.second, name(l.grounding()),
                      l.assembly_mode().number, l.VA(), l.VB(), coordinate(l.pole().x()),
-                     coordinate(l.pole().y()));
+                     coordinate(l.pole().y()),
+                     with_section ? fmt::format(",{},{}", design.style.width, design.style.thickness) : "");
 }
 
 /// Assembles, verifies and drafts every point; the error names the point that failed.
@@ -102,7 +108,8 @@ tl::expected<FrontDraft, std::string> draft_front(const std::vector<ParetoPoint>
                  std::string(name(second)),
                  std::string(unit_of(second)),
                  {}};
-  std::string csv = csv_head(first, second);
+  const bool with_section = has_choice_of_sections(loaded.spec);
+  std::string csv = csv_head(first, second, with_section);
   std::optional<Design> middle;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string number = fmt::format("{:02}", i + 1);
@@ -111,7 +118,7 @@ tl::expected<FrontDraft, std::string> draft_front(const std::vector<ParetoPoint>
     const bool is_middle = i == points.size() / 2;
     front.chart.rows.push_back(
         {number, in_file_unit(first, points[i].a), in_file_unit(second, points[i].b), is_middle});
-    csv += csv_row(front.chart.rows.back(), design->linkage);
+    csv += csv_row(front.chart.rows.back(), *design, with_section);
     if (is_middle) middle = std::move(*design);
   }
   ReportExtras extras = extras_of(loaded);
@@ -150,7 +157,7 @@ std::string summary_text(const ParetoFront& front, int asked, bool complete, con
                     printable(folder));
 }
 
-/// What the objectives need and the spec does not have, or what fronts do not know.
+/// What the objectives need and the spec does not have.
 std::optional<InputError> lack_of(const LoadedSpec& loaded, const std::array<Objective, 2>& sought) {
   const Spec& spec = loaded.spec;
   const auto seeks = [&](Objective one) { return sought[0] == one || sought[1] == one; };
@@ -162,9 +169,6 @@ std::optional<InputError> lack_of(const LoadedSpec& loaded, const std::array<Obj
   if (seeks(Objective::load_error) && !spec.load)
     return no_table("load", "[load] with pen_N, for load_error");
   if (seeks(Objective::mass) && !spec.material) return no_table("material", "[material] with name, for mass");
-  if (spec.links.sections.size() > 1)
-    return InputError{loaded.file, 0, "links.sections_mm", "several sections",
-                      "one: a front is of one section"};
   return std::nullopt;
 }
 
@@ -208,13 +212,14 @@ int run(const Session& session, const ParetoArguments& arguments) {
     return fail(session, *clash);
   if (const auto written = put_in_place(*files, arguments.folder); !written)
     return fail(session, cannot_write, written.error());
+  const int sections = std::max(1, static_cast<int>(loaded->spec.links.sections.size()));
   nlohmann::ordered_json object{{"points", front->size()},
                                 {"asked", arguments.points},
                                 {"folder", arguments.folder},
                                 {"complete", complete},
                                 {"left_out", files->left_out}};
   print(session.json ? json_text(object)
-                     : summary_text(files->chart, arguments.points, complete, arguments.folder));
+                     : summary_text(files->chart, arguments.points * sections, complete, arguments.folder));
   for (const std::string& sentence : files->left_out) say(sentence);
   return stopping.interrupted() ? interrupted : done;
 }

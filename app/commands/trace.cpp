@@ -17,6 +17,7 @@
 #include "specs/drawings/svg_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
+#include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/verification/drawing_trace.hpp"
 
 namespace kempe::app {
@@ -102,7 +103,8 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
 tl::expected<HandWork, InputError> hand_work_of(const StoredDesign& design, const CopyingLinkage& linkage,
                                                 const std::string& file) {
   if (design.material && design.load)
-    return HandWork(linkage, design.style, design.hardware, *design.material, *design.load);
+    return HandWork(linkage, design.style, design.hardware, *design.material, *design.load,
+                    pin_compliance(linkage.grounding(), design.layers, design.style, design.hardware));
   return tl::unexpected(InputError{file, 0, design.material ? "load" : "material", "a design without it",
                                    "one of a spec with [material] and [load]"});
 }

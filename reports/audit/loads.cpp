@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kinematics/assembly_mode.hpp"
+#include "reports/audit/give_limit.hpp"
 #include "reports/audit/record.hpp"
 #include "reports/audit/slack.hpp"
 #include "specs/hardware.hpp"
@@ -63,18 +64,6 @@ void check_load_figures(const LoadFigures& stated, double force, const FrameResp
     figure("quality.stress_max_MPa", stated.stress_max, found.stress, found.stress);
 }
 
-void check_load_limit(double limit, double attained, AuditRecord& record) {
-  const std::string key = "limits.load_error_mm";
-  record.checked(key);
-  if (attained <= limit * (1 + share_of_copy_error)) return;
-  record.broken(
-      {.limit = key,
-       .attained = attained,
-       .allowed = limit,
-       .sentence = fmt::format("the pen gives way by {:.6g} mm under the load; {:.6g} mm are allowed",
-                               attained, limit)});
-}
-
 void check_mass(const AuditTask& task, AuditRecord& record) {
   const auto& stated = task.design.quality.mass;
   if (!stated) return;
@@ -88,25 +77,19 @@ void check_mass(const AuditTask& task, AuditRecord& record) {
 void audit_loads(const AuditTask& task, AuditRecord& record) {
   check_mass(task, record);
   const StoredDesign& design = task.design;
-  const std::optional<double> limit = design.limits ? design.limits->load_error : std::nullopt;
-  if (!design.quality.loads && !limit) return;
+  const GiveLimit limit{.figure = "quality.load_error_max_mm",
+                        .is_stated = design.quality.loads.has_value(),
+                        .key = "limits.load_error_mm",
+                        .limit = design.limits ? design.limits->load_error : std::nullopt,
+                        .words = "under the load the pen gives way by"};
+  if (limit.is_absent()) return;
   const char* why = !design.material || !design.load ? "the file states no load or no material"
                     : !task.needed                   ? "this assembly mode does not reach all of the region"
                                                      : nullptr;
-  if (why != nullptr) {
-    if (design.quality.loads) record.not_checked("quality.load_error_max_mm", why);
-    if (limit && task.needed)
-      record.broken({.limit = "limits.load_error_mm",
-                     .allowed = limit,
-                     .sentence = std::string(why) + " under which it could be kept"});
-    else if (limit)
-      record.not_checked("limits.load_error_mm", why);
-    return;
-  }
+  if (why != nullptr) return limit.cannot_tell(task, why, " under which it could be kept", record);
   const FrameResponse found = response_over(task, *task.needed);
   if (design.quality.loads) check_load_figures(*design.quality.loads, design.load->pen_force, found, record);
-  const bool claimed = design.region_covered || design.allowed || design.objective;
-  if (limit && claimed) check_load_limit(*limit, design.load->pen_force * found.worst, record);
+  limit.check(task, design.load->pen_force * found.worst, record);
 }
 
 }  // namespace kempe

@@ -2,8 +2,7 @@
 
 #include "synthesis/loads/sag.hpp"
 
-#include <fmt/format.h>
-
+#include "reports/audit/give_limit.hpp"
 #include "reports/audit/record.hpp"
 #include "reports/audit/slack.hpp"
 
@@ -23,42 +22,24 @@ Spec of_sag(const StoredDesign& design) {
   return spec;
 }
 
-void check_sag_limit(double limit, double attained, AuditRecord& record) {
-  const std::string key = "limits.sag_mm";
-  record.checked(key);
-  if (attained <= limit * (1 + share_of_copy_error)) return;
-  record.broken(
-      {.limit = key,
-       .attained = attained,
-       .allowed = limit,
-       .sentence = fmt::format("tracer or pen sinks by {:.6g} mm; {:.6g} mm are allowed", attained, limit)});
-}
-
 }  // namespace
 
 void audit_sag(const AuditTask& task, AuditRecord& record) {
   const StoredDesign& design = task.design;
-  const std::optional<double> none;
-  const std::optional<double>& limit = design.limits ? design.limits->sag : none;
-  if (!design.quality.sag && !limit) return;
+  const GiveLimit limit{.figure = "quality.sag_max_mm",
+                        .is_stated = design.quality.sag.has_value(),
+                        .key = "limits.sag_mm",
+                        .limit = design.limits ? design.limits->sag : std::nullopt,
+                        .words = "tracer or pen sinks by"};
+  if (limit.is_absent()) return;
   const char* why = !design.material ? "the file states no material"
                     : !task.needed   ? "this assembly mode does not reach all of the region"
                                      : nullptr;
-  if (why != nullptr) {
-    if (design.quality.sag) record.not_checked("quality.sag_max_mm", why);
-    if (limit && task.needed)
-      record.broken({.limit = "limits.sag_mm",
-                     .allowed = limit,
-                     .sentence = std::string(why) + ", without which it cannot be kept"});
-    else if (limit)
-      record.not_checked("limits.sag_mm", why);
-    return;
-  }
+  if (why != nullptr) return limit.cannot_tell(task, why, ", without which it cannot be kept", record);
   const double found =
       largest_sag(task.linkage, sag_conditions(of_sag(design), design.layers), *task.needed).sag.most();
-  record.figure("quality.sag_max_mm", design.quality.sag, found, share_of_copy_error * found);
-  const bool claimed = design.region_covered || design.allowed || design.objective;
-  if (limit && claimed) check_sag_limit(*limit, found, record);
+  record.figure(limit.figure, design.quality.sag, found, share_of_copy_error * found);
+  limit.check(task, found, record);
 }
 
 }  // namespace kempe

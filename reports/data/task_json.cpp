@@ -72,6 +72,7 @@ void add_material_and_load(const std::optional<Material>& material, const std::o
                         {"E_GPa", GPa_per_MPa * material->E},
                         {"density_kg_m3", material->density},
                         {"strength_MPa", material->strength}};
+  if (material && material->G) json["material"]["G_GPa"] = GPa_per_MPa * *material->G;
   if (!load) return;
   json["load"] = {{"pen_N", load->pen_force}, {"rests", Json::array()}};
   if (load->pen_mass > 0) json["load"]["pen_mass_kg"] = load->pen_mass;

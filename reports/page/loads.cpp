@@ -3,29 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "reports/page/charts.hpp"
+#include "reports/page/error_pictures.hpp"
 #include "reports/page/html_table.hpp"
-#include "reports/page/load_picture.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "specs/hardware.hpp"
-#include "synthesis/loads/pin_compliance.hpp"
+#include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
-#include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe::report_sections {
 namespace {
-
-/// One part of the error, and the change that takes most of it away.
-struct BudgetRow {
-  std::string source;
-  double error = 0;  ///< mm, at worst
-  std::string change{};
-  double after = 0;  ///< mm, of this part once it is made
-};
 
 /// With three digits.
 std::string force_text(double force) {
@@ -41,149 +34,109 @@ std::string section_text(const LinkStyle& style) {
   return fmt::format("{}\u00a0×\u00a0{}", number_text(style.width, 2), number_text(style.thickness, 2));
 }
 
-/// Widths of flat bars as the trade has them, mm (EN 10058, EN 10278).
-constexpr double flat_bars[] = {6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100};
-
-double next_width(double width) {
-  const auto* wider = std::find_if(std::begin(flat_bars), std::end(flat_bars),
-                                   [&](double one) { return one > 1.05 * width; });
-  return wider != std::end(flat_bars) ? *wider : 1.5 * width;
+/// Plain words for a page: figures do not part from their units.
+std::string in_html(const std::string& words) {
+  std::string html = html_escaped(words);
+  for (const auto& [plain, kept] : {std::pair{" x ", "\u00a0×\u00a0"}, std::pair{" mm", "\u00a0mm"}})
+    for (std::size_t at = 0; (at = html.find(plain, at)) != std::string::npos; at += std::strlen(kept))
+      html.replace(at, std::strlen(plain), kept);
+  return html;
 }
 
-double load_error_with(const Design& design, const LinkStyle& style, const OpeningInterval& openings) {
-  const CopyingLinkage& linkage = design.linkage;
-  return LoadErrorProfile(linkage.k(), linkage.grounding(), style, *design.material, design.load->pen_force)
-      .over({linkage.VA(), linkage.VB()}, openings)
-      .worst;
-}
-
-BudgetRow load_row(const Design& design, const OpeningInterval& openings) {
-  LinkStyle wider = design.style;
-  wider.width = next_width(wider.width);
-  return {fmt::format("Load, {} at the pen", force_text(design.load->pen_force)),
-          design.quality.loads->error_max,
-          fmt::format("{} instead of {}", section_text(wider), section_text(design.style)),
-          load_error_with(design, wider, openings)};
-}
-
-/// What pins give between their layers, beside the links.
-BudgetRow pins_row(const Design& design, const OpeningInterval& openings) {
-  const CopyingLinkage& linkage = design.linkage;
-  const auto with_pins = [&](double thicker) {
-    LinkStyle style = design.style;
-    style.pin_diameter *= thicker;
-    const JointHardware hardware = thicker == 1 ? design.hardware : JointHardware();
-    const PinCompliance pins = pin_compliance(linkage.grounding(), design.layers, style, hardware);
-    return LoadErrorProfile(linkage.k(), linkage.grounding(), style, *design.material, design.load->pen_force,
-                            pins)
-               .over({linkage.VA(), linkage.VB()}, openings)
-               .worst -
-           design.quality.loads->error_max;
-  };
-  constexpr double thicker = 1.25;
-  return {"Pins, bent between their layers", with_pins(1),
-          fmt::format("pins of {}", length_text(thicker * design.style.pin_diameter, 1)), with_pins(thicker)};
-}
-
-/// The worst copy error over the region under these tolerances; 0 where there are none.
-double worst_error(const Design& design, const CopyTolerance& tolerance) {
-  const auto over = copy_error_over(design.linkage, tolerance, design.region);
-  return over ? over->worst : 0;
-}
-
-const SourceContribution* largest_of(const std::vector<SourceContribution>& sources, std::size_t from,
-                                     std::size_t to) {
-  const auto begin = sources.begin() + static_cast<std::ptrdiff_t>(from);
-  const auto end = sources.begin() + static_cast<std::ptrdiff_t>(to);
-  const auto best =
-      std::max_element(begin, end, [](const auto& a, const auto& b) { return a.worst < b.worst; });
-  return best == end || best->worst == 0 ? nullptr : &*best;
-}
-
-/// Lengths and play, each alone, as the tolerance says.
-std::vector<BudgetRow> tolerance_rows(const Design& design) {
-  if (!design.tolerance) return {};
-  const CopyTolerance all = CopyTolerance::uniform(*design.tolerance);
-  const auto over = copy_error_over(design.linkage, all, design.region);
-  if (!over || over->sources.size() != error_source_count) return {};
-  std::vector<BudgetRow> rows;
-  if (const auto* worst = largest_of(over->sources, 0, 8); worst && design.tolerance->length > 0) {
-    CopyTolerance better{all.length, {}};
-    better.length[static_cast<std::size_t>(worst - over->sources.data())] *= 0.5;
-    rows.push_back({fmt::format("Lengths, ±{}", length_text(design.tolerance->length)),
-                    worst_error(design, {all.length, {}}),
-                    fmt::format("{} to ±{}", worst->name, length_text(0.5 * design.tolerance->length)),
-                    worst_error(design, better)});
+std::string source_words(const Design& design, ErrorSource source) {
+  switch (source) {
+    case ErrorSource::lengths: return "Lengths, ±" + length_text(design.tolerance->length);
+    case ErrorSource::play: return "Play, " + length_text(design.tolerance->play) + " in each pin";
+    case ErrorSource::load: return "Load, " + force_text(design.load->pen_force) + " at the pen";
+    case ErrorSource::pins: return "Pins, bent between their layers";
+    case ErrorSource::weight: return "Weight";
+    case ErrorSource::tilt: break;
   }
-  if (const auto* worst = largest_of(over->sources, 8, error_source_count);
-      worst && design.tolerance->play > 0) {
-    CopyTolerance reamed{{}, all.play};
-    reamed.play[static_cast<std::size_t>(worst - over->sources.data()) - 8] = 0;
-    rows.push_back({fmt::format("Play, {} in each pin", length_text(design.tolerance->play)),
-                    worst_error(design, {{}, all.play}),
-                    fmt::format("no {}: ream the hole to its pin", worst->name),
-                    worst_error(design, reamed)});
+  return "Pins, tilted within their play";
+}
+
+std::string changes_text(const BudgetEntry& entry) {
+  std::string text;
+  for (const BudgetChange& change : entry.changes)
+    text += fmt::format("{}{}: {} → {}", text.empty() ? "" : "<br>or ", in_html(change.words),
+                        small_length(entry.error), small_length(change.after));
+  return text;
+}
+
+/// The entries of one direction with their sum.
+void add_rows(const Design& design, const ErrorBudget& budget, bool in_plane,
+              std::vector<std::vector<std::string>>& rows) {
+  const double sum = budget.sum(in_plane);
+  bool any = false;
+  for (const BudgetEntry& entry : budget.entries) {
+    if (is_in_plane(entry.source) != in_plane) continue;
+    any = true;
+    const double share = sum > 0 ? entry.error / sum : 0;
+    rows.push_back({html_escaped(source_words(design, entry.source)) + share_bar(share),
+                    number_text(entry.error, 5), number_text(100 * share, 1), changes_text(entry)});
   }
-  return rows;
+  if (any)
+    rows.push_back({in_plane ? "<b>In the plane, all together</b>" : "<b>Down, all together</b>",
+                    "<b>" + number_text(sum, 4) + "</b>", "100", ""});
 }
 
-std::vector<BudgetRow> budget(const Design& design, const OpeningInterval& openings) {
-  std::vector<BudgetRow> rows = tolerance_rows(design);
-  rows.push_back(load_row(design, openings));
-  rows.push_back(pins_row(design, openings));
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const BudgetRow& a, const BudgetRow& b) { return a.error > b.error; });
-  return rows;
-}
-
-double sum_of(const std::vector<BudgetRow>& rows) {
-  double sum = 0;
-  for (const BudgetRow& row : rows) sum += row.error;
-  return sum;
-}
-
-const BudgetRow& most_helpful(const std::vector<BudgetRow>& rows) {
-  return *std::max_element(rows.begin(), rows.end(), [](const BudgetRow& a, const BudgetRow& b) {
-    return a.error - a.after < b.error - b.after;
-  });
-}
-
-std::string change_text(const BudgetRow& row) {
-  return fmt::format("{}: {} → {}", html_escaped(row.change), small_length(row.error),
-                     small_length(row.after));
-}
-
-std::string load_budget_table(const std::vector<BudgetRow>& rows) {
-  const double sum = sum_of(rows);
-  std::vector<std::vector<std::string>> cells;
-  for (const BudgetRow& row : rows)
-    cells.push_back({html_escaped(row.source) + share_bar(row.error / sum), number_text(row.error, 5),
-                     number_text(100 * row.error / sum, 1), change_text(row)});
-  cells.push_back({"<b>All together, at worst</b>", "<b>" + number_text(sum, 4) + "</b>", "100", ""});
+std::string budget_table(const Design& design, const ErrorBudget& budget) {
+  std::vector<std::vector<std::string>> rows;
+  add_rows(design, budget, true, rows);
+  add_rows(design, budget, false, rows);
   return html_table(
-      "budget",
-      {{"Source, and its share"}, {"Moves the pen, mm", true}, {"Share, %", true}, {"What would help"}},
-      cells);
+      "budget", {{"Source, and its share"}, {"At worst, mm", true}, {"Share, %", true}, {"What would help"}},
+      rows);
 }
+
+std::string answer(bool yes) { return yes ? "Yes" : "No"; }
 
 /// Yes or no where there is a limit; else how much of the whole error it is.
-std::string verdict(const Design& design, const std::vector<BudgetRow>& rows) {
+std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   const double error = design.quality.loads->error_max;
   const std::string figure = fmt::format(
       "under {} at the pen it gives way by <b>{}</b> in the worst direction at the worst place of the region",
       force_text(design.load->pen_force), small_length(error));
-  std::string text;
   if (const auto& limit = design.limits.load_error)
-    text = fmt::format("<p class=\"lead\">{}: {}; {} are allowed.</p>\n",
-                       error <= *limit * (1 + 1e-9) ? "Yes" : "No", figure, length_text(*limit));
-  else
-    text = fmt::format("<p class=\"lead\">U{}{}.</p>\n", figure.substr(1),
-                       !design.tolerance ? std::string()
-                                         : fmt::format(": {} % of the whole error, {} at worst",
-                                                       number_text(100 * error / sum_of(rows), 1),
-                                                       small_length(sum_of(rows))));
-  const BudgetRow& help = most_helpful(rows);
-  return text + fmt::format("<p>What would help most: {}.</p>\n", change_text(help));
+    return fmt::format("{}: {}; {} are allowed.", answer(error <= *limit * (1 + 1e-9)), figure,
+                       length_text(*limit));
+  if (!design.tolerance) return fmt::format("U{}.", figure.substr(1));
+  const double sum = budget.sum(true);
+  return fmt::format("U{}: {} % of the whole error in the plane, {} at worst.", figure.substr(1),
+                     number_text(100 * error / sum, 1), small_length(sum));
+}
+
+std::string sag_verdict(const Design& design) {
+  if (!design.quality.sag)
+    return " How far pen or tracer sinks is not stated: two joints of a link are too near each other.";
+  const double sag = *design.quality.sag;
+  const auto& limit = design.limits.sag;
+  if (sag == 0) return " Neither pen nor tracer sinks.";
+  const std::string figure = fmt::format("en or tracer sinks by up to <b>{}</b>", small_length(sag));
+  return limit ? fmt::format(" {}: p{}; {} are allowed.", answer(sag <= *limit * (1 + 1e-9)), figure,
+                             length_text(*limit))
+               : fmt::format(" P{}.", figure);
+}
+
+std::string most_helpful_text(const BudgetEntry* entry) {
+  if (entry == nullptr) return {};
+  const BudgetChange& change = entry->changes.front();
+  return fmt::format("{}: {} → {}", in_html(change.words), small_length(entry->error),
+                     small_length(change.after));
+}
+
+std::string what_helps(const ErrorBudget& budget) {
+  const std::string in_plane = most_helpful_text(budget.most_helpful(true)),
+                    down = most_helpful_text(budget.most_helpful(false));
+  if (in_plane.empty() && down.empty()) return {};
+  return "<p>What would help most" + (in_plane.empty() ? "" : " in the plane: " + in_plane) +
+         (in_plane.empty() || down.empty() ? "" : ";") + (down.empty() ? "" : " against sinking: " + down) +
+         ".</p>\n";
+}
+
+std::string verdict(const Design& design, const ErrorBudget& budget) {
+  return "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) + "</p>\n" +
+         what_helps(budget);
 }
 
 std::string share_of_strength(double stress, double strength, const std::string& material) {
@@ -267,19 +220,20 @@ std::string loads(const Design& design) {
   if (!design.quality.loads || !design.load || !design.material) return {};
   const auto used = openings_over(design.linkage, design.region);
   if (!used) return {};
-  const std::vector<BudgetRow> rows = budget(design, *used);
+  const auto budget = error_budget(design);
+  if (!budget) return {};
   std::string note = fmt::format(
-      "<p class=\"note\">Links of {}, {} mm, as slender beams, pins of steel; in the plane, with pole and "
-      "tracer held. "
-      "{}Each source alone at its worst place, so the sum is never exceeded.{}</p>\n",
+      "<p class=\"note\">Links of {}, {} mm, as slender beams, pins of steel; in the plane with pole and "
+      "tracer held. {}Each source alone at its worst place, so no sum is ever exceeded.{}</p>\n",
       html_escaped(design.material->name), section_text(design.style),
       design.style.plate == PlateStyle::triangle
           ? "Triangular plates are taken as two arms: they are stiffer. "
           : "",
       design.tolerance ? "" : " The spec gives no tolerance: neither lengths nor play are in the table.");
-  const std::string html = verdict(design, rows) + load_budget_table(rows) + note +
-                           "<div class=\"columns\"><div>" + load_picture(design) + "</div><div>" +
-                           load_chart(design, *used) + "</div></div>\n" + forces_table(design, *used);
+  const std::string html = verdict(design, *budget) + budget_table(design, *budget) + note +
+                           error_pictures(design) + "<div class=\"columns\"><div>" +
+                           forces_table(design, *used) + "</div><div>" + load_chart(design, *used) +
+                           "</div></div>\n";
   return html_section("loads", "Will it be stiff enough?", html);
 }
 

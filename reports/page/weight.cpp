@@ -29,6 +29,11 @@ std::string drop_words(const Drop& drop, double bears) {
 void add_sag(const Design& design, const OpeningInterval& openings, WeightRows& rows) {
   const LargestDrops sag =
       largest_drops(design.linkage, sag_conditions(spec_of(design), design.layers), openings);
+  if (!std::isfinite(sag.pen.most()) || !std::isfinite(sag.tracer.most())) {
+    rows.push_back({"Pen and tracer sink", "not stated",
+                    "two joints of a link are so near each other that the equations lose their digits"});
+    return;
+  }
   const Drop& pen = sag.pen.pen;
   const Drop& tracer = sag.tracer.tracer;
   rows.push_back({"The pen sinks", length_text(pen.total()), drop_words(pen, sag.pen.pen_bears)});

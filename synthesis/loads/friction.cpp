@@ -10,9 +10,9 @@
 
 namespace kempe {
 
-PinFriction::PinFriction(double mu, const LinkStyle& style, const JointHardware& hardware)
-    : coefficient(mu), radius(pin_diameters(style, hardware)) {
-  for (double& each : radius) each *= 0.5;
+PinFriction::PinFriction(double mu, const LinkStyle& style, const JointHardware& hardware) : coefficient(mu) {
+  for (const Joint joint : all_joints)
+    radius[static_cast<std::size_t>(joint)] = rubbing_radius(style, hardware, joint);
 }
 
 PinLoads pin_loads(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force) {

@@ -14,7 +14,7 @@ namespace kempe {
 struct PinFriction {
   /// Pins of one radius, mm, > 0.
   PinFriction(double mu, double of_all) : coefficient(mu) { radius.fill(of_all); }
-  /// Each joint's own pin.
+  /// Each joint's own pin or bearing.
   PinFriction(double mu, const LinkStyle& style, const JointHardware& hardware);
 
   double coefficient;            ///< mu, >= 0

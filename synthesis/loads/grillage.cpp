@@ -60,26 +60,70 @@ Grillage::Grillage(const GrillagePlan& plan, const std::vector<int>& props)
   if (!is_solved(free, response_)) response_.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-void Grillage::add_beam(const GrillagePlan& plan, const GrillageBeam& beam) {
+/// A beam's part of the equations: its six unknowns, their stiffness and the forces of its weight.
+struct Grillage::ScaledBeam {
+  std::array<Eigen::Index, 6> unknowns;  ///< rise and two slopes at one end, then at the other
+  Eigen::Matrix<double, 6, 6> stiffness;
+  Eigen::Vector<double, 6> weight;
+
+  Eigen::Vector<double, 6> of(const Eigen::VectorXd& all) const {
+    Eigen::Vector<double, 6> own;
+    for (Eigen::Index i = 0; i < 6; ++i) own[i] = all[unknowns[static_cast<std::size_t>(i)]];
+    return own;
+  }
+};
+
+Grillage::ScaledBeam Grillage::scaled(const GrillagePlan& plan, const GrillageBeam& beam) const {
   const Complex way = (plan.place(beam.to) - plan.place(beam.from)) / scale_;
   const double length = std::abs(way), bending = beam.bending / std::pow(scale_, 3),
                torsion = beam.torsion / std::pow(scale_, 3), weight = beam.weight * scale_;
   const Complex along = way / length;
-  // Rise, slope along the beam (times its length) and slope across it, at both ends.
-  Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(6, balance_.cols());
+  ScaledBeam part;
+  // Rise and slope along the beam (times its length) at both ends, then the slopes across it.
+  Eigen::Matrix<double, 6, 6> ends = Eigen::Matrix<double, 6, 6>::Zero();
   for (int end = 0; end < 2; ++end) {
-    const int node = end == 0 ? beam.from : beam.to;
-    ends(2 * end, plan.joint(node)) = 1;
-    ends(2 * end + 1, slope(node, 0)) = length * along.real();
-    ends(2 * end + 1, slope(node, 1)) = length * along.imag();
-    ends(4 + end, slope(node, 0)) = -along.imag();
-    ends(4 + end, slope(node, 1)) = along.real();
+    const int node = end == 0 ? beam.from : beam.to, first = 3 * end;
+    const auto at = static_cast<std::size_t>(first);
+    part.unknowns[at] = plan.joint(node);
+    part.unknowns[at + 1] = slope(node, 0);
+    part.unknowns[at + 2] = slope(node, 1);
+    ends(2 * end, first) = 1;
+    ends(2 * end + 1, first + 1) = length * along.real();
+    ends(2 * end + 1, first + 2) = length * along.imag();
+    ends(4 + end, first + 1) = -along.imag();
+    ends(4 + end, first + 2) = along.real();
   }
-  const auto twist = ends.row(5) - ends.row(4);
-  balance_ +=
+  const Eigen::RowVector<double, 6> twist = ends.row(5) - ends.row(4);
+  part.stiffness =
       ends.topRows(4).transpose() * (bending / std::pow(length, 3) * bending_matrix()) * ends.topRows(4) +
       torsion / length * twist.transpose() * twist;
-  weights_ -= weight * length * ends.topRows(4).transpose() * Eigen::Vector4d(0.5, 1.0 / 12, 0.5, -1.0 / 12);
+  part.weight =
+      -weight * length * ends.topRows(4).transpose() * Eigen::Vector4d(0.5, 1.0 / 12, 0.5, -1.0 / 12);
+  return part;
+}
+
+void Grillage::add_beam(const GrillagePlan& plan, const GrillageBeam& beam) {
+  const ScaledBeam part = scaled(plan, beam);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const Eigen::Index row = part.unknowns[static_cast<std::size_t>(i)];
+    weights_[row] += part.weight[i];
+    for (Eigen::Index j = 0; j < 6; ++j)
+      balance_(row, part.unknowns[static_cast<std::size_t>(j)]) += part.stiffness(i, j);
+  }
+}
+
+double Grillage::imbalance(const GrillagePlan& plan, const Eigen::VectorXd& test,
+                           const Eigen::VectorXd& moved, bool weighs) const {
+  double work = 0;
+  for (int joint = 0; joint < joints_ && weighs; ++joint)
+    work -= test[joint] * plan.weights[static_cast<std::size_t>(joint)];
+  for (const GrillageBeam& beam : plan.beams) {
+    const ScaledBeam part = scaled(plan, beam);
+    const Eigen::Vector<double, 6> own = part.of(test);
+    work -= own.dot(part.stiffness * part.of(moved));
+    if (weighs) work += own.dot(part.weight);
+  }
+  return work;
 }
 
 void Grillage::add_pin(const GrillagePlan& plan, const GrillagePin& pin, int number) {
@@ -121,6 +165,24 @@ std::vector<double> Grillage::drop_by_tilt(int joint) const {
   for (Eigen::Index moment = first_moment_; moment < moved.size(); moment += 2)
     drops.push_back(scale_ * unit_ * moved.segment<2>(moment).norm());
   return drops;
+}
+
+NearbyDrop::NearbyDrop(const Grillage& grillage, int joint, double tilt) : grillage_(grillage) {
+  const Eigen::Index size = grillage.balance_.cols();
+  Eigen::VectorXd push = Eigen::VectorXd::Zero(size), moments = Eigen::VectorXd::Zero(size);
+  push[joint] = -1;
+  pushed_ = grillage.moved_by(std::move(push));
+  moved_ = grillage.moved_by(grillage.weights_);
+  for (Eigen::Index moment = grillage.first_moment_; moment < size; moment += 2)
+    if (const double most = pushed_.segment<2>(moment).norm(); most > 0)
+      moments.segment<2>(moment) =
+          tilt * grillage.scale_ * grillage.unit_ / most * pushed_.segment<2>(moment);
+  tilted_ = grillage.moved_by(std::move(moments));
+}
+
+double NearbyDrop::estimate(const GrillagePlan& plan) const {
+  return grillage_.imbalance(plan, pushed_, moved_, true) +
+         grillage_.imbalance(plan, tilted_, pushed_, false);
 }
 
 StandingGrillage standing(const GrillagePlan& plan, const std::vector<int>& props) {

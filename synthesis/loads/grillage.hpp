@@ -66,6 +66,12 @@ class Grillage {
   std::vector<double> drop_by_tilt(int joint) const;
 
  private:
+  friend class NearbyDrop;
+  struct ScaledBeam;
+  ScaledBeam scaled(const GrillagePlan& plan, const GrillageBeam& beam) const;
+  /// test . (weight of the forces - K moved) of another plan, without its pins: what is out of balance there, and does work on `test`.
+  double imbalance(const GrillagePlan& plan, const Eigen::VectorXd& test, const Eigen::VectorXd& moved,
+                   bool weighs) const;
   int slope(int node, int axis) const { return joints_ + 2 * node + axis; }
   void add_beam(const GrillagePlan& plan, const GrillageBeam& beam);
   void add_pin(const GrillagePlan& plan, const GrillagePin& pin, int number);
@@ -78,6 +84,21 @@ class Grillage {
   std::vector<bool> held_;
   Eigen::MatrixXd balance_, response_;
   Eigen::VectorXd weights_;
+};
+
+/// How far a joint of a grillage drops, by weight and by a tilt of every pin the worst way, in grillages that differ a little from this one:
+/// the same links, pins and props at slightly other places. Exact to first order (adjoint method): one solution gives the slopes by
+/// every variable.
+class NearbyDrop {
+ public:
+  /// `tilt`: rad, of every pin. Refers to the grillage.
+  NearbyDrop(const Grillage& grillage, int joint, double tilt);
+  /// mm, to first order, but for a constant.
+  double estimate(const GrillagePlan& plan) const;
+
+ private:
+  const Grillage& grillage_;
+  Eigen::VectorXd pushed_, moved_, tilted_;  ///< by 1 N on the joint; by the weights; by the pins' tilts
 };
 
 /// The grillage on props that push and do not pull: those of `props` under which a joint stays. Nothing else is left standing on one.

@@ -7,9 +7,9 @@
 namespace kempe {
 
 HandWork::HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
-                   const Material& material, const Load& load)
+                   const Material& material, const Load& load, const PinCompliance& pins)
     : linkage_(linkage), load_(load), friction_(load.friction, style, hardware),
-      bending_(linkage.k(), linkage.grounding(), style, material, load.pen_force),
+      bending_(linkage.k(), linkage.grounding(), style, material, load.pen_force, pins),
       masses_(mass_points(linkage, {style, material.density, load.pen_mass, load.tracer_mass})),
       moments_(mass_moments(linkage, masses_)) {}
 

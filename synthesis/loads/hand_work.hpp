@@ -25,8 +25,9 @@ struct HandWorkAt {
 /// no force of inertia is in it.
 class HandWork {
  public:
+  /// `pins`: what pins give beside the links.
   HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
-           const Material& material, const Load& load);
+           const Material& material, const Load& load, const PinCompliance& pins = {});
 
   /// The tracer moving along `heading`, a unit vector. Nothing at a dead point.
   std::optional<HandWorkAt> at(const Pose& pose, const Point& heading) const;

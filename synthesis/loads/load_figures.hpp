@@ -5,9 +5,8 @@ namespace kempe {
 
 /// The worst of each over the openings that the region uses, and over all directions of the force at the pen.
 struct LoadFigures {
-  double error_max = 0;  ///< mm, most that the pen gives way, in the plane
-  double error_min =
-      0;  ///< mm, least that it gives way, in the direction and at the opening where it is stiffest
+  double error_max = 0;       ///< mm, most that the pen gives way, in the plane
+  double error_min = 0;       ///< mm, that it gives way in the stiffest direction at the stiffest opening
   double pin_force_max = 0;   ///< N, at the pin (A, B, C, V or the pole's) that bears most
   double hand_force_max = 0;  ///< N, at the tracer
   double stress_max =

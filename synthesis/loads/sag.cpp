@@ -56,10 +56,9 @@ double torsion_constant(double width, double thickness) {
   return wide * std::pow(thin, 3) * (1.0 / 3 - 0.21 * ratio * (1 - std::pow(ratio, 4) / 12));
 }
 
-FlatBar flat_bar(const LinkStyle& style, double E) {
-  constexpr double shear = 1 / 2.6;  ///< G / E at Poisson's ratio 0.3
+FlatBar flat_bar(const LinkStyle& style, double E, double G) {
   return {E * style.width * std::pow(style.thickness, 3) / 12,
-          shear * E * torsion_constant(style.width, style.thickness)};
+          G * torsion_constant(style.width, style.thickness)};
 }
 
 double SagAt::most() const {
@@ -74,7 +73,7 @@ SagProfile::SagProfile(Complex k, Grounding grounding, const SagConditions& cond
       down_(standard_gravity * std::cos(conditions.tilt)) {}
 
 void SagProfile::add_links(GrillagePlan& plan) const {
-  const FlatBar bar = flat_bar(conditions_.style, conditions_.E);
+  const FlatBar bar = flat_bar(conditions_.style, conditions_.E, conditions_.G);
   const bool triangles = conditions_.style.plate == PlateStyle::triangle && !is_straight(shape_);
   const double each_mm = down_ * conditions_.density * cubic_metres_per_mm3 * conditions_.style.width *
                          conditions_.style.thickness;
@@ -143,11 +142,37 @@ GrillagePlan SagProfile::plan(double VA, double VB, double opening) const {
   return plan;
 }
 
-SagAt SagProfile::at(double VA, double VB, double opening) const {
+StandingGrillage SagProfile::stands(const GrillagePlan& plan) const {
   std::vector<int> props;
   if (conditions_.tracer_rests) props.push_back(number_of(roles_.tracer));
   if (conditions_.pen_rests) props.push_back(number_of(roles_.pen));
-  const StandingGrillage stands = standing(plan(VA, VB, opening), props);
+  return standing(plan, props);
+}
+
+SagJet SagProfile::jet(double VA, double VB, double opening, Carrier point) const {
+  const int joint = number_of(point == Carrier::tracer ? roles_.tracer : roles_.pen);
+  const StandingGrillage stood = stands(plan(VA, VB, opening));
+  SagJet jet;
+  if (std::find(stood.props.begin(), stood.props.end(), joint) != stood.props.end()) return jet;
+  const double tilt = conditions_.play / conditions_.grip;
+  jet.value = -stood.state.rises[joint];
+  if (tilt > 0)
+    for (const double each : stood.grillage.drop_by_tilt(joint)) jet.value += tilt * each;
+  const NearbyDrop nearby(stood.grillage, joint, tilt);
+  for (int i = 0; i < 3; ++i) {
+    const auto beside = [&](double step) {
+      return nearby.estimate(plan(i == 0 ? VA * std::exp(step) : VA, i == 1 ? VB * std::exp(step) : VB,
+                                  i == 2 ? opening + step : opening));
+    };
+    // Of an expression in closed form: the difference is off by step^2 and by rounding / step.
+    constexpr double step = 1e-5;
+    jet.gradient[i] = (beside(step) - beside(-step)) / (2 * step);
+  }
+  return jet;
+}
+
+SagAt SagProfile::at(double VA, double VB, double opening) const {
+  const StandingGrillage stands = this->stands(plan(VA, VB, opening));
   const double tilt = conditions_.play / conditions_.grip;
   const auto drop = [&](Joint joint) {
     const int number = number_of(joint);
@@ -167,6 +192,7 @@ SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers) {
           .hardware = spec.links.hardware,
           .layers = layers,
           .E = material.E,
+          .G = material.shear_modulus(),
           .density = material.density,
           .pen_mass = load.pen_mass,
           .tracer_mass = load.tracer_mass,

@@ -21,10 +21,10 @@ double torsion_constant(double width, double thickness);
 /// Stiffness and weight of a flat bar out of the plane.
 struct FlatBar {
   double bending = 0;  ///< N mm^2: E w t^3 / 12
-  double torsion = 0;  ///< N mm^2: G J with G = E / 2.6, of Poisson's ratio 0.3
+  double torsion = 0;  ///< N mm^2: G J
 };
-/// `E` in MPa.
-FlatBar flat_bar(const LinkStyle& style, double E);
+/// `E` and `G` in MPa.
+FlatBar flat_bar(const LinkStyle& style, double E, double G);
 
 /// What bears a linkage and what it carries, out of the plane.
 struct SagConditions {
@@ -32,6 +32,7 @@ struct SagConditions {
   JointHardware hardware{};  ///< says how thick the pin of each joint is
   LayerAssignment layers{};
   double E = 0;            ///< MPa, of the links
+  double G = 0;            ///< MPa, of the links
   double density = 0;      ///< kg/m^3, of the links
   double pen_mass = 0;     ///< kg, carried by the pen
   double tracer_mass = 0;  ///< kg, carried by the tracer
@@ -58,6 +59,12 @@ struct SagAt {
   double most() const;
 };
 
+/// A sag, mm, with its derivatives by log VA, log VB and the opening.
+struct SagJet {
+  double value = 0;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+};
+
 /// The sag of all linkages of one ratio and grounding, under one set of conditions.
 class SagProfile {
  public:
@@ -65,10 +72,14 @@ class SagProfile {
 
   /// With bars VA and VB so long (mm), at an opening, rad.
   SagAt at(double VA, double VB, double opening) const;
+  /// The same of one of the two points, with its slopes by log VA, log VB and the opening; 0 where the table bears it. Where a point is about
+  /// to be lifted off the table, the slopes are those of one side.
+  SagJet jet(double VA, double VB, double opening, Carrier point) const;
   /// The grillage there: V at 0, bar VA along x; joints in the order of Joint.
   GrillagePlan plan(double VA, double VB, double opening) const;
 
  private:
+  StandingGrillage stands(const GrillagePlan& plan) const;
   void add_links(GrillagePlan& plan) const;
   void add_pins(GrillagePlan& plan) const;
   void add_weights(GrillagePlan& plan) const;

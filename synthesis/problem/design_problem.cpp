@@ -136,8 +136,12 @@ bool DesignProblem::tighten(Goal limit, double shortfall) {
       limits_.copy_gap = *limits_.copy_gap + more + slack::least_tightening * layout_.unit;
       return true;
     case Goal::load_error:
-      limits_.load_error = *limits_.load_error * (1 - slack::load_error_tightening) - more;
+      limits_.load_error = *limits_.load_error * (1 - slack::give_tightening) - more;
       return *limits_.load_error > 0;
+    case Goal::sag:
+      if (!std::isfinite(more)) return false;
+      limits_.sag = *limits_.sag * (1 - slack::give_tightening) - more;
+      return *limits_.sag > 0;
     default: return false;
   }
 }

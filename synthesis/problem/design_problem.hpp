@@ -14,6 +14,7 @@
 //   copy_gap       dist of an edge of the region and an edge of its image - gap >= 0
 //                                                                 for every two edges
 //   load error     log limit (or the goal's t) - log error(u, v, d_near + h (d_far - d_near)) >= 0
+//   sag            log 2 - f(sag(u, v, d_near + h (d_far - d_near)) / limit) >= 0 with f(z) = log(1 + z), below 0 f(z) = z
 //   pole           half planes around the start (search_space.hpp)
 //   lengths        bounds of u and v, or with the goal t = log longest, log shortest rows
 //
@@ -74,11 +75,12 @@ struct Row {
     copy_error,
     size,
     load_error,
-    mass
+    mass,
+    sag
   } kind;
   std::size_t index =
-      0;  ///< edge, corner, gap or obstacle term, corner of region or copy, half plane; 0: VA, 1: VB
-  double share = 0;       ///< h of a contact, a copy error or a load error
+      0;  ///< edge, corner, gap or obstacle term, corner of region or copy, half plane; 0: VA, 1: VB; 0: tracer, 1: pen
+  double share = 0;       ///< h of a contact, a copy error, a load error or a sag
   std::size_t place = 0;  ///< of the tracer, for an obstacle
   bool operator==(const Row&) const = default;
 };
@@ -116,9 +118,9 @@ class DesignProblem {
   /// Every requirement at a point; contact looked at in `openings` places between the region's two openings.
   Assessment assess(const DesignPoint& point, int openings) const;
 
+  /// True with a limit on the sag: its rows jump where a point is lifted off the table, and a local solution may end beyond it.
+  bool has_limit_that_jumps() const { return sag_ && limits_.sag; }
   /// True if both VA and VB are locked: only the pole can be free.
-  /// True with a limit on the sag: points keep it by being judged, and local solutions know nothing of it.
-  bool has_limit_without_row() const { return sag_ && limits_.sag; }
   bool lengths_are_locked() const { return box_.u.width() == 0 && box_.v.width() == 0; }
   /// Dimensions of the unit cube that unit_point() maps onto the designs: 2 for lengths unless they are locked, 2 more for
   /// a free pole.
@@ -173,6 +175,8 @@ class DesignProblem {
   RowJet load_error_row(double share, const DesignVector& x) const;
   RowJet mass_row(const DesignVector& x) const;
   RowJet mass_in_vector(const DesignVector& x) const;
+  RowJet sag_row_values(const Row& row, const DesignVector& x) const;
+  RowJet sag_row(const Row& row, const DesignVector& x, Derivatives wanted) const;
   double load_error_over(const LogLengths& lengths, double from, double to) const;
   double mass_at(const LogLengths& lengths) const;
   double sag_over(const LogLengths& lengths, double from, double to) const;
@@ -181,6 +185,7 @@ class DesignProblem {
   void add_copy_gap(std::vector<Row>& rows, const DesignVector& x) const;
   void add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const;
   void add_load_errors(std::vector<Row>& rows, const DesignVector& x) const;
+  void add_sags(std::vector<Row>& rows, const DesignVector& x) const;
   double smallest_obstacle_gap(const DesignPoint& point, double enough) const;
   RowJet half_plane_row(std::size_t plane, const DesignVector& x) const;
   RowJet pole_margin_row(const DesignVector& x) const;
@@ -202,7 +207,7 @@ class DesignProblem {
   std::optional<CopyErrorProfile> copy_error_;
   std::optional<LoadErrorProfile> load_error_;  ///< where it is goal or limit
   std::optional<MassPolynomial> mass_;
-  std::optional<SagProfile> sag_;  ///< where it is limited: assess() counts it, no row keeps it
+  std::optional<SagProfile> sag_;  ///< where it is limited
   double goal_scale_ = 1;          ///< of the load error (mm) or the mass (kg)
   Reach reach_;
   LogBox box_;

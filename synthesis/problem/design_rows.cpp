@@ -142,6 +142,7 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wan
     case Row::Kind::size: return size_row(x);
     case Row::Kind::load_error: return load_error_row(row.share, x);
     case Row::Kind::mass: return mass_row(x);
+    case Row::Kind::sag: return sag_row(row, x, wanted);
     case Row::Kind::longest: return length_row(true, row.index, x);
     case Row::Kind::shortest: break;
   }
@@ -235,6 +236,7 @@ std::vector<Row> DesignProblem::rows_at(const DesignVector& x) const {
   add_copy_gap(rows, x);
   add_copy_errors(rows, x);
   add_load_errors(rows, x);
+  add_sags(rows, x);
   return rows;
 }
 
@@ -246,6 +248,7 @@ bool DesignProblem::add_violated(std::vector<Row>& rows, const DesignVector& x, 
   add_copy_gap(seen, x);
   add_copy_errors(seen, x);
   add_load_errors(seen, x);
+  add_sags(seen, x);
   const std::size_t before = rows.size();
   for (const Row& candidate : seen) {
     if (row(candidate, x).value > -tolerance) continue;

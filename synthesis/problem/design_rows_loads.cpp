@@ -1,4 +1,4 @@
-// The rows of a design problem about load error and mass.
+// The rows of a design problem about load error, mass and sag.
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +12,27 @@ using namespace row_parts;
 
 /// Openings looked at for the largest load error between the region's two openings.
 constexpr int load_openings = 9;
+/// The same for the largest sag, which costs much more.
+constexpr int sag_openings = 5;
+/// Times its limit: what a sag counts as that the equations do not give.
+constexpr double largest_sag_counted = 1e6;
 
 BarLengths bar_lengths(const LogLengths& lengths) { return {std::exp(lengths.u), std::exp(lengths.v)}; }
+
+constexpr std::array both_points{Carrier::tracer, Carrier::pen};
+
+/// Where a row about the openings between the region's two gets its slopes from.
+constexpr std::array<int, 4> variables_of_linkage{log_VA, log_VB, DesignLayout::near_opening,
+                                                  DesignLayout::far_opening};
+
+/// From log VA, log VB and the opening at `share` to the four variables.
+Eigen::Matrix<double, 3, 4> chain_at(double share) {
+  Eigen::Matrix<double, 3, 4> chain = Eigen::Matrix<double, 3, 4>::Zero();
+  chain(0, 0) = chain(1, 1) = 1;
+  chain(2, 2) = 1 - share;
+  chain(2, 3) = share;
+  return chain;
+}
 
 double at_length(const std::array<double, 3>& c, double length) {
   return c[0] + length * (c[1] + length * c[2]);
@@ -71,11 +90,8 @@ RowJet DesignProblem::load_error_row(double share, const DesignVector& x) const 
   if (is_goal) jet.gradient[layout_.goal()] = 1;
   const Eigen::Vector3d slope = error.gradient / error.value;
   const Eigen::Matrix3d curve = error.hessian / error.value - slope * slope.transpose();
-  constexpr std::array<int, 4> at{log_VA, log_VB, DesignLayout::near_opening, DesignLayout::far_opening};
-  Eigen::Matrix<double, 3, 4> chain = Eigen::Matrix<double, 3, 4>::Zero();
-  chain(0, 0) = chain(1, 1) = 1;
-  chain(2, 2) = 1 - share;
-  chain(2, 3) = share;
+  constexpr std::array<int, 4> at = variables_of_linkage;
+  const Eigen::Matrix<double, 3, 4> chain = chain_at(share);
   const Eigen::Vector4d gradient = chain.transpose() * slope;
   const Eigen::Matrix4d hessian = chain.transpose() * curve * chain;
   for (int i = 0; i < 4; ++i) {
@@ -84,6 +100,60 @@ RowJet DesignProblem::load_error_row(double share, const DesignVector& x) const 
       jet.hessian(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) -= hessian(i, j);
   }
   return jet;
+}
+
+/// The limit against the sag of one point at one opening.
+RowJet DesignProblem::sag_row_values(const Row& row, const DesignVector& x) const {
+  RowJet jet = zero_jet(layout_.size());
+  const BarLengths bars = bar_lengths(lengths_of(x));
+  const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
+  const SagJet sag = sag_->jet(bars.VA, bars.VB, near + row.share * (far - near), both_points[row.index]);
+  const double limit = *limits_.sag * (1 - slack::inward_sag), times = sag.value / limit;
+  if (!std::isfinite(sag.value) || !sag.gradient.allFinite()) {
+    jet.value = std::log(2.0) - std::log1p(largest_sag_counted);
+    return jet;
+  }
+  jet.value = std::log(2.0) - (times > 0 ? std::log1p(times) : times);
+  const Eigen::Vector4d gradient =
+      chain_at(row.share).transpose() * sag.gradient / (limit * (1 + std::max(0.0, times)));
+  for (std::size_t i = 0; i < 4; ++i)
+    jet.gradient[variables_of_linkage[i]] -= gradient[static_cast<Eigen::Index>(i)];
+  return jet;
+}
+
+RowJet DesignProblem::sag_row(const Row& row, const DesignVector& x, Derivatives wanted) const {
+  RowJet jet = sag_row_values(row, x);
+  if (wanted != Derivatives::second) return jet;
+  constexpr double step = slack::sag_step;  // second derivatives as differences of exact first ones
+  for (const int j : variables_of_linkage) {
+    DesignVector ahead = x, behind = x;
+    ahead[j] += step;
+    behind[j] -= step;
+    jet.hessian.col(j) =
+        (sag_row_values(row, ahead).gradient - sag_row_values(row, behind).gradient) / (2 * step);
+  }
+  jet.hessian = (0.5 * (jet.hessian + jet.hessian.transpose())).eval();
+  return jet;
+}
+
+/// For each point that sinks: at both ends and where it sinks most.
+void DesignProblem::add_sags(std::vector<Row>& rows, const DesignVector& x) const {
+  if (!has_limit_that_jumps()) return;
+  const BarLengths bars = bar_lengths(lengths_of(x));
+  const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
+  std::array<double, 2> most{}, at{};
+  for (int i = 0; i < sag_openings; ++i) {
+    const double share = i / (sag_openings - 1.0);
+    const SagAt sag = sag_->at(bars.VA, bars.VB, near + share * (far - near));
+    const std::array drops{sag.tracer.total(), sag.pen.total()};
+    for (std::size_t point = 0; point < 2; ++point)
+      if (!(drops[point] <= most[point])) most[point] = drops[point], at[point] = share;
+  }
+  for (std::size_t point = 0; point < 2; ++point) {
+    if (most[point] == 0) continue;
+    for (const double share : {0.0, 1.0}) rows.push_back({Row::Kind::sag, point, share});
+    if (at[point] > 0 && at[point] < 1) rows.push_back({Row::Kind::sag, point, at[point]});
+  }
 }
 
 /// The mass in shares of the goal's scale.

@@ -17,8 +17,8 @@ struct Choice {
   bool operator==(const Choice&) const = default;
 };
 
-/// The limits in force: those of a spec, or with one of them moved; and those that a spec states elsewhere or not at all. The limit
-/// on the sag is kept by evaluating designs, not by a row of the design problem; that on the longest strip as `longest`.
+/// The limits in force: those of a spec, or with one of them moved; and those that a spec states elsewhere or not at all. That on the
+/// longest strip is kept as `longest`.
 struct Requirements : Limits {
   double shortest = 0;                ///< mm, at least: of any two joints of a link, their holes apart
   double longest = 0;                 ///< mm, at most

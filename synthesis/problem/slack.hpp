@@ -52,8 +52,10 @@ inline constexpr double tightening_factor = 1.5;
 
 /// Share of the limit: inside the limit on the load error, whose rows look at single openings.
 inline constexpr double inward_load_error = 1e-8;
-/// Share of the limit: the limit on the load error when it is demanded more strictly.
-inline constexpr double load_error_tightening = 1e-7;
+/// Share of the limit: inside the limit on the sag, whose rows look at single openings.
+inline constexpr double inward_sag = 1e-8;
+/// Share of the limit: the limit on load error or sag when it is demanded more strictly.
+inline constexpr double give_tightening = 1e-7;
 
 // Floors
 
@@ -71,6 +73,8 @@ inline constexpr double least_error_scale = 1e-9;
 inline constexpr double obstacle_step = 1e-5;
 /// rad: the same for the copy error, whose slope is smoother.
 inline constexpr double copy_error_step = 1e-6;
+/// log of a length, or rad: for the second derivatives of the sag, differences of first ones.
+inline constexpr double sag_step = 1e-4;
 /// log of a length, or unit: for the slopes of the footprint, above the grain of its estimate.
 inline constexpr double footprint_step = 2e-3;
 

@@ -1,13 +1,15 @@
 #include "synthesis/search/pareto.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
 
-#include "geometry/invariant.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/diagnosis/diagnosis.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
+#include "synthesis/search/section_search.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "workspace/footprint.hpp"
 
@@ -87,9 +89,8 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
   return undominated(std::move(found), a, b);
 }
 
-/// Of bounds and proofs what claim_no_more() leaves. Of one section: with several, no word about the first alone holds of all.
+/// Of bounds and proofs what claim_no_more() leaves. Of one section.
 Front front_of(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
-  invariant(spec.links.sections.size() < 2, "a front is of one section");
   if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
   const Point origin = local_origin(spec);
   if (origin.isZero(0)) return front_here(spec, origin, a, b, points, options);
@@ -101,8 +102,45 @@ Front front_of(const Spec& spec, Objective a, Objective b, int points, const Sea
 
 }  // namespace
 
+namespace {
+
+/// The front of each section, and of all of them what no other design beats.
+Front front_of_sections(const Spec& spec, Objective a, Objective b, int points,
+                        const SearchOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<ParetoPoint> all;
+  std::optional<NoDesign> none;
+  bool proven = true;
+  const std::size_t count = spec.links.sections.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const LinkSection& section = spec.links.sections[i];
+    SearchOptions part = options;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    part.time_limit = std::max(0.0, options.time_limit - spent.count()) / static_cast<double>(count - i);
+    part.diagnose = options.diagnose && i + 1 == count && all.empty();
+    Front front = front_of(with_section(spec, section), a, b, points, part);
+    if (front) {
+      for (ParetoPoint& point : *front) {
+        point.design.section = section;
+        all.push_back(std::move(point));
+      }
+      continue;
+    }
+    proven = proven && front.error().proven;
+    for (Relaxation& relaxation : front.error().relaxations) relaxation.design.section = section;
+    none = std::move(front.error());
+  }
+  if (!all.empty() || !none) return undominated(std::move(all), a, b);
+  none->proven = proven;
+  none->sentence = of_no_section(spec, none->sentence);
+  return tl::unexpected(*std::move(none));
+}
+
+}  // namespace
+
 Front pareto_front(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
-  Front front = front_of(spec, a, b, points, options);
+  Front front = spec.links.sections.size() > 1 ? front_of_sections(spec, a, b, points, options)
+                                               : front_of(spec, a, b, points, options);
   if (!front) claim_no_more(front.error(), spec.links.hardware);
   if (front)
     for (ParetoPoint& point : *front) claim_no_more(point.design, spec.links.hardware);

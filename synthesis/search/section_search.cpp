@@ -9,15 +9,22 @@
 #include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
-namespace {
-
-using Clock = std::chrono::steady_clock;
 
 Spec with_section(Spec spec, const LinkSection& section) {
   use_section(spec.links.style, section);
   spec.links.sections = {section};
   return spec;
 }
+
+std::string of_no_section(const Spec& spec, const std::string& sentence) {
+  const LinkSection& last = spec.links.sections.back();
+  return fmt::format("with none of the {} sections; with {:g} x {:g} mm: {}", spec.links.sections.size(),
+                     last.width, last.thickness, sentence);
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
 
 bool is_better(const FoundDesign& one, const FoundDesign& other) {
   const double margin = slack::same_value * std::abs(other.value);
@@ -78,9 +85,7 @@ SearchOutcome best_of_sections(
   if (!complete) return Stopped{evaluations, std::nullopt};
   auto& none = std::get<NoDesign>(*without);
   none.proven = proven;
-  none.sentence =
-      fmt::format("with none of the {} sections; with {:g} x {:g} mm: {}", count,
-                  spec.links.sections.back().width, spec.links.sections.back().thickness, none.sentence);
+  none.sentence = of_no_section(spec, none.sentence);
   return *std::move(without);
 }
 

@@ -2,12 +2,18 @@
 // Several sections to choose from: each is a choice of its own, as an assignment of layers is.
 
 #include <functional>
+#include <string>
 
 #include "kempe/spec.hpp"
 #include "synthesis/search/steps/outcome.hpp"
 #include "synthesis/search/steps/search_options.hpp"
 
 namespace kempe {
+
+/// The spec with this section alone.
+Spec with_section(Spec spec, const LinkSection& section);
+/// A sentence about the last of several sections, as one that says that no other has a design either.
+std::string of_no_section(const Spec& spec, const std::string& sentence);
 
 /// The best design with any of LinkSpec::sections (two or more): `search` is run for each, the lightest first, with an equal share of the
 /// time that is left. Of designs that are equally good the lighter one comes back. No bound is stated: each section's own bound says nothing

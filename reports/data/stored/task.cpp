@@ -62,10 +62,12 @@ Body body(const JsonField& field) {
 }
 
 Material material(const JsonField& field) {
-  return {.name = printable(field["name"].text()),
-          .E = MPa_per_GPa * field["E_GPa"].positive(),
-          .density = field["density_kg_m3"].positive(),
-          .strength = field["strength_MPa"].positive()};
+  Material result{.name = printable(field["name"].text()),
+                  .E = MPa_per_GPa * field["E_GPa"].positive(),
+                  .density = field["density_kg_m3"].positive(),
+                  .strength = field["strength_MPa"].positive()};
+  if (const auto shear = field.find("G_GPa")) result.G = MPa_per_GPa * shear->positive();
+  return result;
 }
 
 Load load(const JsonField& field) {

@@ -26,8 +26,11 @@ SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBo
 
 /// True if a limit that the bound does not know of is met exactly: that, and no better design, may be what lies between design and bound.
 bool is_held_back(const SearchTask& task, const FoundDesign& design) {
-  const auto& limit = task.limits.load_error;
-  return limit && design.attained.load_error > *limit * (1 - slack::met_exactly);
+  const auto is_met = [](const std::optional<double>& limit, double attained) {
+    return limit && attained > *limit * (1 - slack::met_exactly);
+  };
+  return is_met(task.limits.load_error, design.attained.load_error) ||
+         is_met(task.limits.sag, design.attained.sag);
 }
 
 /// Searched from the bound's starts, then around the design, then all over from other random numbers.

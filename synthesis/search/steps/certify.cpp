@@ -39,6 +39,7 @@ double shortfall(const Requirements& limits, const DesignCheck& check) {
     case Goal::transmission: return limits.transmission - check.attained.transmission;
     case Goal::copy_gap: return *limits.copy_gap - check.attained.copy_gap;
     case Goal::load_error: return check.attained.load_error - *limits.load_error;
+    case Goal::sag: return check.attained.sag - *limits.sag;
     default: return 0;
   }
 }

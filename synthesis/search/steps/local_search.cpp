@@ -61,8 +61,7 @@ DesignPoint point_between(const DesignPoint& from, const DesignPoint& to, double
           from.pole + share * (to.pole - from.pole)};
 }
 
-/// The last feasible point on the way from a feasible start to a solution that breaks a limit without a row, and is infeasible by that.
-/// By halving.
+/// The last feasible point on the way from a feasible start to a solution that breaks a limit that jumps, and is infeasible by that. By halving.
 ChoiceResult last_feasible(const DesignProblem& problem, const ChoiceResult& start,
                            const DesignPoint& solution, const LocalBudget& local) {
   ChoiceResult best = start;
@@ -77,9 +76,9 @@ ChoiceResult last_feasible(const DesignProblem& problem, const ChoiceResult& sta
   return best;
 }
 
-/// What a solution becomes that breaks a limit without a row: a point that keeps it, if its start does.
-ChoiceResult kept_without_row(const DesignProblem& problem, const DesignPoint& start, ChoiceResult solved,
-                              const LocalBudget& local) {
+/// What a solution becomes that breaks a limit that jumps: a point that keeps it, if its start does.
+ChoiceResult kept_after_a_jump(const DesignProblem& problem, const DesignPoint& start, ChoiceResult solved,
+                               const LocalBudget& local) {
   if (solved.feasible) return solved;
   ChoiceResult best = judged(problem, start, local);
   if (best.feasible) best = last_feasible(problem, best, solved.point, local);
@@ -112,7 +111,7 @@ ChoiceResult exchange(const DesignProblem& shared, const DesignPoint& start, con
     if (here.feasible || better(here, best)) best = here;
   }
   best.evaluations += evaluations;
-  return problem.has_limit_without_row() ? kept_without_row(problem, start, best, local) : best;
+  return problem.has_limit_that_jumps() ? kept_after_a_jump(problem, start, best, local) : best;
 }
 
 }  // namespace

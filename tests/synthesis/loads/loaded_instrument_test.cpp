@@ -146,6 +146,33 @@ TEST(LoadedInstrument, GivesWayAsItsBentLinksClose) {
   }
 }
 
+/// What a pin's compliance adds: by virtual work each pin's give times its force under a unit force in the direction looked at. All forces
+/// from the links drawn free.
+TEST(LoadedInstrument, PinsGiveByTheForcesThatTheyBear) {
+  std::mt19937_64 random(33);
+  for (int i = 0; i < test::samples(100); ++i) {
+    SCOPED_TRACE(i);
+    const auto [linkage, opening, pose, heading] = random_case(random);
+    const PinCompliance pins{1e-3, 2e-3, 3e-3, 4e-3, 5e-3};
+    const Load load{.pen_force = 10};
+    const auto rigid = HandWork(linkage, style, {}, steel, load).at(pose, heading);
+    const auto soft = HandWork(linkage, style, {}, steel, load, pins).at(pose, heading);
+    ASSERT_TRUE(rigid && soft);
+    const bool at_V = linkage.pole_joint() == Joint::V;
+    const Balance loaded = FreeLinks(linkage, pose, rigid->pen_force).solve({});
+    const auto give = [&](const Point& direction) {
+      const Balance unit = FreeLinks(linkage, pose, direction).solve({});
+      const auto of = [&](std::size_t pin) { return loaded.pins[pin].dot(unit.pins[pin]); };
+      const Point post = at_V ? loaded.pins[3] + loaded.pins[4] : loaded.pins[4],
+                  post_unit = at_V ? unit.pins[3] + unit.pins[4] : unit.pins[4];
+      return pins.A * of(0) + pins.B * of(1) + pins.C * of(2) + pins.V * of(3) +
+             pins.pole * post.dot(post_unit);
+    };
+    const Point more{give({1, 0}), give({0, 1})};
+    EXPECT_LT((soft->give - rigid->give - more).norm(), 1e-9 * more.norm());
+  }
+}
+
 TEST(LoadedInstrument, MadeAndLoadedItStaysWithinTheBudget) {
   std::mt19937_64 random(32);
   for (int i = 0; i < test::samples(300); ++i) {

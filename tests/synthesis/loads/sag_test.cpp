@@ -16,7 +16,7 @@ constexpr double gravity = 9.80665;
 
 /// A bar of steel, 15 x 5 mm, 400 mm long, lying flat and clamped at one end.
 GrillagePlan cantilever(double weight) {
-  const FlatBar bar = flat_bar({.width = 15, .thickness = 5}, 200e3);
+  const FlatBar bar = flat_bar({.width = 15, .thickness = 5}, 200e3, 77e3);
   return {.joints = {0, 400},
           .weights = {0, 0},
           .nodes = {0, 1},
@@ -68,6 +68,7 @@ TEST(Sag, WithoutASolutionIsNoNumberAndNeverNone) {
   SagConditions conditions{.style = {.width = 15, .pin_diameter = 6, .thickness = 5},
                            .layers = layer_assignments(2).front(),
                            .E = 200e3,
+                           .G = 77e3,
                            .density = 7850,
                            .grip = 5};
   const auto sag = [&](double scale) {
@@ -121,6 +122,7 @@ SagCase random_case(std::mt19937_64& random) {
                   .thickness = uniform(random, 2, 8)},
         .layers = layers[static_cast<std::size_t>(uniform(random, 0, static_cast<double>(layers.size())))],
         .E = uniform(random, 2e3, 2e5),
+        .G = uniform(random, 6e2, 8e4),
         .density = uniform(random, 500, 8000),
         .pen_mass = uniform(random, 0, 3),
         .tracer_mass = uniform(random, 0, 1),
@@ -183,7 +185,7 @@ section_forces::Structure structure_of(const SagCase& one) {
                   {{A, 0, 2, between(0, 2)}, {B, 1, 3, between(1, 3)}, {C, 2, 3, between(2, 3)}});
   const double E = of.E;
   it.bending = E * w * t * t * t / 12;
-  it.torsion = E / 2.6 * torsion_constant(w, t);
+  it.torsion = of.G * torsion_constant(w, t);
   return it;
 }
 
@@ -301,6 +303,33 @@ TEST(Sag, IsNothingOfAnUprightTableWithoutPlay) {
   one.conditions.play = 0;
   EXPECT_NEAR(SagProfile(one.k, one.grounding, one.conditions).at(one.VA, one.VB, one.opening).most(), 0,
               1e-12);
+}
+
+TEST(Sag, SlopesAreThoseOfTheSag) {
+  std::mt19937_64 random(41);
+  int seen = 0;
+  for (int i = 0; i < test::samples(60); ++i) {
+    SCOPED_TRACE(i);
+    SagCase one = random_case(random);
+    one.conditions.pen_rests = i % 3 == 0;
+    const SagProfile profile(one.k, one.grounding, one.conditions);
+    for (const Carrier point : {Carrier::tracer, Carrier::pen}) {
+      const auto sag = [&](double u, double v, double d) {
+        const SagAt at = profile.at(one.VA * std::exp(u), one.VB * std::exp(v), one.opening + d);
+        return (point == Carrier::tracer ? at.tracer : at.pen).total();
+      };
+      const SagJet jet = profile.jet(one.VA, one.VB, one.opening, point);
+      EXPECT_NEAR(jet.value, sag(0, 0, 0), 1e-9 * std::abs(jet.value) + 1e-12);
+      if (jet.value == 0) continue;  // it rests
+      constexpr double step = 1e-4;
+      const Eigen::Vector3d slopes{(sag(step, 0, 0) - sag(-step, 0, 0)) / (2 * step),
+                                   (sag(0, step, 0) - sag(0, -step, 0)) / (2 * step),
+                                   (sag(0, 0, step) - sag(0, 0, -step)) / (2 * step)};
+      EXPECT_LT((jet.gradient - slopes).norm(), 1e-4 * (std::abs(jet.value) + slopes.norm()));
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, test::samples(60));
 }
 
 }  // namespace

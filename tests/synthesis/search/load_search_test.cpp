@@ -189,6 +189,23 @@ TEST(SagSearch, FindsADesignThatALocalSolutionLeaves) {
   EXPECT_LE(found.value, 551.5);  // what a search with a stricter limit on the longest link finds
 }
 
+TEST(SagSearch, DifferentSeedsComeToTheSameDesign) {
+  const Spec spec = engraver_with_a_limit_on_sag();
+  std::vector<double> values;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SearchOptions options;
+    options.seed = seed;
+    options.diagnose = false;
+    const SearchOutcome outcome = synthesize(spec, options);
+    const auto* found = std::get_if<FoundDesign>(&outcome);
+    ASSERT_NE(found, nullptr);
+    EXPECT_GE(found->attained.sag, *spec.limits.sag * (1 - 1e-4));  // it binds
+    values.push_back(found->value);
+  }
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  EXPECT_LT(*most, *least * (1 + 1e-5));
+}
+
 TEST(SagSearch, SaysOfNoLimitThatIsKeptThatItIsInTheWay) {
   Spec spec = engraver_with_a_limit_on_sag();
   spec.limits.sag = 1;

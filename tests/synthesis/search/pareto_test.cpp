@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "specs/spec.hpp"
 #include "specs/spec_reader.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
@@ -61,11 +64,30 @@ TEST(Pareto, BetweenTransmissionAndCopyErrorWithAFreePole) {
   check_front(example("sixty"), Objective::transmission, Objective::copy_error, 6);
 }
 
-TEST(ParetoDeathTest, IsOfOneSection) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+/// The front of several sections holds what no section's own front beats.
+TEST(Pareto, OfSeveralSectionsIsOfThemAll) {
   Spec spec = example("plagiograph");
-  spec.links.sections = {{6, 2}, {6, 3}};
-  EXPECT_DEATH(pareto_front(spec, Objective::size, Objective::transmission, 5, {}), "one section");
+  spec.material = Material{"steel", 200e3, 7850, 235};
+  spec.load = Load{10};
+  const auto front_with = [&](const std::vector<LinkSection>& sections) {
+    Spec one = spec;
+    one.links.sections = sections;
+    if (sections.size() == 1) use_section(one.links.style, sections.front());
+    const auto front = pareto_front(one, Objective::mass, Objective::load_error, 3, {});
+    EXPECT_TRUE(front);
+    return front ? *front : std::vector<ParetoPoint>();
+  };
+  const std::vector<LinkSection> sections{{6, 2}, {8, 3}};
+  const auto both = front_with(sections);
+  ASSERT_FALSE(both.empty());
+  for (const LinkSection& section : sections) {
+    for (const ParetoPoint& alone : front_with({section}))
+      EXPECT_TRUE(std::any_of(both.begin(), both.end(), [&](const ParetoPoint& point) {
+        return point.a <= alone.a * (1 + 1e-9) && point.b <= alone.b * (1 + 1e-9);
+      }));
+    EXPECT_TRUE(std::any_of(both.begin(), both.end(),
+                            [&](const ParetoPoint& point) { return point.design.section == section; }));
+  }
 }
 
 TEST(Pareto, OfASpecWithoutDesignsSaysWhy) {

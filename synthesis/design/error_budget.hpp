@@ -1,0 +1,71 @@
+#pragma once
+// The whole error of a made and loaded instrument: what lengths, play, load, bent pins and sag take each, and which change would take most
+// of it away.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "synthesis/design/design.hpp"
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/sag.hpp"
+#include "synthesis/tolerance/copy_error.hpp"
+
+namespace kempe {
+
+enum class ErrorSource {
+  lengths,  ///< in the plane, by the tolerance of lengths
+  play,     ///< in the plane, by the play of the pins
+  load,     ///< in the plane, by bending and pull of the links
+  pins,     ///< in the plane, by pins that bend between their layers
+  weight,   ///< down, by the weight of links, pen and tracer
+  tilt      ///< down, by pins that tilt within their play
+};
+/// False of those that let pen or tracer sink.
+bool is_in_plane(ErrorSource source);
+/// "lengths", "play", "load", "pins", "weight", "tilt": for a person.
+std::string_view name(ErrorSource source);
+
+/// One thing that a builder could do.
+struct BudgetChange {
+  std::string words;  ///< "15 x 6 mm instead of 15 x 5 mm"
+  double after = 0;   ///< mm, what is then left of the source's error
+};
+
+/// One part of the error.
+struct BudgetEntry {
+  ErrorSource source;
+  double error = 0;                     ///< mm, of this source alone at its worst place of the region
+  std::vector<BudgetChange> changes{};  ///< what would help, the best first
+};
+
+/// All parts, those in the plane first, each group from the largest to the least. The sum of a group is never exceeded.
+struct ErrorBudget {
+  std::vector<BudgetEntry> entries;
+  /// mm, of the entries in the plane or of the others.
+  double sum(bool in_plane) const;
+  /// The entry of a group whose best change takes most of it away; null where none helps.
+  const BudgetEntry* most_helpful(bool in_plane) const;
+};
+
+/// Of a design with load and material whose assembly mode reaches the region; nothing otherwise.
+std::optional<ErrorBudget> error_budget(const Design& design);
+
+/// The parts at single openings, for pictures; mm.
+class ErrorCourse {
+ public:
+  /// Of a design as above.
+  explicit ErrorCourse(const Design& design);
+  double tolerances(double opening) const;  ///< lengths and play together; 0 without a tolerance
+  double give(double opening) const;        ///< load and pins together
+  double sag(double opening) const;         ///< of tracer or pen; infinite where the equations say nothing
+
+ private:
+  BarLengths bars_;
+  LoadErrorProfile give_;
+  SagProfile sag_;
+  std::optional<CopyErrorProfile> tolerances_{};
+};
+
+}  // namespace kempe
