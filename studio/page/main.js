@@ -8,6 +8,16 @@
     return node;
   };
   const degrees = (angle) => (angle * 180) / Math.PI;
+  const underLoad = { load_error: "mm", sag: "mm", mass: "kg" };  // figures of the engine that are there only beside a load and a material
+  // What the engine does at rest, by the words with which it tells its progress.
+  const steps = [
+    { name: "Possible?", words: "Is a design possible at all?", of: /^looking whether/ },
+    { name: "Search", words: "Searching for the best design", of: /^searching/, always: true },
+    { name: "Bound", words: "Proving what no design can beat", of: /^proving/, always: true },
+    { name: "Way out", words: "No design so far; looking for the least change that allows one", of: /^looking (again )?for what/ },
+    { name: "Map", words: "Mapping where the tracer can go", of: /^mapping/, always: true },
+  ];
+  const shownAfter = 250;  // ms: what is done sooner needs no list
   const rest = 220;  // ms after the last move before the full search begins
 
   /** A number as people write it, with a point or a comma; NaN if it is none. */
@@ -50,6 +60,7 @@
         this.say("bad", fault.message);
         throw fault;
       }
+      this.searcher.ask("materials", {}).then(({ names }) => names && this.panel.suggest("material.name", names));
       let text = null;
       try {
         text = await kempe.textOf(location.hash);
@@ -209,13 +220,17 @@
         this.faults([]);
         if (this.fitNext) this.fit();
         this.place();
-        const given = this.task.mechanism && this.task.region.length === 0;  // nothing to design for: the mechanism's map
-        answer = await this.searcher.ask(given ? "map" : "design", this.asked(text), ({ share, what }) => { if (text === this.text) this.progress(share, what); });
+        answer = await this.searcher.ask(this.isGiven() ? "map" : "design", this.asked(text), ({ share, what }) => { if (text === this.text) this.progress(share, what); });
       } catch (fault) {
         answer = { error: fault.message };
       }
       if (answer.stopped || text !== this.text) return;
       this.finish(answer);
+    }
+
+    /** True where there is nothing to design for: the spec gives a mechanism, and its map is asked for. */
+    isGiven() {
+      return this.task.mechanism && this.task.region.length === 0;
     }
 
     finish(answer) {
@@ -281,6 +296,7 @@
 
     /** What would make a design possible, as a button where the change can be written into the spec. */
     changeButton({ key, sentence }) {
+      const area = /; with the pole free to stand within ([-+\d.e]+) mm of the region/.exec(sentence);
       const pole = /; the pole at \(([-+\d.e]+), ([-+\d.e]+)\) mm would do/.exec(sentence);
       const would = /; ([-+\d.e]+) would do/.exec(sentence), without = /(.*) is in the way; without it/.exec(sentence);
       let text = null, words = sentence;
@@ -299,6 +315,9 @@
       } else if (pole) {
         text = this.withPole([Number(pole[1]), Number(pole[2])]);
         words = `pole at (${pole[1]}, ${pole[2]})`;
+      } else if (area && this.task) {
+        text = this.withPoleIn(this.around(Number(area[1])));
+        words = `pole within ${area[1]} mm of the original`;
       } else if (key === "table" || key === "bodies") {
         text = this.withoutAll(key);
         words = key === "table" ? "without the table's edge" : "without the bodies";
@@ -309,11 +328,30 @@
       return button;
     }
 
-    /** The text with the pole at a place, wherever it might stand before; null where the text cannot be changed so. */
+    /** The rectangle around the original that is so much wider on every side. */
+    around(margin) {
+      const points = this.task.region.flat(), xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+      const [left, right, near, far] = [Math.min(...xs) - margin, Math.max(...xs) + margin, Math.min(...ys) - margin, Math.max(...ys) + margin];
+      return [[left, near], [right, near], [right, far], [left, far]];
+    }
+
+    /** The text with the pole at a place, or somewhere in an area, wherever it might stand before; null where the text cannot be changed so. */
     withPole(place) {
+      return this.withPoleBy("at_mm", place, "within_mm");
+    }
+
+    withPoleIn(area) {
+      return this.withPoleBy("within_mm", area, "at_mm");
+    }
+
+    withPoleBy(key, value, instead) {
       try {
-        const doc = new kempe.Doc(new kempe.Doc(this.doc.with("pole.at_mm", place)).without("pole.within_mm"));
-        return doc.has("pole.at_mm") && !doc.has("pole.within_mm") && !doc.has("pole") ? doc.text : null;
+        let { doc } = this;
+        if (doc.has("pole")) return doc.with("pole", { [key]: value });  // pole = {...} in one line
+        const first = doc.has(`pole.${instead}`) && !doc.tables.has("pole");  // pole.within_mm = ..., without a table's head
+        doc = new kempe.Doc(doc.without(`pole.${instead}`));
+        doc = new kempe.Doc(first ? doc.withAbove(`pole.${key} = ${kempe.written(value)}`) : doc.with(`pole.${key}`, value));
+        return doc.has(`pole.${key}`) && !doc.has(`pole.${instead}`) ? doc.text : null;
       } catch (error) {
         return null;
       }
@@ -346,6 +384,8 @@
       if (long.length) found.push({ text: `the longest strip, ${long.join(" and ")}` });
       if (short.length) found.push({ text: `the shortest distance of two holes, ${short.join(" and ")}` });
       if (figures.clearance !== null && figures.clearance - task.clearance < 0.01) found.push({ text: "the clearance between parts" });
+      for (const [key, words] of [["load_error", "how far the pen gives way"], ["sag", "the sag"]])
+        if (task[key] !== null && figures[key] !== null && figures[key] > 0.999 * task[key]) found.push({ text: words });
       return found;
     }
 
@@ -415,9 +455,11 @@
       const mm = (value) => `${kempe.figure(value, value < 10 ? 2 : 1)}\u00a0mm`;
       document.body.classList.toggle("sketched", isSketch);
       if (!of) {
-        for (const id of ["size", "bound", "transmission", "clearance", "free", "longest"]) set(id, "–");
+        for (const id of ["size", "bound", "transmission", "clearance", "free", "longest", ...Object.keys(underLoad)]) set(id, "–");
         return;
       }
+      if (!isSketch) this.showLoads(of, set);
+      else for (const id of Object.keys(underLoad)) set(id, "…");
       set("size", mm(of.size));
       const unit = (value) => (this.task && this.task.objective === "transmission" ? `${kempe.figure(degrees(value), 2)}°` : mm(value));
       const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
@@ -434,6 +476,18 @@
       set("free", `${kempe.figure(of.free_area / 100, of.free_area < 10000 ? 1 : 0)}\u00a0cm²`);
     }
 
+    /** What a load and a material make known: shown where the spec has them. */
+    showLoads(of, set) {
+      const known = Object.keys(underLoad).filter((id) => of[id] !== null && of[id] !== undefined);
+      one("figures").style.setProperty("--loads", known.length);
+      for (const [id, unit] of Object.entries(underLoad)) {
+        one(`${id}-key`).hidden = !known.includes(id);
+        const limit = this.task ? this.task[id] : null;
+        const digits = (value) => kempe.figure(Number(value.toPrecision(3)), 6);
+        if (known.includes(id)) set(id, `${digits(of[id])}\u00a0${unit}`, limit === null || limit === undefined ? "" : `limit ${digits(limit)} ${unit}`);
+      }
+    }
+
     say(kind, words) {
       one("verdict").className = `verdict ${kind}`;
       one("verdict").textContent = words;
@@ -444,12 +498,30 @@
       one("notice").hidden = !words;
     }
 
+    /** The share done of what the engine does now; null once it rests. Search, bound and map stand in a row, each with its own. */
     progress(share, what) {
-      const bar = one("progress");
+      const bar = one("progress"), list = one("steps");
       bar.hidden = share === null;
-      if (share === null) return;
+      if (share === null || what === "") {
+        this.steps = { begun: performance.now(), reached: new Set() };
+        list.hidden = true;
+        bar.value = 0;
+        if (share !== null && !document.body.classList.contains("sketched")) this.say("wait", "Searching …");
+        return;
+      }
+      const step = steps.find(({ of }) => of.test(what)) || steps[1], { reached, begun } = this.steps;
+      reached.add(step);
       bar.value = share;
-      if (!document.body.classList.contains("sketched")) this.say("wait", what ? `Searching: ${what} …` : "Searching …");
+      bar.setAttribute("aria-label", step.name);
+      list.hidden = performance.now() - begun < shownAfter;
+      list.replaceChildren(...steps.filter((one) => (one.always && !this.isGiven()) || reached.has(one)).map((one) => {
+        const done = reached.has(one) && one !== step;
+        const item = make("li", { className: done ? "done" : "" }, one.name, make("span", { className: "share", textContent: one === step ? ` ${Math.floor(100 * share)} %` : done ? " ✓" : "" }));
+        if (one === step) item.setAttribute("aria-current", "step");
+        return item;
+      }));
+      if (!this.steps.said || this.steps.said !== step) this.say("wait", `${step.words} …`);
+      this.steps.said = step;
     }
 
     faults(all) {
