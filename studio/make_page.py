@@ -51,8 +51,8 @@ def keys():
                 found.append({"table": table, "name": name, "type": kind, "ratio": ratio,
                               "enum": key["items"]["enum"] if kind == "words" else words,
                               "description": key.get("description", ""), "default": key.get("default")})
-    first = ["", "copy", "limits", "links", "objective", "material", "load"]
-    return sorted(found, key=lambda key: first.index(key["table"]) if key["table"] in first else len(first))
+    first = ["copy", "limits", "links", "objective", "material", "load"]
+    return sorted(found, key=lambda key: first.index(key["table"]) if key["table"] in first else len(first) + (key["table"] == ""))
 
 
 def templates():

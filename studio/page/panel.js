@@ -2,10 +2,12 @@
 "use strict";
 (function (kempe) {
   const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerance", tool: "Tool", objective: "Objective", material: "Material", load: "Load", cutting: "Cutting" };
-  const open = new Set(["", "copy", "limits", "links"]);
+  const open = new Set(["copy", "limits", "links"]);
   const units = { mm: "mm", deg: "°", N: "N", kg: "kg", GPa: "GPa", MPa: "MPa", kg_m3: "kg/m³" };
   const ending = /_(mm|deg|N|kg_m3|kg|GPa|MPa)$/;
   const words = (name) => name.replace(ending, "").replaceAll("_", " ");
+  /** Keys whose name without its unit does not say what they are. */
+  const spoken = { "load.pen_N": "Force at the pen", "material.E_GPa": "Modulus of elasticity", "load.rests": "Rests on the table", "limits.load_error_mm": "Gives way by", "limits.sag_mm": "Sags by" };
   const unit = (name) => units[(ending.exec(name) || [])[1]] || "";
   const figure = (value) => kempe.figure(value, 6);
 
@@ -47,7 +49,7 @@
           this.change(chosen.length === usual.length && usual.every((word) => chosen.includes(word)) ? this.doc.cleared(path) : this.doc.with(path, chosen));
         });
       this.fields.push({ path, key, boxes });
-      const label = make("span", { className: "label", title: key.description, id: `field-${path}` }, words(key.name));
+      const label = make("span", { className: "label", title: key.description, id: `field-${path}` }, spoken[path] || words(key.name));
       const group = make("span", { className: "entry choices" }, ...boxes.map((box) => make("label", {}, box, box.value)));
       group.setAttribute("role", "group");
       group.setAttribute("aria-labelledby", label.id);
@@ -63,11 +65,11 @@
         input.inputMode = key.type === "string" ? "text" : "decimal";
         input.autocomplete = "off";
         input.placeholder = key.default ?? (lists[key.type] ? lists[key.type].hint : "–");
-        if (lists[key.type]) input.inputMode = "text";
+        if (lists[key.type]) Object.assign(input, { inputMode: "text", className: "list" });
       }
       input.addEventListener("change", () => this.typed(path, key, input));
       this.fields.push({ path, key, input });
-      const label = make("label", { htmlFor: id, title: key.description }, words(key.name));
+      const label = make("label", { htmlFor: id, title: key.description }, spoken[path] || words(key.name));
       return make("div", { className: "field" }, label, make("span", { className: "entry" }, input, make("span", { className: "unit", textContent: unit(key.name) })));
     }
 

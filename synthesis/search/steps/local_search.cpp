@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "synthesis/search/steps/rank.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "synthesis/solvers/newton_polish.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
@@ -27,7 +28,7 @@ ChoiceResult no_result() {
 
 bool better(const ChoiceResult& a, const ChoiceResult& b) {
   if (a.feasible != b.feasible) return a.feasible;
-  return a.feasible ? a.cost < b.cost : a.violation < b.violation;
+  return a.feasible ? rank(a.cost) < rank(b.cost) : rank(a.violation) < rank(b.violation);
 }
 
 ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local) {
