@@ -32,9 +32,12 @@ SearchOptions search_options(const Options& options, const Deadline& deadline) {
 }
 
 MapOptions map_options(const Options& options, StopFlag stop) {
-  return {.map_tolerance = std::clamp(options.map_tolerance, 1e-5, 0.5),
-          .largest_sheets = options.largest_sheets,
-          .stop = std::move(stop)};
+  MapOptions map{.map_tolerance = std::clamp(options.map_tolerance, 1e-5, 0.5),
+                 .largest_sheets = options.largest_sheets,
+                 .stop = std::move(stop)};
+  if (options.progress)
+    map.progress = [progress = options.progress](double share) { progress(share, "mapping"); };
+  return map;
 }
 
 Outcome design_checked(const Spec& spec, const Options& options) {

@@ -12,6 +12,7 @@
 #include "library/workings.hpp"
 #include "reports/page/model.hpp"
 #include "reports/pictures/map_picture.hpp"
+#include "specs/materials.hpp"
 #include "specs/spec_reader.hpp"
 #include "studio/enclosure.hpp"
 #include "synthesis/search/sketch.hpp"
@@ -113,6 +114,8 @@ Json task(const Spec& spec) {
           {"sheets_gap", optional_number(spec.limits.copy_gap)},
           {"longest", largest_joint_distance(spec)},
           {"shortest", spec.links.shortest},
+          {"load_error", optional_number(spec.limits.load_error)},
+          {"sag", optional_number(spec.limits.sag)},
           {"objective", name(spec.objective.objective)},
           {"mechanism", spec.mechanism.has_value()}};
 }
@@ -203,6 +206,9 @@ Json found(const FinishedDesign& design) {
             {"free_area", design.map().collision_free_area()},
             {"longest", longest(of)},
             {"footprint", design.footprint()},
+            {"load_error", optional_number(design.load_error())},
+            {"sag", optional_number(design.sag())},
+            {"mass", optional_number(design.mass())},
             {"complete", design.complete()},
             {"covers", design.map().covers_region()},
             {"why_not_covered", design.map().why_not_covered()}}},
@@ -225,6 +231,12 @@ Json none(const Outcome& outcome) {
           {"stopped", outcome.kind() == Outcome::Kind::stopped},
           {"bound", optional_number(outcome.proven_bound())},
           {"changes", changes}};
+}
+
+Json names_of_materials() {
+  Json names = Json::array();
+  for (const KnownMaterial& material : known_materials()) names.push_back(material.name);
+  return names;
 }
 
 /// The drawings that came along, where the reader looks for them. A name is that of a file, not of a place elsewhere.
@@ -275,6 +287,7 @@ std::string Door::ask(std::string_view question, const std::string& argument, co
   const auto answer = [&]() -> Json {
     if (question == "version") return {{"version", KEMPE_VERSION}};
     if (question == "check") return {{"holds", intervals_hold()}};
+    if (question == "materials") return {{"names", names_of_materials()}};
     const Json asked = Json::parse(argument);
     if (question == "files") {
       if (!memory_->design) return {{"reason", "there is no design yet"}};

@@ -18,6 +18,7 @@ using Progress = std::function<void(double share, std::string_view what)>;
 ///
 ///   version    {"version"}
 ///   check      {"holds"}: true where interval arithmetic encloses, without which nothing here may be called proven
+///   materials  {"names"}: those that a spec can name
 ///   validate   {"faults": [{"file", "line", "key", "found", "allowed"}, ...]}, or {"task": what a page draws of the spec}; "file"
 ///              is null for the spec, else the drawing whose line is meant
 ///   region     what the tracer is to cover, every corner: {"polygons": [[outline, hole, ...], ...]}, or faults

@@ -24,6 +24,16 @@ EXAMPLES = ["plagiograph", "nameplate", "clamped-plate", "pantorouter", "half-tu
 DRAWN = {"region", "pole", "obstacles", "bodies", "table", "mechanism"}
 
 
+def list_of(key):
+    """What a list holds that one field can show: "numbers", "pairs" of numbers, or "words" to choose from; None for any other."""
+    items = key["items"]
+    if items.get("type") == "number":
+        return "numbers"
+    if items.get("type") == "array" and items["items"].get("type") == "number" and items.get("maxItems") == 2:
+        return "pairs"
+    return "words" if "enum" in items else None
+
+
 def keys():
     """The keys of a spec that one field can hold, from its schema."""
     schema = json.loads((ROOT / "docs/spec.schema.json").read_text(encoding="utf-8"))
@@ -36,11 +46,13 @@ def keys():
         for name, key in of["properties"].items():
             ratio = any(form.get("type") == "number" for form in key.get("anyOf", []))  # a number, or "1:3"
             words = key.get("enum") or next((form["enum"] for form in key.get("anyOf", []) if "enum" in form), None)
-            if words or key.get("type") in ("number", "integer", "boolean") or ratio or table == "":
-                found.append({"table": table, "name": name, "type": "number" if ratio else key.get("type"), "ratio": ratio, "enum": words,
+            kind = "number" if ratio else list_of(key) if key.get("type") == "array" else key.get("type")
+            if words or kind in ("number", "integer", "boolean", "string", "numbers", "pairs", "words"):
+                found.append({"table": table, "name": name, "type": kind, "ratio": ratio,
+                              "enum": key["items"]["enum"] if kind == "words" else words,
                               "description": key.get("description", ""), "default": key.get("default")})
-    first = ["", "copy", "limits", "links"]
-    return sorted(found, key=lambda key: first.index(key["table"]) if key["table"] in first else len(first))
+    first = ["copy", "limits", "links", "objective", "material", "load"]
+    return sorted(found, key=lambda key: first.index(key["table"]) if key["table"] in first else len(first) + (key["table"] == ""))
 
 
 def templates():

@@ -17,7 +17,8 @@ struct Options {
   std::optional<double> time_limit{};
   /// Asked often, perhaps from several threads; once true it must stay true. The best so far then comes back.
   std::function<bool()> stop{};
-  /// Told the share of the work done, 0..1, and what is being done; called from one thread at a time.
+  /// Told what is being done ("searching", "proving a bound", "mapping", ...) and the share of that which is done, 0..1; each
+  /// begins anew. Called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
   bool diagnose = true;  ///< look for the least relaxations where there is no design
   /// Share of the free workspace that may stay uncertain, not NaN; 1e-5 or 0.5 where it is less or more

@@ -8,6 +8,16 @@
     return node;
   };
   const degrees = (angle) => (angle * 180) / Math.PI;
+  const underLoad = { load_error: "mm", sag: "mm", mass: "kg" };  // figures of the engine that are there only beside a load and a material
+  // What the engine does at rest, by the words with which it tells its progress.
+  const steps = [
+    { name: "Possible?", words: "Is a design possible at all?", of: /^looking whether/ },
+    { name: "Search", words: "Searching for the best design", of: /^searching/, always: true },
+    { name: "Bound", words: "Proving what no design can beat", of: /^proving/, always: true },
+    { name: "Way out", words: "No design so far; looking for the least change that allows one", of: /^looking (again )?for what/ },
+    { name: "Map", words: "Mapping where the tracer can go", of: /^mapping/, always: true },
+  ];
+  const shownAfter = 250;  // ms: what is done sooner needs no list
   const rest = 220;  // ms after the last move before the full search begins
 
   /** A number as people write it, with a point or a comma; NaN if it is none. */
@@ -50,6 +60,7 @@
         this.say("bad", fault.message);
         throw fault;
       }
+      this.searcher.ask("materials", {}).then(({ names }) => names && this.panel.suggest("material.name", names));
       let text = null;
       try {
         text = await kempe.textOf(location.hash);
@@ -209,13 +220,17 @@
         this.faults([]);
         if (this.fitNext) this.fit();
         this.place();
-        const given = this.task.mechanism && this.task.region.length === 0;  // nothing to design for: the mechanism's map
-        answer = await this.searcher.ask(given ? "map" : "design", this.asked(text), ({ share, what }) => { if (text === this.text) this.progress(share, what); });
+        answer = await this.searcher.ask(this.isGiven() ? "map" : "design", this.asked(text), ({ share, what }) => { if (text === this.text) this.progress(share, what); });
       } catch (fault) {
         answer = { error: fault.message };
       }
       if (answer.stopped || text !== this.text) return;
       this.finish(answer);
+    }
+
+    /** True where there is nothing to design for: the spec gives a mechanism, and its map is asked for. */
+    isGiven() {
+      return this.task.mechanism && this.task.region.length === 0;
     }
 
     finish(answer) {
@@ -240,6 +255,7 @@
       this.from = answer.handover;
       if (!this.tracer) this.tracer = this.goodPlace();
       this.stage.showMap(answer.picture);
+      this.reasons = [];
       const binding = this.bindings(answer);
       this.binding = binding.flatMap(({ at }) => (at ? [at] : []));
       const { figures } = answer;
@@ -271,16 +287,43 @@
     takeNone(answer) {
       this.model = null;
       this.binding = [];
+      this.reasons = this.reasonsOnTheTable(answer);
       this.ghost = this.ghost || null;
       this.stage.showMap(null);
       this.figures(null, false);
-      this.say("bad", (answer.proven ? "Proven: no design exists. " : "None found, which proves nothing: ") + answer.reason);
+      this.say("bad", (answer.proven ? "Proven: no design exists. " : "None found, which proves nothing: ") + answer.reason.replace(/[^.]$/, "$&."));
       one("changes").replaceChildren(...answer.changes.map((change) => this.changeButton(change)));
       this.place();
     }
 
+    /** Where on the table the limits lie that are in the way, each with a word: at most three. */
+    reasonsOnTheTable({ reason, changes }) {
+      const { task, doc } = this, area = task.pole.within, pole = task.pole.at || (area && area.length ? kempe.middleOf(area.flat()) : null);
+      const copy = kempe.shapesOf(doc, task, pole).find(({ role }) => role === "copy"), points = task.region.flat();
+      if (!pole || points.length === 0) return [];
+      const away = ([x, y], [u, v]) => Math.hypot(x - u, y - v), least = (all, of) => all.reduce((best, at) => (of(at) < of(best) ? at : best));
+      const far = least(points, (at) => -away(at, pole)), near = least(points, (at) => away(at, pole)), middle = kempe.middleOf(points);
+      const spots = ({ key, sentence }) => {
+        if (key.startsWith("pole.")) return [[pole, "the pole stands here"]];
+        if (key === "limits.sheets_gap_mm") return copy ? [[least(copy.rings.flat(), (at) => away(at, middle)), "copy too near"]] : [];
+        if (key === "limits.transmission_deg") return [[far, "transmission"], [near, "transmission"]];
+        if (/longest/.test(key)) return [[far, "too far for the strips"]];
+        if (key === "limits.copy_error_mm") return [[far, "copy error"]];
+        const index = key.startsWith("obstacles") ? this.obstacleNamed(sentence) : -1, obstacle = (this.shapes || []).find((of) => of.role === "obstacle" && of.index === index);
+        return obstacle ? [[kempe.middleOf(obstacle.rings.flat()), "in the way"]] : [];
+      };
+      const told = changes.length ? changes : [{ key: (/\b(?:limits|links|pole)\.\w+|\bobstacles\b/.exec(reason) || [""])[0], sentence: reason }];
+      const found = [];
+      for (const [at, words] of told.flatMap(spots)) if (found.length < 3 && found.every((one) => away(one.at, at) > 1e-6)) found.push({ at, words });
+      return found;
+    }
+
     /** What would make a design possible, as a button where the change can be written into the spec. */
     changeButton({ key, sentence }) {
+      const area = /; with the pole free to stand within ([-+\d.e]+) mm of the region/.exec(sentence);
+      const outside = /; the pole ([-+\d.e]+) mm outside it would do/.exec(sentence), leftOut = /; left out, a design exists/.test(sentence);
+      const tolerances = /^length_mm = .* and play_mm = .*; ([-+\d.e]+) and ([-+\d.e]+) would do/.exec(sentence);
+      const named = /; "([^"]+)" would do/.exec(sentence);
       const pole = /; the pole at \(([-+\d.e]+), ([-+\d.e]+)\) mm would do/.exec(sentence);
       const would = /; ([-+\d.e]+) would do/.exec(sentence), without = /(.*) is in the way; without it/.exec(sentence);
       let text = null, words = sentence;
@@ -299,9 +342,24 @@
       } else if (pole) {
         text = this.withPole([Number(pole[1]), Number(pole[2])]);
         words = `pole at (${pole[1]}, ${pole[2]})`;
-      } else if (key === "table" || key === "bodies") {
+      } else if (outside && this.task) {
+        text = this.withPoleIn(this.around(Number(outside[1]), this.task.pole.within));
+        words = `pole within ${outside[1]} mm more on each side`;
+      } else if (area && this.task) {
+        text = this.withPoleIn(this.around(Number(area[1])));
+        words = `pole within ${area[1]} mm of the original`;
+      } else if (leftOut && this.doc.has(key)) {
+        text = this.doc.cleared(key);
+        words = `without ${key.split(".")[1].replace(/_(mm|deg)$/, "").replaceAll("_", " ")}`;
+      } else if (tolerances) {
+        text = new kempe.Doc(this.doc.with("tolerance.length_mm", Number(tolerances[1]))).with("tolerance.play_mm", Number(tolerances[2]));
+        words = `length within ${tolerances[1]} mm, play within ${tolerances[2]} mm`;
+      } else if (named && this.doc.has(key)) {
+        text = this.doc.with(key, named[1]);
+        words = named[1];
+      } else if (key === "table" || key === "bodies" || (key === "obstacles" && /; without them/.test(sentence))) {
         text = this.withoutAll(key);
-        words = key === "table" ? "without the table's edge" : "without the bodies";
+        words = key === "table" ? "without the table's edge" : `without the ${key}`;
       }
       if (text === null) return make("span", { className: "change", textContent: sentence });
       const button = make("button", { type: "button", textContent: words, title: sentence });
@@ -309,11 +367,30 @@
       return button;
     }
 
-    /** The text with the pole at a place, wherever it might stand before; null where the text cannot be changed so. */
+    /** The rectangle around the original, or around other rings, that is so much wider on every side. */
+    around(margin, rings = this.task.region) {
+      const points = rings.flat(), xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+      const [left, right, near, far] = [Math.min(...xs) - margin, Math.max(...xs) + margin, Math.min(...ys) - margin, Math.max(...ys) + margin];
+      return [[left, near], [right, near], [right, far], [left, far]];
+    }
+
+    /** The text with the pole at a place, or somewhere in an area, wherever it might stand before; null where the text cannot be changed so. */
     withPole(place) {
+      return this.withPoleBy("at_mm", place, "within_mm");
+    }
+
+    withPoleIn(area) {
+      return this.withPoleBy("within_mm", area, "at_mm");
+    }
+
+    withPoleBy(key, value, instead) {
       try {
-        const doc = new kempe.Doc(new kempe.Doc(this.doc.with("pole.at_mm", place)).without("pole.within_mm"));
-        return doc.has("pole.at_mm") && !doc.has("pole.within_mm") && !doc.has("pole") ? doc.text : null;
+        let { doc } = this;
+        if (doc.has("pole")) return doc.with("pole", { [key]: value });  // pole = {...} in one line
+        const first = doc.has(`pole.${instead}`) && !doc.tables.has("pole");  // pole.within_mm = ..., without a table's head
+        doc = new kempe.Doc(doc.without(`pole.${instead}`));
+        doc = new kempe.Doc(first ? doc.withAbove(`pole.${key} = ${kempe.written(value)}`) : doc.with(`pole.${key}`, value));
+        return doc.has(`pole.${key}`) && !doc.has(`pole.${instead}`) ? doc.text : null;
       } catch (error) {
         return null;
       }
@@ -346,6 +423,8 @@
       if (long.length) found.push({ text: `the longest strip, ${long.join(" and ")}` });
       if (short.length) found.push({ text: `the shortest distance of two holes, ${short.join(" and ")}` });
       if (figures.clearance !== null && figures.clearance - task.clearance < 0.01) found.push({ text: "the clearance between parts" });
+      for (const [key, words] of [["load_error", "how far the pen gives way"], ["sag", "the sag"]])
+        if (task[key] !== null && figures[key] !== null && figures[key] > 0.999 * task[key]) found.push({ text: words });
       return found;
     }
 
@@ -379,15 +458,19 @@
     // ---- what is seen
 
     polePlace() {
-      return this.model ? this.model.pole : this.answer && this.answer.model ? this.answer.model.pole : null;
+      if (this.model) return this.model.pole;
+      if (this.answer && this.answer.model) return this.answer.model.pole;
+      const area = this.answerIsCurrent && this.task && this.task.pole.within;  // no design: the copy is shown for a pole in its middle
+      return area && area.length ? kempe.middleOf(area.flat()) : null;
     }
 
     place() {
+      one("play").disabled = !this.model;
       const shapes = kempe.shapesOf(this.doc, this.task, this.polePlace());
       this.shapes = shapes;
       const region = shapes.find(({ role }) => role === "region");
       const tracer = this.tracer || (region ? kempe.middleOf(region.rings.flat()) : [0, 0]);
-      this.stage.show({ shapes, model: this.model, ghost: this.answerIsCurrent ? (this.model ? null : this.ghost) : this.ghost, tracer, binding: this.answerIsCurrent ? this.binding : [] });
+      this.stage.show({ shapes, model: this.model, ghost: this.answerIsCurrent ? (this.model ? null : this.ghost) : this.ghost, tracer, binding: this.answerIsCurrent ? this.binding : [], reasons: this.answerIsCurrent ? this.reasons : [] });
     }
 
     fit() {
@@ -415,13 +498,15 @@
       const mm = (value) => `${kempe.figure(value, value < 10 ? 2 : 1)}\u00a0mm`;
       document.body.classList.toggle("sketched", isSketch);
       if (!of) {
-        for (const id of ["size", "bound", "transmission", "clearance", "free", "longest"]) set(id, "–");
+        for (const id of ["size", "bound", "transmission", "clearance", "free", "longest", ...Object.keys(underLoad)]) set(id, "–");
         return;
       }
+      if (!isSketch) this.showLoads(of, set);
+      else for (const id of Object.keys(underLoad)) set(id, "…");
       set("size", mm(of.size));
       const unit = (value) => (this.task && this.task.objective === "transmission" ? `${kempe.figure(degrees(value), 2)}°` : mm(value));
       const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
-      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? "" : share < 0.01 ? "the design is there" : `${kempe.figure(share, share < 1 ? 2 : 1)} % from it`);
+      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "the design is there" : `${kempe.figure(share, share < 1 ? 2 : 1)} % from it`);
       set("transmission", `${kempe.figure(degrees(of.transmission), 1)}°`, this.task ? `limit ${kempe.figure(degrees(this.task.transmission), 1)}°` : "");
       set("longest", mm(of.longest), this.task ? `limit ${kempe.figure(this.task.longest, 1)} mm` : "");
       if (isSketch) {
@@ -434,6 +519,24 @@
       set("free", `${kempe.figure(of.free_area / 100, of.free_area < 10000 ? 1 : 0)}\u00a0cm²`);
     }
 
+    /** Bounds are proven of two goals. */
+    whyNoBound({ value, bound }) {
+      const goal = this.task ? this.task.objective : "";
+      return !value || bound ? "" : ["size", "transmission"].includes(goal) ? "nothing is proven" : `no bound for ${goal.replace("_", " ")}`;
+    }
+
+    /** What a load and a material make known: shown where the spec has them. */
+    showLoads(of, set) {
+      const known = Object.keys(underLoad).filter((id) => of[id] !== null && of[id] !== undefined);
+      one("figures").style.setProperty("--loads", known.length);
+      for (const [id, unit] of Object.entries(underLoad)) {
+        one(`${id}-key`).hidden = !known.includes(id);
+        const limit = this.task ? this.task[id] : null;
+        const digits = (value) => kempe.figure(Number(value.toPrecision(3)), 6);
+        if (known.includes(id)) set(id, `${digits(of[id])}\u00a0${unit}`, limit === null || limit === undefined ? "" : `limit ${digits(limit)} ${unit}`);
+      }
+    }
+
     say(kind, words) {
       one("verdict").className = `verdict ${kind}`;
       one("verdict").textContent = words;
@@ -444,12 +547,30 @@
       one("notice").hidden = !words;
     }
 
+    /** The share done of what the engine does now; null once it rests. Search, bound and map stand in a row, each with its own. */
     progress(share, what) {
-      const bar = one("progress");
+      const bar = one("progress"), list = one("steps");
       bar.hidden = share === null;
-      if (share === null) return;
+      if (share === null || what === "") {
+        this.steps = { begun: performance.now(), reached: new Set() };
+        list.hidden = true;
+        bar.value = 0;
+        if (share !== null && !document.body.classList.contains("sketched")) this.say("wait", "Searching …");
+        return;
+      }
+      const step = steps.find(({ of }) => of.test(what)) || steps[1], { reached, begun } = this.steps;
+      reached.add(step);
       bar.value = share;
-      if (!document.body.classList.contains("sketched")) this.say("wait", what ? `Searching: ${what} …` : "Searching …");
+      bar.setAttribute("aria-label", step.name);
+      list.hidden = performance.now() - begun < shownAfter;
+      list.replaceChildren(...steps.filter((one) => (one.always && !this.isGiven()) || reached.has(one)).map((one) => {
+        const done = reached.has(one) && one !== step;
+        const item = make("li", { className: done ? "done" : "" }, one.name, make("span", { className: "share", textContent: one === step ? `${Math.floor(100 * share)} %` : done ? "✓" : "" }));
+        if (one === step) item.setAttribute("aria-current", "step");
+        return item;
+      }));
+      if (!this.steps.said || this.steps.said !== step) this.say("wait", `${step.words} …`);
+      this.steps.said = step;
     }
 
     faults(all) {
@@ -628,7 +749,7 @@
 
     card({ name, title, text }) {
       const button = make("button", { type: "button", className: "card" });
-      button.append(kempe.preview(text), make("strong", { textContent: name }), make("span", { textContent: title }));
+      button.append(kempe.preview(text), make("strong", { textContent: (name[0].toUpperCase() + name.slice(1)).replaceAll("-", " ").replace(/\ba(?=\d)/, "A") }), make("span", { textContent: title }));
       button.addEventListener("click", () => { one("gallery").close(); this.name = name; this.open(text); });
       return button;
     }
@@ -645,7 +766,8 @@
     const svg = "http://www.w3.org/2000/svg", root = document.createElementNS(svg, "svg");
     root.setAttribute("class", "map preview");
     root.setAttribute("aria-hidden", "true");
-    const shapes = kempe.shapesOf(new kempe.Doc(text), null, null), points = shapes.flatMap(({ rings, handles }) => [...rings.flat(), ...handles.map(({ at }) => at)]);
+    const doc = new kempe.Doc(text), area = doc.get("pole.within_mm");
+    const shapes = kempe.shapesOf(doc, null, area ? kempe.middleOf(area.flat(Array.isArray(area[0][0]) ? 1 : 0)) : null), points = shapes.flatMap(({ rings, handles }) => [...rings.flat(), ...handles.map(({ at }) => at)]);
     const xs = points.map(([x]) => x), ys = points.map(([, y]) => -y), pad = 0.08 * Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
     const width = Math.max(...xs) - Math.min(...xs) + 2 * pad, height = Math.max(...ys) - Math.min(...ys) + 2 * pad;
     root.setAttribute("viewBox", `${Math.min(...xs) - pad} ${Math.min(...ys) - pad} ${width} ${height}`);

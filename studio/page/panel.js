@@ -1,10 +1,22 @@
 // A field for every key of a spec, made from the table of keys: a new key appears by itself.
 "use strict";
 (function (kempe) {
-  const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerance", tool: "Tool", objective: "Objective", cutting: "Cutting" };
-  const open = new Set(["", "copy", "limits", "links"]);
-  const words = (name) => name.replace(/_(mm|deg)$/, "").replaceAll("_", " ");
-  const unit = (name) => (name.endsWith("_mm") ? "mm" : name.endsWith("_deg") ? "°" : "");
+  const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerance", tool: "Tool", objective: "Objective", material: "Material", load: "Load", cutting: "Cutting" };
+  const open = new Set(["copy", "limits", "links"]);
+  const units = { mm: "mm", deg: "°", N: "N", kg: "kg", GPa: "GPa", MPa: "MPa", kg_m3: "kg/m³" };
+  const ending = /_(mm|deg|N|kg_m3|kg|GPa|MPa)$/;
+  const words = (name) => name.replace(ending, "").replaceAll("_", " ");
+  /** Keys whose name without its unit does not say what they are. */
+  const spoken = { "load.pen_N": "Force at the pen", "material.E_GPa": "Modulus of elasticity", "load.rests": "Rests on the table", "limits.load_error_mm": "Gives way by", "limits.sag_mm": "Sags by" };
+  const unit = (name) => units[(ending.exec(name) || [])[1]] || "";
+  const figure = (value) => kempe.figure(value, 6);
+
+  /** Lists in a field. Between two numbers of a list stands a semicolon or a blank, so that a comma may be decimal. */
+  const lists = {
+    numbers: { show: (list) => list.map(figure).join("; "), hint: "20; 40; 60", read: (text) => text.split(/[;\s]+/).filter(Boolean).map((one) => kempe.readNumber(one.replace(/,$/, ""))) },
+    pairs: { show: (list) => list.map((pair) => pair.map(figure).join(" × ")).join("; "), hint: "12 × 4; 15 × 5", read: (text) => text.split(";").filter((part) => part.trim()).map((part) => part.split(/[×x*]/i).map(kempe.readNumber)) },
+  };
+  const isList = (kind, value) => Array.isArray(value) && value.length > 0 && value.every((of) => (kind === "pairs" ? Array.isArray(of) && of.length === 2 && of.every(Number.isFinite) : Number.isFinite(of)));
 
   class Panel {
     constructor(root, keys, change) {
@@ -21,26 +33,56 @@
       }
     }
 
+    /** Names that a field suggests; any other may be typed. */
+    suggest(path, names) {
+      const { make } = kempe, { input } = this.fields.find((of) => of.path === path), list = make("datalist", { id: `${input.id}-names` }, ...names.map((value) => make("option", { value })));
+      input.after(list);
+      input.setAttribute("list", list.id);
+    }
+
+    /** A box for each word of which a spec may name several; a spec that names none leaves what holds then ticked. */
+    choices(path, key) {
+      const { make } = kempe, boxes = key.enum.map((word) => make("input", { type: "checkbox", value: word }));
+      for (const box of boxes)
+        box.addEventListener("change", () => {
+          const chosen = boxes.filter(({ checked }) => checked).map(({ value }) => value), usual = key.default || [];
+          this.change(chosen.length === usual.length && usual.every((word) => chosen.includes(word)) ? this.doc.cleared(path) : this.doc.with(path, chosen));
+        });
+      this.fields.push({ path, key, boxes });
+      const label = make("span", { className: "label", title: key.description, id: `field-${path}` }, spoken[path] || words(key.name));
+      const group = make("span", { className: "entry choices" }, ...boxes.map((box) => make("label", {}, box, box.value)));
+      group.setAttribute("role", "group");
+      group.setAttribute("aria-labelledby", label.id);
+      return make("div", { className: "field" }, label, group);
+    }
+
     field(key) {
       const { make } = kempe, path = key.table ? `${key.table}.${key.name}` : key.name, id = `field-${path}`;
+      if (key.type === "words") return this.choices(path, key);
       const input = key.enum ? make("select", { id }) : make("input", { id, type: key.type === "boolean" ? "checkbox" : "text" });
       if (key.enum) input.append(make("option", { value: "", textContent: key.default ?? "–" }), ...key.enum.filter((of) => of !== key.default).map((of) => make("option", { value: of, textContent: of })));
       else if (key.type !== "boolean") {
         input.inputMode = key.type === "string" ? "text" : "decimal";
         input.autocomplete = "off";
-        input.placeholder = key.default ?? "–";
+        input.placeholder = key.default ?? (lists[key.type] ? lists[key.type].hint : "–");
+        if (lists[key.type]) Object.assign(input, { inputMode: "text", className: "list" });
       }
       input.addEventListener("change", () => this.typed(path, key, input));
       this.fields.push({ path, key, input });
-      const label = make("label", { htmlFor: id, title: key.description }, words(key.name));
+      const label = make("label", { htmlFor: id, title: key.description }, spoken[path] || words(key.name));
       return make("div", { className: "field" }, label, make("span", { className: "entry" }, input, make("span", { className: "unit", textContent: unit(key.name) })));
     }
 
     typed(path, key, input) {
       const value = key.type === "boolean" ? input.checked : input.value.trim();
-      if (value === "") return this.change(this.doc.without(path));
+      if (value === "") return this.change(this.doc.cleared(path));
       if (key.type === "boolean" || key.type === "string" || key.enum) return this.change(this.doc.with(path, value));
       if (key.ratio && /[:/]/.test(value) && kempe.ratio(value) > 0) return this.change(this.doc.with(path, value));
+      if (lists[key.type]) {
+        const list = lists[key.type].read(value), good = isList(key.type, list);
+        input.setCustomValidity(good ? "" : `a list, please: ${lists[key.type].hint}`);
+        return good ? this.change(this.doc.with(path, list)) : void input.reportValidity();
+      }
       const number = kempe.readNumber(value);
       input.setCustomValidity(Number.isNaN(number) ? "a number, please" : "");
       if (Number.isNaN(number)) return void input.reportValidity();
@@ -49,14 +91,20 @@
 
     show(doc) {
       this.doc = doc;
-      for (const { path, key, input } of this.fields) {
+      for (const { path, key, input, boxes } of this.fields) {
+        if (boxes) {
+          const chosen = doc.get(path) || key.default || [];
+          for (const box of boxes) box.checked = Array.isArray(chosen) && chosen.includes(box.value);
+          continue;
+        }
         if (document.activeElement === input && key.type !== "boolean") continue;
-        const found = doc.get(path), byParts = (typeof found === "object" && found !== null) || [...doc.values.keys()].some((of) => of.startsWith(`${path}.`));
+        const given = doc.get(path), found = lists[key.type] && isList(key.type, given) ? lists[key.type].show(given) : given;
+        const byParts = (typeof found === "object" && found !== null) || [...doc.values.keys()].some((of) => of.startsWith(`${path}.`));
         const value = byParts ? undefined : found;
         input.disabled = byParts;  // a table, such as the hardware joint by joint: it is changed in the text
         input.title = byParts ? "Given part by part: change it in the spec's text" : "";
         if (key.type === "boolean") input.checked = value ?? key.default ?? false;
-        else input.value = value === undefined ? "" : typeof value === "number" ? kempe.figure(value, 6) : String(value);
+        else input.value = value === undefined ? "" : typeof value === "number" ? figure(value) : String(value);
       }
     }
   }

@@ -126,17 +126,22 @@
           const word = css === "region" ? "original" : "copy", at = this.labels.put(kempe.Labels.beside(box, this.pixel), word.length);
           if (at) groups.names.append(words([at[0], -at[1]], word, css));
         }
-      groups.mark.replaceChildren(...(scene.binding || []).map((at) => element("circle", { class: "tight", cx: at[0], cy: -at[1], r: 9 * this.pixel })));
+      groups.mark.replaceChildren(...[...(scene.binding || []), ...(scene.reasons || []).map(({ at }) => at)].map((at) => element("circle", { class: "tight", cx: at[0], cy: -at[1], r: 9 * this.pixel })));
+      for (const { at, words: why } of scene.reasons || []) {
+        const place = this.labels.put(kempe.Labels.round([at[0], -at[1]], 9 * this.pixel, this.pixel), why.length);
+        if (place) groups.names.append(words([place[0], -place[1]], why, "reason"));
+      }
       this.drawGrip(scene.model, scene.tracer);
       this.drawHandles(handles);
     }
 
     /** What no word may cover: handles, the linkage's joints, marks and buttons. */
     freeRoom(handles) {
-      const { scene } = this, labels = new kempe.Labels({ ...this.view, top: this.view.top + 48 * this.pixel, height: this.view.height - 72 * this.pixel }, this.pixel);
+      const { scene, view, pixel } = this, ticks = 34 * pixel;  // the numbers at the left edge
+      const labels = new kempe.Labels({ left: view.left + ticks, width: view.width - ticks, top: view.top + 48 * pixel, height: view.height - 72 * pixel }, pixel);
       labels.handles = handles.map(({ at }) => [at[0], -at[1]]);
       for (const at of labels.handles) labels.keepOff(at, 8);
-      for (const at of scene.binding || []) labels.keepOff([at[0], -at[1]], 10);
+      for (const at of [...(scene.binding || []), ...(scene.reasons || []).map(({ at: spot }) => spot)]) labels.keepOff([at[0], -at[1]], 10);
       const found = scene.model ? this.poseOf(scene.model, scene.tracer) : null;
       if (found) for (const [x, y] of found.pose) labels.keepOff([x, -y], Math.max((1.55 * scene.model.pin_radius) / this.pixel, 6));
       return labels;

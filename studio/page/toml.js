@@ -213,6 +213,13 @@
       return this.text.slice(0, start) + (end < 0 ? "" : this.text.slice(end + 1));
     }
 
+    /** Without a key, and without its table where nothing else stands in that. */
+    cleared(path) {
+      const left = new Doc(this.without(path)), table = path.slice(0, Math.max(path.lastIndexOf("."), 0)), inside = `${table}.`;
+      const holds = [...left.values.keys(), ...left.tables.keys()].some((of) => of.startsWith(inside));
+      return table && left.tables.has(table) && !holds ? left.withoutTable(table) : left.text;
+    }
+
     /** Without a table [[name]]. */
     withoutTable(name) {
       const of = this.tables.get(name);
@@ -225,5 +232,5 @@
     }
   }
 
-  kempe.Doc = Doc;
+  Object.assign(kempe, { Doc, written });
 })((globalThis.kempe = globalThis.kempe || {}));

@@ -58,8 +58,27 @@ class Tree {
     return open_.empty() || open_.top().bound >= designs_.enough(tolerance);
   }
 
+  /// By how far a box may be better than the best design known, as a share of it.
+  double gap() const {
+    const double best = designs_.best();
+    return best < infinity && !open_.empty() ? std::abs((best - open_.top().bound) / best) : infinity;
+  }
+
+  /// The gap closes by halves, so its logarithm tells how far the tree has come; where no design is known, the boxes do.
+  void tell_progress(double tolerance) {
+    if (!options_.progress) return;
+    const double here = gap(), of_boxes = static_cast<double>(boxes_) / static_cast<double>(options_.boxes);
+    if (here < infinity) widest_gap_ = std::max(widest_gap_, here);
+    const double of_gap = here < infinity && widest_gap_ > tolerance && here > 0
+                              ? std::log(widest_gap_ / here) / std::log(widest_gap_ / tolerance)
+                              : 0;
+    told_ = std::clamp(std::max(of_boxes, of_gap), told_, 1.0);
+    options_.progress(told_);
+  }
+
   void grow_until(double tolerance) {
     while (!is_closed(tolerance) && boxes_ < options_.boxes && !options_.stop()) {
+      if (opened_ % told_every == 0) tell_progress(tolerance);
       TreeNode node = open_.top();
       open_.pop();
       if (options_.self_contact && !cuts_.rule_out(node, branch_of(node), boxes_)) continue;
@@ -242,6 +261,8 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
+  static constexpr std::size_t told_every = 64;  // boxes
+  double widest_gap_ = 0, told_ = 0;             // of the progress told
 };
 
 std::optional<ProvenBound> back_to_the_table(std::optional<ProvenBound> bound, const Point& origin) {

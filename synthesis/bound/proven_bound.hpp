@@ -62,6 +62,8 @@ struct BoundOptions {
   std::optional<double> shortest = std::nullopt;
   /// Ends the tree early: what is proven so far comes back, as when the boxes run out.
   StopFlag stop{};
+  /// Told now and then the share of the work done, 0..1, which never falls: of the gap that was to be closed, or of the boxes.
+  std::function<void(double share)> progress{};
 };
 
 struct ProvenBound {

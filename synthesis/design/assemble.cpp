@@ -65,6 +65,9 @@ void measure_robustness(Design& design) {
                  .clearance_loss = design.quality.clearance_min - check.clearance};
 }
 
+/// rad: half turns either way that differ by no more are one.
+constexpr double same_turn = 1e-12;
+
 /// With stock lengths k may be off: the design then states what it attains, and what was wanted beside it.
 void note_ratio(Design& design, const Copy& copy) {
   const double error = std::abs(design.linkage.k() - copy.k());
@@ -72,6 +75,7 @@ void note_ratio(Design& design, const Copy& copy) {
   design.wanted = WantedCopy{copy.scale(), copy.rotation(), error};
   design.scale = std::abs(design.linkage.k());
   design.rotation = std::arg(design.linkage.k());
+  if (design.rotation <= -pi + same_turn) design.rotation = pi;  // by rounding alone it is not +180 degrees
 }
 
 /// The search's certificate holds where the map's was stopped.

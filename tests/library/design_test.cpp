@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "kempe/kempe.hpp"
 
@@ -47,6 +51,39 @@ TEST(Library, FindsADesignThatCopies) {
       EXPECT_NEAR(pen.x(), -1.4 * y, 1e-9);  // a quarter turn about the origin, 1.4 times as large
       EXPECT_NEAR(pen.y(), 1.4 * x, 1e-9);
     }
+}
+
+TEST(Library, TellsTheProgressOfSearchBoundAndMapEachFromItsBeginning) {
+  Spec spec = small_task();
+  spec.pole.place = Region::rectangle({-20, -20}, {40, 40});
+  std::vector<std::pair<std::string, double>> told;
+  Options options;
+  options.progress = [&](double share, std::string_view what) { told.emplace_back(what, share); };
+  ASSERT_TRUE(design(spec, options));
+  for (const auto& [what, share] : told) EXPECT_TRUE(share >= 0 && share <= 1) << what << " " << share;
+  const auto first = [&](std::string_view what) {
+    return std::find_if(told.begin(), told.end(), [&](const auto& one) { return one.first == what; });
+  };
+  EXPECT_TRUE(first("searching") < first("proving a bound"));
+  EXPECT_TRUE(first("proving a bound") < first("mapping"));
+  ASSERT_TRUE(first("mapping") < told.end());
+  EXPECT_TRUE(std::is_sorted(first("mapping"), told.end()));  // of one name, by the share
+  EXPECT_EQ(first("mapping")->second, 0);
+  EXPECT_EQ(told.back(), std::pair(std::string("mapping"), 1.0));
+}
+
+TEST(Library, TellsTheProgressOfADiagnosis) {
+  Spec spec = small_task();
+  spec.limits.transmission = 88 * degree;
+  std::vector<double> told;
+  Options options;
+  options.progress = [&](double share, std::string_view what) {
+    if (what == "looking for what would help") told.push_back(share);
+  };
+  ASSERT_FALSE(design(spec, options));
+  ASSERT_FALSE(told.empty());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LE(told.back(), 1);
 }
 
 TEST(Library, SaysHowFarADesignSinksWhereItHasAMaterial) {

@@ -1,7 +1,9 @@
 // A handle of the original dragged about, step after step, and what that costs in time and memory.
 
-/** In the page: drags the original's first corner towards its middle and back, a step once the last one is in the picture. */
-export async function drag(steps) {
+/** In the page: drags the original's first corner towards its middle and back, a step once the last one is answered and, unless `frames` is
+ * false, in the picture. */
+export async function drag(asked) {
+  const { steps, frames = true } = typeof asked === "number" ? { steps: asked } : asked;
   const { studio } = window.kempe, times = [];
   const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
   const rings = studio.task.region.flat(), xs = rings.map(([x]) => x), ys = rings.map(([, y]) => y);
@@ -25,7 +27,7 @@ export async function drag(steps) {
     studio.drag(handle, from.map((at, axis) => at + 0.15 * (1 - Math.cos((axis + 1) * turn)) * (middle[axis] - at)));
     if (studio.text === before) continue;  // finer than the grid of the table
     await answered;
-    await frame();
+    if (frames) await frame();
     times.push(performance.now() - began);
   }
   window.removeEventListener("kempe-answer", searched);

@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "n
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
-import { answerOf, file, gallery, pages, rested, template, textOf } from "./browser.mjs";
+import { answerOf, file, gallery, pages, rested, root, template, textOf } from "./browser.mjs";
 import { drag, memory } from "./dragging.mjs";
 import { comparable, compare, inPage, natively, program, randomSpecs, verdictOn } from "./equality.mjs";
 
@@ -146,6 +146,109 @@ test("A pole in the wrong place is moved by a button", async () => {
     await page.locator("#changes button", { hasText: /^pole at \(/ }).first().click();
     await page.waitForFunction(() => document.body.dataset.answer === "design");
     assert.match(await textOf(page), /\[pole\]\nat_mm = \[/);
+  });
+});
+
+test("A pole in the wrong area is moved by a button too, however the area is written", async () => {
+  const rest = "[copy]\nscale = 0.5\n[region]\nrectangle_mm = {at = [100, -60], size = [200, 120]}\n[limits]\nsheets_gap_mm = 5\n", area = "[[-1, -1], [1, -1], [1, 1], [-1, 1]]";
+  const sentences = ["pole.within_mm is in the way; the pole at (10, -250) mm would do", "pole.within_mm is in the way; with the pole free to stand within 233.2 mm of the region a design exists"];
+  await on({}, async (page) => {
+    await rested(page);
+    await page.evaluate((spec) => window.kempe.studio.open(spec), `${rest}[pole]\nwithin_mm = ${area}\n`);
+    await page.waitForFunction(() => document.body.dataset.answer === "none");
+    await page.locator("#changes button", { hasText: /^pole (at \(|within )/ }).first().click();
+    await page.waitForFunction(() => document.body.dataset.answer === "design");
+    for (const text of [`${rest}[pole]\nwithin_mm = ${area}\n`, `pole.within_mm = ${area}\n${rest}`, `pole = {within_mm = ${area}}\n${rest}`]) {
+      await page.evaluate((spec) => window.kempe.studio.open(spec), text);
+      await rested(page);
+      for (const sentence of sentences) {
+        const changed = await page.evaluate((words) => {
+          const { studio } = window.kempe;
+          studio.changeButton({ key: "pole.within_mm", sentence: words }).click();
+          const { text: now } = studio;
+          studio.undo(studio.history, studio.future);
+          return now;
+        }, sentence);
+        const asked = await page.evaluate((spec) => window.kempe.studio.sketcher.ask("validate", { text: spec }), changed);
+        assert.equal(asked.kind, "task", changed);
+        if (sentence === sentences[0]) assert.deepEqual(asked.task.pole.at, [10, -250]);
+        else assert.deepEqual(asked.task.pole.within[0][0], [-133.2, -293.2]);
+      }
+    }
+  });
+});
+
+test("At rest search, bound and map tell their own progress, each from its beginning to its end", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    for (const [name, wanted] of [["nameplate", ["Search", "Bound", "Map"]], ["clamped-plate", ["Search", "Map"]]]) {  // among obstacles the search is the bound's tree
+      const { told, shown } = await page.evaluate(async (spec) => {
+        const { studio } = window.kempe, progress = studio.progress.bind(studio), told = [], shown = new Set();
+        studio.progress = (share, what) => {
+          progress(share, what);
+          if (what) told.push([what, share]);
+          const now = document.querySelector("#steps [aria-current]");
+          if (now) shown.add(now.firstChild.textContent);
+        };
+        studio.open(spec);
+        await new Promise((resolve) => window.addEventListener("kempe-answer", resolve, { once: true }));
+        delete studio.progress;
+        return { told, shown: [...shown] };
+      }, template(name));
+      for (const step of wanted) assert.ok(shown.includes(step), `${name}: ${step} of ${shown}`);
+      const map = told.filter(([what]) => what === "mapping").map(([, share]) => share);
+      assert.ok(new Set(map).size >= 4 && map[0] === 0 && map.at(-1) === 1, `${name}: the map tells ${map}`);
+      assert.ok(map.every((share, i) => i === 0 || share >= map[i - 1]), `${name}: ${map}`);
+      assert.ok(told.every(([, share]) => share >= 0 && share <= 1), name);
+      assert.equal(await page.locator("#steps").isVisible(), false, "nothing is told once it rests");
+    }
+  });
+});
+
+test("A load is given in fields, and what it does stands among the figures", async () => {
+  await on({}, async (page) => {
+    await rested(page);
+    await page.evaluate((spec) => window.kempe.studio.open(spec), template("nameplate"));
+    await rested(page);
+    assert.equal(await page.locator("#load_error-key").isVisible(), false);
+    const names = await page.locator('[id="field-material.name"] + datalist option').evaluateAll((all) => all.map(({ value }) => value));
+    assert.ok(names.includes("steel") && names.length >= 6, names.join());
+    for (const part of ["material", "load"]) await page.locator("#fields summary", { hasText: new RegExp(`^${part}$`, "i") }).click();
+    const type = async (path, value) => {
+      await page.locator(`[id="field-${path}"]`).fill(value);
+      await page.keyboard.press("Enter");
+    };
+    await type("material.name", "steel");
+    await type("load.pen_N", "10");
+    await type("limits.load_error_mm", "0,2");
+    await page.locator("label", { hasText: /^tracer$/ }).last().locator("input").check();
+    await page.keyboard.press("Tab");
+    await page.waitForFunction(() => /load_error_mm = 0\.2/.test(window.kempe.studio.text) && /rests = \["tracer"\]/.test(window.kempe.studio.text));
+    await rested(page);
+    assert.equal(await answerOf(page), "design");
+    const { quality } = await page.evaluate(() => window.kempe.studio.answer.design);
+    for (const [id, value] of [["load_error", quality.load_error_max_mm], ["sag", quality.sag_max_mm], ["mass", quality.mass_kg]]) {
+      const shown = await page.locator(`#${id}`).textContent();
+      assert.ok(Math.abs(parseFloat(shown) - value) <= 6e-3 * value, `${id}: ${shown} for ${value}`);
+    }
+    assert.equal(await page.locator("#load_error-note").textContent(), "limit 0.2 mm");
+    await type("links.stock_mm", "100; 150,5");
+    await page.waitForFunction(() => /stock_mm = \[100, 150\.5\]/.test(window.kempe.studio.text));
+    await type("links.stock_mm", "");
+    await type("load.pen_N", "");
+    await page.waitForFunction(() => !/stock_mm|pen_N/.test(window.kempe.studio.text));
+  });
+});
+
+test("Every key of a spec has a field, or stands on the table, or is known to be text alone", async () => {
+  const schema = JSON.parse(readFileSync(path.join(root, "docs/spec.schema.json"), "utf8")), drawn = ["region", "pole", "obstacles", "bodies", "table", "mechanism"];
+  const alone = ["units", "copy.pairs_mm"];
+  const all = Object.entries(schema.properties).filter(([name]) => !drawn.includes(name))
+    .flatMap(([name, of]) => (of.type === "object" ? Object.keys(of.properties).map((key) => `${name}.${key}`) : [name]));
+  await on({}, async (page) => {
+    await rested(page);
+    const fields = await page.locator('[id^="field-"]').evaluateAll((nodes) => nodes.map(({ id }) => id.slice(6)));
+    assert.deepEqual(all.filter((key) => !fields.includes(key)), alone);
   });
 });
 

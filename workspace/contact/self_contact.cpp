@@ -226,6 +226,10 @@ constexpr double pose_rounding = 1e-14;
 
 }  // namespace
 
+/// Share of a motion's scale: of pairs that are so nearly as tight the first is named. A design that is best where two pairs are at
+/// their limit would else name one of them by rounding.
+constexpr double equally_tight = 1e-10;
+
 Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style,
                            const LayerAssignment& layers, const OpeningInterval& openings) {
   return smallest_gap_over(linkage, style, contact_pairs(linkage, layers), openings);
@@ -235,10 +239,15 @@ Tightest smallest_gap_over(const CopyingLinkage& linkage, const LinkStyle& style
                            const std::vector<ContactPair>& pairs, const OpeningInterval& openings) {
   Tightest tightest{std::numeric_limits<double>::infinity(), std::nullopt};
   if (openings.empty()) return tightest;
+  double named = tightest.gap;  // of the pair named
   for_each_motion(linkage, style, pairs, [&](std::size_t pair, const RelativeMotion& motion) {
     for_each_candidate(motion, openings, [&](double opening) {
       const double here = motion.distance_at(motion.angle_at(opening)) - motion.kept;
-      if (here < tightest.gap) tightest = {here, pairs[pair], opening};
+      if (here < named - equally_tight * motion.scale()) {
+        tightest = {std::min(here, tightest.gap), pairs[pair], opening};
+        named = here;
+      }
+      tightest.gap = std::min(tightest.gap, here);
     });
   });
   return tightest;

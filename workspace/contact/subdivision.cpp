@@ -290,7 +290,8 @@ void Subdivision::decide_node(std::uint32_t node, const Meeting& meeting, Decisi
     return;
   }
   if (bounds.lower >= asked.lower_from) return;
-  if (bounds.lower - needed < decision.least) {
+  // Two links that meet at a joint are equally near to what is nearest to the joint: the first counts, whatever rounding says.
+  if (bounds.lower - needed < decision.least - obstacle.slack) {
     decision.least = bounds.lower - needed;
     decision.tightest = next.items.size();
     decision.by_opening = bounds.by_opening;

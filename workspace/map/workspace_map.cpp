@@ -26,9 +26,26 @@ void append(ArcRegion& region, ArcRegion more) {
   region.insert(region.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+/// Shares of the work done after the smallest clearance, the refinement and the coverage; what is left is for the sheets.
+constexpr double after_clearance = 0.15, after_refinement = 0.75, after_coverage = 0.9;
+
+void tell(const MapOptions& options, double share) {
+  if (options.progress) options.progress(share);
+}
+
+/// Each refinement halves the open band, so its logarithm tells how much is left. `open`: as a share of what is free.
+void tell_refinement(const MapOptions& options, double open, double& widest) {
+  widest = std::max(widest, open);
+  const double left = open > options.map_tolerance && widest > options.map_tolerance
+                          ? std::log(open / options.map_tolerance) / std::log(widest / options.map_tolerance)
+                          : 0;
+  tell(options, std::lerp(after_refinement, after_clearance, std::clamp(left, 0.0, 1.0)));
+}
+
 /// Refines all charts until the open band is within the tolerance.
-void refine(std::vector<Subdivision>& charts, double tolerance, const StopFlag& stop) {
-  double whole = 0;
+void refine(std::vector<Subdivision>& charts, const MapOptions& options) {
+  const StopFlag& stop = options.stop;
+  double whole = 0, widest_open = 0;
   for (const Subdivision& chart : charts)
     whole += chart.grid().area({0, 0, AngleGrid::turn, AngleGrid::rise});
   while (!stop()) {
@@ -39,9 +56,9 @@ void refine(std::vector<Subdivision>& charts, double tolerance, const StopFlag& 
       free_area += chart.free_area();
       cells += chart.open().size();
     }
-    if (cells == 0 || cells > most_map_cells ||
-        open_area <= tolerance * std::max(free_area, least_share * whole))
-      return;
+    const double of = std::max(free_area, least_share * whole);
+    if (cells == 0 || cells > most_map_cells || open_area <= options.map_tolerance * of) return;
+    tell_refinement(options, open_area / of, widest_open);
     bool any = false;
     for (Subdivision& chart : charts) any = chart.split(unless(stop)) || any;
     if (!any) return;
@@ -198,6 +215,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
                                           task.linkage.openings_with_transmission(task.limits.transmission));
   map.certified_opening = certified(task, free);
   add_lost_annuli(map, task, free);
+  tell(options, 0);
   map.clearance_min = HUGE_VAL;
   const PreparedTask prepared(task);
   const auto clearance = smallest_clearance(prepared, options.stop);
@@ -215,14 +233,18 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   for (const FreeOpenings& one : free)
     charts.emplace_back(prepared.scene, encounters, prepared.region, AngleGrid(task.linkage, one.interval),
                         task.limits.clearance);
-  refine(charts, options.map_tolerance, options.stop);
+  tell(options, after_clearance);
+  refine(charts, options);
+  tell(options, after_refinement);
   for (const Subdivision& chart : charts) add_cells(map, prepared.scene, chart);
   map.coverage = coverage_of(task, charts, prepared.region, options.stop);
   if (!map.coverage.covered && !options.stop()) add_losses(map, task.region);
   add_copy_overlap(map, task);
   map.complete = !options.stop();
+  tell(options, after_coverage);
   if (options.largest_sheets && map.complete)
     map.largest_sheets = largest_sheets(map.collision_free, task.region);
+  tell(options, 1);
   return map;
 }
 

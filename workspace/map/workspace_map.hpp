@@ -1,6 +1,7 @@
 #pragma once
 // The map: where the tracer can go, where the real links can follow, and why not elsewhere.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ struct MapOptions {
   double map_tolerance = 0.005;
   bool largest_sheets = true;  ///< look for them; the slowest part without obstacles
   StopFlag stop{};             ///< set: the map stays as coarse as it is
+  /// Told after each step and each refinement the share of the work done, 0..1, which never falls.
+  std::function<void(double share)> progress{};
 };
 
 /// The largest rectangle of a kind that fits the collision-free workspace.

@@ -68,7 +68,9 @@ SearchResult improved(const SearchTask& task, SearchResult found) {
   }
   if (!has_exact_ratio(*found.design, task.spec())) return found;
   const auto bound =
-      proven_bound(task.space().spec(), {.incumbent = found.design->value, .stop = task.stop()});
+      proven_bound(task.space().spec(), {.incumbent = found.design->value,
+                                         .stop = task.stop(),
+                                         .progress = task.control.progress_of("proving a bound")});
   if (task.stopped()) {
     const std::optional<double> known = found.bound;
     return told_with(known, bound, task.goal, std::move(found));

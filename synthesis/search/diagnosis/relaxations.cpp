@@ -12,7 +12,10 @@
 namespace kempe {
 
 Questions::Questions(const SearchTask& task, const Point& origin, bool thorough)
-    : task_(task), origin_(origin), thorough_(thorough) {}
+    : task_(task.with(task.control.silent())),
+      progress_(task.control.progress_of(thorough ? "looking again for what would help"
+                                                  : "looking for what would help")),
+      origin_(origin), thorough_(thorough) {}
 
 SearchResult Questions::best(const SearchTask& asked) {
   SearchResult found = best_design(asked);
@@ -30,6 +33,8 @@ std::optional<FoundDesign> Questions::best_of(const Spec& other) {
 void Questions::count(std::uint64_t evaluations) {
   evaluations_ += evaluations;
   spent_ += std::max(evaluations, budget().least_of_search);
+  if (progress_)
+    progress_(std::min(1.0, static_cast<double>(spent_) / static_cast<double>(budget().evaluations)));
 }
 
 void Questions::note(const std::string& key) {

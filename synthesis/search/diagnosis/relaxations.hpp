@@ -1,6 +1,7 @@
 #pragma once
 // The questions of a diagnosis: what of a spec, changed alone, makes a design possible. Each kind has a file of its own.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace kempe {
 /// What the questions share, and what they have come to.
 class Questions {
  public:
-  /// `thorough`: searches that find nothing are repeated from other random numbers. The task must outlive the questions.
+  /// `thorough`: searches that find nothing are repeated from other random numbers. Of the progress of the searches asked for, only
+  /// what they have spent of the budget is told.
   Questions(const SearchTask& task, const Point& origin, bool thorough);
 
   const SearchTask& task() const { return task_; }
@@ -54,7 +56,8 @@ class Questions {
   std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  const SearchTask& task_;
+  SearchTask task_;
+  std::function<void(double share)> progress_;
   Point origin_;
   bool thorough_;
   std::vector<std::string> noted_;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "synthesis/search/steps/rank.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "synthesis/solvers/newton_polish.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
@@ -27,8 +28,19 @@ ChoiceResult no_result() {
 
 bool better(const ChoiceResult& a, const ChoiceResult& b) {
   if (a.feasible != b.feasible) return a.feasible;
-  return a.feasible ? a.cost < b.cost : a.violation < b.violation;
+  if (!a.feasible) return rank(a.violation) < rank(b.violation);
+  const double here = rank(a.cost), there = rank(b.cost);
+  return here < there || (here == there && rank(a.size) < rank(b.size));
 }
+
+namespace {
+
+double size_at(const DesignProblem& problem, const DesignPoint& point) {
+  const Reach::LengthFactors& factors = problem.reach().factors();
+  return factors.size_per_VA * std::exp(point.lengths.u) + factors.size_per_VB * std::exp(point.lengths.v);
+}
+
+}  // namespace
 
 ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local) {
   const Assessment seen = problem.assess(point, local.final_openings);
@@ -36,7 +48,8 @@ ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, cons
           .cost = seen.cost,
           .violation = seen.violation,
           .point = point,
-          .evaluations = 1};
+          .evaluations = 1,
+          .size = size_at(problem, point)};
 }
 
 namespace {

@@ -18,12 +18,13 @@ struct ChoiceResult {
   std::uint64_t evaluations = 0;
   /// mm; of what is certified among obstacles: the smallest gap to them.
   std::optional<double> obstacle_clearance{};
+  double size = 0;  ///< mm, of the linkage: of two at one cost the smaller is better
 };
 
 /// Not run: infeasible, at infinite cost.
 ChoiceResult no_result();
 
-/// True if a is better than b: by feasibility, then cost (or violation).
+/// True if a is better than b: by feasibility, then cost (or violation), then size; by more than rounding.
 bool better(const ChoiceResult& a, const ChoiceResult& b);
 
 /// What an assessment promises, the less the better: the goal in shares of its scale, and what is missing from the limits

@@ -35,7 +35,10 @@ std::optional<ProvenBound> prove(const SearchTask& task, const StopFlag& stop) {
   const Requirements& limits = task.limits;
   if (task.goal == Goal::pole_margin || limits.pole_margin > 0) return std::nullopt;
   const Objective objective = task.goal == Goal::transmission ? Objective::transmission : Objective::size;
-  const BoundOptions options{.boxes = task.budgets().proof.boxes, .shortest = limits.shortest, .stop = stop};
+  const BoundOptions options{.boxes = task.budgets().proof.boxes,
+                             .shortest = limits.shortest,
+                             .stop = stop,
+                             .progress = task.control.progress_of("looking whether a design can exist")};
   Spec moved = spec_for_tree(task);
   auto bound = proven_bound(moved, objective, options);
   if (!bound || bound->no_design || limits.transmission > least_usable_angle) return bound;

@@ -28,6 +28,12 @@ SearchControl SearchControl::silent_part() const {
   return control;
 }
 
+SearchControl SearchControl::silent() const {
+  SearchControl control = *this;
+  control.options_.progress = nullptr;
+  return control;
+}
+
 SearchControl SearchControl::part_of_time(double share) const {
   SearchOptions options = options_;
   options.time_limit = share * deadline_.left();
@@ -36,6 +42,11 @@ SearchControl SearchControl::part_of_time(double share) const {
 
 void SearchControl::report(double share, std::string_view what) const {
   if (options_.progress) options_.progress(share, what);
+}
+
+std::function<void(double share)> SearchControl::progress_of(std::string_view what) const {
+  if (!options_.progress) return {};
+  return [progress = options_.progress, what](double share) { progress(share, what); };
 }
 
 }  // namespace kempe

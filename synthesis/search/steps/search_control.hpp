@@ -24,10 +24,14 @@ class SearchControl {
   SearchControl part() const;
   SearchControl part_with_seed(std::uint64_t seed) const;
   SearchControl silent_part() const;
+  /// Of the same search, whose progress nobody is told.
+  SearchControl silent() const;
   /// Of a part that has a share of the time left.
   SearchControl part_of_time(double share) const;
 
   void report(double share, std::string_view what) const;
+  /// The same for a step that tells its share alone; none if nobody listens. `what` is a literal.
+  std::function<void(double share)> progress_of(std::string_view what) const;
 
  private:
   Deadline deadline_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "synthesis/search/steps/outcome.hpp"
+#include "synthesis/search/steps/rank.hpp"
 
 namespace kempe {
 
@@ -19,9 +20,11 @@ struct SearchResult {
 
 inline bool has_design(const SearchResult& found) { return found.design.has_value(); }
 
-/// True if a has the better value of the goal; both have been found for it.
+/// True if a has the better value of the goal, or at one value the smaller size, by more than rounding; both have been found for it.
 inline bool is_better(Goal goal, const FoundDesign& a, const FoundDesign& b) {
-  return is_maximized(goal) ? a.value > b.value : a.value < b.value;
+  const double here = rank(a.value), there = rank(b.value);
+  if (here == there) return rank(a.attained.size) < rank(b.attained.size);
+  return is_maximized(goal) ? here > there : here < there;
 }
 
 /// `best` becomes `other` if that is better, or all there is.

@@ -2,6 +2,7 @@
 // be at best without contact.
 
 #include "synthesis/search/steps/certify.hpp"
+#include "synthesis/search/steps/rank.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
 
 namespace kempe {
@@ -14,8 +15,13 @@ std::vector<Prospect> relax_lengths(const SearchTask& task, const std::vector<Re
   return order;
 }
 
+/// What is no cheaper without contact cannot be cheaper with it.
+bool may_beat(const Prospect& prospect, const ChoiceResult& best) {
+  return !best.feasible || (prospect.relaxed.feasible && rank(prospect.relaxed.cost) < rank(best.cost));
+}
+
 ChoiceResult search_lengths(const SearchTask& task, const Prospect& prospect, const ChoiceResult& best) {
-  if (best.feasible && !better(prospect.relaxed, best)) return no_result();
+  if (!may_beat(prospect, best)) return no_result();
   const bool has_obstacles = !task.space().obstacles().empty();
   ChoiceOptions options = choice_options(
       task, task.budgets().choice.with_contact(task.space().layout().pole_is_free, has_obstacles));

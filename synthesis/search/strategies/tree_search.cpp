@@ -21,7 +21,8 @@ class TreeSearch {
                                        {.tolerance = slack::tree_bound,
                                         .boxes = task_.budgets().tree.boxes,
                                         .shortest = task_.limits.shortest,
-                                        .stop = task_.stop()},
+                                        .stop = task_.stop(),
+                                        .progress = task_.control.progress_of("searching")},
                                        trials());
     if (tree && tree->no_design) return {.proven_none = true, .evaluations = best_.evaluations};
     strategy_.finish(task_, best_);
