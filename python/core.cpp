@@ -72,6 +72,33 @@ Outcome outcome_of(Search search, const Spec& spec, const Wishes& wishes, const 
   return at_work(progress, [&](Hooks& hooks) { return search(spec, options_of(wishes, hooks)); });
 }
 
+constexpr std::array all_objectives{Objective::size,      Objective::transmission, Objective::copy_error,
+                                    Objective::footprint, Objective::load_error,   Objective::mass};
+
+Objective objective_named(const std::string& word) {
+  for (const Objective one : all_objectives)
+    if (word == name(one)) return one;
+  throw py::value_error(
+      "an objective is one of size, transmission, copy_error, footprint, load_error, mass; found " + word);
+}
+
+/// (complete, list of (first, second, design)), or an Outcome.
+py::object front_of(const Spec& spec, const std::string& first, const std::string& second, int points,
+                    const Wishes& wishes, const py::object& progress) {
+  const Objective one = objective_named(first), other = objective_named(second);
+  const auto found = at_work(
+      progress, [&](Hooks& hooks) { return front(spec, one, other, points, options_of(wishes, hooks)); });
+  if (const auto* outcome = std::get_if<Outcome>(&found)) return py::cast(*outcome);
+  const auto in_file_unit = [](Objective objective, double value) {
+    return objective == Objective::transmission ? degrees(value) : value;
+  };
+  py::list list;
+  for (const FrontPoint& point : std::get<Front>(found).points)
+    list.append(
+        py::make_tuple(in_file_unit(one, point.first), in_file_unit(other, point.second), point.design));
+  return py::make_tuple(std::get<Front>(found).complete, list);
+}
+
 const char* name_of(Outcome::Kind kind) {
   switch (kind) {
     case Outcome::Kind::design: return "design";
@@ -339,6 +366,7 @@ void add_searches(py::module_& module) {
         return outcome_of(&design, spec, wishes, progress);
       },
       "spec"_a, "wishes"_a, "progress"_a);
+  module.def("front", &front_of, "spec"_a, "first"_a, "second"_a, "points"_a, "wishes"_a, "progress"_a);
   module.def(
       "map",
       [](const Spec& spec, const Wishes& wishes, const py::object& progress) {

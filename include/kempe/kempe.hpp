@@ -6,6 +6,7 @@
 /// a spec, a file or a folder may be: the answer says it. There is no global state.
 
 #include "kempe/design.hpp"
+#include "kempe/front.hpp"
 #include "kempe/sketch.hpp"
 #include "kempe/trace.hpp"
 #include "kempe/units.hpp"

@@ -6,7 +6,7 @@
 ...                   links={"width_mm": 6, "pin_diameter_mm": 3})
 >>> design = kempe.synthesize(spec)
 >>> design.vertex, design.map.covers_region, bool(design.verify())
-('pole', True, True)
+('tracer', True, True)
 
 Lengths are millimetres, angles degrees where a name ends in _deg, places (x, y) in the table's frame. docs/python.md tells more.
 """
@@ -16,12 +16,12 @@ from ._core import version as __version__
 from ._design import Design, Map, verify
 from ._geometry import Region
 from ._spec import Spec, load
-from ._work import sweep, synthesize, workspace
+from ._work import pareto, sweep, synthesize, workspace
 
 __all__ = [
     "Audit", "Broken", "Change", "CopiedDrawing", "CopiedLine", "Design", "Error", "Fault", "Loss", "Map", "NoDesign",
-    "NotWritten", "Region", "Sheet", "Spec", "SpecError", "Stopped", "Verdict", "Verification", "__version__", "load", "sweep",
-    "synthesize", "verify", "workspace",
+    "NotWritten", "Region", "Sheet", "Spec", "SpecError", "Stopped", "Verdict", "Verification", "__version__", "load",
+    "pareto", "sweep", "synthesize", "verify", "workspace",
 ]
 
 for _name in __all__:  # a reader of a traceback or a pickle finds everything under kempe

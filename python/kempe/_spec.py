@@ -33,11 +33,11 @@ class Spec:
     >>> spec = Spec(copy=1.4j, region={"rectangle_mm": [62, -5, 8, 10]}, links={"width_mm": 6, "pin_diameter_mm": 3})
     >>> spec.copy
     1.4j
-    >>> Spec(copy={"scale": 0}, region={"rectangle_mm": [62, -5, 8, 10]}, links={"widht_mm": 6})
+    >>> Spec(copy=2, region={"circle_mm": [80, 0, 20]}, links={"widht_mm": 6}, limits={"transmission_deg": 100})
     Traceback (most recent call last):
     ...
-    kempe.SpecError: copy.scale: found 0; allowed: a number > 0 and <= 10000
-    links.widht_mm: found an unknown key; allowed: width_mm
+    kempe.SpecError: links.widht_mm: found an unknown key; allowed: width_mm (the nearest known key)
+    limits.transmission_deg: found 100; allowed: a number >= 0 and < 90 degrees
     """
 
     __slots__ = ("_inside",)
@@ -48,6 +48,8 @@ class Spec:
             text = toml_of(tables)
         except Unsayable as fault:
             raise SpecError([Fault(None, None, fault.key, fault.found, fault.allowed)]) from None
+        except RecursionError:
+            raise SpecError([Fault(None, None, "", "lists in lists without end", "what docs/spec.md says")]) from None
         found = _core.parse(text, "", os.getcwd())
         if isinstance(found, list):
             raise error_of(found, lines=False)

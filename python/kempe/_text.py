@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import cmath
+import datetime
 import json
 import math
 import numbers
@@ -140,6 +141,8 @@ def _value(value: Any, key: str) -> str:
     if isinstance(value, numbers.Complex):
         number = complex(value)
         return f"[{number.real!r}, {number.imag!r}]"
+    if isinstance(value, (datetime.date, datetime.time)):
+        return value.isoformat()  # no key takes one; the reader says so
     if isinstance(value, Iterable):
         return "[" + ", ".join(_value(one, key) for one in value) + "]"
     raise Unsayable(key, _shown(value), "a number, a text, True or False, or a list of these")

@@ -1,11 +1,12 @@
-"""The searches: kempe.synthesize, kempe.workspace."""
+"""The searches: kempe.synthesize, kempe.workspace, and what repeats them."""
 from __future__ import annotations
 
+import math
 import os
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 from . import _core
-from ._answers import Change, NoDesign, SpecError, Stopped, error_of
+from ._answers import Change, Error, NoDesign, Stopped, error_of
 from ._design import Design
 from ._spec import Spec
 
@@ -35,7 +36,8 @@ def synthesize(spec: Spec, *, seed: int = 1, threads: Optional[int] = None, time
     >>> design.pen([(66, 0)]).round(9) + 0
     array([[ 0. , 92.4]])
     """
-    return _answer(_core.design, spec, seed, threads, time_limit, diagnose, map_tolerance, largest_sheets, progress)
+    wishes = _wishes(spec, seed, threads, time_limit, diagnose, map_tolerance, largest_sheets)
+    return _answer(_core.design(spec._inside, wishes, progress))
 
 
 def workspace(spec: Spec, *, time_limit: Optional[float] = None, progress: Optional[Progress] = None,
@@ -48,26 +50,57 @@ def workspace(spec: Spec, *, time_limit: Optional[float] = None, progress: Optio
     >>> workspace(given).map.why(70, 0).free
     True
     """
-    return _answer(_core.map, spec, 1, 1, time_limit, False, map_tolerance, largest_sheets, progress)
+    wishes = _wishes(spec, 1, 1, time_limit, False, map_tolerance, largest_sheets)
+    return _answer(_core.map(spec._inside, wishes, progress))
 
 
-def _answer(search: Callable[[_core.Spec, _core.Wishes, Optional[Progress]], _core.Outcome], spec: Spec, seed: int,
-            threads: Optional[int], time_limit: Optional[float], diagnose: bool, map_tolerance: float,
-            largest_sheets: bool, progress: Optional[Progress]) -> Design:
+def pareto(spec: Spec, between: Sequence[str], *, points: int = 15, seed: int = 1, threads: Optional[int] = None,
+           time_limit: Optional[float] = None, progress: Optional[Progress] = None,
+           map_tolerance: float = 0.005) -> dict[str, list[Any]]:
+    """The front between two objectives, as columns: the two, `design`, and each figure; the best in the first stands first.
+
+    between   two of "size" (mm), "transmission" (degrees), "copy_error" (mm), "footprint" (mm^2), "load_error" (mm), "mass" (kg)
+    points    about so many designs, 2 to 200; fewer where searches give the same design again, or the time limit came
+
+    No point is better than another in both. The designs have no bound. Raises what synthesize() raises, and ValueError for
+    objectives that are none.
+    """
+    if isinstance(between, str) or len(between) != 2:
+        raise ValueError(f"two objectives are wanted, as (\"size\", \"transmission\"); found {between!r}")
+    first, second = between
+    if first == second:
+        raise ValueError(f"two objectives are wanted; found {first!r} twice")
+    wishes = _wishes(spec, seed, threads, time_limit, True, map_tolerance, False)
+    found = _core.front(spec._inside, first, second, points, wishes, progress)
+    if not isinstance(found, tuple):
+        raise _error_of(found)
+    _, rows = found
+    designs = [Design._of(inside) for _, _, inside in rows]
+    return columns_of({first: [row[0] for row in rows], second: [row[1] for row in rows], "design": designs}, designs)
+
+
+def _wishes(spec: Spec, seed: int, threads: Optional[int], time_limit: Optional[float], diagnose: bool, map_tolerance: float,
+            largest_sheets: bool) -> _core.Wishes:
     if not isinstance(spec, Spec):
         raise TypeError(f"a kempe.Spec is wanted, not {type(spec).__name__}: kempe.load() reads one from a file")
-    if not map_tolerance == map_tolerance:
+    if math.isnan(map_tolerance):
         raise ValueError("map_tolerance is not a number")
-    wishes = _core.Wishes(seed=seed, threads=threads if threads is not None else os.cpu_count() or 1, time_limit=time_limit,
-                          diagnose=diagnose, map_tolerance=map_tolerance, largest_sheets=largest_sheets)
-    outcome = search(spec._inside, wishes, progress)
-    if outcome.design is not None:
-        return Design._of(outcome.design)
+    return _core.Wishes(seed=seed, threads=threads if threads is not None else os.cpu_count() or 1, time_limit=time_limit,
+                        diagnose=diagnose, map_tolerance=map_tolerance, largest_sheets=largest_sheets)
+
+
+def _answer(outcome: _core.Outcome) -> Design:
+    if outcome.design is None:
+        raise _error_of(outcome)
+    return Design._of(outcome.design)
+
+
+def _error_of(outcome: _core.Outcome) -> Error:
     if outcome.kind == "bad_spec":
-        raise error_of(outcome.faults)
+        return error_of(outcome.faults)
     if outcome.kind == "stopped":
-        raise Stopped(outcome.reason, outcome.proven_bound)
-    raise NoDesign(outcome.reason, [Change(*change) for change in outcome.changes], outcome.proven)
+        return Stopped(outcome.reason, outcome.proven_bound)
+    return NoDesign(outcome.reason, [Change(*change) for change in outcome.changes], outcome.proven)
 
 
 def sweep(spec: Spec, table: str, key: str, values: Iterable[Any], **options: Any) -> dict[str, list[Any]]:
@@ -100,6 +133,3 @@ def columns_of(first: Mapping[str, Sequence[Any]], designs: Sequence[Optional[De
     for name in names:
         columns.setdefault(name, [row.get(name) for row in rows])
     return columns
-
-
-__all__ = ["Progress", "SpecError", "columns_of", "sweep", "synthesize", "workspace"]

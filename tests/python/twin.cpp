@@ -17,8 +17,8 @@ struct Task {
 };
 
 std::istream& operator>>(std::istream& in, Task& t) {
-  return in >> t.scale >> t.rotation >> t.x >> t.y >> t.width >> t.height >> t.link_width >> t.pin >> t.clearance >>
-         t.transmission >> t.layers >> t.has_area >> t.has_obstacle >> t.is_steep;
+  return in >> t.scale >> t.rotation >> t.x >> t.y >> t.width >> t.height >> t.link_width >> t.pin >>
+         t.clearance >> t.transmission >> t.layers >> t.has_area >> t.has_obstacle >> t.is_steep;
 }
 
 kempe::Spec spec_of(const Task& t) {

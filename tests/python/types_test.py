@@ -30,7 +30,7 @@ ALLOWED = "".join(f"kempe\\._core\\.{name}\nkempe\\._core\\.{name}\\.__init__\n"
 
 def run(*command, folder):
     done = subprocess.run([sys.executable, "-m", *map(str, command)], cwd=folder, capture_output=True, text=True,
-                          env={**os.environ, "MYPYPATH": str(packages)})
+                          env={**os.environ, "MYPYPATH": str(packages), "PYTHONPATH": str(packages)})
     return done.stdout + done.stderr, done.returncode
 
 
