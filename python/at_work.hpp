@@ -69,7 +69,7 @@ auto at_work(const pybind11::object& progress, Work work) {
   Hooks hooks;
   std::optional<Result> result;
   std::exception_ptr failure;
-  std::optional<py::error_already_set> raised;
+  std::exception_ptr raised;  // by Python
   std::thread worker([&] {
     try {
       result.emplace(work(hooks));
@@ -87,15 +87,16 @@ auto at_work(const pybind11::object& progress, Work work) {
       try {
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         if (news && !progress.is_none()) progress(news->first, news->second);
-      } catch (py::error_already_set& error) {
-        raised.emplace(error);
+      } catch (...) {  // whatever it is, the worker is waited for
+        raised = std::current_exception();
         hooks.stop();
       }
     }
     worker.join();
   }
-  if (raised) throw py::error_already_set(*raised);
+  if (raised) std::rethrow_exception(raised);
   if (failure) std::rethrow_exception(failure);
+  if (const auto last = hooks.news(); last && !progress.is_none()) progress(last->first, last->second);
   return std::move(*result);
 }
 

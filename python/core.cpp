@@ -25,11 +25,19 @@ using namespace pybind11::literals;
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
+/// A text that may quote a file of any bytes.
+py::str text_of(const std::string& quoting) {
+  PyObject* text = PyUnicode_DecodeUTF8(quoting.data(), static_cast<py::ssize_t>(quoting.size()), "replace");
+  if (text == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(text);
+}
+
 /// (file, line, key, found, allowed) of each fault.
 py::list list_of(const InputError& first) {
   py::list faults;
   const auto add = [&faults](const InputError& fault) {
-    faults.append(py::make_tuple(fault.file, fault.line, fault.key, fault.found, fault.allowed));
+    faults.append(py::make_tuple(text_of(fault.file), fault.line, text_of(fault.key), text_of(fault.found),
+                                 text_of(fault.allowed)));
   };
   add(first);
   for (const InputError& other : first.others) add(other);
@@ -154,9 +162,10 @@ py::dict lengths_of(const FinishedDesign& design) {
 py::list list_of(const std::vector<BrokenLimit>& broken) {
   py::list list;
   for (const BrokenLimit& one : broken)
-    list.append(py::make_tuple(
-        one.limit, one.attained, one.allowed,
-        one.where ? py::object(py::make_tuple(one.where->x(), one.where->y())) : py::none(), one.sentence));
+    list.append(
+        py::make_tuple(one.limit, one.attained, one.allowed,
+                       one.where ? py::object(py::make_tuple(one.where->x(), one.where->y())) : py::none(),
+                       text_of(one.sentence)));
   return list;
 }
 

@@ -157,8 +157,8 @@ class Design:
 
         Its bound is kept where its proof is found again. Raises SpecError for a file that cannot be read or does not hold.
         """
-        with open(file, encoding="utf-8") as stream:
-            return cls.from_json(stream.read(), os.fspath(file))
+        with open(file, "rb") as stream:
+            return cls._restored(stream.read(), os.fspath(file), False)
 
     @classmethod
     def from_json(cls, text: str, name: str = "") -> Design:
@@ -166,7 +166,7 @@ class Design:
         return cls._restored(text, name, False)
 
     @classmethod
-    def _restored(cls, text: str, name: str, is_own: bool) -> Design:
+    def _restored(cls, text: str | bytes, name: str, is_own: bool) -> Design:
         found = _core.restore(text, name, is_own)
         if isinstance(found, list):
             raise error_of(found)

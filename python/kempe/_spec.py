@@ -11,6 +11,7 @@ from ._geometry import Region
 from ._text import Unsayable, toml_of
 
 Path = Union[str, "os.PathLike[str]"]
+_WHOLE = ("region", "pole", "table", "objective")
 
 
 class Spec:
@@ -88,6 +89,8 @@ class Spec:
     def replace(self, **tables: Any) -> Spec:
         """The same spec with other keys; a dict's keys join those that are there, None takes a table or key away.
 
+        Whole are replaced what a dict says in one of several ways (region, pole, table, objective), obstacles and bodies.
+
         >>> spec = Spec(copy=2, region={"circle_mm": [80, 0, 20]}, limits={"clearance_mm": 1})
         >>> print(spec.replace(limits={"transmission_deg": 25}).to_toml().split("[limits]")[1])
         <BLANKLINE>
@@ -97,7 +100,7 @@ class Spec:
         """
         old = tomllib.loads(self.to_toml())
         for name, given in tables.items():
-            joins = isinstance(given, Mapping) and isinstance(old.get(name), Mapping) and "type" not in given
+            joins = name not in _WHOLE and isinstance(given, Mapping) and isinstance(old.get(name), Mapping)
             old[name] = {**old[name], **given} if joins else given
         return Spec(**old)
 

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 from . import _core
@@ -63,7 +64,7 @@ def pareto(spec: Spec, between: Sequence[str], *, points: int = 15, seed: int = 
     points    about so many designs, 2 to 200; fewer where searches give the same design again, or the time limit came
 
     No point is better than another in both. The designs have no bound. Raises what synthesize() raises, and ValueError for
-    objectives that are none.
+    objectives that are none; warns (RuntimeWarning) where the time limit cut the front short.
     """
     if isinstance(between, str) or len(between) != 2:
         raise ValueError(f"two objectives are wanted, as (\"size\", \"transmission\"); found {between!r}")
@@ -74,7 +75,9 @@ def pareto(spec: Spec, between: Sequence[str], *, points: int = 15, seed: int = 
     found = _core.front(spec._inside, first, second, points, wishes, progress)
     if not isinstance(found, tuple):
         raise _error_of(found)
-    _, rows = found
+    complete, rows = found
+    if not complete:
+        warnings.warn("stopped by the time limit: points of the front are missing", RuntimeWarning, stacklevel=2)
     designs = [Design._of(inside) for _, _, inside in rows]
     return columns_of({first: [row[0] for row in rows], second: [row[1] for row in rows], "design": designs}, designs)
 

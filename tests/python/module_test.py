@@ -139,6 +139,15 @@ class Specs(InAFolder):
         inches = kempe.Spec(units="in", copy=2, region=np.array(square(1, 1, 2)[:-1]))
         self.assertAlmostEqual(inches.region.area, 4 * 25.4**2)
 
+    def test_replace(self):
+        spec = kempe.Spec(**SMALL, pole=(1, 2), limits={"clearance_mm": 1})
+        other = spec.replace(region={"circle_mm": [80, 0, 5]}, pole={"within_mm": square(0, 0, 9)[:-1]}, objective="transmission",
+                             limits={"transmission_deg": 20}, copy={"scale": 2})
+        self.assertEqual(other, kempe.Spec(copy=2j, links=SMALL["links"], region={"circle_mm": [80, 0, 5]}, objective="transmission",
+                                           pole=Shape("Polygon", [square(0, 0, 9)]), limits={"transmission_deg": 20, "clearance_mm": 1}))
+        self.assertEqual(spec.replace(limits=None, pole=None), SPEC)
+        self.assertEqual(spec.replace(limits={"clearance_mm": None}, pole=(0, 0)), SPEC)
+
     def test_shapes_with_holes(self):
         holed = Shape("Polygon", [square(50, 0, 20), square(55, 5, 5)])
         self.assertAlmostEqual(kempe.Spec(copy=2, region=holed).region.area, 400 - 25)
@@ -267,6 +276,9 @@ class Designs(InAFolder):
                 kempe.Design.from_json(text)
         with self.assertRaises(FileNotFoundError):
             kempe.Design.load("nothing.json")
+        pathlib.Path("bytes.json").write_bytes(b"{\xff\0}")
+        with self.assertRaisesRegex(kempe.SpecError, "bytes.json"):
+            kempe.Design.load("bytes.json")
 
     def test_trace(self):
         circle = 66 + 3 * np.exp(1j * np.linspace(0, 2 * np.pi, 90))
@@ -328,7 +340,8 @@ class Searches(InAFolder):
         shares = []
         kempe.synthesize(SPEC, progress=lambda share, what: shares.append(share))
         self.assertTrue(all(0 <= share <= 1 for share in shares))
-        self.assertTrue(shares)
+        self.assertEqual(shares, sorted(shares))
+        self.assertEqual(shares[-1], 1)
 
         def refuse(share, what):
             raise RuntimeError("enough")
