@@ -345,6 +345,20 @@ void add_designs(py::module_& module) {
   module.def("verify", &audited, "file"_a);
 }
 
+void add_calibration(py::module_& module) {
+  const auto answer = [](const auto& work) { return value_or_faults(at_work(py::none(), work)); };
+  module.def(
+      "calibrate",
+      [answer](const std::filesystem::path& file) { return answer([&](Hooks&) { return calibrate(file); }); },
+      "file"_a);
+  module.def(
+      "calibrate_text",
+      [answer](const std::string& text, const std::filesystem::path& folder) {
+        return answer([&](Hooks&) { return calibrate_text(text, "", folder); });
+      },
+      "text"_a, "folder"_a);
+}
+
 void add_searches(py::module_& module) {
   py::class_<Wishes>(module, "Wishes")
       .def(py::init<std::uint64_t, int, std::optional<double>, bool, double, bool>(), "seed"_a, "threads"_a,
@@ -392,4 +406,5 @@ PYBIND11_MODULE(_core, module) {
   kempe::python::add_specs(module);
   kempe::python::add_designs(module);
   kempe::python::add_searches(module);
+  kempe::python::add_calibration(module);
 }

@@ -12,6 +12,7 @@ Lengths are millimetres, angles degrees where a name ends in _deg, places (x, y)
 """
 from ._answers import (Audit, Broken, Change, CopiedDrawing, CopiedLine, Error, Fault, Loss, NoDesign, NotWritten, Sheet,
                        SpecError, Stopped, Verdict, Verification)
+from ._calibration import calibrate
 from ._core import version as __version__
 from ._design import Design, Map, verify
 from ._geometry import Region
@@ -20,8 +21,8 @@ from ._work import pareto, sweep, synthesize, workspace
 
 __all__ = [
     "Audit", "Broken", "Change", "CopiedDrawing", "CopiedLine", "Design", "Error", "Fault", "Loss", "Map", "NoDesign",
-    "NotWritten", "Region", "Sheet", "Spec", "SpecError", "Stopped", "Verdict", "Verification", "__version__", "load",
-    "pareto", "sweep", "synthesize", "verify", "workspace",
+    "NotWritten", "Region", "Sheet", "Spec", "SpecError", "Stopped", "Verdict", "Verification", "__version__", "calibrate",
+    "load", "pareto", "sweep", "synthesize", "verify", "workspace",
 ]
 
 for _name in __all__:  # a reader of a traceback or a pickle finds everything under kempe

@@ -14,6 +14,16 @@ Path = Union[str, "os.PathLike[str]"]
 _WHOLE = ("region", "pole", "table", "objective")
 
 
+def text_of(tables: Mapping[str, Any]) -> str:
+    """The tables as a file's text; SpecError for what no file can hold."""
+    try:
+        return toml_of(tables)
+    except Unsayable as fault:
+        raise SpecError([Fault(None, None, fault.key, fault.found, fault.allowed)]) from None
+    except RecursionError:
+        raise SpecError([Fault(None, None, "", "lists in lists without end", "tables of keys and values")]) from None
+
+
 class Spec:
     """A task: how to copy, what to cover, what to build of. Made whole or not at all.
 
@@ -45,13 +55,7 @@ class Spec:
     _inside: _core.Spec
 
     def __init__(self, **tables: Any):
-        try:
-            text = toml_of(tables)
-        except Unsayable as fault:
-            raise SpecError([Fault(None, None, fault.key, fault.found, fault.allowed)]) from None
-        except RecursionError:
-            raise SpecError([Fault(None, None, "", "lists in lists without end", "what docs/spec.md says")]) from None
-        found = _core.parse(text, "", os.getcwd())
+        found = _core.parse(text_of(tables), "", os.getcwd())
         if isinstance(found, list):
             raise error_of(found, lines=False)
         self._inside = found

@@ -91,6 +91,17 @@ TEST(VerifyFile, SaysWhyAFileCannotBeRead) {
   EXPECT_TRUE(std::holds_alternative<InputError>(verify(fs::path("/nowhere/design.json"))));
 }
 
+TEST(Calibrate, SaysTheSameOfAFileAndOfItsText) {
+  const fs::path file = KEMPE_SOURCE_DIR "/specs/examples/calibration/knight.toml";
+  const auto found = calibrate(file), again = calibrate_text(text_of(file), "", file.parent_path());
+  ASSERT_TRUE(std::holds_alternative<std::string>(found)) << std::get<InputError>(found).messages();
+  EXPECT_EQ(found.index(), again.index());
+  EXPECT_EQ(std::get<std::string>(found), std::get<std::string>(again));
+  EXPECT_NE(std::get<std::string>(found).find("\"corrections_mm\""), std::string::npos);
+  EXPECT_EQ(std::get<InputError>(calibrate_text("[instrument]\narm_mm = -1\n", "bench.toml")).file,
+            "bench.toml");
+}
+
 TEST(Texts, AreThoseOfTheFiles) {
   const Folder folder;
   const Outcome outcome = mapped();

@@ -61,7 +61,7 @@ class Page(InAFolder):
         self.assertTrue(pathlib.Path("out/plate/report.html").exists())
 
     def test_docstrings(self):
-        for name in ("", "._spec", "._work", "._design", "._geometry", "._answers", "._text"):
+        for name in ("", "._spec", "._work", "._design", "._calibration", "._geometry", "._answers", "._text"):
             result = doctest.testmod(importlib.import_module("kempe" + name))
             self.assertEqual(result.failed, 0)
 
@@ -385,6 +385,29 @@ class Searches(InAFolder):
         self.assertIsInstance(kempe.synthesize(SPEC, time_limit=60, threads=0), kempe.Design)
         with self.assertRaises(kempe.Stopped):
             kempe.synthesize(SPEC, time_limit=0)
+
+    def test_calibration(self):
+        import tomllib
+        folder = SOURCE / "specs" / "examples" / "calibration"
+        os.chdir(folder)
+        compared = 0
+        for file in sorted(folder.glob("*.toml")):
+            tables = tomllib.loads(file.read_text(encoding="utf-8"))
+            if "reading" not in tables:
+                continue
+            found = kempe.calibrate(file)
+            for reading in found["readings"]:
+                self.assertGreater(reading.pop("line"), 1)
+            self.assertEqual(found, kempe.calibrate(tables))
+            self.assertEqual(found["format"], "kempe-calibration/1")
+            compared += 1
+        self.assertGreater(compared, 2)
+        knight = tomllib.loads((folder / "knight.toml").read_text(encoding="utf-8"))
+        with self.assertRaises(kempe.SpecError) as raised:
+            kempe.calibrate({**knight, "instrument": {**knight["instrument"], "arm_mm": -1}})
+        self.assertEqual([(fault.line, fault.key) for fault in raised.exception.faults], [(None, "instrument.arm_mm")])
+        with self.assertRaisesRegex(kempe.SpecError, "nothing.toml"):
+            kempe.calibrate("nothing.toml")
 
     def test_no_mechanism(self):
         with self.assertRaisesRegex(kempe.SpecError, "mechanism"):
