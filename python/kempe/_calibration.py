@@ -28,7 +28,9 @@ def calibrate(measurements: Path | Mapping[str, Any]) -> dict[str, Any]:
     if isinstance(found, list):
         raise error_of(found, lines=not isinstance(measurements, Mapping))
     answer: dict[str, Any] = json.loads(found)
-    return _without_lines(answer) if isinstance(measurements, Mapping) else answer
+    if isinstance(measurements, Mapping):
+        answer = _without_lines(answer)
+    return answer
 
 
 def _without_lines(value: Any) -> Any:
