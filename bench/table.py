@@ -17,13 +17,14 @@ import forward
 import growth
 import kernels
 import limits
+import python_module
 import sampler
 import studio
 import synthesis
 from measure import HEAD, Context
 
 SECTIONS = {"kernels": kernels, "forward": forward, "sampler": sampler, "growth": growth, "synthesis": synthesis, "batch": batch,
-            "drag": drag, "limits": limits, "studio": studio}
+            "drag": drag, "limits": limits, "python": python_module, "studio": studio}
 
 
 def main():

@@ -1,14 +1,18 @@
-// design() and map() of kempe/design.hpp.
+// design() and map() of kempe/design.hpp, front() of kempe/front.hpp.
 
 #include <algorithm>
+#include <string>
 #include <variant>
 
+#include "kempe/front.hpp"
 #include "kempe/validate.hpp"
 #include "kinematics/deadline.hpp"
 #include "library/workings.hpp"
 #include "specs/spec_check.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
+#include "synthesis/search/front_fault.hpp"
+#include "synthesis/search/pareto.hpp"
 #include "synthesis/search/search.hpp"
 
 namespace kempe {
@@ -60,6 +64,15 @@ Outcome map_checked(const Spec& spec, const Options& options) {
   return Workings::outcome(Workings::finished(std::move(design), toml_text(spec)));
 }
 
+/// What is wrong with what is asked for beside the spec.
+std::optional<InputError> front_question_fault(const Spec& spec, Objective first, Objective second,
+                                               int points) {
+  if (first == second)
+    return InputError{"", 0, "between", std::string(name(first)) + " twice", "two objectives"};
+  if (points < 2 || points > 200) return InputError{"", 0, "points", std::to_string(points), "2 to 200"};
+  return front_fault(spec, first, second);
+}
+
 }  // namespace
 
 Outcome design(const Spec& spec, const Options& options) {
@@ -70,6 +83,31 @@ Outcome design(const Spec& spec, const Options& options) {
 Outcome map(const Spec& spec, const Options& options) {
   const auto checked = check_spec(spec);
   return checked ? map_checked(*checked, options) : Workings::outcome(checked.error());
+}
+
+std::variant<Front, Outcome> front(const Spec& spec, Objective first, Objective second, int points,
+                                   const Options& options) {
+  const auto checked = check_spec(spec);
+  if (!checked) return Workings::outcome(checked.error());
+  if (auto fault = front_question_fault(*checked, first, second, points))
+    return Workings::outcome(std::move(*fault));
+  const Deadline deadline = deadline_of(options);
+  const SearchOptions search = search_options(options, deadline);
+  const auto found = pareto_front(*checked, first, second, points, search);
+  if (!found) return Workings::outcome(found.error());
+  const bool stopped = search.stop();
+  if (found->empty() && stopped) return Workings::outcome(Stopped{});
+  if (found->empty()) return Workings::uncertified("no design was found");
+  const StopFlag to_map = deadline.flag(wish_to_stop(options), 1, time_to_map(deadline.limit()));
+  const std::string text = toml_text(*checked);
+  Front front{.points = {}, .complete = !stopped};
+  for (const ParetoPoint& point : *found) {
+    Design design = assemble_design(*checked, point.design, map_options(options, to_map));
+    design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's
+    front.complete = front.complete && design.map.complete;
+    front.points.push_back({point.a, point.b, Workings::finished(std::move(design), text)});
+  }
+  return front;
 }
 
 }  // namespace kempe

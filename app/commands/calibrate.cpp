@@ -7,9 +7,9 @@
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
+#include "reports/calibration/named_design.hpp"
 #include "reports/calibration/report.hpp"
 #include "reports/data/atomic_file.hpp"
-#include "reports/data/design_json.hpp"
 #include "specs/text/ratio.hpp"
 #include "specs/text/text_file.hpp"
 
@@ -47,19 +47,6 @@ tl::expected<Measurements, InputError> with_arguments(Measurements measurements,
   return measurements;
 }
 
-tl::expected<std::optional<DrawnDesign>, InputError> design_for(const Measurements& measurements,
-                                                                const std::string& file) {
-  if (measurements.design.empty()) return std::nullopt;
-  const auto path = (std::filesystem::path(file).parent_path() / measurements.design).string();
-  const auto text = read_text_file(path);
-  if (!text) return tl::unexpected(text.error());
-  const auto design = read_design(*text, path);
-  if (!design) return tl::unexpected(design.error());
-  const auto linkage = linkage_of(*design, path);
-  if (!linkage) return tl::unexpected(linkage.error());
-  return drawn_design(*linkage, design->mechanism.opening, design->region);
-}
-
 int write_report(const Session& session, const CalibrateArguments& arguments, const CalibrationRecord& record,
                  const std::optional<SimulationRecord>& simulation, const std::string& json,
                  const std::string& text, const std::string& design) {
@@ -83,7 +70,7 @@ int run(const Session& session, const CalibrateArguments& arguments) {
   if (!read) return fail(session, read.error());
   const auto measurements = with_arguments(std::move(*read), arguments);
   if (!measurements) return fail(session, measurements.error());
-  const auto design = design_for(*measurements, arguments.file);
+  const auto design = named_design(*measurements, std::filesystem::path(arguments.file).parent_path());
   if (!design) return fail(session, design.error());
   const auto record = run_calibration(*measurements, *design, arguments.file);
   if (!record) return fail(session, record.error());

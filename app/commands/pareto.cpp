@@ -20,6 +20,7 @@
 #include "specs/objective_unit.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/search/front_fault.hpp"
 
 namespace kempe::app {
 namespace {
@@ -157,21 +158,6 @@ std::string summary_text(const ParetoFront& front, int asked, bool complete, con
                     printable(folder));
 }
 
-/// What the objectives need and the spec does not have.
-std::optional<InputError> lack_of(const LoadedSpec& loaded, const std::array<Objective, 2>& sought) {
-  const Spec& spec = loaded.spec;
-  const auto seeks = [&](Objective one) { return sought[0] == one || sought[1] == one; };
-  const auto no_table = [&](const char* table, const char* allowed) {
-    return InputError{loaded.file, 0, table, "no such table", allowed};
-  };
-  if (seeks(Objective::copy_error) && !spec.tolerance)
-    return no_table("tolerance", "[tolerance] with length_mm and play_mm, for copy_error");
-  if (seeks(Objective::load_error) && !spec.load)
-    return no_table("load", "[load] with pen_N, for load_error");
-  if (seeks(Objective::mass) && !spec.material) return no_table("material", "[material] with name, for mass");
-  return std::nullopt;
-}
-
 int run(const Session& session, const ParetoArguments& arguments) {
   const auto loaded = load_spec(arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
@@ -181,10 +167,10 @@ int run(const Session& session, const ParetoArguments& arguments) {
     return fail(session,
                 {"", 0, "--between", fmt::format("{}", fmt::join(arguments.between, ",")),
                  "two of size, transmission, copy_error, footprint, load_error, mass, as size,copy_error"});
-  if (const auto lack = lack_of(*loaded, {*first, *second})) return fail(session, *lack);
-  if (loaded->spec.tolerance && loaded->spec.tolerance->robust)
-    return fail(session, {loaded->file, 0, "tolerance.robust", "true",
-                          "false: fronts are of the instruments as drawn"});
+  if (auto fault = front_fault(loaded->spec, *first, *second)) {
+    fault->file = loaded->file;
+    return fail(session, *fault);
+  }
   const Stopping stopping(arguments.time_limit);
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {

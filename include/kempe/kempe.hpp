@@ -5,7 +5,9 @@
 /// Lengths are millimetres and angles radians everywhere; places are in the table's frame. A function never throws for what
 /// a spec, a file or a folder may be: the answer says it. There is no global state.
 
+#include "kempe/calibrate.hpp"
 #include "kempe/design.hpp"
+#include "kempe/front.hpp"
 #include "kempe/sketch.hpp"
 #include "kempe/trace.hpp"
 #include "kempe/units.hpp"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "kempe/export.hpp"
@@ -19,6 +20,10 @@ KEMPE_EXPORT std::optional<InputError> validate(const Spec& spec);
 /// The spec of a TOML file (docs/spec.md), checked; a drawing it names is looked for beside it. Or what is wrong, with the
 /// line.
 KEMPE_EXPORT std::variant<Spec, InputError> load(const std::filesystem::path& file);
+
+/// The same of a text. `name` stands for the file in messages, unless empty; a drawing it names is looked for in `folder`.
+KEMPE_EXPORT std::variant<Spec, InputError> parse(std::string_view text, const std::string& name = "",
+                                                  const std::filesystem::path& folder = {});
 
 /// The spec as a file would say it (TOML, docs/spec.md). Keys with their default value are left out. load() reads it back; the text
 /// of a spec that validate() refuses may be one that load() refuses.

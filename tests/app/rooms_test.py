@@ -24,7 +24,7 @@ HEAVY = {  # a library's headers -> the files that may include them
     r"hpdf": r"_backend\.cpp$",
 }
 # The public headers that need the whole library below them; the others hold the values that every room uses.
-FACADE = {f"kempe/{name}.hpp" for name in ("design", "kempe", "map", "options", "sketch", "trace", "validate", "verify", "write")}
+FACADE = {f"kempe/{name}.hpp" for name in ("calibrate", "design", "front", "kempe", "map", "options", "sketch", "trace", "validate", "verify", "write")}
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|enum(?: class)?) (\w+)(?: final)?(?: :| \{|$)")
 
 
@@ -39,8 +39,10 @@ def faults_of(path, folder):
             yield f"{path}: a public header includes the standard library, Eigen and its like, not {included}"
         if included in FACADE and folder == "kempe" and f"kempe/{path.name}" not in FACADE:
             yield f"{path}: it includes {included} and belongs to the same headers: FACADE lacks it"
-        if included in FACADE and folder not in ("kempe", "library", "studio"):
-            yield f"{path}: {included} is for users of the library; inside it only library/ and studio/ include it"
+        if included in FACADE and folder not in ("kempe", "library", "python", "studio"):
+            yield f"{path}: {included} is for users of the library; inside it only library/, python/ and studio/ include it"
+        if folder == "python" and used in FOLDERS and used not in ("kempe", "python"):
+            yield f"{path}: python/ knows the library by its public headers alone, not {included}"
         if used in FOLDERS and FOLDERS.index(used) > FOLDERS.index(folder):
             yield f"{path}: {folder} may not include {included}"
         elif used.split("/")[0] in ROOMS and used not in FOLDERS:

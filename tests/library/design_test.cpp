@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "kempe/kempe.hpp"
@@ -204,6 +205,39 @@ TEST(Library, RegionsAreWhatTheySay) {
     spec.region = Region::polygon({{62, -5}, {62, 5}, {70, 5}, {70, -5}});  // clockwise
     return spec;
   }()));
+}
+
+TEST(Library, GivesAFrontOrSaysWhyThereIsNone) {
+  const auto found = front(small_task(), Objective::size, Objective::transmission, 3);
+  ASSERT_TRUE(std::holds_alternative<Front>(found));
+  const Front& points = std::get<Front>(found);
+  EXPECT_TRUE(points.complete);
+  ASSERT_GE(points.points.size(), 2U);
+  for (std::size_t i = 0; i < points.points.size(); ++i) {
+    const FrontPoint& point = points.points[i];
+    EXPECT_NEAR(point.first, point.design.size(), 1e-9 * point.first);
+    EXPECT_NEAR(point.second, point.design.transmission_min(), 1e-6);
+    EXPECT_FALSE(point.design.proven_bound());
+    if (i == 0) continue;
+    EXPECT_GT(point.first, points.points[i - 1].first);
+    EXPECT_GT(point.second, points.points[i - 1].second);
+  }
+  Spec narrow = small_task();
+  narrow.links.longest = 20;
+  const auto none = front(narrow, Objective::size, Objective::transmission, 3);
+  ASSERT_TRUE(std::holds_alternative<Outcome>(none));
+  EXPECT_EQ(std::get<Outcome>(none).kind(), Outcome::Kind::no_design);
+  const auto fault_of = [](const std::variant<Front, Outcome>& answer) {
+    return std::get<Outcome>(answer).fault().value().key;
+  };
+  EXPECT_EQ(fault_of(front(small_task(), Objective::size, Objective::mass)), "material");
+  EXPECT_EQ(fault_of(front(small_task(), Objective::size, Objective::size)), "between");
+  EXPECT_EQ(fault_of(front(small_task(), Objective::size, Objective::transmission, 1)), "points");
+  Options at_once;
+  at_once.time_limit = 0;
+  const auto stopped = front(small_task(), Objective::size, Objective::transmission, 3, at_once);
+  ASSERT_TRUE(std::holds_alternative<Outcome>(stopped));
+  EXPECT_EQ(std::get<Outcome>(stopped).kind(), Outcome::Kind::stopped);
 }
 
 }  // namespace

@@ -91,5 +91,56 @@ TEST(VerifyFile, SaysWhyAFileCannotBeRead) {
   EXPECT_TRUE(std::holds_alternative<InputError>(verify(fs::path("/nowhere/design.json"))));
 }
 
+TEST(Calibrate, SaysTheSameOfAFileAndOfItsText) {
+  const fs::path file = KEMPE_SOURCE_DIR "/specs/examples/calibration/knight.toml";
+  const auto found = calibrate(file), again = calibrate_text(text_of(file), "", file.parent_path());
+  ASSERT_TRUE(std::holds_alternative<std::string>(found)) << std::get<InputError>(found).messages();
+  EXPECT_EQ(found.index(), again.index());
+  EXPECT_EQ(std::get<std::string>(found), std::get<std::string>(again));
+  EXPECT_NE(std::get<std::string>(found).find("\"corrections_mm\""), std::string::npos);
+  EXPECT_EQ(std::get<InputError>(calibrate_text("[instrument]\narm_mm = -1\n", "bench.toml")).file,
+            "bench.toml");
+}
+
+TEST(Texts, AreThoseOfTheFiles) {
+  const Folder folder;
+  const Outcome outcome = mapped();
+  ASSERT_TRUE(write(*outcome, folder.path() / "texts", "a title"));
+  EXPECT_EQ(text_of(folder.path() / "texts" / "report.html"), report(*outcome, "a title"));
+  EXPECT_EQ(text_of(folder.path() / "texts" / "drawing.svg"), drawing(*outcome));
+  EXPECT_EQ(text_of(folder.path() / "texts" / "design.json"), verified_json(*outcome));
+}
+
+TEST(Restore, GivesTheSameDesignFromItsText) {
+  const std::string text = verified_json(*mapped());
+  const auto again = restore(text);
+  ASSERT_TRUE(std::holds_alternative<FinishedDesign>(again)) << std::get<InputError>(again).messages();
+  EXPECT_EQ(verified_json(std::get<FinishedDesign>(again)), text);
+}
+
+TEST(Restore, BelievesNoBound) {
+  const Outcome outcome =
+      design(std::get<Spec>(parse("[copy]\nscale = 1.4\nrotation_deg = 90\n"
+                                  "[region]\nrectangle_mm = [62, -5, 8, 10]\n")));
+  ASSERT_TRUE(outcome) << outcome.reason();
+  const std::string text = verified_json(*outcome);
+  const auto kept = restore(text, "", ClaimedBound::keep), proven = restore(text);
+  ASSERT_TRUE(std::holds_alternative<FinishedDesign>(kept));
+  ASSERT_TRUE(std::holds_alternative<FinishedDesign>(proven));
+  EXPECT_EQ(std::get<FinishedDesign>(kept).proven_bound(), outcome->proven_bound());
+  const auto bound = std::get<FinishedDesign>(proven).proven_bound();
+  EXPECT_LE(bound.value_or(0), *outcome->proven_bound());
+}
+
+TEST(Restore, SaysWhatDoesNotHold) {
+  std::string text = verified_json(*mapped());
+  text.replace(text.find("\"reachable_mm2\": ") + 17, 1, "9");
+  const auto found = restore(text, "forged.json");
+  ASSERT_TRUE(std::holds_alternative<InputError>(found));
+  EXPECT_EQ(std::get<InputError>(found).file, "forged.json");
+  EXPECT_EQ(std::get<InputError>(found).key, "workspace.reachable_mm2");
+  EXPECT_TRUE(std::holds_alternative<InputError>(restore("{")));
+}
+
 }  // namespace
 }  // namespace kempe

@@ -1,0 +1,410 @@
+// The module kempe._core: the library's values and functions as they are. What a person writes is python/kempe/*.py.
+
+#include <pybind11/complex.h>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "kempe/kempe.hpp"
+#include "python/arrays.hpp"
+#include "python/at_work.hpp"
+
+namespace kempe::python {
+namespace {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+/// A text that may quote a file of any bytes.
+py::str text_of(const std::string& quoting) {
+  PyObject* text = PyUnicode_DecodeUTF8(quoting.data(), static_cast<py::ssize_t>(quoting.size()), "replace");
+  if (text == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(text);
+}
+
+/// (file, line, key, found, allowed) of each fault.
+py::list list_of(const InputError& first) {
+  py::list faults;
+  const auto add = [&faults](const InputError& fault) {
+    faults.append(py::make_tuple(text_of(fault.file), fault.line, text_of(fault.key), text_of(fault.found),
+                                 text_of(fault.allowed)));
+  };
+  add(first);
+  for (const InputError& other : first.others) add(other);
+  return faults;
+}
+
+/// The value, or the list of faults.
+template <typename Value>
+py::object value_or_faults(std::variant<Value, InputError> found) {
+  if (const auto* fault = std::get_if<InputError>(&found)) return list_of(*fault);
+  return py::cast(std::move(std::get<Value>(found)));
+}
+
+/// How to work, as Python says it.
+struct Wishes {
+  std::uint64_t seed;
+  int threads;
+  std::optional<double> time_limit;
+  bool diagnose;
+  double map_tolerance;
+  bool largest_sheets;
+};
+
+Options options_of(const Wishes& wishes, Hooks& hooks) {
+  Options options;
+  options.seed = wishes.seed;
+  options.threads = wishes.threads;
+  options.time_limit = wishes.time_limit;
+  options.diagnose = wishes.diagnose;
+  options.map_tolerance = wishes.map_tolerance;
+  options.largest_sheets = wishes.largest_sheets;
+  options.stop = [&hooks] { return hooks.stopped(); };
+  options.progress = [&hooks](double share, std::string_view what) { hooks.tell(share, what); };
+  return options;
+}
+
+using Search = Outcome (*)(const Spec&, const Options&);
+
+Outcome outcome_of(Search search, const Spec& spec, const Wishes& wishes, const py::object& progress) {
+  return at_work(progress, [&](Hooks& hooks) { return search(spec, options_of(wishes, hooks)); });
+}
+
+constexpr std::array all_objectives{Objective::size,      Objective::transmission, Objective::copy_error,
+                                    Objective::footprint, Objective::load_error,   Objective::mass};
+
+Objective objective_named(const std::string& word) {
+  for (const Objective one : all_objectives)
+    if (word == name(one)) return one;
+  throw py::value_error(
+      "an objective is one of size, transmission, copy_error, footprint, load_error, mass; found " + word);
+}
+
+/// (complete, list of (first, second, design)), or an Outcome.
+py::object front_of(const Spec& spec, const std::string& first, const std::string& second, int points,
+                    const Wishes& wishes, const py::object& progress) {
+  const Objective one = objective_named(first), other = objective_named(second);
+  const auto found = at_work(
+      progress, [&](Hooks& hooks) { return front(spec, one, other, points, options_of(wishes, hooks)); });
+  if (const auto* outcome = std::get_if<Outcome>(&found)) return py::cast(*outcome);
+  const auto in_file_unit = [](Objective objective, double value) {
+    return objective == Objective::transmission ? degrees(value) : value;
+  };
+  py::list list;
+  for (const FrontPoint& point : std::get<Front>(found).points)
+    list.append(
+        py::make_tuple(in_file_unit(one, point.first), in_file_unit(other, point.second), point.design));
+  return py::make_tuple(std::get<Front>(found).complete, list);
+}
+
+const char* name_of(Outcome::Kind kind) {
+  switch (kind) {
+    case Outcome::Kind::design: return "design";
+    case Outcome::Kind::no_design: return "no_design";
+    case Outcome::Kind::stopped: return "stopped";
+    case Outcome::Kind::bad_spec: return "bad_spec";
+  }
+  throw std::logic_error("an outcome of no kind");
+}
+
+constexpr std::array all_joints{Joint::V, Joint::A, Joint::B, Joint::C, Joint::X, Joint::Y};
+
+/// The pen's joint, by what stands at V.
+Joint pen_of(Grounding grounding) { return grounding == Grounding::pen ? Joint::V : Joint::Y; }
+
+/// For each tracer the places of some joints, NaN where there is no pose.
+template <std::size_t count>
+void pose_all(const FinishedDesign& design, const Points& tracers, const std::array<Joint, count>& joints,
+              double* out) {
+  const py::gil_scoped_release others_may_run;
+  for (py::ssize_t i = 0; i < tracers.size(); ++i) {
+    const auto found = design.pose_with_tracer_at(tracers[i]);
+    const auto* pose = std::get_if<Pose>(&found);
+    for (const Joint joint : joints) {
+      *out++ = pose ? (*pose)[joint].x() : nowhere;
+      *out++ = pose ? (*pose)[joint].y() : nowhere;
+    }
+  }
+}
+
+Numbers pens(const FinishedDesign& design, const Numbers& tracers) {
+  const Points points(tracers);
+  Numbers found({points.size(), py::ssize_t{2}});
+  pose_all(design, points, std::array{pen_of(design.grounding())}, found.mutable_data());
+  return found;
+}
+
+Numbers joints(const FinishedDesign& design, const Numbers& tracers) {
+  const Points points(tracers);
+  Numbers found({points.size(), py::ssize_t{6}, py::ssize_t{2}});
+  pose_all(design, points, all_joints, found.mutable_data());
+  return found;
+}
+
+py::dict lengths_of(const FinishedDesign& design) {
+  py::dict lengths;
+  const std::array<double, 8> values = design.lengths().values();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    lengths[py::str(std::string(LinkLengths::names[i]))] = values[i];
+  return lengths;
+}
+
+py::list list_of(const std::vector<BrokenLimit>& broken) {
+  py::list list;
+  for (const BrokenLimit& one : broken)
+    list.append(
+        py::make_tuple(one.limit, one.attained, one.allowed,
+                       one.where ? py::object(py::make_tuple(one.where->x(), one.where->y())) : py::none(),
+                       text_of(one.sentence)));
+  return list;
+}
+
+py::dict dict_of(const Verification& found) {
+  return py::dict("holds"_a = found.holds, "samples"_a = found.samples,
+                  "copy_error_max_mm"_a = found.copy_error_max,
+                  "loop_residual_max_mm"_a = found.loop_residual_max, "scale"_a = found.scale,
+                  "rotation_deg"_a = degrees(found.rotation), "flips"_a = found.flips,
+                  "over_workspace"_a = found.over_workspace, "failure"_a = found.failure,
+                  "broken"_a = list_of(found.broken));
+}
+
+py::dict verified(const FinishedDesign& design) {
+  return dict_of(at_work(py::none(), [&](Hooks&) { return verify(design); }));
+}
+
+/// (holds, broken), or faults.
+py::object audited(const std::filesystem::path& file) {
+  const auto found = at_work(py::none(), [&](Hooks&) { return verify(file); });
+  if (const auto* fault = std::get_if<InputError>(&found)) return list_of(*fault);
+  const auto& audit = std::get<Audit>(found);
+  return py::make_tuple(audit.holds, list_of(audit.broken));
+}
+
+/// (which of the lines, points) of each.
+py::list list_of(const std::vector<CopiedLine>& lines) {
+  py::list list;
+  for (const CopiedLine& line : lines) list.append(py::make_tuple(line.original, array_of(line.points)));
+  return list;
+}
+
+py::object traced(const FinishedDesign& design, const std::vector<Numbers>& lines, double step) {
+  std::vector<Polyline> originals;
+  originals.reserve(lines.size());
+  for (const Numbers& line : lines) originals.push_back(points_of(line));
+  const auto found = at_work(py::none(), [&](Hooks&) { return trace(design, originals, step); });
+  if (const auto* fault = std::get_if<InputError>(&found)) return list_of(*fault);
+  const auto& copy = std::get<CopiedDrawing>(found);
+  return py::dict("drawn"_a = list_of(copy.drawn), "missing"_a = list_of(copy.missing),
+                  "drawn_length_mm"_a = copy.drawn_length, "missing_length_mm"_a = copy.missing_length,
+                  "poses"_a = copy.poses, "poses_missed"_a = copy.poses_missed,
+                  "departure_mm"_a = copy.departure);
+}
+
+/// (files, what is left out, why nothing was written).
+py::tuple written(const FinishedDesign& design, const std::filesystem::path& folder,
+                  const std::string& title) {
+  const Written found = at_work(py::none(), [&](Hooks&) { return write(design, folder, title); });
+  return py::make_tuple(found.files, found.left_out, found.reason);
+}
+
+py::array_t<bool> are_free(const Map& map, const Numbers& tracers) {
+  const Points points(tracers);
+  py::array_t<bool> found(points.size());
+  bool* out = found.mutable_data();
+  const py::gil_scoped_release others_may_run;
+  for (py::ssize_t i = 0; i < points.size(); ++i) out[i] = map.at(points[i]).free;
+  return found;
+}
+
+py::tuple verdict_at(const Map& map, double x, double y) {
+  const PointVerdict verdict = map.at({x, y});
+  return py::make_tuple(verdict.free, verdict.uncertain, verdict.sentence);
+}
+
+py::list losses_of(const Map& map) {
+  py::list list;
+  for (const Loss& loss : map.losses()) list.append(py::make_tuple(loss.cause, loss.parts, loss.area));
+  return list;
+}
+
+py::list sheets_of(const Map& map) {
+  py::list list;
+  for (const SheetThatFits& sheet : map.largest_sheets())
+    list.append(py::make_tuple(sheet.name, sheet.width, sheet.height,
+                               py::make_tuple(sheet.centre.x(), sheet.centre.y()), degrees(sheet.turn)));
+  return list;
+}
+
+void add_specs(py::module_& module) {
+  py::class_<Spec>(module, "Spec")
+      .def("toml", &toml_text)
+      .def_property_readonly("title", [](const Spec& spec) { return spec.title; })
+      .def_property_readonly("copy", [](const Spec& spec) { return spec.copy.k(); })
+      .def_property_readonly("region", [](const Spec& spec) { return polygons_of(spec.region); })
+      .def_property_readonly("objective",
+                             [](const Spec& spec) { return std::string(name(spec.objective.objective)); });
+  module.def(
+      "parse",
+      [](const std::string& text, const std::string& name, const std::filesystem::path& folder) {
+        return value_or_faults(parse(text, name, folder));
+      },
+      "text"_a, "name"_a, "folder"_a);
+  module.def(
+      "load", [](const std::filesystem::path& file) { return value_or_faults(load(file)); }, "file"_a);
+}
+
+void add_designs(py::module_& module) {
+  py::class_<Map>(module, "Map")
+      .def_property_readonly("covers_region", &Map::covers_region)
+      .def_property_readonly("why_not_covered", &Map::why_not_covered)
+      .def_property_readonly("reachable_area", &Map::reachable_area)
+      .def_property_readonly("usable_area", &Map::usable_area)
+      .def_property_readonly("collision_free_area", &Map::collision_free_area)
+      .def_property_readonly("uncertain_area", &Map::uncertain_area)
+      .def_property_readonly("complete", &Map::complete)
+      .def(
+          "reachable", [](const Map& map, double tolerance) { return polygons_of(map.reachable(tolerance)); },
+          "tolerance"_a)
+      .def(
+          "collision_free",
+          [](const Map& map, double tolerance) { return polygons_of(map.collision_free(tolerance)); },
+          "tolerance"_a)
+      .def("losses", &losses_of)
+      .def("largest_sheets", &sheets_of)
+      .def("at", &verdict_at, "x"_a, "y"_a)
+      .def("are_free", &are_free, "tracers"_a);
+  py::class_<FinishedDesign>(module, "Design")
+      .def_property_readonly("copy", [](const FinishedDesign& design) { return design.copy().k(); })
+      .def_property_readonly("scale", [](const FinishedDesign& design) { return design.copy().scale(); })
+      .def_property_readonly("rotation",
+                             [](const FinishedDesign& design) { return design.copy().rotation(); })
+      .def_property_readonly(
+          "grounding", [](const FinishedDesign& design) { return std::string(name(design.grounding())); })
+      .def_property_readonly("assembly_mode", &FinishedDesign::assembly_mode)
+      .def_property_readonly("pole",
+                             [](const FinishedDesign& design) {
+                               const Point pole = design.pole();
+                               return py::make_tuple(pole.x(), pole.y());
+                             })
+      .def_property_readonly("lengths", &lengths_of)
+      .def_property_readonly(
+          "layers", [](const FinishedDesign& design) { return py::tuple(py::cast(design.layers())); })
+      .def_property_readonly("opening",
+                             [](const FinishedDesign& design) {
+                               const OpeningInterval opening = design.opening();
+                               return py::make_tuple(opening.lower, opening.upper);
+                             })
+      .def_property_readonly("size", &FinishedDesign::size)
+      .def_property_readonly("transmission_min", &FinishedDesign::transmission_min)
+      .def_property_readonly("clearance_min", &FinishedDesign::clearance_min)
+      .def_property_readonly("footprint", &FinishedDesign::footprint)
+      .def_property_readonly("copy_error", &FinishedDesign::copy_error)
+      .def_property_readonly("load_error", &FinishedDesign::load_error)
+      .def_property_readonly("sag", &FinishedDesign::sag)
+      .def_property_readonly("mass", &FinishedDesign::mass)
+      .def_property_readonly("section",
+                             [](const FinishedDesign& design) {
+                               const LinkSection section = design.section();
+                               return py::make_tuple(section.width, section.thickness);
+                             })
+      .def_property_readonly("robust_clearance", &FinishedDesign::robust_clearance)
+      .def_property_readonly(
+          "objective", [](const FinishedDesign& design) { return std::string(name(design.objective())); })
+      .def_property_readonly("value", &FinishedDesign::value)
+      .def_property_readonly("proven_bound", &FinishedDesign::proven_bound)
+      .def_property_readonly("complete", &FinishedDesign::complete)
+      .def_property_readonly("map", &FinishedDesign::map)
+      .def("json",
+           [](const FinishedDesign& design) {
+             return at_work(py::none(), [&](Hooks&) { return verified_json(design); });
+           })
+      .def("pens", &pens, "tracers"_a)
+      .def("joints", &joints, "tracers"_a)
+      .def("verify", &verified)
+      .def("trace", &traced, "lines"_a, "step"_a)
+      .def("write", &written, "folder"_a, "title"_a)
+      .def("report", &report, "title"_a, py::call_guard<py::gil_scoped_release>())
+      .def("drawing", &drawing, py::call_guard<py::gil_scoped_release>());
+  module.def(
+      "restore",
+      [](const std::string& json, const std::string& name, bool is_own) {
+        const ClaimedBound bound = is_own ? ClaimedBound::keep : ClaimedBound::prove;
+        return value_or_faults(at_work(py::none(), [&](Hooks&) { return restore(json, name, bound); }));
+      },
+      "json"_a, "name"_a, "is_own"_a);
+  module.def("verify", &audited, "file"_a);
+}
+
+void add_calibration(py::module_& module) {
+  const auto answer = [](const auto& work) { return value_or_faults(at_work(py::none(), work)); };
+  module.def(
+      "calibrate",
+      [answer](const std::filesystem::path& file) { return answer([&](Hooks&) { return calibrate(file); }); },
+      "file"_a);
+  module.def(
+      "calibrate_text",
+      [answer](const std::string& text, const std::filesystem::path& folder) {
+        return answer([&](Hooks&) { return calibrate_text(text, "", folder); });
+      },
+      "text"_a, "folder"_a);
+}
+
+void add_searches(py::module_& module) {
+  py::class_<Wishes>(module, "Wishes")
+      .def(py::init<std::uint64_t, int, std::optional<double>, bool, double, bool>(), "seed"_a, "threads"_a,
+           "time_limit"_a, "diagnose"_a, "map_tolerance"_a, "largest_sheets"_a);
+  py::class_<Outcome>(module, "Outcome")
+      .def_property_readonly("kind", [](const Outcome& outcome) { return name_of(outcome.kind()); })
+      .def_property_readonly("design",
+                             [](const Outcome& outcome) -> std::optional<FinishedDesign> {
+                               if (outcome) return *outcome;
+                               return std::nullopt;
+                             })
+      .def_property_readonly("reason", &Outcome::reason)
+      .def_property_readonly("proven", &Outcome::proven)
+      .def_property_readonly("changes",
+                             [](const Outcome& outcome) {
+                               py::list changes;
+                               for (const PossibleChange& change : outcome.changes())
+                                 changes.append(py::make_tuple(change.key, change.sentence));
+                               return changes;
+                             })
+      .def_property_readonly("proven_bound", &Outcome::proven_bound)
+      .def_property_readonly("faults", [](const Outcome& outcome) {
+        return outcome.fault() ? list_of(*outcome.fault()) : py::list();
+      });
+  module.def(
+      "design",
+      [](const Spec& spec, const Wishes& wishes, const py::object& progress) {
+        return outcome_of(&design, spec, wishes, progress);
+      },
+      "spec"_a, "wishes"_a, "progress"_a);
+  module.def("front", &front_of, "spec"_a, "first"_a, "second"_a, "points"_a, "wishes"_a, "progress"_a);
+  module.def(
+      "map",
+      [](const Spec& spec, const Wishes& wishes, const py::object& progress) {
+        return outcome_of(&map, spec, wishes, progress);
+      },
+      "spec"_a, "wishes"_a, "progress"_a);
+}
+
+}  // namespace
+}  // namespace kempe::python
+
+PYBIND11_MODULE(_core, module) {
+  module.attr("version") = KEMPE_VERSION;
+  kempe::python::add_specs(module);
+  kempe::python::add_designs(module);
+  kempe::python::add_searches(module);
+  kempe::python::add_calibration(module);
+}

@@ -1,0 +1,31 @@
+"""Kempe: the best copying linkage for a task, with everything that is needed to build it.
+
+>>> import kempe
+>>> spec = kempe.Spec(copy=1.4j,                                          # 1.4 times as large, turned by 90 degrees
+...                   region={"rectangle_mm": [62, -5, 8, 10]},           # or a Shapely polygon
+...                   links={"width_mm": 6, "pin_diameter_mm": 3})
+>>> design = kempe.synthesize(spec)
+>>> design.vertex, design.map.covers_region, bool(design.verify())
+('tracer', True, True)
+
+Lengths are millimetres, angles degrees where a name ends in _deg, places (x, y) in the table's frame. docs/python.md tells more.
+"""
+from ._answers import (Audit, Broken, Change, CopiedDrawing, CopiedLine, Error, Fault, Loss, NoDesign, NotWritten, Sheet,
+                       SpecError, Stopped, Verdict, Verification)
+from ._calibration import calibrate
+from ._core import version as __version__
+from ._design import Design, Map, verify
+from ._geometry import Region
+from ._spec import Spec, load
+from ._work import pareto, sweep, synthesize, workspace
+
+__all__ = [
+    "Audit", "Broken", "Change", "CopiedDrawing", "CopiedLine", "Design", "Error", "Fault", "Loss", "Map", "NoDesign",
+    "NotWritten", "Region", "Sheet", "Spec", "SpecError", "Stopped", "Verdict", "Verification", "__version__", "calibrate",
+    "load", "pareto", "sweep", "synthesize", "verify", "workspace",
+]
+
+for _name in __all__:  # a reader of a traceback or a pickle finds everything under kempe
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "kempe"
+del _name
