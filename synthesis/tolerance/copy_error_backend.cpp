@@ -24,7 +24,7 @@ std::array<IntervalComplex, 3> displacements_of(const IntervalComplex& hole, boo
   return {from_C.re * by_C, exactly(0.0) - i_exactly * from_C / across, by_C};
 }
 
-Interval along(const Complex& direction, const IntervalComplex& z) {
+Interval part_along(const Complex& direction, const IntervalComplex& z) {
   return Interval(direction.real()) * z.re + Interval(direction.imag()) * z.im;
 }
 
@@ -61,9 +61,9 @@ bool CopyErrorProfile::surely_exceeds(double limit, const OpeningInterval& openi
   const std::array<Pair, 5> by_play{by_pole, by_VB_bar, by_VA_bar, by_VB_bar, by_C};
   Interval sum(0);
   for (std::size_t j = 0; j < 8; ++j)
-    sum += Interval(tolerance_.length[j]) * CGAL::abs(along(direction, by_length[j]));
+    sum += Interval(tolerance_.length[j]) * CGAL::abs(part_along(direction, by_length[j]));
   for (std::size_t j = 0; j < 5; ++j) {
-    const Interval x = along(direction, by_play[j][0]), y = along(direction, by_play[j][1]);
+    const Interval x = part_along(direction, by_play[j][0]), y = part_along(direction, by_play[j][1]);
     sum += Interval(tolerance_.play[j]) / 2.0 * CGAL::sqrt(CGAL::square(x) + CGAL::square(y));
   }
   if (pen_is_at_V_) sum *= length(k);
