@@ -22,7 +22,7 @@ def synthesize(spec: Spec, *, seed: int = 1, threads: Optional[int] = None, time
 
     threads         None: as many as the machine has; the design does not depend on it
     time_limit      seconds; at its end the best so far comes back, its .complete being False
-    progress        called with the share of the work done, 0..1, and what is being done
+    progress        called with a share, 0..1, and what it is the share of: "searching", "mapping", ...; each begins anew
     diagnose        look for the least relaxations where there is no design
     map_tolerance   share of the free workspace that may stay uncertain, 0.00001 to 0.5
     largest_sheets  look for the largest rectangles that fit the workspace: the slowest part of a map

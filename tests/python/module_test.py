@@ -337,11 +337,13 @@ class Searches(InAFolder):
             kempe.pareto(SPEC.replace(links={"longest_mm": 20}), ("size", "transmission"))
 
     def test_progress_is_told_and_its_exception_ends_the_work(self):
-        shares = []
-        kempe.synthesize(SPEC, progress=lambda share, what: shares.append(share))
-        self.assertTrue(all(0 <= share <= 1 for share in shares))
-        self.assertEqual(shares, sorted(shares))
-        self.assertEqual(shares[-1], 1)
+        phases = {}
+        kempe.synthesize(SPEC, progress=lambda share, what: phases.setdefault(what, []).append(share))
+        self.assertIn("mapping", phases)
+        for what, shares in phases.items():
+            self.assertTrue(all(0 <= share <= 1 for share in shares), what)
+            self.assertEqual(shares, sorted(shares), what)
+        self.assertEqual(phases["mapping"][-1], 1)
 
         def refuse(share, what):
             raise RuntimeError("enough")
