@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/tolerance/copy_error.hpp"
+#include "synthesis/tolerance/slack.hpp"
 
 namespace kempe {
 namespace {
