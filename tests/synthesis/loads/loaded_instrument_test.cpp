@@ -152,7 +152,10 @@ TEST(LoadedInstrument, PinsGiveByTheForcesThatTheyBear) {
   std::mt19937_64 random(33);
   for (int i = 0; i < test::samples(100); ++i) {
     SCOPED_TRACE(i);
-    const auto [linkage, opening, pose, heading] = random_case(random);
+    const LoadedCase one = random_case(random);
+    const CopyingLinkage& linkage = one.linkage;
+    const auto& pose = one.pose;
+    const Point heading = one.heading;
     const PinCompliance pins{1e-3, 2e-3, 3e-3, 4e-3, 5e-3};
     const Load load{.pen_force = 10};
     const auto rigid = HandWork(linkage, style, {}, steel, load).at(pose, heading);

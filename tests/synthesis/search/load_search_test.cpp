@@ -192,7 +192,7 @@ TEST(SagSearch, FindsADesignThatALocalSolutionLeaves) {
 TEST(SagSearch, DifferentSeedsComeToTheSameDesign) {
   const Spec spec = engraver_with_a_limit_on_sag();
   std::vector<double> values;
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1UL, 2UL, 3UL}) {
     SearchOptions options;
     options.seed = seed;
     options.diagnose = false;
