@@ -105,15 +105,20 @@ def report(rows):
             print("FAILED", json.dumps(row)[:300])
 
 
-def main():
-    kempe = sys.argv[1]
-    count, seed = (int(sys.argv[i]) if len(sys.argv) > i else default for i, default in ((2, 1000), (3, 1)))
-    folder = pathlib.Path(sys.argv[4] if len(sys.argv) > 4 else tempfile.mkdtemp())
+def written(arguments):
+    """KEMPE [COUNT] [SEED] [FOLDER]: the program, the folder, its random specs, and the file of them, written there, a line each."""
+    count, seed = (int(arguments[i]) if len(arguments) > i else default for i, default in ((1, 1000), (2, 1)))
+    folder = pathlib.Path(arguments[3] if len(arguments) > 3 else tempfile.mkdtemp())
     folder.mkdir(parents=True, exist_ok=True)
     rng = random.Random(seed)
     specs = [spec(rng) for _ in range(count)]
     lines = folder / "specs.jsonl"
     lines.write_text("".join(json.dumps(one) + "\n" for one in specs))
+    return arguments[0], folder, specs, lines
+
+
+def main():
+    kempe, folder, specs, lines = written(sys.argv[1:])
     subprocess.run([kempe, "synthesize", "--batch", lines, "-o", folder / "out", "--quiet"], check=False)
     rows = [json.loads(line) for line in (folder / "out" / "results.jsonl").read_text().splitlines()]
     for one, row in zip(specs, rows):

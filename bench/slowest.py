@@ -8,10 +8,8 @@ Ctrl-C ends the batch; what came of it by then is told.
 """
 import json
 import pathlib
-import random
 import subprocess
 import sys
-import tempfile
 import time
 
 import random_specs
@@ -62,14 +60,7 @@ def kind(spec):
 
 
 def main():
-    kempe = sys.argv[1]
-    count, seed = (int(sys.argv[i]) if len(sys.argv) > i else default for i, default in ((2, 1000), (3, 1)))
-    folder = pathlib.Path(sys.argv[4] if len(sys.argv) > 4 else tempfile.mkdtemp())
-    folder.mkdir(parents=True, exist_ok=True)
-    rng = random.Random(seed)
-    specs = [random_specs.spec(rng) for _ in range(count)]
-    lines = folder / "specs.jsonl"
-    lines.write_text("".join(json.dumps(one) + "\n" for one in specs))
+    kempe, folder, specs, lines = random_specs.written(sys.argv[1:])
     rows, seconds = timed(kempe, lines, folder / "out")
     print(f"{len(rows)} specs, {sum(seconds):.0f} s of CPU, {sum(s > 60 for s in seconds)} above a minute")
     for i in sorted(range(len(rows)), key=lambda i: -seconds[i])[:LISTED]:

@@ -23,9 +23,10 @@ struct Front {
 };
 
 /// The front between two objectives by the epsilon constraint method (docs/search.md): about `points` designs, at least 2; fewer where
-/// searches give the same design again. All limits of the spec hold at every point, its own objective plays no part. Or, as an Outcome,
-/// why there is none; a robust spec, one with several sections, and one that lacks what an objective needs are faults, and so are two
-/// objectives that are one, and points outside 2 to 200 (keys "between", "points").
+/// searches give the same design again. Of several sections each has a front of about `points`; what a design of another section beats
+/// is left out. All limits of the spec hold at every point, its own objective plays no part. Or, as an Outcome, why there is none; a
+/// robust spec and one that lacks what an objective needs are faults, and so are two objectives that are one, and points outside 2 to
+/// 200 (keys "between", "points").
 KEMPE_EXPORT std::variant<Front, Outcome> front(const Spec& spec, Objective first, Objective second,
                                                 int points = 15, const Options& options = {});
 
