@@ -178,6 +178,13 @@ std::string load_error_figure(const Design& design) {
           design.limits.load_error ? ", limit " + length_text(*design.limits.load_error, 3) : std::string()));
 }
 
+std::string sag_figure(const Design& design) {
+  if (!design.quality.sag) return {};
+  return html_key_figure(
+      "Sinks at worst", length_text(*design.quality.sag, 2),
+      design.limits.sag ? "limit " + length_text(*design.limits.sag, 2) : "by weight and play");
+}
+
 }  // namespace
 
 std::string key_figures(const Design& design) {
@@ -193,7 +200,8 @@ std::string key_figures(const Design& design) {
   if (std::isfinite(q.clearance_min))
     html += html_key_figure("Smallest clearance", length_text(q.clearance_min, 2),
                             "limit " + length_text(design.limits.clearance, 2));
-  return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + load_error_figure(design) + "</dl>\n";
+  return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + load_error_figure(design) +
+         sag_figure(design) + "</dl>\n";
 }
 
 namespace {
