@@ -357,6 +357,26 @@ live("Mechanism and Play stand above the fold of a laptop", async () => {
     });
 });
 
+test("No key figure is cut off, be there as many as a loaded design has", async () => {
+  for (const [width, media] of [[1400, "screen"], [390, "screen"], [794, "print"]])
+    await on("plagiograph", { viewport: { width, height: 900 } }, async (page) => {
+      await page.emulateMedia({ media });
+      const cut = await page.evaluate(() => {
+        const keys = document.querySelector(".keys"), widest = keys.children[0];
+        while (keys.children.length < 8) keys.append(keys.lastElementChild.cloneNode(true));
+        for (const key of [widest, keys.children[1]]) key.querySelector("dd").firstChild.textContent = "1283 × 445\u00a0mm";
+        const frame = keys.getBoundingClientRect();
+        return [...keys.children].filter((key) => {
+          const card = key.getBoundingClientRect(), figure = document.createRange();
+          figure.selectNodeContents(key.querySelector("dd").firstChild);
+          const { right } = figure.getBoundingClientRect();
+          return right > card.right || right > frame.right;
+        }).map((key) => key.textContent);
+      });
+      assert.deepEqual(cut, [], `${media}, ${width} px`);
+    });
+});
+
 /** Pairs of words on the map that lie on each other, of all that are visible. */
 const collisions = (page) => page.evaluate(() => {
   const visible = [...document.querySelectorAll("#map text, .live-board text")].filter((node) => getComputedStyle(node).visibility === "visible" && node.textContent.trim());
