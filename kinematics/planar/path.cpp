@@ -9,10 +9,18 @@
 namespace kempe {
 namespace {
 
-constexpr double nearby = 0.01;  ///< omega times the distance at which other factors still serve
+constexpr double nearby = 0.01;          ///< omega times the distance at which other factors still serve
+constexpr double least_bent_rows = 100;  ///< 1/rad: with omega below it steps are long enough
 constexpr int most_corrections = 24;
 constexpr double rounding = 2.220446049250313e-16;
 constexpr std::size_t looks_every = 64;  ///< steps between two looks at the caller's wish to stop
+
+std::vector<int> driver_rows(const PlanarEquations& equations) {
+  std::vector<int> rows;
+  for (int driver = 0; driver < static_cast<int>(equations.values().size()); ++driver)
+    rows.push_back(equations.driver_row(driver));
+  return rows;
+}
 
 /// Which rows to solve for: as many independent ones as can be, constraints before drivers, drivers all. The
 /// new place of each row, or nothing if constraints and drivers together are not regular.
@@ -22,23 +30,23 @@ struct RowChoice {
   std::vector<int> place_of_row;
 };
 
-RowChoice choose_rows(const Eigen::MatrixXd& jacobian, const std::vector<int>& driver_rows) {
+RowChoice choose_rows(const Eigen::MatrixXd& jacobian, const std::vector<int>& drivers, double dependent) {
   const int rows = static_cast<int>(jacobian.rows()), unknowns = static_cast<int>(jacobian.cols());
   std::vector<int> others;
   for (int row = 0; row < rows; ++row)
-    if (std::find(driver_rows.begin(), driver_rows.end(), row) == driver_rows.end()) others.push_back(row);
+    if (std::find(drivers.begin(), drivers.end(), row) == drivers.end()) others.push_back(row);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(slack::dependent_row);
+  qr.setThreshold(dependent);
   qr.compute(jacobian(others, Eigen::all).transpose());
   const int rank = others.empty() ? 0 : static_cast<int>(qr.rank());
   RowChoice choice;
   choice.freedoms = unknowns - rank;
-  if (choice.freedoms != static_cast<int>(driver_rows.size())) return choice;
+  if (choice.freedoms != static_cast<int>(drivers.size())) return choice;
   std::vector<int> order;
   for (int i = 0; i < rank; ++i)
     order.push_back(others[static_cast<std::size_t>(qr.colsPermutation().indices()[i])]);
   std::sort(order.begin(), order.end());
-  order.insert(order.end(), driver_rows.begin(), driver_rows.end());
+  order.insert(order.end(), drivers.begin(), drivers.end());
   qr.compute(jacobian(order, Eigen::all));
   choice.regular = qr.rank() == unknowns;
   choice.place_of_row.assign(static_cast<std::size_t>(rows), -1);
@@ -86,10 +94,8 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
   Eigen::VectorXd q = unknowns_of(closed->position), f;
   Eigen::MatrixXd jacobian;
   equations.residual_and_jacobian(q, f, jacobian);
-  std::vector<int> driver_rows;
-  for (int driver = 0; driver < static_cast<int>(driver_values.size()); ++driver)
-    driver_rows.push_back(equations.driver_row(driver));
-  const RowChoice choice = choose_rows(equations.dimensionless(std::move(jacobian)), driver_rows);
+  const RowChoice choice =
+      choose_rows(equations.dimensionless(std::move(jacobian)), driver_rows(equations), slack::dependent_row);
   const bool too_few = choice.freedoms > static_cast<int>(driver_values.size());
   if (too_few || !choice.regular)
     return tl::unexpected(NoPathHere{too_few ? NoPath::freedom_left : NoPath::drivers_dependent,
@@ -101,7 +107,8 @@ tl::expected<PlanarPath, NoPathHere> PlanarPath::from(const PlanarLinkage& linka
 }
 
 PlanarPath::PlanarPath(PlanarEquations equations, Eigen::VectorXd q)
-    : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_), certificate_(equations_) {
+    : equations_(std::move(equations)), q_(std::move(q)), factors_(equations_), certificate_(equations_),
+      bent_rows_(least_bent_rows) {
   limits_.steps = plenty_of_steps(equations_.unknown_count());
   linearise();
   orientation_ = factors_.sign();
@@ -128,6 +135,36 @@ bool PlanarPath::linearise() {
     base_ = q_;
   }
   return factors_.sign() != 0;
+}
+
+/// Other rows to solve for, where those in use have come near to being dependent and others have not: omega must fall to a
+/// tenth at least, for at a singular position of the linkage itself it is large with any rows.
+bool PlanarPath::choose_rows_again() {
+  const bool again = rows_chosen_at_.size() == q_.size() && rows_chosen_at_ == q_;
+  if (again || equations_.row_count() == equations_.unknown_count()) return false;
+  rows_chosen_at_ = q_;
+  double bending = HUGE_VAL;
+  if (linearise()) {
+    measure();
+    bending = certificate_.bending();
+  }
+  bent_rows_ = std::max(least_bent_rows, 10 * bending);
+  equations_.residual_and_jacobian(q_, f_, jacobian_);
+  const RowChoice choice =
+      choose_rows(equations_.dimensionless(jacobian_), driver_rows(equations_), slack::nearly_dependent_row);
+  if (!choice.regular) return false;
+  PlanarPath other = *this;
+  other.equations_.reorder(choice.place_of_row);
+  other.factors_ = PlanarFactors(other.equations_);
+  other.certificate_ = StepCertificate(other.equations_);
+  other.base_.resize(0);
+  other.curvature_.resize(0);
+  if (!other.linearise()) return false;
+  other.measure();
+  if (!(other.certificate_.bending() <= 0.1 * bending)) return false;
+  other.bent_rows_ = std::max(least_bent_rows, 10 * other.certificate_.bending());
+  *this = std::move(other);
+  return true;
 }
 
 void PlanarPath::measure() { certificate_.measure(equations_, factors_, base_, q_); }
@@ -362,16 +399,20 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
     if (tried_ >= most_tried) return stopped(PathEnd::gave_up);
     if (++tried_ % looks_every == 0 && limits_.stop && limits_.stop()) return stopped(PathEnd::interrupted);
     // The factors of the last correction will do where they are near enough.
-    if ((base_.size() == 0 || factors_.sign() == 0) && !linearise()) return singular();
-    double share = certified_share(covered);
-    if (!is_exact() && (!(share > 0) || certificate_.bending() * apart() > nearby)) {
-      if (!linearise()) return singular();
-      share = certified_share(covered);
+    bool regular = (base_.size() > 0 && factors_.sign() != 0) || linearise();
+    double share = regular ? certified_share(covered) : 0;
+    if (regular && !is_exact() && (!(share > 0) || certificate_.bending() * apart() > nearby)) {
+      regular = linearise();
+      share = regular ? certified_share(covered) : 0;
     }
     share *= trust;
-    if (!(share > 0) || trust < slack::least_trust) return singular();
     const double reached = covered + share >= 1 ? 1 : covered + share;
-    if (!(reached > covered)) return singular();
+    const bool stands = !(reached > covered) || trust < slack::least_trust;
+    if ((stands || certificate_.bending() > bent_rows_) && choose_rows_again()) {
+      trust = 1;
+      continue;
+    }
+    if (stands) return singular();
     before = equations_.values();
     values_at(reached, next);
     if (!correct(next, (reached - covered) / (1 - covered))) {

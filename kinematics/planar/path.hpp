@@ -123,6 +123,7 @@ class PlanarPath {
   bool is_exact() const;     ///< the factors are those at q_
   bool is_measured() const;  ///< the gains are those at the factors' place
   bool linearise();
+  bool choose_rows_again();
   void measure();
   double apart();
   double allowed(double length);
@@ -149,11 +150,13 @@ class PlanarPath {
   PlanarFactors factors_;
   StepCertificate certificate_;
   std::vector<double> slopes_;
-  Eigen::VectorXd base_;       ///< where factors_ were computed; empty: nowhere
-  Eigen::VectorXd first_;      ///< Newton's first step for the whole way ahead, if straight
-  Eigen::VectorXd curvature_;  ///< of the last step, per mm^2 of way; empty: not known
-  double way_ = 0;    ///< largest change of a driver's equation over the way, mm; 0: first_ not known
-  double reach_ = 0;  ///< bound of Newton's first step of the share taken, rad, under the weights
+  Eigen::VectorXd base_;            ///< where factors_ were computed; empty: nowhere
+  Eigen::VectorXd first_;           ///< Newton's first step for the whole way ahead, if straight
+  Eigen::VectorXd curvature_;       ///< of the last step, per mm^2 of way; empty: not known
+  Eigen::VectorXd rows_chosen_at_;  ///< the position; empty: at the start
+  double bent_rows_ = 0;  ///< 1/rad: with a larger omega other rows are looked for, if there are any
+  double way_ = 0;        ///< largest change of a driver's equation over the way, mm; 0: first_ not known
+  double reach_ = 0;      ///< bound of Newton's first step of the share taken, rad, under the weights
   int orientation_ = 1;
   std::size_t steps_ = 0;
 };

@@ -34,6 +34,8 @@ inline constexpr double crossing_share = 1e-5;
 inline constexpr double rounding_turn = 1e-8, singular_turn = 1e-8;
 /// Share of the largest pivot: below it a row depends on the others.
 inline constexpr double dependent_row = 1e-9;
+/// The same on the way, where other rows are looked for: those in use are then dependent to about 1e-8.
+inline constexpr double nearly_dependent_row = 1e-6;
 /// Sizes: over a shorter way the path's bend is lost in rounding.
 inline constexpr double least_way = 1e-5;
 /// Share of size and coordinates: what constraints that are not solved for may be open by.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <vector>
 
 #include "tests/kinematics/planar/random_linkages.hpp"
 
@@ -118,6 +119,71 @@ TEST(PlanarPath, FollowsRandomCrankRockersAroundInCoarseSteps) {
       const PlanarPosition expected = four_bar_position(d, a, b, c, crank, side);
       EXPECT_LT((path->at({2, Point(b, 0)}) - place(expected, {2, Point(b, 0)})).norm(), 1e-10);
     }
+  }
+}
+
+/// A bar on equal cranks, which it keeps parallel: one equation too many for each crank beyond the second.
+struct ParallelCranks {
+  PlanarLinkage linkage;
+  int bar = 0;
+
+  ParallelCranks(const std::vector<Point>& feet, double length, int driven) {
+    std::vector<int> cranks;
+    for (std::size_t i = 0; i < feet.size(); ++i) cranks.push_back(linkage.add_body("crank"));
+    bar = linkage.add_body("bar");
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+      linkage.add(Revolute{{0, feet[i]}, {cranks[i], Point(0, 0)}}, "foot");
+      linkage.add(Revolute{{cranks[i], Point(length, 0)}, {bar, feet[i]}}, "head");
+    }
+    linkage.drive(RelativeAngle{cranks[static_cast<std::size_t>(driven)], 0, 0}, "crank");
+  }
+
+  static PlanarPosition position(const std::vector<Point>& feet, double length, double angle) {
+    PlanarPosition result(1);
+    for (const Point& foot : feet) result.push_back({foot, angle});
+    result.push_back({length * Point(std::cos(angle), std::sin(angle)), 0});
+    return result;
+  }
+};
+
+// Rows that are independent at the start need not be so all the way: others are then solved for.
+TEST(PlanarPath, CranksBeyondTheSecondStopAParallelogramNowhere) {
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const int count = 3 + i % 3;
+    std::vector<Point> feet{{0, 0}, {random.uniform(1, 3), 0}};
+    while (static_cast<int>(feet.size()) < count)
+      feet.emplace_back(random.uniform(-3, 3), random.uniform(0.5, 3) * (i % 2 ? 1 : -1));
+    const double length = random.uniform(0.3, 2), start = random.uniform(-3, 3);
+    const ParallelCranks cranks(feet, length, i % count);
+    auto path = PlanarPath::from(cranks.linkage, ParallelCranks::position(feet, length, start), {start});
+    ASSERT_TRUE(path);
+    for (int step = 1; step <= 12; ++step) {  // twice around: with feet in no line there is no change point
+      const double angle = start + step * pi / 3;
+      const auto moved = path->advance({angle});
+      ASSERT_TRUE(moved.has_value()) << name(moved.error().end) << " at " << moved.error().values[0];
+      EXPECT_LT(
+          (path->at({cranks.bar, Point(0, 0)}) - length * Point(std::cos(angle), std::sin(angle))).norm(),
+          1e-10);
+      EXPECT_LT(std::abs(path->angle(cranks.bar)), 1e-10);
+    }
+  }
+}
+
+TEST(PlanarPath, CranksWithFeetInALineHaveTheirChangePointWhereAllLieInIt) {
+  Random random(8);
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    const std::vector<Point> feet{{0, 0}, {2, 0}, {random.uniform(-3, -0.5), 0}};
+    const double length = random.uniform(0.3, 1.7), start = random.uniform(0.2, 2.9);
+    const ParallelCranks cranks(feet, length, i % 3);
+    auto path = PlanarPath::from(cranks.linkage, ParallelCranks::position(feet, length, start), {start});
+    ASSERT_TRUE(path);
+    const auto stopped = path->advance({i % 2 ? start + 2 * pi : start - 2 * pi});
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().end, PathEnd::change_point);
+    EXPECT_NEAR(stopped.error().values[0], i % 2 ? pi : 0, 1e-6);
   }
 }
 
