@@ -23,7 +23,7 @@ std::vector<std::string> making_notes(const Design& design) {
   if (on_pins && design.cutting.hole_fit == 0)
     notes.push_back(fmt::format(
         "holes are drawn as wide as their pins, {} mm: cutting.process or cutting.hole_fit_mm gives "
-        "them the fit to turn in",
+        "them room to turn",
         by_joint(pins, [](double pin) { return fmt::format("{}", pin); })));
   if (design.hardware.differs())
     notes.push_back(

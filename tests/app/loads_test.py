@@ -81,6 +81,11 @@ class Loads(unittest.TestCase):
         for words in ("Will it be stiff enough?", "Yes: ", "8\u00a0×\u00a02\u00a0mm instead of 6\u00a0×\u00a02\u00a0mm", "ream the hole",
                       "In the plane, all together", "Down, all together", "Load error over the region", "Sag over the region"):
             self.assertIn(words, page)
+        narrow = json.loads((self.here / "design" / "design.json").read_text())
+        narrow["limits"]["load_error_mm"] = 1.05 * stated["quality"]["load_error_max_mm"]
+        (self.here / "narrow.json").write_text(json.dumps(narrow))
+        self.assertEqual(kempe("report", self.here / "narrow.json", "-o", self.here / "narrow").returncode, 0)
+        self.assertIn("Yes, but narrowly: ", (self.here / "narrow" / "report.html").read_text())
         again = kempe("report", self.here / "design" / "design.json", "-o", self.here / "again")
         self.assertEqual(again.returncode, 0, again.stderr)
         back = json.loads((self.here / "again" / "design.json").read_text())
@@ -92,6 +97,8 @@ class Loads(unittest.TestCase):
         said, stated = self.design(text + '[limits]\nload_error_mm = 0.25\n[objective]\nminimize = "mass"\n')
         self.assertEqual((stated["mechanism"]["link_width_mm"], stated["mechanism"]["thickness_mm"]), (8, 2))
         self.assertEqual(stated["links"]["sections_mm"], [[6, 2], [8, 2], [10, 3]])
+        narrow = 1.1 * stated["quality"]["load_error_max_mm"] > 0.25
+        self.assertIn("Yes, but narrowly: " if narrow else "Yes: ", (self.here / "design" / "report.html").read_text())
         self.assertIn("of 3 to choose from", said)
         self.assertTrue(self.verify(stated)["certified"])
         other = json.loads(json.dumps(stated))

@@ -382,7 +382,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EveryExample,
                                          "six-bar-plagiograph", "peaucellier-lipkin", "peaucellier-focus",
                                          "hart", "right-angle-inversor", "slider-crank", "watt-six-bar",
                                          "stephenson-six-bar", "chebyshev", "geared-five-bar",
-                                         "pantograph-by-distances"),
+                                         "pantograph-by-distances", "third-crank"),
                          [](const auto& example) {
                            std::string name = example.param;
                            std::erase(name, '-');
