@@ -328,6 +328,12 @@ class Examples(Case):
                 xml.etree.ElementTree.parse(self.scratch / f"{linkage.stem}{picture}.svg")
             centres = json.loads((self.scratch / f"{linkage.stem}-centres.json").read_text())
             self.assertTrue(all(one["velocity_error"] < 1e-8 for one in centres["centres"]), linkage.stem)
+        page = (self.scratch / "index.html").read_text()
+        leads_to = re.findall(r'(?:href|src)="([^"]+)"', page)
+        self.assertEqual([name for name in leads_to if not (self.scratch / name).is_file()], [])
+        for kind, ending in (("linkages", ".html"), ("generators", "-linkage.html")):
+            for example in (SOURCE / "specs" / "examples" / kind).glob("*.toml"):
+                self.assertIn(example.stem + ending, leads_to)
 
 
 if __name__ == "__main__":
