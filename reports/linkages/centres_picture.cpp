@@ -13,7 +13,8 @@ namespace {
 
 using Kind = InstantCentre::Kind;
 
-constexpr double reach = 1.6;  ///< extents from the linkage's middle: what lies farther away is an arrow
+constexpr double one_place = 1e-6;  ///< extents: centres that are nearer are one place
+constexpr double reach = 1.6;       ///< extents from the linkage's middle: what lies farther away is an arrow
 
 class CentresPicture {
  public:
@@ -28,6 +29,8 @@ class CentresPicture {
       }
     scale_ = PictureScale::of(lower, upper);
     legend_ = (upper - lower).maxCoeff() * 0.5;
+    for (Group& group : groups())
+      if (group.size() > 1) insets_.push_back(std::move(group));
   }
 
   std::string draw() {
@@ -47,7 +50,7 @@ class CentresPicture {
       if (centre.lines && is_near(centre)) inside += draw_lines(centre);
     inside += draw_linkage();
     inside += draw_points();
-    inside += draw_legend();
+    inside += draw_legend() + draw_insets();
     return svg_root()
         .with("viewBox", fmt::format("{} {} {} {}", left, top, scale_.number(width), scale_.number(height)))
         .with("width", "1100")
@@ -77,7 +80,8 @@ class CentresPicture {
         "}"
         ".rates{{fill:#8e3b8f}}.centre{{font:{1}px "
         "system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:{2}}}"
-        ".legend{{font:{1}px system-ui,sans-serif;fill:#333}}",
+        ".legend{{font:{1}px system-ui,sans-serif;fill:#333}}"
+        ".inset{{fill:#fff;stroke:#999;stroke-width:{0}}}",
         scale_.number(scale_.stroke), scale_.number(0.75 * scale_.letter), scale_.number(2 * scale_.stroke),
         scale_.number(3 * scale_.stroke));
   }
@@ -137,35 +141,123 @@ class CentresPicture {
     return source == InstantCentre::Source::rates ? "rates" : "found";
   }
 
-  /// Centres at one place share one dot and one label.
-  std::string draw_points() const {
-    std::vector<std::pair<Point, std::vector<const InstantCentre*>>> places;
+  /// Centres at one place: one dot and one label.
+  struct Place {
+    Point at;  ///< on the page
+    std::vector<const InstantCentre*> centres;
+  };
+  /// Places so near each other that dots or labels would lie on each other; of more than one place an inset is drawn.
+  using Group = std::vector<Place>;
+
+  static Point middle_of(const Group& group) {
+    Point lower = group.front().at, upper = lower;
+    for (const Place& place : group) {
+      lower = lower.cwiseMin(place.at);
+      upper = upper.cwiseMax(place.at);
+    }
+    return 0.5 * (lower + upper);
+  }
+
+  std::vector<Group> groups() const {
+    std::vector<Group> found;
     for (const InstantCentre& centre : centres_) {
       if (!is_near(centre)) continue;
       const Point at = on_page(centre.at);
-      const auto same = std::find_if(places.begin(), places.end(), [&](const auto& place) {
-        return (place.first - at).norm() < 3 * scale_.pin;
+      const auto within = [&](double distance) {
+        return [&at, distance](const Place& place) { return (place.at - at).norm() < distance; };
+      };
+      const auto group = std::find_if(found.begin(), found.end(), [&](const Group& one) {
+        return std::any_of(one.begin(), one.end(), within(std::max(3 * scale_.pin, 1.2 * scale_.letter)));
       });
-      if (same != places.end())
-        same->second.push_back(&centre);
-      else
-        places.push_back({at, {&centre}});
-    }
-    std::string text;
-    for (const auto& [at, here] : places) {
-      std::string labels;
-      for (const InstantCentre* centre : here) {
-        labels += (labels.empty() ? "" : ", ") + label(centre->first, centre->second);
-        const Point exact = on_page(centre->at);
-        text += SvgElement("circle")
-                    .with("class", style_of(centre->source))
-                    .with("cx", scale_.number(exact.x()))
-                    .with("cy", scale_.number(exact.y()))
-                    .with("r", scale_.number(0.7 * scale_.pin))
-                    .text();
+      if (group == found.end()) {
+        found.push_back({{at, {&centre}}});
+        continue;
       }
-      text += words("centre " + style_of(here.front()->source), at + Point(1.4, -1.2) * scale_.pin, labels);
+      const auto same = std::find_if(group->begin(), group->end(), within(one_place * scene_.extent()));
+      if (same == group->end())
+        group->push_back({at, {&centre}});
+      else
+        same->centres.push_back(&centre);
     }
+    return found;
+  }
+
+  static std::string letter_of(std::size_t inset) {
+    return std::string(1, static_cast<char>('a' + inset % 26));
+  }
+
+  std::string labels_of(const Place& place) const {
+    std::string labels;
+    for (const InstantCentre* centre : place.centres)
+      labels += (labels.empty() ? "" : ", ") + label(centre->first, centre->second);
+    return labels;
+  }
+
+  std::string dot(const Place& place, const Point& at) const {
+    return SvgElement("circle")
+        .with("class", style_of(place.centres.front()->source))
+        .with("cx", scale_.number(at.x()))
+        .with("cy", scale_.number(at.y()))
+        .with("r", scale_.number(0.7 * scale_.pin))
+        .text();
+  }
+
+  std::string draw_points() const {
+    std::string text;
+    std::size_t inset = 0;
+    for (const Group& group : groups()) {
+      for (const Place& place : group) text += dot(place, place.at);
+      const Point beside = middle_of(group) + Point(1.4, -1.2) * scale_.pin;
+      if (group.size() > 1)
+        text += words("centre", beside, "inset " + letter_of(inset++));
+      else
+        text += words("centre " + style_of(group.front().centres.front()->source), beside,
+                      labels_of(group.front()));
+    }
+    return text;
+  }
+
+  /// All insets together take two thirds of the height at most.
+  double inset_side() const {
+    const double height = scale_.upper.y() - scale_.lower.y(),
+                 share = 0.66 / static_cast<double>(insets_.size());
+    return std::min(legend_ - scale_.letter, std::min(0.3, share) * height - 1.6 * scale_.letter);
+  }
+
+  /// Upper left corner of an inset; they stand from below upward beside the picture.
+  Point inset_corner(std::size_t number) const {
+    return {scale_.upper.x() + 0.5 * scale_.letter,
+            scale_.upper.y() - static_cast<double>(number + 1) * (inset_side() + 1.6 * scale_.letter)};
+  }
+
+  /// A group of places drawn larger: only where they are to each other, and which is which.
+  std::string draw_inset(std::size_t number) const {
+    const Group& group = insets_[number];
+    const Point middle = middle_of(group), corner = inset_corner(number);
+    double spread = 0;
+    for (const Place& place : group) spread = std::max(spread, 2 * (place.at - middle).cwiseAbs().maxCoeff());
+    const double larger = 0.55 * inset_side() / spread;
+    std::string text = SvgElement("rect")
+                           .with("class", "inset")
+                           .with("x", scale_.number(corner.x()))
+                           .with("y", scale_.number(corner.y()))
+                           .with("width", scale_.number(inset_side()))
+                           .with("height", scale_.number(inset_side()))
+                           .line();
+    const Point centre = corner + Point(0.4, 0.5) * inset_side();
+    for (const Place& place : group) {
+      const Point at = centre + larger * (place.at - middle);
+      text += dot(place, at);
+      text += words("centre " + style_of(place.centres.front()->source), at + Point(1.4, -1.2) * scale_.pin,
+                    labels_of(place));
+    }
+    return text + words("legend", corner - Point(0, 0.3 * scale_.letter),
+                        fmt::format("inset {}: {:.3g} times as large", letter_of(number), larger));
+  }
+
+  std::string draw_insets() const {
+    std::string text;
+    for (std::size_t i = 0; i < insets_.size(); ++i) text += draw_inset(i);
     return text;
   }
 
@@ -188,8 +280,10 @@ class CentresPicture {
     }
     std::string text;
     double y = scale_.lower.y() + 1.5 * scale_.letter;
+    const double below =
+        insets_.empty() ? scale_.upper.y() : inset_corner(insets_.size() - 1).y() - 1.5 * scale_.letter;
     const double step =
-        std::min(1.15 * scale_.letter, (scale_.upper.y() - y) / static_cast<double>(lines.size()));
+        std::min(1.15 * scale_.letter, std::max(below - y, 0.0) / static_cast<double>(lines.size()));
     for (const std::string& line : lines) {
       text += words("legend", {scale_.upper.x() + 0.5 * scale_.letter, y}, line);
       y += step;
@@ -203,6 +297,7 @@ class CentresPicture {
   Point middle_;
   PictureScale scale_{};
   double legend_ = 0;
+  std::vector<Group> insets_;
   std::map<int, int> numbers_;  ///< of links, from 1
 };
 

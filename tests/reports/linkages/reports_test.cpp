@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -234,6 +235,45 @@ TEST(CentresPicture, LabelsEveryCentreOnceAndLosesNone) {
       EXPECT_THAT(picture, HasSubstr(std::to_string(i) + "-" + std::to_string(j)));
   EXPECT_THAT(picture, HasSubstr("2-5  at infinity"));
   EXPECT_THAT(picture, HasSubstr("3-4  at infinity"));
+}
+
+/// Where a picture has the dot before a label.
+Point dot_of(const std::string& picture, const std::string& label) {
+  const std::regex dot("<circle[^>]*cx=\"([^\"]*)\" cy=\"([^\"]*)\"[^>]*/>\\s*<text[^>]*>" + label +
+                       "</text>");
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(picture, found, dot)) << label;
+  return found.empty() ? Point(0, 0) : Point(std::stod(found[1]), std::stod(found[2]));
+}
+
+TEST(CentresPicture, TellsCentresThatNearlyCoincideApartInAnInset) {
+  const Moved moved = example("watt-six-bar");
+  const PlanarRun moment{{moved.run.frames[1]}, std::nullopt};
+  const auto centres = instant_centres(moved.model.linkage, moment.frames[0].position, moment.frames[0].rate);
+  const std::string picture =
+      centres_svg(linkage_scene(moved.file, moved.model, moment, moved.steps), centres, 1);
+  const auto count = [&](const std::string& words) {
+    std::size_t times = 0;
+    for (std::size_t at = picture.find(words); at != std::string::npos; at = picture.find(words, at + 1))
+      ++times;
+    return times;
+  };
+  std::map<std::string, Point> places;
+  for (const InstantCentre& centre : centres) {
+    const std::string name = std::to_string(centre.first + 1) + "-" + std::to_string(centre.second + 1);
+    EXPECT_EQ(count(">" + name + "</text>"), 1u) << name;
+    places[name] = {centre.at.x(), -centre.at.y()};
+  }
+  EXPECT_EQ(count(">inset a"), 2u);
+  EXPECT_EQ(count(">inset b"), 2u);
+  // Drawn larger, but as they lie.
+  const Point from = dot_of(picture, "2-3"), drawn = dot_of(picture, "2-4") - from;
+  const Point true_way = places["2-4"] - places["2-3"];
+  EXPECT_GT(drawn.norm(), 5 * true_way.norm());
+  for (const std::string name : {"2-5", "2-6"}) {
+    const Point way = dot_of(picture, name) - from, expected = places[name] - places["2-3"];
+    EXPECT_LT((way / drawn.norm() - expected / true_way.norm()).norm(), 0.02) << name;
+  }
 }
 
 TEST(CentresPicture, DrawsTheNormalOfASlider) {
