@@ -161,6 +161,19 @@ tl::expected<PlanarRun, int> drive_to(const Session& session, const LoadedLinkag
   });
 }
 
+tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage& loaded,
+                                     const PlanarPosition& start, double step, const std::string& option) {
+  if (!(step >= 0 && step <= loaded.file.steps))
+    return tl::unexpected(fail(session, {loaded.file.file, 0, option, fmt::format("{:g}", step),
+                                         fmt::format("a step from 0 to {}", loaded.file.steps)}));
+  auto run = drive_to(session, loaded, start, step);
+  if (!run) return tl::unexpected(run.error());
+  if (!run->stop) return run->frames.back();
+  return tl::unexpected(fail(session, code_of(*run),
+                             fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
+                                         stop_sentence(loaded, *run, loaded.file.steps))));
+}
+
 std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps) {
   if (!run.stop) return {};
   const RunFrame& last = run.frames.back();

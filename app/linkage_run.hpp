@@ -41,6 +41,10 @@ tl::expected<PlanarRun, int> drive_linkage(const Session& session, const LoadedL
 tl::expected<PlanarRun, int> drive_to(const Session& session, const LoadedLinkage& loaded,
                                       const PlanarPosition& start, double step);
 
+/// The moment at a step, whole or not, from 0 to the file's last, reached along the motion; `option` named it.
+tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage& loaded,
+                                     const PlanarPosition& start, double step, const std::string& option);
+
 /// "dead point at step 17.33 of 36 (...): A, B and C in line (crank, rod)"
 std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps);
 

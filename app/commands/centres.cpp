@@ -20,27 +20,13 @@ struct CentresArguments {
   std::uint64_t seed = 1;
 };
 
-/// The moment at a step, whole or not, reached along the motion.
-tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage& loaded,
-                                     const PlanarPosition& start, double step) {
-  auto run = drive_to(session, loaded, start, step);
-  if (!run) return tl::unexpected(run.error());
-  if (!run->stop) return run->frames.back();
-  return tl::unexpected(fail(session, code_of(*run),
-                             fmt::format("{}: the motion ends before step {:g}: {}", loaded.file.file, step,
-                                         stop_sentence(loaded, *run, loaded.file.steps))));
-}
-
 int run(const Session& session, const CentresArguments& arguments) {
   if (const auto clash = output_clash({arguments.linkage}, {arguments.picture})) return fail(session, *clash);
   const auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
-  if (!(arguments.step >= 0 && arguments.step <= loaded->file.steps))
-    return fail(session, {arguments.linkage, 0, "--at", fmt::format("{:g}", arguments.step),
-                          fmt::format("a step from 0 to {}", loaded->file.steps)});
   const auto assembly_modes = assemble_linkage(session, *loaded, arguments.seed);
   if (!assembly_modes) return assembly_modes.error();
-  const auto frame = frame_at(session, *loaded, assembly_modes->front(), arguments.step);
+  const auto frame = frame_at(session, *loaded, assembly_modes->front(), arguments.step, "--at");
   if (!frame) return frame.error();
   const auto centres = instant_centres(loaded->model.linkage, frame->position, frame->rate);
   const std::vector<double> speeds = loaded->model.schedule.speeds_at(frame->share);

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "reports/linkages/animation.hpp"
 #include "reports/linkages/forces.hpp"
+#include "reports/linkages/loop_equations.hpp"
 #include "reports/linkages/solve_table.hpp"
 #include "specs/text/printable.hpp"
 
@@ -25,6 +27,7 @@ struct SolveArguments {
   std::vector<std::string> animations, angles;
   bool list_assembly_modes = false, velocities = false, accelerations = false;
   int assembly_mode = 0, steps = 0;
+  std::optional<double> equations_at;  ///< a step
   std::uint64_t seed = 1;
 };
 
@@ -100,6 +103,15 @@ int write_animations(const Session& session, const LoadedLinkage& loaded, const 
   return done;
 }
 
+int show_equations(const Session& session, const LoadedLinkage& loaded, const PlanarPosition& start,
+                   double step) {
+  const auto frame = frame_at(session, loaded, start, step, "--equations");
+  if (!frame) return frame.error();
+  const auto shown = session.json ? loop_equations_json : loop_equations_text;
+  print(shown(loaded.file, loaded.model, step, *frame));
+  return done;
+}
+
 Json summary_json(const LoadedLinkage& loaded, const SolveTable& table, const PlanarRun& run) {
   Json object{{"linkage", loaded.file.name}, {"unit", loaded.file.unit.name}, {"steps", loaded.file.steps}};
   object["stop"] = nullptr;
@@ -154,6 +166,7 @@ int run(const Session& session, const SolveArguments& arguments) {
                 {"", 0, "--assembly", fmt::format("{}", arguments.assembly_mode),
                  fmt::format("0 to {}: so many are known (see --assemblies)", assembly_modes->size() - 1)});
   const PlanarPosition& start = (*assembly_modes)[static_cast<std::size_t>(arguments.assembly_mode)];
+  if (arguments.equations_at) return show_equations(session, *loaded, start, *arguments.equations_at);
   const auto motion = drive_linkage(session, *loaded, start, loaded->file.steps);
   if (!motion) return motion.error();
   const SolveTable table = solve_table(loaded->file, loaded->model, *motion, loaded->file.steps);
@@ -184,6 +197,9 @@ void add_solve_command(CLI::App& program, Session& session) {
                     "List the assembly modes at the start of the motion, then stop");
   command->add_option("--assembly", arguments->assembly_mode, "Start in this one of them (see --assemblies)")
       ->check(CLI::Range(0, 1000));
+  command->add_option(
+      "--equations", arguments->equations_at,
+      "Write out the loop equations at this step with their numbers and derivatives, then stop");
   command->add_flag("--velocities", arguments->velocities, "Velocities of points and links");
   command->add_flag("--accelerations", arguments->accelerations, "Accelerations of points and links");
   command

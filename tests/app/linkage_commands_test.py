@@ -234,6 +234,48 @@ P = {{ y = [0, {c!r}] }}
 """
 
 
+def evaluated(expression, **values):
+    """What an expression of `solve --equations` comes to: angles in degrees, a number before a function multiplies it."""
+    python = re.sub(r"(\d) (cos|sin)\(", r"\1 * \2(", expression).replace("^", "**")
+    names = {"cos": lambda degrees: math.cos(math.radians(degrees)), "sin": lambda degrees: math.sin(math.radians(degrees)),
+             "sqrt": math.sqrt, "__builtins__": {}}
+    return eval(python, names, values)
+
+
+class Equations(Case):
+    def test_every_printed_number_follows_from_the_others(self):
+        for linkage in sorted(LINKAGES.glob("*.toml")):
+            for step in (0, 3.5):
+                run = kempe("solve", linkage, "--equations", step, "--json", "--quiet")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                told = json.loads(run.stdout)
+                unknowns = told["unknowns"]
+                size = max(1, *map(abs, unknowns.values()))
+                for equation in told["equations"]:
+                    for text, values in ((equation["symbols"], unknowns), (equation["numbers"], {})):
+                        left, right = text.split(" = ")
+                        self.assertAlmostEqual(evaluated(left, **values), float(right), delta=1e-7 * size, msg=text)
+                    left = equation["symbols"].split(" = ")[0]
+                    for name, value in unknowns.items():
+                        change = 1e-4 * size
+                        slope = (evaluated(left, **{**unknowns, name: value + change})
+                                 - evaluated(left, **{**unknowns, name: value - change})) / (2 * change)
+                        self.assertAlmostEqual(equation["derivatives"].get(name, 0), slope, delta=1e-4 * max(1, abs(slope)),
+                                               msg=f"{linkage.stem}: {name} in {left}")
+
+    def test_the_text_holds_the_same(self):
+        told = json.loads(kempe("solve", LINKAGES / "slider-crank.toml", "--equations", 3, "--json").stdout)
+        text = kempe("solve", LINKAGES / "slider-crank.toml", "--equations", 3).stdout
+        for equation in told["equations"]:
+            self.assertIn(f"  {equation['symbols']}\n  {equation['numbers']}\n", text)
+        self.assertIn("x_crank + 30 cos(t_crank) - x_rod = 0\n  0 + 30 cos(15) - 28.97777479 = 0\n", text)
+        self.assertTrue(text.endswith("9 unknowns, 9 equations, 1 of them a driver's\n"))
+
+    def test_a_step_that_is_not_there(self):
+        self.assertRefused(kempe("solve", LINKAGES / "slider-crank.toml", "--equations", 1e6), 2, "--equations", "a step from 0 to")
+        self.assertRefused(kempe("solve", LINKAGES / "slider-crank.toml", "--equations", -1), 2, "a step from 0 to")
+
+
 class Units(Case):
     """What a linkage does depends neither on the unit nor on its size."""
 
