@@ -35,4 +35,22 @@ std::string trace_curve(const LinkageScene& scene, std::size_t traced, const Pic
       .text();
 }
 
+std::size_t beat_of(const LinkageScene& scene) {
+  return std::max<std::size_t>(1, (scene.moments.size() - 1) / 36);
+}
+
+std::string trace_beats(const LinkageScene& scene, std::size_t traced, const PictureScale& scale) {
+  const ScenePoint& point = scene.points[traced];
+  std::string dots;
+  for (std::size_t i = 0; i < scene.moments.size(); i += beat_of(scene)) {
+    const Point at = scene.place(point, scene.moments[i]);
+    dots += SvgElement("circle")
+                .with("cx", scale.number(at.x()))
+                .with("cy", scale.number(at.y()))
+                .with("r", scale.number(1.7 * scale.stroke))
+                .text();
+  }
+  return SvgElement("g").with("class", "beats").with("fill", link_colour(point.body)).holding(dots).text();
+}
+
 }  // namespace kempe
