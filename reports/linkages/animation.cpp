@@ -166,7 +166,7 @@ std::string force_arrows(const LinkageScene& scene, const PictureScale& scale) {
 /// How long the arrows are.
 std::string arrows_sentence(const LinkageScene& scene) {
   if (!(scene.largest_force > 0)) return "";
-  return fmt::format(" Arrows are forces, the longest is {:.4g} N.", scene.largest_force);
+  return fmt::format(" Red arrows are forces, the longest is {:.4g} N.", scene.largest_force);
 }
 
 std::string driver_forces_line(const LinkageScene& scene) {
@@ -185,23 +185,24 @@ std::string beats_sentence(const LinkageScene& scene) {
   return fmt::format(" Dots on a curve are {:.4g} s apart.", seconds);
 }
 
-/// Beside the picture: what is plotted over what, three plots, the polygons, the marks. The script fills them.
+/// Beside the picture: the polygons, what is plotted over what, three plots, the marks. The script fills them.
 std::string figures_panel(const LinkageScene& scene) {
-  std::string text =
-      "<aside class=\"figures\" aria-label=\"Plots\">\n<div class=\"pick\"><label>Plot <select "
-      "id=\"of\"></select></label> <label>over <select id=\"over\"></select></label></div>\n";
-  for (const int plot : {0, 1, 2})
-    text += fmt::format(
-        "<figure class=\"plot\" id=\"plot{}\"><figcaption></figcaption><svg role=\"img\"></svg></figure>\n",
-        plot);
-  text += "<p class=\"over\">over <span id=\"overword\"></span></p>\n<div id=\"polygons\" hidden>";
+  std::string text = "<aside class=\"figures\" aria-label=\"Plots\">\n<div id=\"polygons\" hidden>";
   for (const char* kind : {"velocities", "accelerations"})
     text += fmt::format(
         "<figure id=\"polygon-{0}\" hidden><figcaption>polygon of {0}</figcaption><svg viewBox=\"0 0 200 "
         "200\" "
         "role=\"img\" aria-label=\"Polygon of {0}\"></svg></figure>",
         kind);
-  text += "</div>\n<div id=\"marksbox\" hidden><h3>Marks</h3><ul id=\"marks\"></ul>";
+  text +=
+      "</div>\n<div class=\"pick\"><label>Plot <select id=\"of\"></select></label> <label>over <select "
+      "id=\"over\"></select></label></div>\n";
+  for (const int plot : {0, 1, 2})
+    text += fmt::format(
+        "<figure class=\"plot\" id=\"plot{}\"><figcaption></figcaption><svg role=\"img\"></svg></figure>\n",
+        plot);
+  text += "<p class=\"over\">over <span id=\"overword\"></span></p>\n";
+  text += "<div id=\"marksbox\" hidden><h3>Marks</h3><ul id=\"marks\"></ul>";
   if (scene.driven.size() == 1)
     text +=
         "<p class=\"note\">Where a part turns back it stands still: a dead point, if that part drove the "

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "kinematics/planar/rates.hpp"
 
@@ -65,7 +66,9 @@ class MarkFinder {
     join_equal_places();
     if (run_.stop) {
       std::string words = std::string(kempe::name(run_.stop->end));
-      for (const std::string& sentence : run_.stop->sentences) words += ": " + sentence;
+      const char* between = ": ";
+      for (const std::string& sentence : run_.stop->sentences)
+        words += std::exchange(between, "; ") + sentence;
       scene_.marks.push_back({static_cast<double>(run_.frames.size() - 1), -1, words});
     }
   }

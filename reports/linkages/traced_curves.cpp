@@ -36,7 +36,19 @@ std::string trace_curve(const LinkageScene& scene, std::size_t traced, const Pic
 }
 
 std::size_t beat_of(const LinkageScene& scene) {
-  return std::max<std::size_t>(1, (scene.moments.size() - 1) / 36);
+  double longest = 0;
+  for (const std::size_t traced : scene.traced) {
+    double length = 0;
+    for (std::size_t i = 1; i < scene.moments.size(); ++i)
+      length += (scene.place(scene.points[traced], scene.moments[i]) -
+                 scene.place(scene.points[traced], scene.moments[i - 1]))
+                    .norm();
+    longest = std::max(longest, length);
+  }
+  constexpr double apart = 0.03;  // of the picture: dots of an even motion do not touch
+  const double dots = std::clamp(longest / (apart * std::max(scene.extent(), 1e-300)), 6., 36.);
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(static_cast<double>(scene.moments.size() - 1) / dots));
 }
 
 std::string trace_beats(const LinkageScene& scene, std::size_t traced, const PictureScale& scale) {
