@@ -125,7 +125,7 @@ function drawPlots(){const sort=sorts[+of.value],over=overs[+$('over').value];dr
     caption.append(word('b',`${title}, ${unit}`));const values=curves.map(c=>{const s=word('span','',c.name),o=word('output','');
       s.append(word('i',c.words),' ',o);caption.append(s);return o;});
     p.setAttribute('aria-label',`${title} of ${sort.name} over ${over.label}`);
-    drawn.push({p,xs,X,Y,ys,cursor,dots,values,least:1e-8*size});  // what is smaller is the solver's rounding}
+    drawn.push({p,xs,X,Y,ys,cursor,dots,values,least:1e-8*size});}  // what is smaller is the solver's rounding
   $('overword').textContent=over.label;followPlots(now);}
 const ends=xs=>[xs[0],xs[xs.length-1]];
 function followPlots(i){for(const d of drawn){d.cursor.setAttribute('d',`M${d.X(d.xs[i])} ${T}V${H-B}`);
