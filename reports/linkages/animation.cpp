@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "reports/linkages/scene_forces.hpp"
+#include "reports/linkages/scene_motion.hpp"
 #include "reports/linkages/traced_curves.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/web_assets.hpp"
@@ -16,9 +18,41 @@ namespace {
 
 constexpr double seconds_of_motion = 5;
 
-std::string static_layers(const LinkageScene& scene, const PictureScale& scale) {
+/// True if a link turns about a point of the ground.
+bool is_pivoted(const LinkageScene& scene, int body) {
+  const auto& pins = scene.bodies[static_cast<std::size_t>(body)].pins;
+  return std::any_of(scene.points.begin(), scene.points.end(), [&](const ScenePoint& point) {
+    return point.fixed && std::any_of(pins.begin(), pins.end(), [&](const Point& pin) {
+             const ScenePoint on_link{"", body, pin, false};
+             return (scene.place(on_link, scene.moments.front()) - point.local).norm() <
+                    1e-6 * scene.extent();
+           });
+  });
+}
+
+/// Cranks and rockers where they turn back, as they stand there.
+std::string ghosts(const LinkageScene& scene, const PictureScale& scale) {
   std::string text;
-  for (const std::size_t traced : scene.traced) text += trace_curve(scene, traced, scale) + "\n";
+  for (const SceneMark& mark : scene.marks) {
+    if (mark.body < 1 || !is_pivoted(scene, mark.body)) continue;
+    const auto moment = static_cast<std::size_t>(std::lround(mark.moment));
+    text +=
+        SvgElement("g")
+            .with("class", "ghost")
+            .with("color", link_colour(mark.body))
+            .with("opacity", ".28")
+            .with("transform", placement(scene.moments[moment], static_cast<std::size_t>(mark.body), scale))
+            .holding(SvgElement("title").saying(mark.words).text())
+            .holding(body_shape(scene.bodies[static_cast<std::size_t>(mark.body)], mark.body, scale))
+            .line();
+  }
+  return text;
+}
+
+std::string static_layers(const LinkageScene& scene, const PictureScale& scale) {
+  std::string text = ghosts(scene, scale);
+  for (const std::size_t traced : scene.traced)
+    text += trace_curve(scene, traced, scale) + "\n" + trace_beats(scene, traced, scale) + "\n";
   text += ground_group(scene, scale).line();
   for (const ScenePoint& point : scene.points)
     if (point.fixed) text += ground_sign(point, scale) + "\n";
@@ -106,7 +140,8 @@ std::string scene_json(const LinkageScene& scene, const PictureScale& scale) {
           fmt::format(",{:.9g},{:.9g},{:.9g}", moment.at[body].x(), moment.at[body].y(), moment.angle[body]);
     text += "]";
   }
-  return script_escaped(text + "],\"loads\":" + scene_forces_json(scene) + "}");
+  return script_escaped(text + "],\"loads\":" + scene_forces_json(scene) +
+                        ",\"motion\":" + scene_motion_json(scene) + "}");
 }
 
 std::string traced_dots(const LinkageScene& scene, const PictureScale& scale) {
@@ -131,7 +166,7 @@ std::string force_arrows(const LinkageScene& scene, const PictureScale& scale) {
 /// How long the arrows are.
 std::string arrows_sentence(const LinkageScene& scene) {
   if (!(scene.largest_force > 0)) return "";
-  return fmt::format(" Arrows are forces, the longest is {:.4g} N.", scene.largest_force);
+  return fmt::format(" Red arrows are forces, the longest is {:.4g} N.", scene.largest_force);
 }
 
 std::string driver_forces_line(const LinkageScene& scene) {
@@ -139,6 +174,50 @@ std::string driver_forces_line(const LinkageScene& scene) {
   for (std::size_t i = 0; i < scene.drivers.size(); ++i)
     text += fmt::format("<span><b>driver {}</b> <span id=\"force{}\"></span></span>",
                         html_escaped(scene.drivers[i].label), i);
+  return text;
+}
+
+/// How far apart the dots on the curves are in time.
+std::string beats_sentence(const LinkageScene& scene) {
+  if (scene.traced.empty() || scene.moments.size() < 2) return "";
+  const double seconds = static_cast<double>(beat_of(scene)) * scene.seconds_a_step *
+                         (scene.moments[1].step - scene.moments[0].step);
+  return fmt::format(" Dots on a curve are {:.4g} s apart.", seconds);
+}
+
+/// Beside the picture: the polygons, what is plotted over what, three plots, the marks. The script fills them.
+std::string figures_panel(const LinkageScene& scene) {
+  std::string text = "<aside class=\"figures\" aria-label=\"Plots\">\n<div id=\"polygons\" hidden>";
+  for (const char* kind : {"velocities", "accelerations"})
+    text += fmt::format(
+        "<figure id=\"polygon-{0}\" hidden><figcaption>polygon of {0}</figcaption><svg viewBox=\"0 0 200 "
+        "200\" "
+        "role=\"img\" aria-label=\"Polygon of {0}\"></svg></figure>",
+        kind);
+  text +=
+      "</div>\n<div class=\"pick\"><label>Plot <select id=\"of\"></select></label> <label>over <select "
+      "id=\"over\"></select></label></div>\n";
+  for (const int plot : {0, 1, 2})
+    text += fmt::format(
+        "<figure class=\"plot\" id=\"plot{}\"><figcaption></figcaption><svg role=\"img\"></svg></figure>\n",
+        plot);
+  text += "<p class=\"over\">over <span id=\"overword\"></span></p>\n";
+  text += "<div id=\"marksbox\" hidden><h3>Marks</h3><ul id=\"marks\"></ul>";
+  if (scene.driven.size() == 1)
+    text +=
+        "<p class=\"note\">Where a part turns back it stands still: a dead point, if that part drove the "
+        "others.</p>";
+  return text + "</div></aside>\n";
+}
+
+std::string arrow_buttons(const LinkageScene& scene) {
+  std::string text =
+      "<button type=\"button\" id=\"velocities\" aria-pressed=\"false\" title=\"key V\">Velocities</button>"
+      "<button type=\"button\" id=\"accelerations\" aria-pressed=\"false\" title=\"key "
+      "A\">Accelerations</button>";
+  if (!scene.reactions.empty())
+    text +=
+        "<button type=\"button\" id=\"reactions\" aria-pressed=\"false\" title=\"key R\">Reactions</button>";
   return text;
 }
 
@@ -163,8 +242,8 @@ std::string animation_html(const LinkageScene& scene) {
       "<body>\n";
   page += fmt::format(
       "<header>\n<p class=\"brand\">Kempe · linkage</p>\n<h1>{}</h1>\n<p class=\"lead\">Lengths in "
-      "{}.{}{}</p>\n</header>\n<main class=\"motion\">",
-      title, scene.unit, arrows_sentence(scene), ending);
+      "{}.{}{}{}</p>\n</header>\n<main class=\"motion\">",
+      title, scene.unit, beats_sentence(scene), arrows_sentence(scene), ending);
   page += SvgElement("svg")
               .with("id", "picture")
               .with("viewBox", scale.view_box())
@@ -173,6 +252,7 @@ std::string animation_html(const LinkageScene& scene) {
               .holding("\n" + static_layers(scene, scale) + moving_bodies(scene, scale, false) +
                        traced_dots(scene, scale) + force_arrows(scene, scale) + names_at_start(scene, scale))
               .text();
+  page += "\n" + figures_panel(scene);
   page += fmt::format(
       "</main>\n<footer class=\"drive\"><button type=\"button\" id=\"play\">Play</button><input "
       "type=\"range\" id=\"moment\" min=\"0\" "
@@ -181,9 +261,9 @@ std::string animation_html(const LinkageScene& scene) {
       "<label>Speed <select id=\"speed\"><option value=\"0.25\">1/4</option><option value=\"1\" "
       "selected>1</option>"
       "<option value=\"3\">3</option></select></label><label><input type=\"checkbox\" id=\"names\" checked> "
-      "Names</label>"
-      "<div id=\"places\">{}</div></footer>\n",
-      scene.moments.size() - 1, steps, driver_forces_line(scene) + places_line(scene));
+      "Names</label>{}"
+      "<div id=\"places\">{}<span id=\"arrowkey\"></span></div></footer>\n",
+      scene.moments.size() - 1, steps, arrow_buttons(scene), driver_forces_line(scene) + places_line(scene));
   page +=
       fmt::format("<script type=\"application/json\" id=\"scene\">{}</script>\n", scene_json(scene, scale)) +
       page_element("script", web_assets::animation) + "</body></html>\n";

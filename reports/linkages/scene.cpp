@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reports/linkages/scene_forces.hpp"
+#include "reports/linkages/scene_motion.hpp"
 #include "reports/linkages/traced_curves.hpp"
 
 namespace kempe {
@@ -42,7 +43,7 @@ class SceneBuilder {
     add_bodies();
     add_points();
     for (const RunFrame& frame : run_.frames) add_moment(frame);
-    add_scene_forces(model_, run_, file_.unit.in_mm, scene_);
+    add_scene_forces(file_, model_, run_, scene_);
     find_box();
     fit_arrows(scene_);
     add_lines_and_wheels();
@@ -51,6 +52,7 @@ class SceneBuilder {
     const auto& first = run_.frames.front().position;
     const auto& last = run_.frames.back().position;
     scene_.closed = run_.frames.size() > 2 && same_assembly_mode(model_.linkage, first, last);
+    add_scene_motion(file_, model_, run_, steps_, scene_);
     if (run_.stop) scene_.ending = std::string(kempe::name(run_.stop->end));
     return std::move(scene_);
   }
@@ -84,7 +86,7 @@ class SceneBuilder {
   }
 
   void add_moment(const RunFrame& frame) {
-    LinkageScene::Moment moment{frame.share * steps_, {}, {}, {}, {}};
+    LinkageScene::Moment moment{frame.share * steps_, {}, {}};
     for (const BodyPlacement& placement : frame.position) {
       moment.at.push_back(scaled(placement.at));
       moment.angle.push_back(-placement.angle);

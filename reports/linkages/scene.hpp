@@ -40,6 +40,14 @@ struct SceneArrow {
   Point at, force;  ///< the file's unit, N; y downward
 };
 
+/// A place of the motion that stands out.
+struct SceneMark {
+  double moment;  ///< among the moments: 2.5 is half way between the third and the fourth
+  int body;       ///< the link that turns back; -1: the motion stopped
+  std::string
+      words;  ///< empty where another mark of the same place says it: the link is drawn, the mark not listed
+};
+
 struct LinkageScene {
   std::string title, unit;
   std::vector<SceneBody> bodies;  ///< the ground first, the links, then a block for each slider
@@ -51,13 +59,23 @@ struct LinkageScene {
     std::vector<double> angle;                           ///< rad, as seen on the page (clockwise positive)
     std::vector<SceneArrow> arrows{};                    ///< of the forces at points and of drivers
     std::vector<std::optional<double>> driver_forces{};  ///< N or N m; none at a dead point
+    std::vector<std::optional<SceneArrow>> reactions{};  ///< none where rigid links do not determine them
+    std::vector<double> driven{};                        ///< the drivers' values: degrees or the file's unit
+    /// Of each link's frame but the ground's: velocity x, y, angle, then acceleration; a second. Empty at a dead point.
+    std::vector<double> rates{};
   };
   struct Driver {
     std::string label, unit;
   };
-  std::vector<Driver> drivers;  ///< whose forces the moments give; empty without loads
-  double largest_force = 0;     ///< N, of all arrows
-  double arrow_scale = 0;       ///< the file's unit a newton
+  std::vector<Driver> drivers;         ///< whose forces the moments give; empty without loads
+  std::vector<std::string> reactions;  ///< "B on rod": what the moments' reactions are; empty without loads
+  double largest_force = 0;            ///< N, of all arrows
+  double arrow_scale = 0;              ///< the file's unit a newton
+  std::vector<Driver> driven;          ///< all drivers, with the units of their values
+  std::vector<SceneMark> marks;
+  std::size_t links =
+      0;  ///< bodies that are links or points, the ground included; the rest are sliders' blocks
+  double seconds_a_step = 0;  ///< how long a step of the motion takes
   std::vector<Moment> moments;
   Point lower, upper;   ///< box of all that ever moves, y downward
   std::string ending;   ///< how the motion stopped before its time; empty if it did not

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace kempe {
 namespace {
@@ -24,14 +25,58 @@ std::optional<BodyPoint> pushed_by(const LinkageModel& model, std::size_t driver
   return along ? std::optional(along->point) : std::nullopt;
 }
 
+/// A joint, guide or bar whose force is an arrow: where it acts, and what it is called ("B on rod").
+struct ShownReaction {
+  int constraint;
+  BodyPoint at;
+  std::string label;
+};
+
+std::vector<ShownReaction> shown_reactions(const LinkageFile& file, const LinkageModel& model) {
+  std::vector<ShownReaction> shown;
+  if (!file.output.reactions) return shown;
+  const auto& constraints = model.linkage.constraints();
+  for (int i = 0; i < static_cast<int>(constraints.size()); ++i) {
+    if (model.linkage.is_driver(i)) continue;
+    const auto& [name, constraint] = constraints[static_cast<std::size_t>(i)];
+    if (const auto* joint = std::get_if<Revolute>(&constraint))
+      shown.push_back({i, joint->a, name + " on " + model.linkage.body_name(joint->b.body)});
+    else if (const auto* guide = std::get_if<Coordinate>(&constraint))
+      shown.push_back({i, guide->point, name + " from " + model.linkage.body_name(guide->origin.body)});
+    else if (const auto* bar = std::get_if<Distance>(&constraint))
+      shown.push_back({i, bar->a, name});
+  }
+  return shown;
+}
+
 std::string force_or_null(const std::optional<double>& value) {
   return value ? fmt::format("{:.6g}", *value) : "null";
 }
 
+/// "reactions":[labels],"forces":[a row for each moment: x, y, fx, fy or null for each]
+std::string reactions_json(const LinkageScene& scene) {
+  std::string labels, rows;
+  for (const std::string& label : scene.reactions)
+    labels += (labels.empty() ? "" : ",") + nlohmann::json(label).dump();
+  for (const auto& moment : scene.moments) {
+    std::string row;
+    for (const auto& one : moment.reactions)
+      row += (row.empty() ? "" : ",") + (one ? fmt::format("[{:.9g},{:.9g},{:.9g},{:.9g}]", one->at.x(),
+                                                           one->at.y(), one->force.x(), one->force.y())
+                                             : std::string("null"));
+    rows += (rows.empty() ? "[" : ",\n[") + row + "]";
+  }
+  return "\"reactions\":[" + labels + "],\"forces\":[" + rows + "]";
+}
+
 }  // namespace
 
-void add_scene_forces(const LinkageModel& model, const PlanarRun& run, double unit, LinkageScene& scene) {
+void add_scene_forces(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run,
+                      LinkageScene& scene) {
   if (model.loads.empty()) return;
+  const double unit = file.unit.in_mm;
+  const std::vector<ShownReaction> shown = shown_reactions(file, model);
+  for (const ShownReaction& reaction : shown) scene.reactions.push_back(reaction.label);
   const std::size_t drivers = model.linkage.drivers().size();
   for (std::size_t driver = 0; driver < drivers; ++driver)
     scene.drivers.push_back(
@@ -46,6 +91,14 @@ void add_scene_forces(const LinkageModel& model, const PlanarRun& run, double un
     for (const PointForce& force : model.loads.forces)
       add_arrow(force.at, turned(position, force.turns_with, force.newton));
     const auto reactions = finder.at(run.frames[i]);
+    for (const ShownReaction& one : shown) {
+      const bool known = reactions && (*reactions)[static_cast<std::size_t>(one.constraint)].determined;
+      moment.reactions.push_back(
+          known ? std::optional(
+                      SceneArrow{page_vector(place(position, one.at) / unit),
+                                 page_vector((*reactions)[static_cast<std::size_t>(one.constraint)].force)})
+                : std::nullopt);
+    }
     for (std::size_t driver = 0; driver < drivers; ++driver) {
       const Reaction reaction =
           reactions ? (*reactions)[static_cast<std::size_t>(model.linkage.drivers()[driver])] : Reaction{};
@@ -87,7 +140,7 @@ std::string scene_forces_json(const LinkageScene& scene) {
                          arrow.force.y());
     text += fmt::format("{}[{}]", i ? ",\n" : "", row);
   }
-  return text + "]}";
+  return text + "]," + reactions_json(scene) + "}";
 }
 
 }  // namespace kempe

@@ -10,14 +10,16 @@
 namespace kempe {
 
 /// Adds to every moment of a scene, whose moments are the run's frames, the arrows of the forces at points and of the
-/// drivers, and the values of these. Nothing without loads.
-void add_scene_forces(const LinkageModel& model, const PlanarRun& run, double unit, LinkageScene& scene);
+/// drivers, the values of these, and the forces in joints, guides and bars. Nothing without loads.
+void add_scene_forces(const LinkageFile& file, const LinkageModel& model, const PlanarRun& run,
+                      LinkageScene& scene);
 
 /// Chooses the arrows' scale by the scene's box, and widens the box so that all of them lie in it.
 void fit_arrows(LinkageScene& scene);
 
 /// What the page's script needs, as JSON: the drivers' labels and units, the arrows' count and scale, a row for each moment: the
-/// drivers' values, then x, y of each arrow's tip and its components. "null" without loads.
+/// drivers' values, then x, y of each arrow's tip and its components. The same of the reactions, null where there are none.
+/// "null" without loads.
 std::string scene_forces_json(const LinkageScene& scene);
 
 }  // namespace kempe

@@ -35,4 +35,34 @@ std::string trace_curve(const LinkageScene& scene, std::size_t traced, const Pic
       .text();
 }
 
+std::size_t beat_of(const LinkageScene& scene) {
+  double longest = 0;
+  for (const std::size_t traced : scene.traced) {
+    double length = 0;
+    for (std::size_t i = 1; i < scene.moments.size(); ++i)
+      length += (scene.place(scene.points[traced], scene.moments[i]) -
+                 scene.place(scene.points[traced], scene.moments[i - 1]))
+                    .norm();
+    longest = std::max(longest, length);
+  }
+  constexpr double apart = 0.03;  // of the picture: dots of an even motion do not touch
+  const double dots = std::clamp(longest / (apart * std::max(scene.extent(), 1e-300)), 6., 36.);
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(static_cast<double>(scene.moments.size() - 1) / dots));
+}
+
+std::string trace_beats(const LinkageScene& scene, std::size_t traced, const PictureScale& scale) {
+  const ScenePoint& point = scene.points[traced];
+  std::string dots;
+  for (std::size_t i = 0; i < scene.moments.size(); i += beat_of(scene)) {
+    const Point at = scene.place(point, scene.moments[i]);
+    dots += SvgElement("circle")
+                .with("cx", scale.number(at.x()))
+                .with("cy", scale.number(at.y()))
+                .with("r", scale.number(1.7 * scale.stroke))
+                .text();
+  }
+  return SvgElement("g").with("class", "beats").with("fill", link_colour(point.body)).holding(dots).text();
+}
+
 }  // namespace kempe

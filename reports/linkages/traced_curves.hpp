@@ -19,4 +19,10 @@ std::vector<std::size_t> traced_points(const LinkageFile& file, const LinkageMod
 /// The curve of a traced point as an SVG element.
 std::string trace_curve(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);
 
+/// How many moments lie between two dots on a curve: 6 to 36 dots, fewer on short curves.
+std::size_t beat_of(const LinkageScene& scene);
+
+/// Dots on a traced point's curve, equal in time: far apart where it is fast.
+std::string trace_beats(const LinkageScene& scene, std::size_t traced, const PictureScale& scale);
+
 }  // namespace kempe

@@ -43,7 +43,7 @@ endfunction()
 
 set(sources "")
 asset(style "${WEB}/report.css")
-asset(animation "${WEB}/animation.js")
+asset(animation "${WEB}/animation.js" "${WEB}/plots.js")
 asset(animation_style "${WEB}/animation.css")
 if(WITH_LIVE)
   set(geometry_folder "${WEB}/jsxgraph")

@@ -1,0 +1,181 @@
+// The page of an animated linkage in a browser, against the table that `kempe solve` writes. Claims, one a test.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+import { launch, newPage } from "./chromium.mjs";
+
+const kempe = process.env.KEMPE, linkages = process.env.KEMPE_LINKAGES;
+if (!kempe || !linkages) {
+  console.error("KEMPE names no program, or KEMPE_LINKAGES no folder of linkage files: run through ctest");
+  process.exit(1);
+}
+const folder = mkdtempSync(path.join(tmpdir(), "kempe-animation-"));
+let browser;
+before(async () => { browser = await launch(); });
+after(async () => { await browser.close(); rmSync(folder, { recursive: true, force: true }); });
+
+const pageOf = (name) => path.join(folder, `${name}.html`);
+const example = (name) => path.join(linkages, `${name}.toml`);
+
+/** The table of a linkage, with as many steps as the page has moments: rows of numbers by column. */
+function tableOf(name, steps) {
+  const file = path.join(folder, `${name}.csv`);
+  execFileSync(kempe, ["solve", example(name), "-o", file, "--steps", `${steps}`, "--velocities", "--accelerations"]);
+  const [head, ...rows] = readFileSync(file, "utf8").trim().split("\n").map((line) => line.split(","));
+  return rows.map((row) => Object.fromEntries(head.map((column, i) => [column, row[i] === "" ? null : Number(row[i])])));
+}
+
+/** Opens the page at its first moment, standing still. */
+async function on(name, body, arguments_ = [example(name), "-o", path.join(folder, "unused.csv")], code = 0) {
+  const made = spawnSync(kempe, ["solve", ...arguments_, "--animate", pageOf(name)], { encoding: "utf8" });
+  assert.equal(made.status, code, made.stderr);
+  const { page, context, faults } = await newPage(browser, { viewport: { width: 1400, height: 900 } });
+  try {
+    await page.goto(`${pathToFileURL(pageOf(name)).href}#0`);
+    await body(page);
+    assert.deepEqual(faults, [], "the page complained or asked for something");
+  } finally {
+    await context.close();
+  }
+}
+
+const column = (row, name, what) => {
+  const found = Object.keys(row).filter((key) => key.startsWith(`${name}_${what}_`));
+  assert.equal(found.length, 1, `${name}_${what}: ${found}`);
+  return row[found[0]];
+};
+
+const goTo = (page, moment) => page.locator("#moment").evaluate((slider, to) => {
+  slider.value = to;
+  slider.dispatchEvent(new Event("input"));
+}, moment);
+
+/** From where to where each drawn arrow of a kind leads, by the point's name; y upward. */
+const arrowsOf = (page, kind) => page.evaluate((name) => {
+  const names = Object.fromEntries([...document.querySelectorAll(".name")].map((e) => [e.id.slice(4), e.textContent]));
+  return [...document.querySelectorAll(`.rate.${name}`)].filter((e) => e.getAttribute("d")).map((e) => {
+    const [x, y, u, v] = e.getAttribute("d").match(/^M(\S+) (\S+)L(\S+) ([^M]+)/).slice(1).map(Number);
+    return { name: names[e.id.slice(1)], from: [x, -y], way: [u - x, y - v] };
+  });
+}, kind);
+
+/** The longest arrow of a kind in the whole motion, as the page states it. */
+const longest = async (page, kind) =>
+  Number((await page.locator(`#arrowkey .${kind}`).textContent()).match(/longest ([\d.e+-]+)/)[1]);
+
+for (const name of ["watt-six-bar", "slider-crank", "geared-five-bar"])
+  test(`The arrows of ${name} are the table's velocities and accelerations`, async () => {
+    await on(name, async (page) => {
+      await page.keyboard.press("v");
+      await page.keyboard.press("a");
+      const last = Number(await page.locator("#moment").getAttribute("max")), table = tableOf(name, last);
+      assert.equal(table.length, last + 1);
+      for (const [kind, letter] of [["velocities", "v"], ["accelerations", "a"]]) {
+        const most = await longest(page, kind);
+        let scale = null, compared = 0;
+        for (let n = 0; n < 10; ++n) {
+          const moment = Math.round((n + 0.3) * last / 10), row = table[moment];
+          await goTo(page, moment);
+          for (const arrow of await arrowsOf(page, kind)) {
+            if (!Object.keys(row).some((key) => key.startsWith(`${arrow.name}_x_`))) continue;
+            const rate = ["x", "y"].map((axis) => column(row, arrow.name, letter + axis));
+            scale ??= Math.hypot(...arrow.way) / Math.hypot(...rate);
+            const miss = Math.hypot(arrow.way[0] - scale * rate[0], arrow.way[1] - scale * rate[1]);
+            assert.ok(miss < 1e-6 * scale * most, `${kind} of ${arrow.name} at ${moment}: ${arrow.way} is not ${scale} times ${rate}`);
+            const place = ["x", "y"].map((axis) => column(row, arrow.name, axis));
+            assert.ok(Math.hypot(arrow.from[0] - place[0], arrow.from[1] - place[1]) < 1e-5, `${arrow.name} at ${moment}`);
+            ++compared;
+          }
+        }
+        assert.ok(compared >= 10, `only ${compared} ${kind}`);
+      }
+    });
+  });
+
+test("The plots' values under the pointer are the table's", async () => {
+  await on("watt-six-bar", async (page) => {
+    const last = Number(await page.locator("#moment").getAttribute("max")), table = tableOf("watt-six-bar", last);
+    const option = (select, label) => page.locator(select).selectOption({ label });
+    const values = async (plot) => (await page.locator(`#plot${plot} output`).allTextContents()).map((text) => Number(text.replace("\u2212", "-")));
+    const near = (a, b) => Math.abs(a - b) <= 1e-5 * Math.abs(b) + 1e-6;
+    for (const share of [0.2, 0.43, 0.77]) {
+      await option("#of", "E");
+      for (const plot of [0, 1, 2]) {
+        const box = await page.locator(`#plot${plot} svg`).boundingBox();
+        await page.mouse.move(box.x + share * box.width, box.y + 0.5 * box.height);
+        const moment = Number(await page.locator("#moment").inputValue()), row = table[moment];
+        const asked = (share * 400 - 58) / (400 - 58 - 12);  // the plot's frame in its own units
+        assert.ok(Math.abs(moment / last - asked) < 0.01, `${moment} of ${last} at ${asked}`);
+        const shown = await values(plot), letter = ["", "v", "a"][plot];
+        const told = ["x", "y"].map((axis) => column(row, "E", letter + axis));
+        for (const axis of [0, 1]) assert.ok(near(shown[axis], told[axis]), `plot ${plot} at ${moment}: ${shown} is not ${told}`);
+      }
+      await option("#of", "rocker");
+      const row = table[Number(await page.locator("#moment").inputValue())];
+      const shown = [await values(0), await values(1), await values(2)].flat();
+      assert.ok(Math.abs(Math.sin((shown[0] - row.rocker_angle_deg) * Math.PI / 360)) < 1e-5, "the angle, whole turns apart");
+      assert.ok(near(shown[1], row.rocker_rate_rad_per_s) && near(shown[2], row.rocker_acceleration_rad_per_s2), `${shown}`);
+    }
+  });
+});
+
+test("Keys and buttons switch arrows, polygons and reactions on and off", async () => {
+  await on("shear-press-forces", async (page) => {
+    const drawn = async (kind) => (await arrowsOf(page, kind)).length > 0;
+    await goTo(page, 90);
+    for (const kind of ["velocities", "accelerations", "reactions"]) {
+      const button = page.locator(`#${kind}`), polygon = page.locator(`#polygon-${kind}`);
+      for (const [act, wanted] of [[() => button.click(), true], [() => page.keyboard.press(kind[0]), false], [() => page.keyboard.press(kind[0].toUpperCase()), true], [() => button.click(), false]]) {
+        await act();
+        assert.equal(await drawn(kind), wanted, kind);
+        assert.equal(await button.getAttribute("aria-pressed"), `${wanted}`);
+        if (kind !== "reactions") assert.equal(await polygon.isVisible(), wanted, `polygon of ${kind}`);
+      }
+    }
+  });
+});
+
+test("A point taken by hand leads the linkage", async () => {
+  await on("watt-six-bar", async (page) => {
+    const at = (moment) => goTo(page, moment).then(() => page.evaluate(() => {
+      const t = document.querySelectorAll(".name"), e = [...t].find((one) => one.textContent === "A"), o = 1.0;
+      const s = document.getElementById("picture"), offset = JSON.parse(document.getElementById("scene").textContent).offset * o;
+      const p = new DOMPoint(Number(e.getAttribute("x")) - offset, Number(e.getAttribute("y")) + offset).matrixTransform(s.getScreenCTM());
+      return { x: p.x, y: p.y };
+    }));
+    const to = await at(30), from = await at(20);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 5 });
+    await page.mouse.up();
+    assert.ok(Math.abs(Number(await page.locator("#moment").inputValue()) - 30) <= 1);
+  });
+});
+
+test("Where links turn back and where a change point stops the motion is said on the page", async () => {
+  const file = path.join(folder, "kite.toml");
+  writeFileSync(file, `name = "A parallelogram up to its change point"
+ground = { O = [0, 0], D = [100, 0] }
+links.crank = { joints = ["O", "A"], O-A = 40 }
+links.coupler = { joints = ["A", "B"], A-B = 100 }
+links.rocker = { joints = ["D", "B"], D-B = 40 }
+drivers = [{ angle = "crank", from_deg = 60, to_deg = 240 }]
+motion.steps = 36
+guess = { A = [20, 35], B = [120, 35] }
+`);
+  await on("kite", async (page) => {
+    assert.match(await page.locator("#marks").textContent(), /step 24 change point: O, A and B in line/);
+    await page.locator("#marks button").last().click();
+    assert.match(await page.locator("#step").textContent(), /^step 24 of/);
+    assert.match(await page.locator("header").textContent(), /ends early: change point/);
+  }, [file, "-o", path.join(folder, "unused.csv")], 3);
+  await on("watt-six-bar", async (page) => {
+    const words = await page.locator("#marks li").allTextContents();
+    assert.ok(words.filter((text) => /rocker.* turns? back/.test(text)).length >= 2, `${words}`);
+    assert.ok(words.every((text) => /step [\d.]+ \S/.test(text)), `${words}`);
+  });
+});
