@@ -35,9 +35,7 @@ Written plain(const std::string& text) { return {text, text}; }
 Written in_brackets(const Written& inner) { return plain("(") + inner + plain(")"); }
 
 /// A number that may stand behind a sign.
-std::string bracketed_digits(double value) {
-  return value < 0 ? "(" + digits(value) + ")" : digits(value);
-}
+std::string bracketed_digits(double value) { return value < 0 ? "(" + digits(value) + ")" : digits(value); }
 
 class EquationWriter {
  public:
@@ -110,8 +108,7 @@ class EquationWriter {
     if (body == PlanarLinkage::ground) return plain("0");
     const BodyPlacement& at = frame_.position[static_cast<std::size_t>(body)];
     const double value = kind == 't' ? degrees(at.angle) : in_unit(kind == 'x' ? at.at.x() : at.at.y());
-    return {fmt::format("{}_{}", kind, names_[static_cast<std::size_t>(body)]),
-            bracketed_digits(value)};
+    return {fmt::format("{}_{}", kind, names_[static_cast<std::size_t>(body)]), bracketed_digits(value)};
   }
 
   /// cos and sin of a link's direction with their factors, " + 12 cos(t_rod) - 3 sin(t_rod)"; nothing where a factor is 0.
@@ -163,8 +160,9 @@ class EquationWriter {
       if (direction[axis] == 0) continue;
       if (!sum.symbols.empty()) sum = sum + plain(" + ");
       const Written way = difference(point, origin, axis);
-      sum = sum + (direction[axis] == 1 ? way
-                                        : plain(bracketed_digits(direction[axis]) + " * ") + in_brackets(way));
+      sum =
+          sum +
+          (direction[axis] == 1 ? way : plain(bracketed_digits(direction[axis]) + " * ") + in_brackets(way));
     }
     return sum;
   }
@@ -203,11 +201,12 @@ class EquationWriter {
                          degrees(value_of(number, c.value)))};
             },
             [&](const RackAndPinion& c) {
-              return std::vector{equals(
-                  along(c.centre, c.rack_origin, c.direction) +
-                      plain(fmt::format("{} * (", signed_number(in_unit(c.radius) * pi / 180))) +
-                      unknown('t', c.centre.body) + plain(" - ") + unknown('t', c.rack_origin.body) + plain(")"),
-                  in_unit(value_of(number, c.value)))};
+              return std::vector{
+                  equals(along(c.centre, c.rack_origin, c.direction) +
+                             plain(fmt::format("{} * (", signed_number(in_unit(c.radius) * pi / 180))) +
+                             unknown('t', c.centre.body) + plain(" - ") + unknown('t', c.rack_origin.body) +
+                             plain(")"),
+                         in_unit(value_of(number, c.value)))};
             }},
         constraint(number));
   }
@@ -221,7 +220,8 @@ class EquationWriter {
                    above = of_angles ? 180 / pi : 1 / file_.unit.in_mm;
       const double slope = row[i] * above / below;
       if (std::abs(row[i]) > 1e-12 * (by_angle ? model_.linkage.size() : 1))
-        result.emplace_back(fmt::format("{}_{}", "xyt"[i % 3], names_[static_cast<std::size_t>(i / 3 + 1)]), slope);
+        result.emplace_back(fmt::format("{}_{}", "xyt"[i % 3], names_[static_cast<std::size_t>(i / 3 + 1)]),
+                            slope);
     }
     return result;
   }
@@ -247,7 +247,8 @@ std::vector<std::pair<std::string, double>> unknowns_at(const LinkageFile& file,
 std::string loop_equations_text(const LinkageFile& file, const LinkageModel& model, double step,
                                 const RunFrame& frame) {
   std::string text = fmt::format(
-      "{}, step {:g}: each link's own origin at (x, y), {} from the table's, turned by t degrees\n\nunknowns\n",
+      "{}, step {:g}: each link's own origin at (x, y), {} from the table's, turned by t "
+      "degrees\n\nunknowns\n",
       file.name, step, file.unit.name);
   const auto unknowns = unknowns_at(file, model, frame);
   for (const auto& [name, value] : unknowns) text += fmt::format("  {} = {}\n", name, digits(value));
@@ -264,8 +265,8 @@ std::string loop_equations_text(const LinkageFile& file, const LinkageModel& mod
     text += "    " + row + "\n";
   }
   const std::size_t drivers = model.linkage.drivers().size();
-  return text + fmt::format("\n{} unknowns, {} equations, {} of them {}\n", unknowns.size(), equations.size(), drivers,
-                            drivers == 1 ? "a driver's" : "drivers'");
+  return text + fmt::format("\n{} unknowns, {} equations, {} of them {}\n", unknowns.size(), equations.size(),
+                            drivers, drivers == 1 ? "a driver's" : "drivers'");
 }
 
 std::string loop_equations_json(const LinkageFile& file, const LinkageModel& model, double step,

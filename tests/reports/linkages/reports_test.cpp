@@ -299,7 +299,7 @@ TEST(Animation, ShowsForcesAndWhatTheDriversBear) {
   EXPECT_THAT(page, HasSubstr("id=\"arrow0\""));
   EXPECT_THAT(page, HasSubstr("id=\"arrow1\""));
   EXPECT_THAT(page, Not(HasSubstr("id=\"arrow2\"")));
-  EXPECT_THAT(page, HasSubstr("Arrows are forces, the longest is 2000 N."));
+  EXPECT_THAT(page, HasSubstr("Red arrows are forces, the longest is 2000 N."));
   for (const auto& moment : scene.moments) {
     ASSERT_EQ(moment.arrows.size(), 2u);
     EXPECT_EQ(moment.arrows[0].force, Point(0, -2000));  // up, y downward
