@@ -31,6 +31,7 @@
       this.joints = [...letters].map((letter, i) => this.joint(letter, i));
       this.labels = [...letters].map((letter, i) => this.label(letter, i));
       this.board.on("boundingbox", () => this.follow());
+      new ResizeObserver(() => this.reappear()).observe(container);
     }
 
     /** The window at first: the still picture's, or the job alone where the screen is too narrow for that. */
@@ -195,9 +196,18 @@
       this.board.update();
     }
 
-    /** The static map keeps to the board's window. */
+    /** A board that was hidden (on paper, for one) has lost its window: here it gets back the last that it had. */
+    reappear() {
+      if (!this.container.clientWidth || !this.container.clientHeight || this.board.getBoundingBox().every(Number.isFinite)) return;
+      this.board.setBoundingBox(this.window || this.home(), true);
+      this.follow();
+    }
+
+    /** The static map keeps to the board's window; a hidden board has none, and then the map stays as it is. */
     follow() {
-      const [x1, y1, x2, y2] = this.board.getBoundingBox();
+      const window = this.board.getBoundingBox(), [x1, y1, x2, y2] = window;
+      if (!window.every(Number.isFinite)) return;
+      this.window = window;
       this.map.setAttribute("viewBox", `${x1} ${-y1} ${x2 - x1} ${y1 - y2}`);
       kempe.drawFrame(this.map, { left: x1, top: -y1, width: x2 - x1, height: y1 - y2 }, this.isStill());
       this.words = null;  // their size follows the window's

@@ -377,6 +377,26 @@ test("No key figure is cut off, be there as many as a loaded design has", async 
     });
 });
 
+live("A window that has been hidden comes back as it was", async () => {
+  await on("plagiograph", { viewport: { width: 794, height: 900 } }, async (page) => {
+    const window = () => page.locator("#map").evaluate((map) => map.getAttribute("viewBox").split(" ").map(Number));
+    const settled = () => page.waitForTimeout(400);  // the board answers to its new size after a moment
+    // Paper hides the board: before it has ever measured itself, at its first window, and after it was zoomed.
+    for (const zooms of [0, 1, 2]) {
+      if (zooms > 1) await page.locator("#zoom-in").click();
+      if (zooms) await settled();
+      const before = await window();
+      await page.emulateMedia({ media: "print" });
+      await settled();
+      assert.deepEqual(await window(), before, "on paper");
+      await page.emulateMedia({ media: "screen" });
+      await settled();
+      const after = await window();
+      before.forEach((value, i) => assert.ok(Math.abs(after[i] - value) < 0.02 * before[2], `${after} instead of ${before}`));
+    }
+  });
+});
+
 /** Pairs of words on the map that lie on each other, of all that are visible. */
 const collisions = (page) => page.evaluate(() => {
   const visible = [...document.querySelectorAll("#map text, .live-board text")].filter((node) => getComputedStyle(node).visibility === "visible" && node.textContent.trim());
