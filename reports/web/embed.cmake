@@ -43,8 +43,10 @@ endfunction()
 
 set(sources "")
 asset(style "${WEB}/report.css")
-asset(animation "${WEB}/animation/player.js" "${WEB}/animation/plots.js")
-asset(animation_style "${WEB}/animation/animation.css")
+set(animation "${WEB}/animation")
+asset(animation ${animation}/elements.js ${animation}/motion.js ${animation}/player.js ${animation}/arrows.js
+      ${animation}/polygons.js ${animation}/plottable.js ${animation}/plots.js ${animation}/page.js)
+asset(animation_style "${animation}/animation.css")
 if(WITH_LIVE)
   set(geometry_folder "${WEB}/jsxgraph")
   check_sums("${geometry_folder}")

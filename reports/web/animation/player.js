@@ -1,57 +1,131 @@
-// Moves the picture of an animated linkage: play, slider, keys, the hand.
-const scene=JSON.parse(document.getElementById('scene').textContent);
-const $=id=>document.getElementById(id), svg=$('picture'), slider=$('moment'), play=$('play');
-const bodies=(scene.moments[0].length-1)/3, names=[...svg.querySelectorAll('.name')], lastMoment=scene.moments.length-1;
-let now=0,way=1,running=false,last=null,exact=0;
-const shown=[];  // what else follows the moment: functions of its number
-function place(i,m){const [b,x,y]=scene.points[i];if(b===0)return[x,y];
-  const o=3*b-2,c=Math.cos(m[o+2]),s=Math.sin(m[o+2]);return[m[o]+c*x-s*y,m[o+1]+s*x+c*y];}
-const plain=v=>{const t=v.toFixed(scene.decimals);return +t===0?(0).toFixed(scene.decimals):t;};
-/** An arrow's path that ends at (x, y), or starts there; nothing of one too short to have a head. */
-function arrow(x,y,u,v,starts){const size=Math.hypot(u,v);if(size<.6*scene.offset)return '';
-  const tip=starts?[x+u,y+v]:[x,y],h=Math.min(1.4*scene.offset/size,.5),a=tip[0]-h*u,b=tip[1]-h*v,c=.4*h*v,d=.4*h*u;
-  return `M${tip[0]-u} ${tip[1]-v}L${tip[0]} ${tip[1]}M${a-c} ${b+d}L${tip[0]} ${tip[1]}L${a+c} ${b-d}`;}
-function showLoads(row,scale){const l=scene.loads,n=l.units.length;
-  l.units.forEach((unit,k)=>$('force'+k).textContent=row[k]===null?'no force balances the loads':+row[k].toPrecision(4)+' '+unit);
-  for(let k=0;k<l.arrows;k++){const [x,y,fx,fy]=row.slice(n+4*k,n+4*k+4);$('arrow'+k).setAttribute('d',arrow(x,y,fx*scale,fy*scale));}}
-function show(i){now=i;const m=scene.moments[i];
-  for(let b=1;b<=bodies;b++){const o=3*b-2;
-    $('body'+b).setAttribute('transform',`translate(${m[o]} ${m[o+1]}) rotate(${m[o+2]*180/Math.PI})`);}
-  names.forEach((t,k)=>{const p=place(k,m);t.setAttribute('x',p[0]+scene.offset);t.setAttribute('y',p[1]-scene.offset);});
-  scene.traced.forEach(k=>{const p=place(k,m),dot=$('dot'+k);dot.setAttribute('cx',p[0]);dot.setAttribute('cy',p[1]);
-    $('place'+k).textContent=`(${plain(p[0])}, ${plain(-p[1])}) ${scene.unit}`;});
-  if(scene.loads)showLoads(scene.loads.moments[i],scene.loads.shown??scene.loads.scale);
-  for(const follow of shown)follow(i);
-  slider.value=i;$('step').textContent='step '+(+m[0].toFixed(2))+' of '+$('step').dataset.all;
-  slider.setAttribute('aria-valuetext',$('step').textContent);}
-function tick(t){if(!running)return;
-  if(last!==null){exact+=way*(t-last)/1000*lastMoment/scene.seconds*$('speed').value;
-    if(scene.closed){exact=((exact%lastMoment)+lastMoment)%lastMoment;}
-    else{if(exact>lastMoment){exact=2*lastMoment-exact;way=-1;}if(exact<0){exact=-exact;way=1;}exact=Math.min(lastMoment,Math.max(0,exact));}
-    show(Math.round(exact));}
-  last=t;requestAnimationFrame(tick);}
-function run(on){running=on;last=null;play.textContent=on?'Pause':'Play';play.setAttribute('aria-pressed',on);
-  if(on){exact=now;requestAnimationFrame(tick);}}
-function stopAt(i){run(false);show(Math.min(lastMoment,Math.max(0,i)));}
-play.onclick=()=>run(!running);
-slider.oninput=()=>stopAt(+slider.value);
-$('names').onchange=e=>names.forEach(t=>t.style.display=e.target.checked?'':'none');
-const keys={' ':()=>run(!running),ArrowLeft:()=>stopAt(now-1),ArrowRight:()=>stopAt(now+1),n:()=>$('names').click()};
-addEventListener('keydown',e=>{const at=e.target;
-  if(e.ctrlKey||e.altKey||e.metaKey||at.tagName==='SELECT')return;
-  if(at.tagName==='BUTTON'&&e.key===' '||at===slider&&e.key.startsWith('Arrow'))return;
-  const act=keys[e.key.length===1?e.key.toLowerCase():e.key];if(act){e.preventDefault();act();}});
-// A point taken by hand leads the linkage to the moment, of those that follow each other from here, that brings it nearest.
-let held=null;
-const onPicture=e=>{const p=new DOMPoint(e.clientX,e.clientY).matrixTransform(svg.getScreenCTM().inverse());return[p.x,p.y];};
-const gap=(a,b)=>Math.hypot(a[0]-b[0],a[1]-b[1]);
-svg.addEventListener('pointerdown',e=>{const at=onPicture(e),m=scene.moments[now];let best=4*scene.offset;
-  scene.points.forEach(([b],k)=>{const d=gap(place(k,m),at);if(b!==0&&d<best){best=d;held=k;}});
-  if(held!==null){run(false);svg.setPointerCapture(e.pointerId);e.preventDefault();}});
-svg.addEventListener('pointermove',e=>{if(held===null)return;
-  const at=onPicture(e),reach=Math.max(2,Math.round(lastMoment/8));let best=now,least=Infinity;
-  for(let d=-reach;d<=reach;d++){let i=now+d;
-    if(scene.closed)i=((i%lastMoment)+lastMoment)%lastMoment;else if(i<0||i>lastMoment)continue;
-    const way=gap(place(held,scene.moments[i]),at)+1e-9*Math.abs(d);if(way<least){least=way;best=i;}}
-  show(best);});
-for(const end of ['pointerup','pointercancel'])svg.addEventListener(end,()=>{held=null;});
+// Moves the picture of an animated linkage from moment to moment: play, slider, and a point taken by hand.
+"use strict";
+(function (kempe) {
+  const { one } = kempe.elements;
+  const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+  class Player {
+    constructor(motion, picture) {
+      Object.assign(this, { motion, picture, moment: 0, isRunning: false, held: null });
+      this.names = [...picture.querySelectorAll(".name")];
+      this.followers = [];  // what else follows the moment: functions of its number
+      this.direction = 1;
+      this.slider = one("moment");
+      this.slider.oninput = () => this.stopAt(+this.slider.value);
+      one("play").onclick = () => this.run(!this.isRunning);
+      one("names").onchange = (event) => this.names.forEach((name) => (name.style.display = event.target.checked ? "" : "none"));
+      this.obeyTheHand();
+    }
+
+    show(moment) {
+      const { scene } = this.motion;
+      this.moment = moment;
+      for (let body = 1; body <= this.motion.bodies; body++) {
+        const [x, y, angle] = this.motion.frame(body, moment);
+        one(`body${body}`).setAttribute("transform", `translate(${x} ${y}) rotate(${(angle * 180) / Math.PI})`);
+      }
+      this.names.forEach((name, point) => {
+        const [x, y] = this.motion.place(point, moment);
+        name.setAttribute("x", x + scene.offset);
+        name.setAttribute("y", y - scene.offset);
+      });
+      for (const point of scene.traced) {
+        const [x, y] = this.motion.place(point, moment), dot = one(`dot${point}`);
+        dot.setAttribute("cx", x);
+        dot.setAttribute("cy", y);
+        one(`place${point}`).textContent = `(${this.coordinate(x)}, ${this.coordinate(-y)}) ${scene.unit}`;
+      }
+      for (const follow of this.followers) follow(moment);
+      const step = one("step");
+      step.textContent = `step ${+scene.moments[moment][0].toFixed(2)} of ${step.dataset.all}`;
+      this.slider.value = moment;
+      this.slider.setAttribute("aria-valuetext", step.textContent);
+    }
+
+    coordinate(value) {
+      const { decimals } = this.motion.scene, text = value.toFixed(decimals);
+      return +text === 0 ? (0).toFixed(decimals) : text;  // never -0.00
+    }
+
+    run(isRunning) {
+      this.isRunning = isRunning;
+      const play = one("play");
+      play.textContent = isRunning ? "Pause" : "Play";
+      play.setAttribute("aria-pressed", isRunning);
+      if (!isRunning) return;
+      let at = this.moment, before = null;  // at: between the moments
+      const frame = (time) => {
+        if (!this.isRunning) return;
+        if (before !== null) {
+          at = this.onward(at, (time - before) / 1000);
+          this.show(Math.round(at));
+        }
+        before = time;
+        requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+    }
+
+    /** Where the motion is some seconds later: around again where it closes, back and forth where it does not. */
+    onward(at, seconds) {
+      const { scene, last } = this.motion, ahead = at + (this.direction * seconds * last * one("speed").value) / scene.seconds;
+      if (scene.closed) return ((ahead % last) + last) % last;
+      if (ahead > last) this.direction = -1;
+      if (ahead < 0) this.direction = 1;
+      const turned = ahead > last ? 2 * last - ahead : Math.abs(ahead);
+      return Math.min(last, Math.max(0, turned));
+    }
+
+    stopAt(moment) {
+      this.run(false);
+      this.show(Math.min(this.motion.last, Math.max(0, moment)));
+    }
+
+    /** A point taken by hand leads the linkage to the moment, of those that follow each other from here, that brings it nearest. */
+    obeyTheHand() {
+      const { picture } = this;
+      picture.addEventListener("pointerdown", (event) => {
+        this.held = this.pointAt(this.onPicture(event));
+        if (this.held === null) return;
+        this.run(false);
+        picture.setPointerCapture(event.pointerId);
+        event.preventDefault();
+      });
+      picture.addEventListener("pointermove", (event) => {
+        if (this.held !== null) this.show(this.momentNearest(this.onPicture(event)));
+      });
+      for (const end of ["pointerup", "pointercancel"]) picture.addEventListener(end, () => (this.held = null));
+    }
+
+    onPicture(event) {
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.picture.getScreenCTM().inverse());
+      return [x, y];
+    }
+
+    /** The moving point that can be taken at a place; null if none is near. */
+    pointAt(place) {
+      let nearest = null, least = 4 * this.motion.scene.offset;
+      for (const point of this.motion.movingPoints) {
+        const away = distance(this.motion.place(point, this.moment), place);
+        if (away < least) [nearest, least] = [point, away];
+      }
+      return nearest;
+    }
+
+    momentNearest(place) {
+      const { last, scene } = this.motion, reach = Math.max(2, Math.round(last / 8));
+      let nearest = this.moment, least = Infinity;
+      for (let ahead = -reach; ahead <= reach; ahead++) {
+        let moment = this.moment + ahead;
+        if (scene.closed) moment = ((moment % last) + last) % last;
+        else if (moment < 0 || moment > last) continue;
+        // Of moments equally near, the one that is fewer steps away.
+        const away = distance(this.motion.place(this.held, moment), place) + 1e-9 * Math.abs(ahead);
+        if (away < least) [nearest, least] = [moment, away];
+      }
+      return nearest;
+    }
+  }
+
+  kempe.Player = Player;
+})((globalThis.kempe = globalThis.kempe || {}));
