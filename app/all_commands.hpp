@@ -18,6 +18,7 @@ void add_calibrate_command(CLI::App& program, Session& session);
 void add_pareto_command(CLI::App& program, Session& session);
 void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
+void add_path_command(CLI::App& program, Session& session);
 void add_studio_command(CLI::App& program, Session& session);
 void add_help_command(CLI::App& program, Session& session);
 
@@ -39,6 +40,7 @@ inline constexpr AddCommand all_commands[] = {
     add_pareto_command,
     add_function_command,
     add_inversor_command,
+    add_path_command,
     add_studio_command,
     add_help_command,
 };

@@ -29,6 +29,7 @@ KindWords words_of(FileKind kind) {
     case FileKind::measurements: return {"a file of measurements", "kempe calibrate takes it"};
     case FileKind::function: return {"a spec of a function generator", "kempe function takes it"};
     case FileKind::inversor: return {"a spec of an inversor", "kempe inversor takes it"};
+    case FileKind::path: return {"a spec of a path generator", "kempe path takes it"};
     case FileKind::design: return {"a design.json", "kempe verify checks it, kempe trace draws with it"};
     case FileKind::drawing:
       return {"a drawing", "kempe trace copies an SVG; a spec names a drawing as region.file"};
@@ -47,6 +48,7 @@ std::optional<FileKind> kind_of(const toml::table& file) {
   if (has_any_of(file, {"reading", "instrument", "lengths_mm", "simulate"})) return FileKind::measurements;
   if (has_any_of(file, {"function"})) return FileKind::function;
   if (has_any_of(file, {"lens"})) return FileKind::inversor;
+  if (has_any_of(file, {"path"})) return FileKind::path;
   if (has_any_of(file,
                  {"bars", "bounds", "drivers", "gears", "ground", "guess", "motion", "racks", "sliders"}))
     return FileKind::linkage;

@@ -18,6 +18,7 @@ enum class FileKind {
   measurements,  ///< of a real instrument (docs/calibration.md)
   function,      ///< of a function generator (docs/function-generator.md)
   inversor,      ///< of an inversor (docs/inversor.md)
+  path,          ///< of a path generator (docs/path.md)
   design,        ///< design.json (docs/design-file.md)
   drawing        ///< SVG, DXF or GeoJSON
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/point.hpp"
 #include "specs/file_kind.hpp"
@@ -165,6 +166,118 @@ void read_wanted(Reader& reader, FunctionSpec& spec, Complaints& complaints) {
   reader.pair("function", "x", spec.x_lower, spec.x_upper, -1e9, 1e9);
 }
 
+constexpr double farthest_path_mm = 1e6;
+
+/// A list of `least` to `most` places; empty, and told, where it is not.
+std::vector<Point> read_path_places(const Reader& reader, std::string_view dotted, std::size_t least,
+                               std::size_t most, Complaints& complaints) {
+  const toml::node* node = reader.find(dotted);
+  const std::string allowed = fmt::format("[[x, y], ...] with {} to {} places, numbers from {} to {} mm", least,
+                                          most, -farthest_path_mm, farthest_path_mm);
+  const auto refuse = [&](const toml::node& what) {
+    complaints.add(line_of(what), std::string(dotted), describe(what), allowed);
+    return std::vector<Point>();
+  };
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() < least || list->size() > most) return refuse(*node);
+  std::vector<Point> places;
+  for (const toml::node& one : *list) {
+    const auto place = finite_point(one);
+    if (!place || place->cwiseAbs().maxCoeff() > farthest_path_mm) return refuse(one);
+    places.push_back(*place);
+  }
+  return places;
+}
+
+void read_timing(const Reader& reader, PathSpec& spec, Complaints& complaints) {
+  const toml::node* node = reader.find("path", "driver_deg");
+  if (node == nullptr) return;
+  const std::string allowed = fmt::format(
+      "a number for each of the {} points, rising or falling, the last less than 360 degrees from the first",
+      spec.points.size());
+  const auto refuse = [&](const toml::node& what) {
+    spec.turns.clear();
+    complaints.add(line_of(what), "path.driver_deg", describe(what), allowed);
+  };
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != spec.points.size()) return refuse(*node);
+  std::optional<double> first;
+  for (const toml::node& one : *list) {
+    const auto angle = finite_number(one);
+    if (!angle) return refuse(one);
+    if (!first) first = angle;
+    const double turn = radians(*angle - *first);
+    const bool turns_back =
+        spec.turns.size() > 1 && (turn > spec.turns.back()) != (spec.turns[1] > 0);
+    if (!(std::abs(turn) < 2 * pi) || (!spec.turns.empty() && turn == spec.turns.back()) || turns_back)
+      return refuse(one);
+    spec.turns.push_back(turn);
+  }
+}
+
+void read_poses(const Reader& reader, PathSpec& spec, Complaints& complaints) {
+  const toml::node* node = reader.find("path", "poses_mm");
+  const std::string allowed = fmt::format(
+      "[[x, y, degrees], ...] with 3 to 5 different poses, numbers from {} to {}", -farthest_path_mm,
+      farthest_path_mm);
+  const auto refuse = [&](const toml::node& what) {
+    spec.poses.clear();
+    complaints.add(line_of(what), "path.poses_mm", describe(what), allowed);
+  };
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() < 3 || list->size() > 5) return refuse(*node);
+  for (const toml::node& one : *list) {
+    const toml::array* pose = one.as_array();
+    if (pose == nullptr || pose->size() != 3) return refuse(one);
+    double figures[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto figure = finite_number((*pose)[k]);
+      if (!figure || std::abs(*figure) > farthest_path_mm) return refuse(one);
+      figures[k] = *figure;
+    }
+    const BodyPlacement placement{{figures[0], figures[1]}, radians(figures[2])};
+    for (const BodyPlacement& other : spec.poses)
+      if ((other.at - placement.at).norm() < 1e-6 &&
+          std::abs(std::remainder(other.angle - placement.angle, 2 * pi)) < 1e-6)
+        return refuse(one);
+    spec.poses.push_back(placement);
+  }
+  for (const std::string_view key : {"path.driver_deg", "path.minimize"})
+    if (reader.has(key))
+      complaints.add(reader.line(key), std::string(key), "a key beside poses_mm",
+                     "points_mm with it: poses are taken exactly, their timing is free");
+}
+
+/// The largest distance of a place from the first, mm; told where it is nil.
+double read_size(const Reader& reader, std::string_view key, const std::vector<Point>& places,
+                 Complaints& complaints) {
+  double size = 0;
+  for (const Point& p : places) size = std::max(size, (p - places.front()).norm());
+  if (!places.empty() && size < 1e-3)
+    complaints.add(reader.line(key), std::string(key), fmt::format("places {} mm apart", size),
+                   "places at least 0.001 mm apart");
+  return size;
+}
+
+/// The polygon counter-clockwise; nothing where it is not convex.
+std::optional<std::vector<Point>> convex(std::vector<Point> corners) {
+  const auto left_of_all = [&] {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Point from = corners[k], along = corners[(k + 1) % corners.size()] - from;
+      for (const Point& corner : corners)
+        if (cross(along, corner - from) < 0) return false;
+      if (!(along.norm() > 0)) return false;
+    }
+    return true;
+  };
+  double area = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    area += cross(corners[k] - corners[0], corners[(k + 1) % corners.size()] - corners[0]);
+  if (area < 0) std::reverse(corners.begin(), corners.end());
+  if (area == 0 || !left_of_all()) return std::nullopt;
+  return corners;
+}
+
 }  // namespace
 
 tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text, const std::string& file) {
@@ -222,6 +335,50 @@ tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text,
   reader.number("links", "longest_mm", longest, 0, 1e6, false, " mm");
   spec.longest = longest;
   if (!complaints.none()) return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::inversor));
+  return spec;
+}
+
+tl::expected<PathSpec, InputError> read_path_spec(std::string_view text, const std::string& file) {
+  const auto parsed = parse_toml(text, file);
+  if (!parsed) return tl::unexpected(or_other_kind(parsed.error(), text, FileKind::path));
+  Complaints complaints(file);
+  Reader reader(*parsed, complaints);
+  PathSpec spec;
+  reader.only({"path.points_mm", "path.poses_mm", "path.driver_deg", "path.minimize", "limits.longest_mm",
+               "limits.transmission_deg", "limits.pivots_within_mm"});
+  constexpr std::size_t most_points = 60, most_corners = 50;
+  double size = 0;
+  const bool points = reader.has("path.points_mm"), poses = reader.has("path.poses_mm");
+  if (points == poses) {
+    complaints.add(points ? reader.line("path.poses_mm") : 0, "path.points_mm",
+                   points ? "both points_mm and poses_mm" : "no such key",
+                   "either points_mm = [[x, y], ...] or poses_mm = [[x, y, degrees], ...], in order");
+  } else if (points) {
+    spec.points = read_path_places(reader, "path.points_mm", 3, most_points, complaints);
+    size = read_size(reader, "path.points_mm", spec.points, complaints);
+  } else {
+    read_poses(reader, spec, complaints);
+    std::vector<Point> places;
+    for (const BodyPlacement& pose : spec.poses) places.push_back(pose.at);
+    size = read_size(reader, "path.poses_mm", places, complaints);
+  }
+  if (!spec.points.empty()) read_timing(reader, spec, complaints);
+  std::string aim = "mean_square";
+  reader.word("path", "minimize", aim, {"mean_square", "largest_distance"});
+  spec.largest_distance = aim == "largest_distance";
+  spec.longest = 10 * size;
+  reader.number("limits", "longest_mm", spec.longest, 1e-3, farthest_path_mm, false, " mm");
+  reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
+  if (reader.has("limits.pivots_within_mm")) {
+    const auto corners = read_path_places(reader, "limits.pivots_within_mm", 3, most_corners, complaints);
+    const auto polygon = corners.empty() ? std::optional(corners) : convex(corners);
+    if (polygon)
+      spec.pivots_within = *polygon;
+    else
+      complaints.add(reader.line("limits.pivots_within_mm"), "limits.pivots_within_mm",
+                     "a polygon that is not convex", "the corners of a convex polygon, in order");
+  }
+  if (!complaints.none()) return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::path));
   return spec;
 }
 

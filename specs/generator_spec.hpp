@@ -1,5 +1,5 @@
 #pragma once
-// The specs of `kempe function` and `kempe inversor`: checked values from TOML, in millimetre and radian.
+// The specs of `kempe function`, `kempe inversor` and `kempe path`: checked values from TOML, in millimetre and radian.
 
 #include <optional>
 #include <string>
@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "kempe/input_error.hpp"
+#include "kempe/point.hpp"
+#include "kinematics/planar/linkage.hpp"
 
 namespace kempe {
 
@@ -34,8 +36,20 @@ struct InversorSpec {
   double shortest = 0, longest = 1e300;  ///< mm
 };
 
+/// A path-generating four-bar, as asked for.
+struct PathSpec {
+  std::vector<Point> points;         ///< mm, 3 to 60, not all in one place; empty where poses are given
+  std::vector<BodyPlacement> poses;  ///< mm, rad: 3 to 5, all different, not all in one place; empty where points are given
+  std::vector<double> turns;  ///< rad, from the first point on: 0, then rising or falling, less than a turn; empty: free
+  bool largest_distance = false;     ///< what is made small: the largest distance, not the mean square
+  double longest = 0;                ///< mm; of ten times the path's size where the file says nothing
+  double transmission = 0;           ///< rad
+  std::vector<Point> pivots_within;  ///< mm, a convex polygon, counter-clockwise; empty: anywhere
+};
+
 /// Reads and checks; the error names file, line, key, what stands there and what is allowed.
 tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text, const std::string& file);
 tl::expected<InversorSpec, InputError> read_inversor_spec(std::string_view text, const std::string& file);
+tl::expected<PathSpec, InputError> read_path_spec(std::string_view text, const std::string& file);
 
 }  // namespace kempe

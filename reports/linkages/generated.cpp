@@ -141,4 +141,46 @@ std::string function_linkage(const FunctionTask& task, const FunctionDesign& des
   return text + guess_table({{"A", A}, {"B", B}});
 }
 
+std::string path_linkage(const PathAnswer& answer, std::optional<std::size_t> cognate) {
+  CouplerFourBar bar = answer.linkage;
+  CognateDriver driver = CognateDriver::crank;
+  double offset = 0;
+  if (cognate) {
+    const Cognate& other = answer.cognates.value()[*cognate];
+    bar = other.linkage;
+    driver = other.driver;
+    offset = other.offset;
+  }
+  const double first = answer.crank_angles.front() + offset, last = answer.crank_angles.back() + offset;
+  const Point P = answer.reached.front();
+  // A, where the driven link alone decides it.
+  Point A, B;
+  if (driver == CognateDriver::crank) {
+    A = bar.crank_pivot + as_point(std::polar(bar.crank, first));
+    B = A + as_point(as_complex(P - A) / as_complex(bar.coupler_point) * bar.coupler);
+  } else {
+    A = P - as_point(as_complex(bar.coupler_point) * std::polar(1.0, first));
+    B = A + as_point(std::polar(bar.coupler, first));
+  }
+  std::string text = fmt::format(
+      "# Four-bar{} whose coupler point P passes {} given places, by kempe path.\n"
+      "# {} degrees at each place:",
+      cognate ? fmt::format(", cognate {},", *cognate + 1) : "", answer.crank_angles.size(),
+      driver == CognateDriver::crank ? "crank" : "coupler");
+  for (const double angle : answer.crank_angles) text += fmt::format(" {}", degrees(angle + offset));
+  text += fmt::format(
+      "\nname = \"Four-bar by kempe path\"\n\n[ground]\nO = {}\nD = {}\n\n[links]\n"
+      "crank = {{ joints = [\"O\", \"A\"], O-A = {} }}\n"
+      "coupler = {{ at = {{ A = [0, 0], B = [{}, 0], P = {} }} }}\n"
+      "rocker = {{ joints = [\"D\", \"B\"], D-B = {} }}\n",
+      toml_place(bar.crank_pivot), toml_place(bar.rocker_pivot), bar.crank, bar.coupler,
+      toml_place(bar.coupler_point), bar.rocker);
+  text += fmt::format("\n[[drivers]]\nangle = \"{}\"\nfrom_deg = {}\nto_deg = {}\n\n[motion]\nsteps = 60\n",
+                      driver == CognateDriver::crank ? "crank" : "coupler", degrees(first), degrees(last));
+  text +=
+      "\n[output]\npoints = [\"P\"]\nangles = [\"crank\", \"coupler\", \"rocker\"]\n"
+      "transmission = [[\"A\", \"B\", \"D\"]]\ntrace = [\"P\"]\n";
+  return text + guess_table({{"A", A}, {"B", B}, {"P", P}});
+}
+
 }  // namespace kempe

@@ -1,10 +1,11 @@
 #pragma once
-// What `kempe inversor` and `kempe function` design, as a linkage file that `solve`, `mobility` and `centres` take.
+// What `kempe inversor`, `kempe function` and `kempe path` design, as a linkage file that `solve`, `mobility` and `centres` take.
 
 #include <string>
 
 #include "synthesis/functions/function_generator.hpp"
 #include "synthesis/functions/inversor.hpp"
+#include "synthesis/paths/path_generator.hpp"
 
 namespace kempe {
 
@@ -18,5 +19,10 @@ std::string inversor_linkage(const InversorTask& task, const InversorDesign& des
 /// crank's angle. `wanted` says in one line what function it is. mm, degrees; every number to its last digit.
 std::string function_linkage(const FunctionTask& task, const FunctionDesign& design,
                              const std::string& wanted);
+
+/// The four-bar of an answer, crank pivot O, joints A and B, rocker pivot D, coupler point P, its crank driven from the first point to the
+/// last; or one of its cognates (0 or 1, which the answer must have), driven by the link that moves P in the same way. mm, degrees; every
+/// number to its last digit.
+std::string path_linkage(const PathAnswer& answer, std::optional<std::size_t> cognate = std::nullopt);
 
 }  // namespace kempe

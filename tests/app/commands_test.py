@@ -648,7 +648,7 @@ class Words(Case):
     def test_a_fault_is_json_for_every_command(self):
         bad = self.spec("[copy\n", "bad.toml")
         for command, *rest in (("synthesize", "-o", self.scratch / "out"), ("workspace", "-o", self.scratch / "out"), ("verify",),
-                               ("report", "-o", self.scratch / "out"), ("solve",), ("mobility",), ("centres",), ("calibrate",), ("function",), ("inversor",),
+                               ("report", "-o", self.scratch / "out"), ("solve",), ("mobility",), ("centres",), ("calibrate",), ("function",), ("inversor",), ("path",),
                                ("studio",), ("pareto", "--between", "size,transmission", "-o", self.scratch / "out")):
             run = kempe(command, bad, *rest, "--json")
             self.assertRefused(run, 2, str(bad))

@@ -438,7 +438,7 @@ class Company(Case):
 
 class Hostile(Case):
     READERS = {"synthesize": ("-o", "out"), "workspace": ("-o", "out"), "verify": (), "solve": (), "mobility": (),
-               "centres": ("--at", "0"), "calibrate": (), "function": (), "inversor": ()}
+               "centres": ("--at", "0"), "calibrate": (), "function": (), "inversor": (), "path": ()}
 
     def assertRefusedByAll(self, file):
         for command, options in self.READERS.items():

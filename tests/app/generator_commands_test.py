@@ -190,6 +190,102 @@ class Inversor(Case):
                            "lens.focal_length_mm")
 
 
+class Path(Case):
+    LINE = GENERATORS / "straight-line.toml"
+
+    def turned(self, solved, name):
+        return [row[solved["columns"].index(name)] for row in solved["rows"]]
+
+    def test_the_linkage_file_and_both_cognates_pass_the_points(self):
+        """The general solver on the file, 20 degrees a step: the coupler point is where the answer says, and its cognates too."""
+        linkage = self.scratch / "loop.toml"
+        for cognate in ([], ["--cognate", 1], ["--cognate", 2]):
+            answer = self.answer("path", GENERATORS / "loop.toml", "-o", linkage, *cognate)["answers"][0]
+            solved = self.answer("solve", linkage, "--steps", 17)
+            self.assertIsNone(solved["stop"])
+            for row, x, y in zip(answer["reached_mm"], self.turned(solved, "P_x_mm"), self.turned(solved, "P_y_mm"), strict=True):
+                self.assertAlmostEqual(row[0], x, delta=1e-8)
+                self.assertAlmostEqual(row[1], y, delta=1e-8)
+            self.assertEqual(self.answer("mobility", linkage)["mobility"], 1)
+        points = re.findall(r"\[([-\d.]+), ([-\d.]+)\]", (GENERATORS / "loop.toml").read_text().split("driver_deg")[0])
+        squares = [math.dist(map(float, point), reached) ** 2 for point, reached in zip(points, answer["reached_mm"], strict=True)]
+        self.assertAlmostEqual(math.sqrt(sum(squares) / 18), answer["error_rms_mm"], delta=1e-12)
+        self.assertAlmostEqual(math.sqrt(max(squares)), answer["error_max_mm"], delta=1e-12)
+        self.assertLess(sum(squares), 0.00903)
+        self.assertIsNone(answer["lower_bound_mm"])
+        self.assertEqual([cognate["driver"] for cognate in answer["cognates"]], ["coupler", "crank"])
+
+    def test_a_line_is_met_and_the_limits_kept(self):
+        answers = self.answer("path", self.LINE)["answers"]
+        for answer in answers:
+            self.assertGreaterEqual(answer["transmission_min_deg"], 40)
+            self.assertLessEqual(max(math.dist(*answer["pivots_mm"]), answer["crank_mm"], answer["coupler_mm"], answer["rocker_mm"]), 60)
+        self.assertLess(answers[0]["error_max_mm"], 1e-9)
+        turns = answers[0]["driver_deg"]
+        self.assertIn(turns, (sorted(turns), sorted(turns, reverse=True)))
+        text = kempe("path", self.LINE)
+        self.assertEqual(text.returncode, 0, text.stderr)
+        self.assertIn("no bound of the least error is known", text.stdout)
+
+    def test_bad_input(self):
+        good = (GENERATORS / "loop.toml").read_text()
+        for old, new, words in [
+            ("points_mm", "points", ["path.points", "points_mm"]),
+            ("[0.5, 1.1]", "[0.5, nan]", [":5:", "path.points_mm"]),
+            ("[0.5, 1.1],", "", [":9:", "path.driver_deg", "17 points"]),
+            ("[0, 20, 40", "[0, 40, 20", [":9:", "path.driver_deg", "rising or falling"]),
+            ("340]", "360]", [":9:", "path.driver_deg", "less than 360"]),
+            ("longest_mm = 50", "longest_mm = -1", [":12:", "limits.longest_mm"]),
+            ("[50, -50], [50, 50]", "[50, 50], [50, -50]", [":13:", "limits.pivots_within_mm", "not convex"]),
+            ("[limits]", "minimize = 'all'\n[limits]", ["path.minimize", "largest_distance"]),
+        ]:
+            self.assertIn(old, good)
+            self.assertRefused(kempe("path", self.file(good.replace(old, new, 1))), 2, *words)
+        for points in ["[[1, 1], [1, 1], [1, 1]]", "[[1, 1], [2, 1]]", "[]", "3"]:
+            self.assertRefused(kempe("path", self.file(f"[path]\npoints_mm = {points}\n")), 2, "path.points_mm", ":2:")
+        self.assertRefused(kempe("path", self.LINE, "--cognate", "1"), 2)
+
+    def test_nothing_found_is_not_said_to_be_nothing_there(self):
+        spec = self.file("[path]\nposes_mm = [[0, 0, 5], [10, 3, 5], [20, 12, 5], [30, 27, 5], [40, 48, 5]]\n")
+        self.assertRefused(kempe("path", spec, "-o", self.scratch / "none.toml"), 6, "Searched:", "not a proof that none exists")
+        self.assertFalse((self.scratch / "none.toml").exists())
+
+    def test_five_poses_by_substitution_and_by_the_general_solver(self):
+        spec, linkage = GENERATORS / "five-poses.toml", self.scratch / "poses.toml"
+        poses = [tuple(map(float, pose)) for pose in re.findall(r"^  \[(\S+), (\S+), (\S+)\],$", spec.read_text(), re.MULTILINE)]
+        self.assertEqual(len(poses), 5)
+        found = self.answer("path", spec, "-o", linkage)
+        self.assertEqual(len(found["dyads"]), 4)
+        for dyad in found["dyads"]:
+            (X, Y), (u, v) = dyad["centre_mm"], dyad["circle_point_mm"]
+            for x, y, angle in poses:
+                c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+                self.assertAlmostEqual(math.hypot(x + c * u - s * v - X, y + s * u + c * v - Y), dyad["length_mm"], delta=1e-8)
+        answer = found["answers"][0]
+        self.assertLess(answer["error_max_mm"], 1e-9)
+        self.assertLess(answer["error_angle_max_deg"], 1e-9)
+        for pose, reached, turned in zip(poses, answer["reached_mm"], answer["reached_deg"], strict=True):
+            self.assertLess(math.dist(pose[:2], reached) + abs(pose[2] - turned), 1e-8)
+        ends = self.answer("solve", linkage, "--steps", 1)
+        for name, wanted in (("P_x_mm", 88), ("P_y_mm", 20), ("coupler_angle_deg", 52)):
+            first, last = self.turned(ends, name)
+            self.assertAlmostEqual(last - first, wanted, delta=1e-8)
+        self.assertEqual(kempe("path", spec).returncode, 0)
+
+    def test_bad_poses(self):
+        good = (GENERATORS / "five-poses.toml").read_text()
+        for old, new, words in [
+            ("[0, 0, 0]", "[0, 0]", [":6:", "path.poses_mm"]),
+            ("[20, 16, 10]", "[0, 0, 360]", [":7:", "path.poses_mm", "different"]),
+            ("[20, 16, 10]", "[20, 16, inf]", [":7:", "path.poses_mm"]),
+            ("poses_mm = [", "poses_mm = [ [1, 1, 1],", [":5:", "path.poses_mm", "3 to 5"]),
+            ("[limits]", "driver_deg = [1, 2, 3, 4, 5]\n[limits]", ["path.driver_deg", "points_mm"]),
+            ("[limits]", "points_mm = [[1, 1], [2, 2], [3, 4]]\n[limits]", ["path.points_mm", "both"]),
+        ]:
+            self.assertIn(old, good)
+            self.assertRefused(kempe("path", self.file(good.replace(old, new, 1))), 2, *words)
+
+
 INSTRUMENT = "[instrument]\narm_mm = 500\nratio = 0.5\n"
 
 

@@ -44,6 +44,7 @@ void whole_audit(std::string_view input) {
 void generators(std::string_view input) {
   (void)read_function_spec(input, file);
   (void)read_inversor_spec(input, file);
+  (void)read_path_spec(input, file);
 }
 
 /// The bytes as a drawing: strokes of small whole numbers, which cross, touch and fold back, grown by a margin. What comes

@@ -37,6 +37,8 @@ std::multimap<FileKind, fs::path> shipped() {
     files.emplace(FileKind::function, examples / "generators" / name);
   for (const char* name : {"copy-camera.toml", "enlarger.toml"})
     files.emplace(FileKind::inversor, examples / "generators" / name);
+  for (const char* name : {"loop.toml", "straight-line.toml", "five-poses.toml"})
+    files.emplace(FileKind::path, examples / "generators" / name);
   files.emplace(FileKind::design, examples / "calibration/drawing-pantograph.json");
   files.emplace(FileKind::drawing, fs::path(KEMPE_SOURCE_DIR) / "docs/pictures/letter.svg");
   return files;
@@ -52,6 +54,7 @@ std::optional<InputError> said_by(FileKind reader, const std::string& text) {
     case FileKind::measurements: return error(read_measurements(text, "f"));
     case FileKind::function: return error(read_function_spec(text, "f"));
     case FileKind::inversor: return error(read_inversor_spec(text, "f"));
+    case FileKind::path: return error(read_path_spec(text, "f"));
     default: return error(read_spec(text, "f", examples));
   }
 }
@@ -64,7 +67,7 @@ TEST(FileKind, OfEveryShippedFileIsRecognised) {
 
 TEST(FileKind, OfAnotherFileIsToldByEveryReaderAsTheOneFault) {
   constexpr FileKind readers[] = {FileKind::spec, FileKind::linkage, FileKind::measurements,
-                                  FileKind::function, FileKind::inversor};
+                                  FileKind::function, FileKind::inversor, FileKind::path};
   for (const auto& [kind, file] : shipped())
     for (const FileKind reader : readers) {
       const auto said = said_by(reader, text_of(file));

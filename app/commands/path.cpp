@@ -1,0 +1,240 @@
+// kempe path: four-bars whose coupler point follows given points, or whose coupler takes given poses.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/all_commands.hpp"
+#include "app/linkage_run.hpp"
+#include "app/output_check.hpp"
+#include "reports/linkages/generated.hpp"
+#include "specs/generator_spec.hpp"
+#include "specs/text/printable.hpp"
+#include "specs/text/text_file.hpp"
+#include "synthesis/paths/path_generator.hpp"
+#include "synthesis/paths/pose_guidance.hpp"
+
+namespace kempe::app {
+namespace {
+
+constexpr const char* no_bound = "a search: no bound of the least error is known, and nothing is proven about what was not found";
+
+struct PathArguments {
+  std::string spec_file, linkage_file;
+  int answer = 1, cognate = 0;
+};
+
+PathTask task_of(const PathSpec& spec) {
+  PathTask task;
+  task.points = spec.points;
+  task.turns = spec.turns;
+  task.aim = spec.largest_distance ? PathAim::largest_distance : PathAim::mean_square;
+  task.longest = spec.longest;
+  task.transmission = spec.transmission;
+  task.pivots_within = spec.pivots_within;
+  return task;
+}
+
+nlohmann::ordered_json json_of(const Point& p) { return {p.x() + 0.0, p.y() + 0.0}; }
+
+nlohmann::ordered_json json_of(const CouplerFourBar& bar) {
+  nlohmann::ordered_json pivots;
+  pivots.push_back(json_of(bar.crank_pivot));
+  pivots.push_back(json_of(bar.rocker_pivot));
+  return {{"pivots_mm", pivots},
+          {"crank_mm", bar.crank},
+          {"coupler_mm", bar.coupler},
+          {"rocker_mm", bar.rocker},
+          {"coupler_point_mm", json_of(bar.coupler_point)},
+          {"assembly_mode", bar.branch == FourBarBranch::first ? 1 : 2}};
+}
+
+nlohmann::ordered_json angles_in_degrees(const std::vector<double>& angles, double offset = 0) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const double angle : angles) list.push_back(degrees(angle + offset));
+  return list;
+}
+
+nlohmann::ordered_json json_of(const PathAnswer& answer) {
+  nlohmann::ordered_json object = json_of(answer.linkage);
+  object["motion"] = std::string(name(answer.linkage.links().motion()));
+  object["driver_deg"] = angles_in_degrees(answer.crank_angles);
+  for (const Point& p : answer.reached) object["reached_mm"].push_back(json_of(p));
+  object["error_rms_mm"] = answer.error_rms;
+  object["error_max_mm"] = answer.error_max;
+  object["lower_bound_mm"] = nullptr;
+  object["transmission_min_deg"] = degrees(answer.transmission_min);
+  object["cognates"] = nlohmann::ordered_json::array();
+  if (answer.cognates)
+    for (const Cognate& cognate : *answer.cognates) {
+      nlohmann::ordered_json other = json_of(cognate.linkage);
+      other["driver"] = cognate.driver == CognateDriver::crank ? "crank" : "coupler";
+      other["driver_deg"] = angles_in_degrees(answer.crank_angles, cognate.offset);
+      object["cognates"].push_back(std::move(other));
+    }
+  return object;
+}
+
+nlohmann::ordered_json json_of(const PoseSearch& search, std::size_t poses) {
+  nlohmann::ordered_json object;
+  for (const PoseAnswer& answer : search.answers) {
+    nlohmann::ordered_json one = json_of(answer.path);
+    one["reached_deg"] = angles_in_degrees(answer.angles);
+    one["error_angle_max_deg"] = degrees(answer.error_angle);
+    object["answers"].push_back(std::move(one));
+  }
+  object["bound"] = no_bound;
+  if (poses == 5)
+    for (const Dyad& dyad : search.dyads)
+      object["dyads"].push_back({{"centre_mm", json_of(dyad.centre)},
+                                 {"circle_point_mm", json_of(dyad.circle)},
+                                 {"length_mm", dyad.length}});
+  object["searched"] = {{"dyads", search.dyads.size()},
+                        {"linkages", search.linkages},
+                        {"defective", search.defective},
+                        {"limited", search.limited}};
+  return object;
+}
+
+nlohmann::ordered_json json_of(const PathSearch& search) {
+  nlohmann::ordered_json object;
+  for (const PathAnswer& answer : search.answers) object["answers"].push_back(json_of(answer));
+  object["bound"] = no_bound;
+  object["searched"] = {{"starts", search.effort.starts},
+                        {"refined", search.effort.refined},
+                        {"evaluations", search.effort.evaluations},
+                        {"rejected", search.effort.rejected}};
+  return object;
+}
+
+std::string columns_of(const Point& p) { return fmt::format("{:10.4f} {:10.4f}", p.x() + 0.0, p.y() + 0.0); }
+
+std::string links_text(const CouplerFourBar& bar) {
+  return fmt::format(
+      "  pivots    {}  and {}\n  crank {:.6g}, coupler {:.6g}, rocker {:.6g}; coupler point {:.6g} along, {:.6g} to the "
+      "left; assembly mode {}\n",
+      columns_of(bar.crank_pivot), columns_of(bar.rocker_pivot), bar.crank, bar.coupler, bar.rocker,
+      bar.coupler_point.x(), bar.coupler_point.y(), bar.branch == FourBarBranch::first ? 1 : 2);
+}
+
+std::string cognates_text(const PathAnswer& answer) {
+  std::string text;
+  for (std::size_t c = 0; answer.cognates && c < 2; ++c)
+    text += fmt::format("  cognate {}, driven by its {}\n", c + 1,
+                        (*answer.cognates)[c].driver == CognateDriver::crank ? "crank" : "coupler") +
+            links_text((*answer.cognates)[c].linkage);
+  return text;
+}
+
+std::string text_of(const PoseTask& task, const PoseSearch& search) {
+  std::string text = fmt::format("poses        {}, each taken exactly\n", task.poses.size());
+  text += fmt::format("searched     {} dyads, {} four-bars of them; {} with poses on two branches or in another order, {} against a limit\n",
+                      search.dyads.size(), search.linkages, search.defective, search.limited);
+  if (task.poses.size() == 5) {
+    text += "dyads        centre, circle point in the coupler's frame, length\n";
+    for (const Dyad& dyad : search.dyads)
+      text += fmt::format("  {}  {}  {:10.4f}\n", columns_of(dyad.centre), columns_of(dyad.circle), dyad.length);
+  }
+  for (std::size_t k = 0; k < search.answers.size(); ++k) {
+    const PoseAnswer& answer = search.answers[k];
+    text += fmt::format("\nanswer {}: {}, transmission {:.3f} degrees at least; off by {:.2g} mm and {:.2g} degrees at most\n",
+                        k + 1, name(answer.path.linkage.links().motion()), degrees(answer.path.transmission_min),
+                        answer.path.error_max, degrees(answer.error_angle));
+    text += links_text(answer.path.linkage) + cognates_text(answer.path);
+  }
+  text += fmt::format("\nanswer 1 at each pose\n{:>10} {:>10} {:>10} {:>10}\n", "crank deg", "x", "y", "turned deg");
+  const PoseAnswer& best = search.answers.front();
+  for (std::size_t i = 0; i < task.poses.size(); ++i)
+    text += fmt::format("{:10.3f} {} {:10.4f}\n", degrees(best.path.crank_angles[i]), columns_of(best.path.reached[i]),
+                        degrees(best.angles[i]));
+  return text;
+}
+
+std::string text_of(const PathTask& task, const PathSearch& search) {
+  std::string text = fmt::format(
+      "path         {} points, {}; {}\n", task.points.size(), task.turns.empty() ? "timing free" : "with timing",
+      task.aim == PathAim::mean_square ? "least mean square distance" : "least largest distance");
+  text += fmt::format("searched     {} four-bars, {} refined with {} evaluations of the path\nbound        none: {}\n",
+                      search.effort.starts, search.effort.refined, search.effort.evaluations, no_bound);
+  for (std::size_t k = 0; k < search.answers.size(); ++k) {
+    const PathAnswer& answer = search.answers[k];
+    text += fmt::format("\nanswer {}: {}, error {:.4g} mm RMS, {:.4g} mm at most, transmission {:.3f} degrees at least\n",
+                        k + 1, name(answer.linkage.links().motion()), answer.error_rms, answer.error_max,
+                        degrees(answer.transmission_min));
+    text += links_text(answer.linkage);
+    text += cognates_text(answer);
+  }
+  text += fmt::format("\nanswer 1 at each point\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "crank deg", "wanted x",
+                      "wanted y", "reached x", "reached y", "distance");
+  const PathAnswer& best = search.answers.front();
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    text += fmt::format("{:10.3f} {} {} {:11.3g}\n", degrees(best.crank_angles[i]), columns_of(task.points[i]),
+                        columns_of(best.reached[i]), (best.reached[i] - task.points[i]).norm());
+  return text;
+}
+
+/// Writes the linkage file asked for; the code of why not.
+int write_linkage(const Session& session, const PathArguments& arguments, const std::vector<PathAnswer>& answers) {
+  if (arguments.linkage_file.empty()) return done;
+  if (arguments.answer > std::ssize(answers))
+    return fail(session, bad_input, fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
+  const PathAnswer& answer = answers[static_cast<std::size_t>(arguments.answer - 1)];
+  if (arguments.cognate == 0) return write_output(session, arguments.linkage_file, path_linkage(answer));
+  if (!answer.cognates)
+    return fail(session, bad_input,
+                "--cognate: the coupler point lies on a joint, so a cognate has a link without length");
+  return write_output(session, arguments.linkage_file,
+                      path_linkage(answer, static_cast<std::size_t>(arguments.cognate - 1)));
+}
+
+int run(const Session& session, const PathArguments& arguments) {
+  if (const auto clash = output_clash({arguments.spec_file}, {arguments.linkage_file}))
+    return fail(session, *clash);
+  const auto text = read_text_file(arguments.spec_file);
+  if (!text) return fail(session, text.error());
+  const auto spec = read_path_spec(*text, arguments.spec_file);
+  if (!spec) return fail(session, spec.error());
+  const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& json, const auto& words) {
+    if (const int code = write_linkage(session, arguments, answers); code != done) return code;
+    print(session.json ? json_text(json()) : words());
+    if (!session.json && !arguments.linkage_file.empty())
+      print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
+                        printable(arguments.linkage_file)));
+    return static_cast<int>(done);
+  };
+  if (!spec->poses.empty()) {
+    const PoseTask task{spec->poses, spec->longest, spec->transmission, spec->pivots_within};
+    const auto search = guide_poses(task);
+    if (!search) return fail_unproven(session, search.error());
+    std::vector<PathAnswer> answers;
+    for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
+    return finish(answers, [&] { return json_of(*search, task.poses.size()); }, [&] { return text_of(task, *search); });
+  }
+  const PathTask task = task_of(*spec);
+  const auto search = generate_path(task);
+  if (!search) return fail_unproven(session, search.error());
+  return finish(search->answers, [&] { return json_of(*search); }, [&] { return text_of(task, *search); });
+}
+
+}  // namespace
+
+void add_path_command(CLI::App& program, Session& session) {
+  CLI::App* command =
+      add_command(program, session, "path", "Design four-bars whose coupler follows given points or takes given poses",
+                  "kempe path specs/examples/generators/straight-line.toml -o line.toml");
+  auto arguments = std::make_shared<PathArguments>();
+  command->add_option("SPEC", arguments->spec_file, "Points or poses, and limits (TOML; see docs/path.md)")->required();
+  auto* linkage = command->add_option("-o,--linkage", arguments->linkage_file,
+                                      "Write an answer as a linkage file, for solve, mobility and centres");
+  command->add_option("--answer", arguments->answer, "Write this answer instead of the best")
+      ->check(CLI::Range(1, 6))
+      ->needs(linkage);
+  command->add_option("--cognate", arguments->cognate, "Write this cognate of the answer instead of itself")
+      ->check(CLI::Range(1, 2))
+      ->needs(linkage);
+  command->callback(
+      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
+}
+
+}  // namespace kempe::app

@@ -1,0 +1,104 @@
+#include "synthesis/paths/coupler_four_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/planar/path.hpp"
+#include "synthesis/paths/slack.hpp"
+
+namespace kempe {
+namespace {
+
+double direction_of(const Point& v) { return std::arg(as_complex(v)); }
+
+/// The four-bar whose joints stand at these places.
+CouplerFourBar four_bar_at(const Point& A0, const Point& A, const Point& B, const Point& B0, const Point& P) {
+  CouplerFourBar bar;
+  bar.crank_pivot = A0;
+  bar.rocker_pivot = B0;
+  bar.crank = (A - A0).norm();
+  bar.coupler = (B - A).norm();
+  bar.rocker = (B - B0).norm();
+  const Complex along = as_complex(B - A) / bar.coupler;
+  bar.coupler_point = as_point(as_complex(P - A) / along);
+  // FourBar's first branch has B clockwise of A as B0 sees them.
+  bar.branch = cross(A - B0, B - B0) < 0 ? FourBarBranch::first : FourBarBranch::second;
+  return bar;
+}
+
+}  // namespace
+
+std::optional<CouplerFourBar::Place> CouplerFourBar::at(double crank_angle) const {
+  const double base = direction_of(rocker_pivot - crank_pivot);
+  const auto output = links().output_angle(crank_angle - base);
+  if (!output) return std::nullopt;
+  Place place;
+  place.A = crank_pivot + as_point(std::polar(crank, crank_angle));
+  place.B = rocker_pivot + as_point(std::polar(rocker, *output + base));
+  const Complex along = as_complex(place.B - place.A) / coupler;
+  place.P = place.A + as_point(as_complex(coupler_point) * along);
+  return place;
+}
+
+std::optional<double> CouplerFourBar::least_transmission_angle(double first, double last) const {
+  const double base = direction_of(rocker_pivot - crank_pivot);
+  return links().least_transmission_angle(first - base, last - base);
+}
+
+double CouplerFourBar::longest() const {
+  return std::max({ground(), crank, coupler, rocker, coupler_point.norm(),
+                   (coupler_point - Point(coupler, 0)).norm()});
+}
+
+std::optional<std::array<Cognate, 2>> cognates_of(const CouplerFourBar& bar, double crank_angle) {
+  const auto place = bar.at(crank_angle);
+  if (!place) return std::nullopt;
+  const Complex k = as_complex(bar.coupler_point) / bar.coupler;
+  if (std::abs(k) < slack::on_a_joint || std::abs(k - 1.0) < slack::on_a_joint) return std::nullopt;
+  const Complex A0 = as_complex(bar.crank_pivot), B0 = as_complex(bar.rocker_pivot), A = as_complex(place->A),
+                B = as_complex(place->B), P = as_complex(place->P);
+  const Complex C0 = A0 + k * (B0 - A0);
+  const Complex A1 = A0 + P - A, C1 = A0 + k * (B - A0);
+  const Complex B1 = B0 + P - B, C2 = B0 + (1.0 - k) * (A - B0);
+  const auto made = [&](Complex pivot, Complex joint, Complex other, Complex other_pivot) {
+    return four_bar_at(as_point(pivot), as_point(joint), as_point(other), as_point(other_pivot), place->P);
+  };
+  // C1 - A1 = k (A - A0), C2 - C0 = (1 - k) (A - A0): they turn with the crank.
+  return std::array<Cognate, 2>{Cognate{made(A0, A1, C1, C0), CognateDriver::coupler, std::arg(k)},
+                                Cognate{made(C0, C2, B1, B0), CognateDriver::crank, std::arg(1.0 - k)}};
+}
+
+std::optional<CertifiedPath> certified_path(const CouplerFourBar& bar, CognateDriver driver,
+                                            const std::vector<double>& angles, double start) {
+  const auto place = bar.at(start);
+  if (!place || angles.empty()) return std::nullopt;
+  PlanarLinkage linkage;
+  const int crank = linkage.add_body("crank"), coupler = linkage.add_body("coupler"),
+            rocker = linkage.add_body("rocker");
+  const BodyPoint P{coupler, bar.coupler_point};
+  linkage.add(Revolute{{0, bar.crank_pivot}, {crank, {0, 0}}}, "A0");
+  linkage.add(Revolute{{crank, {bar.crank, 0}}, {coupler, {0, 0}}}, "A");
+  linkage.add(Revolute{{coupler, {bar.coupler, 0}}, {rocker, {bar.rocker, 0}}}, "B");
+  linkage.add(Revolute{{0, bar.rocker_pivot}, {rocker, {0, 0}}}, "B0");
+  const bool by_crank = driver == CognateDriver::crank;
+  linkage.drive(RelativeAngle{by_crank ? crank : coupler, PlanarLinkage::ground, angles.front()}, "driver");
+  // A guess may lie whole turns away from the driver's value, which a continuous angle does not.
+  const auto near = [](double angle, double to) { return angle + 2 * pi * std::round((to - angle) / (2 * pi)); };
+  PlanarPosition guess(4);
+  guess[static_cast<std::size_t>(crank)] = {bar.crank_pivot,
+                                            by_crank ? angles.front() : direction_of(place->A - bar.crank_pivot)};
+  const double along = direction_of(place->B - place->A);
+  guess[static_cast<std::size_t>(coupler)] = {place->A, by_crank ? along : near(along, angles.front())};
+  guess[static_cast<std::size_t>(rocker)] = {bar.rocker_pivot, direction_of(place->B - bar.rocker_pivot)};
+  auto path = PlanarPath::from(linkage, guess, {angles.front()});
+  if (!path) return std::nullopt;
+  CertifiedPath motion;
+  for (const double angle : angles) {
+    if (!path->advance({angle})) return std::nullopt;
+    motion.reached.push_back(path->at(P));
+    motion.coupler_angle.push_back(path->angle(coupler));
+  }
+  return motion;
+}
+
+}  // namespace kempe

@@ -1,0 +1,227 @@
+// Steps: scattered ratios, angles and timings, judged by linear least squares; the best that differ refined within the limits; the best
+// of these moved by the general solver.
+
+#include "synthesis/paths/path_generator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/paths/path_program.hpp"
+#include "synthesis/paths/slack.hpp"
+
+namespace kempe {
+namespace {
+
+constexpr std::size_t scattered_linkages = 20000, finished_linkages = 40;
+
+/// Halton's sequence: the digits of i in a prime base behind the point, backwards.
+double halton_digit(std::size_t i, unsigned base) {
+  double result = 0, share = 1;
+  for (; i > 0; i /= base) {
+    share /= base;
+    result += share * static_cast<double>(i % base);
+  }
+  return result;
+}
+
+struct PathStart {
+  Eigen::VectorXd x;
+  FourBarBranch branch;
+  bool rising;
+  double cost;
+};
+
+/// Shares of the way along the points, by their distances.
+std::vector<double> shares_along(const std::vector<Point>& points) {
+  std::vector<double> shares{0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    shares.push_back(shares.back() + std::max((points[i] - points[i - 1]).norm(), 1e-9));
+  for (double& share : shares) share /= shares.back();
+  return shares;
+}
+
+/// How far the limits are broken, in all.
+double broken_by(const PathProgram& program, const Eigen::VectorXd& x) {
+  Eigen::VectorXd value;
+  program.limits(x, value, nullptr);
+  return value.cwiseMax(0).cwiseMin(10).sum();
+}
+
+std::vector<PathStart> scattered_starts(const PathTask& task, PathEffort& effort) {
+  std::vector<PathStart> starts;
+  const std::vector<double> shares = shares_along(task.points);
+  Eigen::VectorXd errors;
+  for (std::size_t i = 1; i <= scattered_linkages; ++i) {
+    const bool rising = task.turns.empty() ? i % 4 < 2 : task.turns.back() > 0;
+    const FourBarBranch branch = i % 2 == 0 ? FourBarBranch::first : FourBarBranch::second;
+    PathProgram program(task, branch, rising);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(program.size());
+    const auto between = [&](unsigned base, double low, double high) {
+      return low + (high - low) * halton_digit(i, base);
+    };
+    const double longest = std::log(6.0);
+    x[6] = between(3, -longest, longest);
+    x[7] = between(5, -longest, longest);
+    x[8] = between(7, -longest, longest);
+    const double first = between(11, -pi, pi);
+    x[PathProgram::angles_at] = first;
+    if (!program.timed()) {
+      const double span = (rising ? 1 : -1) * between(13, 0.3, 6.2);
+      const double bend = between(17, -0.7, 0.7);  // slower at one end than at the other
+      for (int k = 0; k < program.count(); ++k) {
+        const double share = shares[static_cast<std::size_t>(k)];
+        x[PathProgram::angles_at + k] = first + span * share * (1 + bend * (share - 1));
+      }
+    }
+    ++effort.starts;
+    if (!program.project(x) || !program.errors(x, errors, nullptr)) continue;
+    program.watch_extremes(x);
+    const double broken = broken_by(program, x);
+    starts.push_back({x, branch, rising, errors.squaredNorm() / program.count() + 0.01 * broken});
+  }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const PathStart& a, const PathStart& b) { return a.cost < b.cost; });
+  return starts;
+}
+
+/// The first `most` that differ.
+std::vector<PathStart> different(const std::vector<PathStart>& starts, std::size_t most, double apart) {
+  std::vector<PathStart> kept;
+  for (const PathStart& one : starts) {
+    if (kept.size() == most) break;
+    const bool seen = std::any_of(kept.begin(), kept.end(), [&](const PathStart& other) {
+      const auto tail = one.x.size() - PathProgram::ratios_at;
+      return one.branch == other.branch && one.rising == other.rising &&
+             (one.x.tail(tail) - other.x.tail(tail)).lpNorm<Eigen::Infinity>() < apart;
+    });
+    if (!seen) kept.push_back(one);
+  }
+  return kept;
+}
+
+/// Refines within the limits, and again where the crank now passes another place in line with the ground link. Nothing if a limit
+/// stays broken.
+std::optional<PathStart> refined_start(const PathTask& task, PathStart start, PathAim aim, int evaluations,
+                                       PathEffort& effort) {
+  PathProgram program(task, start.branch, start.rising);
+  program.watch_extremes(start.x);
+  for (int round = 0; round < 3; ++round) {
+    refine_path(program, aim, evaluations, start.x, effort.evaluations);
+    const int watched = program.limit_count();
+    program.watch_extremes(start.x);
+    if (program.limit_count() == watched) break;
+  }
+  Eigen::VectorXd errors;
+  if (!program.errors(start.x, errors, nullptr) || broken_by(program, start.x) > slack::path_limit_broken)
+    return std::nullopt;
+  start.cost = errors.squaredNorm() / program.count();
+  return start;
+}
+
+double aimed_error(const PathTask& task, const PathAnswer& answer) {
+  return task.aim == PathAim::mean_square ? answer.error_rms : answer.error_max;
+}
+
+bool pivots_kept(const PathTask& task, const CouplerFourBar& bar) {
+  for (std::size_t k = 0; k < task.pivots_within.size(); ++k) {
+    const Point from = task.pivots_within[k], to = task.pivots_within[(k + 1) % task.pivots_within.size()];
+    for (const Point& pivot : {bar.crank_pivot, bar.rocker_pivot})
+      if (cross(to - from, pivot - from) < 0) return false;
+  }
+  return true;
+}
+
+bool alike(const CouplerFourBar& a, const CouplerFourBar& b) {
+  const double size = std::max(a.longest(), b.longest()) * slack::path_answers_apart;
+  return (a.crank_pivot - b.crank_pivot).norm() < size && (a.rocker_pivot - b.rocker_pivot).norm() < size &&
+         std::abs(a.crank - b.crank) < size;
+}
+
+/// One linkage, or the other's cognate that is driven by its crank.
+bool alike(const PathAnswer& a, const PathAnswer& b) {
+  return alike(a.linkage, b.linkage) || (b.cognates && alike(a.linkage, (*b.cognates)[1].linkage));
+}
+
+double size_of(const std::vector<Point>& points) {
+  double size = 0;
+  for (const Point& p : points) size = std::max(size, (p - points.front()).norm());
+  return size;
+}
+
+}  // namespace
+
+std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar& linkage,
+                                      const std::vector<double>& crank_angles) {
+  const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
+  if (!finite || linkage.longest() > task.longest || !pivots_kept(task, linkage)) return std::nullopt;
+  const auto transmission = linkage.least_transmission_angle(crank_angles.front(), crank_angles.back());
+  if (!transmission || *transmission < std::max(task.transmission, slack::path_from_dead_points))
+    return std::nullopt;
+  const double way = crank_angles.back() > crank_angles.front() ? 1 : -1;
+  for (std::size_t i = 1; i < crank_angles.size(); ++i)
+    if (!(way * (crank_angles[i] - crank_angles[i - 1]) > 0)) return std::nullopt;
+  const auto motion = certified_path(linkage, CognateDriver::crank, crank_angles, crank_angles.front());
+  if (!motion) return std::nullopt;
+  PathAnswer answer{linkage, crank_angles, motion->coupler_angle, motion->reached, 0, 0, *transmission,
+                    cognates_of(linkage, crank_angles.front())};
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    const double distance = (answer.reached[i] - task.points[i]).norm();
+    answer.error_rms += distance * distance / static_cast<double>(task.points.size());
+    answer.error_max = std::max(answer.error_max, distance);
+  }
+  answer.error_rms = std::sqrt(answer.error_rms);
+  return answer;
+}
+
+tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::size_t most) {
+  PathSearch search;
+  const std::vector<PathStart> starts = scattered_starts(task, search.effort);
+  // The work of a step grows with the cube of the unknowns.
+  const std::size_t unknowns = 9 + (task.turns.empty() ? task.points.size() : 1);
+  const std::size_t refined = std::clamp<std::size_t>(2000000 / (unknowns * unknowns * unknowns), 24, 240);
+  std::vector<PathStart> ends;
+  for (const PathStart& start : different(starts, refined, slack::path_starts_apart)) {
+    ++search.effort.refined;
+    if (auto end = refined_start(task, start, PathAim::mean_square, 150, search.effort))
+      ends.push_back(std::move(*end));
+    else
+      ++search.effort.rejected;
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const PathStart& a, const PathStart& b) { return a.cost < b.cost; });
+  std::vector<PathAnswer> answers;
+  for (PathStart& end : different(ends, finished_linkages, slack::path_answers_apart)) {
+    const std::size_t before = answers.size();
+    for (int round = 0; round < 2; ++round) {
+      auto further = refined_start(task, end, task.aim, 1500, search.effort);
+      if (!further) break;
+      end = std::move(*further);
+      const PathProgram program(task, end.branch, end.rising);
+      if (auto answer = judged_path(task, program.linkage(end.x), program.crank_angles(end.x)))
+        answers.push_back(std::move(*answer));
+    }
+    if (answers.size() == before) ++search.effort.rejected;
+  }
+  // Where several meet their points, the one that moves best comes first.
+  const double met = slack::path_met * size_of(task.points);
+  const auto rank = [&](const PathAnswer& answer) { return std::max(met, aimed_error(task, answer)); };
+  std::stable_sort(answers.begin(), answers.end(), [&](const PathAnswer& a, const PathAnswer& b) {
+    return rank(a) != rank(b) ? rank(a) < rank(b) : a.transmission_min > b.transmission_min;
+  });
+  for (PathAnswer& answer : answers) {
+    if (search.answers.size() == most) break;
+    const bool seen = std::any_of(search.answers.begin(), search.answers.end(),
+                                  [&](const PathAnswer& other) { return alike(answer, other); });
+    if (!seen) search.answers.push_back(std::move(answer));
+  }
+  if (search.answers.empty())
+    return tl::unexpected(fmt::format(
+        "no four-bar was found that keeps the limits. Searched: {} scattered four-bars, the best {} refined; that "
+        "is not a proof that none exists",
+        search.effort.starts, search.effort.refined));
+  return search;
+}
+
+}  // namespace kempe

@@ -1,0 +1,239 @@
+#include "synthesis/paths/path_program.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/paths/slack.hpp"
+
+namespace kempe {
+
+/// The coupler at one crank angle, in units of the ground link.
+struct PathProgram::Coupler {
+  double cosine = 2;  ///< of the angle between coupler and rocker
+  bool closes = false;
+  Complex crank, direction, rocker;  ///< unit vectors
+};
+
+PathProgram::PathProgram(const PathTask& task, FourBarBranch branch, bool rising)
+    : turns_(task.turns), branch_(branch), way_(rising ? 1 : -1), timed_(!task.turns.empty()) {
+  for (const Point& p : task.points) centre_ += as_complex(p) / static_cast<double>(task.points.size());
+  unit_ = 0;
+  for (const Point& p : task.points) unit_ = std::max(unit_, std::abs(as_complex(p) - centre_));
+  for (const Point& p : task.points) points_.push_back((as_complex(p) - centre_) / unit_);
+  for (const Point& p : task.pivots_within) pivots_.push_back(as_point((as_complex(p) - centre_) / unit_));
+  longest_ = task.longest / unit_ * (1 - slack::path_inside_limit);
+  cos_limit_ = std::cos(std::max(task.transmission, slack::path_from_dead_points) +
+                        slack::path_inside_transmission);
+}
+
+PathProgram::Coupler PathProgram::coupler(const Eigen::VectorXd& x, double angle) const {
+  const double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
+  Coupler at;
+  at.crank = std::polar(1.0, angle);
+  const Complex to_pin = alpha * at.crank - 1.0;
+  const double e2 = std::norm(to_pin), e = std::sqrt(e2);
+  at.cosine = (beta * beta + gamma * gamma - e2) / (2 * beta * gamma);
+  if (!(std::abs(at.cosine) < 1) || e == 0) return at;
+  // The triangle of e, coupler and rocker: its angle at the rocker's pivot.
+  const double along = (e2 + gamma * gamma - beta * beta) / (2 * e * gamma);
+  const double beside = std::acos(std::clamp(along, -1.0, 1.0));
+  at.rocker = to_pin / e * std::polar(1.0, branch_ == FourBarBranch::first ? -beside : beside);
+  at.direction = (gamma * at.rocker - to_pin) / beta;
+  at.closes = true;
+  return at;
+}
+
+bool PathProgram::project(Eigen::VectorXd& x) const {
+  Eigen::Matrix3cd normal = Eigen::Matrix3cd::Zero();
+  Eigen::Vector3cd right = Eigen::Vector3cd::Zero();
+  for (int i = 0; i < count(); ++i) {
+    const Coupler at = coupler(x, angle(x, i));
+    if (!at.closes) return false;
+    const Eigen::Vector3cd row(1, at.crank, at.direction);
+    normal += row.conjugate() * row.transpose();
+    right += row.conjugate() * points_[static_cast<std::size_t>(i)];
+  }
+  const Eigen::LDLT<Eigen::Matrix3cd> factors(normal);
+  const Eigen::Vector3cd z = factors.solve(right);
+  for (int k = 0; k < 3; ++k) {
+    x[2 * k] = z[k].real();
+    x[2 * k + 1] = z[k].imag();
+  }
+  return z.allFinite() && std::abs(z[1]) > 1e-6;
+}
+
+bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const {
+  const double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
+  const Complex z0(x[0], x[1]), z1(x[2], x[3]), z2(x[4], x[5]), i1(0, 1);
+  value.resize(2 * count());
+  if (slope) slope->setZero(2 * count(), size());
+  bool closes = true;
+  for (int i = 0; i < count(); ++i) {
+    const Coupler at = coupler(x, angle(x, i));
+    if (!at.closes) {
+      value[2 * i] = value[2 * i + 1] = 1e3;
+      closes = false;
+      continue;
+    }
+    const Complex error = z0 + z1 * at.crank + z2 * at.direction - points_[static_cast<std::size_t>(i)];
+    value[2 * i] = error.real();
+    value[2 * i + 1] = error.imag();
+    if (!slope) continue;
+    const auto set = [&](int column, Complex d) {
+      (*slope)(2 * i, column) += d.real();
+      (*slope)(2 * i + 1, column) += d.imag();
+    };
+    set(0, 1);
+    set(1, i1);
+    set(2, at.crank);
+    set(3, i1 * at.crank);
+    set(4, at.direction);
+    set(5, i1 * at.direction);
+    // alpha e + beta u = 1 + gamma v: what lies along v leaves the rocker's turning out.
+    const Complex back = std::conj(at.rocker);
+    const double across = beta * (i1 * at.direction * back).real();
+    const Complex turn = z2 * i1 * at.direction / across;
+    set(6, turn * (-alpha * (at.crank * back).real()));
+    set(7, turn * (-beta * (at.direction * back).real()));
+    set(8, turn * gamma);
+    set(timed_ ? angles_at : angles_at + i,
+        z1 * i1 * at.crank + turn * (-alpha * (i1 * at.crank * back).real()));
+  }
+  return closes;
+}
+
+int PathProgram::limit_count() const {
+  const int order = timed_ ? 0 : count();
+  return 2 * (count() + static_cast<int>(in_line_.size())) + 6 + 2 * static_cast<int>(pivots_.size()) + order;
+}
+
+void PathProgram::watch_extremes(const Eigen::VectorXd& x) {
+  const double first = angle(x, 0), last = angle(x, count() - 1);
+  const double low = std::min(first, last), high = std::max(first, last);
+  for (double turns = std::ceil(low / pi); turns * pi < high; ++turns) {
+    const double place = std::fmod(turns, 2) == 0 ? 0 : pi;
+    if (std::find(in_line_.begin(), in_line_.end(), place) == in_line_.end()) in_line_.push_back(place);
+  }
+}
+
+void PathProgram::limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const {
+  const double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
+  value.resize(limit_count());
+  if (slope) slope->setZero(limit_count(), size());
+  int row = 0;
+  const auto transmission = [&](double psi, int column) {
+    const double e2 = 1 + alpha * alpha - 2 * alpha * std::cos(psi);
+    const double cosine = (beta * beta + gamma * gamma - e2) / (2 * beta * gamma);
+    for (const double sign : {1.0, -1.0}) {
+      value[row] = sign * cosine - cos_limit_;
+      if (slope) {
+        (*slope)(row, 6) = sign * -(2 * alpha * alpha - 2 * alpha * std::cos(psi)) / (2 * beta * gamma);
+        (*slope)(row, 7) = sign * (beta / gamma - cosine);
+        (*slope)(row, 8) = sign * (gamma / beta - cosine);
+        if (column >= 0) (*slope)(row, column) = sign * -(2 * alpha * std::sin(psi)) / (2 * beta * gamma);
+      }
+      ++row;
+    }
+  };
+  for (int i = 0; i < count(); ++i) transmission(angle(x, i), timed_ ? angles_at : angles_at + i);
+  for (const double psi : in_line_) transmission(psi, -1);
+
+  // Squares of lengths over that of the longest allowed.
+  const Complex z0(x[0], x[1]), z1(x[2], x[3]), z2(x[4], x[5]);
+  const double share = 1 / (longest_ * longest_);
+  const auto link = [&](double ratio, int column) {  // |z1| ratio / alpha
+    const double square = std::norm(z1) * ratio * ratio / (alpha * alpha) * share;
+    value[row] = square - 1;
+    if (slope) {
+      (*slope)(row, 2) = 2 * square * x[2] / std::norm(z1);
+      (*slope)(row, 3) = 2 * square * x[3] / std::norm(z1);
+      (*slope)(row, 6) -= 2 * square;
+      if (column >= 0) (*slope)(row, column) += 2 * square;
+    }
+    ++row;
+  };
+  link(1, -1);
+  link(alpha, 6);
+  link(beta, 7);
+  link(gamma, 8);
+  const auto arm = [&](double ratio) {  // |z2 - ratio z1|, ratio 0 or beta / alpha
+    const Complex d = z2 - ratio * z1;
+    value[row] = std::norm(d) * share - 1;
+    if (slope) {
+      (*slope)(row, 4) = 2 * share * d.real();
+      (*slope)(row, 5) = 2 * share * d.imag();
+      (*slope)(row, 2) = -2 * share * ratio * d.real();
+      (*slope)(row, 3) = -2 * share * ratio * d.imag();
+      const double by_ratio = -2 * share * ratio * (d.real() * z1.real() + d.imag() * z1.imag());
+      (*slope)(row, 6) = -by_ratio;
+      (*slope)(row, 7) = by_ratio;
+    }
+    ++row;
+  };
+  arm(0);
+  arm(beta / alpha);
+
+  for (std::size_t k = 0; k < pivots_.size(); ++k) {
+    const Point from = pivots_[k], along = (pivots_[(k + 1) % pivots_.size()] - from).normalized();
+    // Not positive to the left of the edge.
+    const auto outside = [&](Complex p) { return -cross(along, as_point(p) - from) + slack::path_inside_limit; };
+    value[row] = outside(z0);
+    value[row + 1] = outside(z0 + z1 / alpha);
+    if (slope)
+      for (int pivot = 0; pivot < 2; ++pivot) {
+        (*slope)(row + pivot, 0) = along.y();
+        (*slope)(row + pivot, 1) = -along.x();
+        if (pivot == 0) continue;
+        (*slope)(row + 1, 2) = along.y() / alpha;
+        (*slope)(row + 1, 3) = -along.x() / alpha;
+        (*slope)(row + 1, 6) = -(along.y() * x[2] - along.x() * x[3]) / alpha;
+      }
+    row += 2;
+  }
+
+  for (int i = 0; !timed_ && i < count(); ++i) {  // the last row: less than a whole turn
+    const bool whole = i + 1 == count();
+    const int first = angles_at + (whole ? 0 : i), next = angles_at + (whole ? count() - 1 : i + 1);
+    const double turn = way_ * (x[next] - x[first]), sign = whole ? 1 : -1;
+    value[row] = sign * (turn - (whole ? 2 * pi - slack::least_turn : slack::least_turn));
+    if (slope) {
+      (*slope)(row, next) = sign * way_;
+      (*slope)(row, first) = -sign * way_;
+    }
+    ++row;
+  }
+}
+
+CouplerFourBar PathProgram::linkage(const Eigen::VectorXd& x) const {
+  const double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
+  const Complex z0(x[0], x[1]), z1(x[2], x[3]), z2(x[4], x[5]), ground = z1 / alpha;
+  CouplerFourBar bar;
+  bar.crank_pivot = as_point(centre_ + unit_ * z0);
+  bar.rocker_pivot = as_point(centre_ + unit_ * (z0 + ground));
+  const double length = unit_ * std::abs(ground);
+  bar.crank = alpha * length;
+  bar.coupler = beta * length;
+  bar.rocker = gamma * length;
+  bar.coupler_point = as_point(unit_ * z2 * std::abs(ground) / ground);
+  bar.branch = branch_;
+  return bar;
+}
+
+std::vector<double> PathProgram::crank_angles(const Eigen::VectorXd& x) const {
+  const double base = std::arg(Complex(x[2], x[3]));
+  const double whole = 2 * pi * std::floor((angle(x, 0) + base) / (2 * pi));
+  std::vector<double> angles;
+  for (int i = 0; i < count(); ++i) angles.push_back(angle(x, i) + base - whole);
+  return angles;
+}
+
+Eigen::VectorXd PathProgram::lowest() const {
+  Eigen::VectorXd bound = Eigen::VectorXd::Constant(size(), -100);
+  bound.segment<3>(ratios_at).setConstant(-std::log(20.0));
+  return bound;
+}
+
+Eigen::VectorXd PathProgram::highest() const { return -lowest(); }
+
+}  // namespace kempe

@@ -1,0 +1,66 @@
+#pragma once
+// The unknowns of a path generator for the local solver: values and slopes of errors and limits.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "synthesis/paths/path_generator.hpp"
+
+namespace kempe {
+
+/// A path moved to its centroid and scaled to size 1, with the way of turning and the assembly mode that a start has.
+///
+/// Unknowns: z0, z1, z2 (two each), the logarithms of alpha, beta, gamma, and the crank's angles from the ground link: the first where
+/// there is timing, else all.
+class PathProgram {
+ public:
+  PathProgram(const PathTask& task, FourBarBranch branch, bool rising);
+
+  static constexpr int ratios_at = 6, angles_at = 9;
+  int size() const { return angles_at + (timed_ ? 1 : count()); }
+  int count() const { return static_cast<int>(points_.size()); }
+  double unit() const { return unit_; }  ///< mm
+  bool timed() const { return timed_; }
+
+  /// The crank's angle from the ground link at point i.
+  double angle(const Eigen::VectorXd& x, int i) const { return timed_ ? x[angles_at] + turns_[static_cast<std::size_t>(i)] : x[angles_at + i]; }
+
+  /// Sets z0, z1, z2 to the best for the ratios and angles; false where the loop does not close at every point.
+  bool project(Eigen::VectorXd& x) const;
+
+  /// The 2 n differences of the coupler point from the points, and their slopes (2 n rows) unless null; false where the loop does not close.
+  bool errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const;
+
+  /// The limits, each kept where not positive: transmission at every point and where it is least between them, lengths, pivots, order.
+  void limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const;
+  int limit_count() const;
+
+  /// Adds those of the crank's two places in line with the ground link that lie between the points: the limit holds at these too.
+  void watch_extremes(const Eigen::VectorXd& x);
+
+  CouplerFourBar linkage(const Eigen::VectorXd& x) const;
+  std::vector<double> crank_angles(const Eigen::VectorXd& x) const;
+
+  /// Where the local solver may go, for each unknown.
+  Eigen::VectorXd lowest() const, highest() const;
+
+ private:
+  struct Coupler;
+  Coupler coupler(const Eigen::VectorXd& x, double angle) const;
+
+  std::vector<Complex> points_;
+  std::vector<double> turns_;
+  std::vector<Point> pivots_;
+  std::vector<double> in_line_;  ///< crank angles, 0 and pi
+  FourBarBranch branch_;
+  double way_;  ///< +1 or -1
+  Complex centre_;
+  double unit_ = 1, longest_ = 0, cos_limit_ = 1;
+  bool timed_;
+};
+
+/// NLopt (SLSQP) from x, and a Gauss-Newton end where the points are met. Counts what it evaluated.
+void refine_path(const PathProgram& program, PathAim aim, int most_evaluations, Eigen::VectorXd& x,
+                 std::size_t& evaluations);
+
+}  // namespace kempe

@@ -1,0 +1,31 @@
+#pragma once
+// Every slack and threshold of the path generators, each with its unit and its reason.
+
+namespace kempe::slack {
+
+/// Share of the coupler: a coupler point nearer to a joint of its link lies on it, and a cognate has a link without length.
+inline constexpr double on_a_joint = 1e-9;
+/// rad: transmission that every answer keeps, away from dead points, and what is kept above a limit inside the solver.
+inline constexpr double path_from_dead_points = 0.02, path_inside_transmission = 1e-7;
+/// Share of a length or of the path's size: limits are kept inside by so much in the solver, so that rounding does not break them.
+inline constexpr double path_inside_limit = 1e-9;
+/// rad: the crank turns on at least so far from one point to the next, where the timing is free.
+inline constexpr double least_turn = 1e-3;
+/// Share of the path's size: an error below it is rounding, and the point counts as met.
+inline constexpr double path_met = 1e-9;
+/// None (logarithms of ratios, radians): starts nearer than this are one.
+inline constexpr double path_starts_apart = 0.15;
+/// None: the same for answers.
+inline constexpr double path_answers_apart = 1e-3;
+/// None: the sum of what limits are missed by in the solver, above which it has not kept them.
+inline constexpr double path_limit_broken = 1e-8;
+/// Share: a root of the resultant with no larger imaginary part is tried as a real one; Newton's method decides.
+inline constexpr double nearly_real = 1e-5;
+/// Share of the largest singular value: below it the poses' rows depend on one another. Share of the vector: a pair lies at infinity.
+inline constexpr double rows_depend = 1e-11, at_infinity = 1e-9;
+/// Share of the longest link, and rad: what the general solver may find a pose off by.
+inline constexpr double poses_met = 1e-8;
+/// None: changes at which the local solver ends.
+inline constexpr double path_at_rest = 1e-13;
+
+}  // namespace kempe::slack

@@ -1,0 +1,228 @@
+// Path generators: their answers rebuilt by circles that meet, slopes against differences, cognates and defects by the general solver.
+#include "synthesis/paths/path_generator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "synthesis/paths/path_program.hpp"
+
+namespace kempe {
+namespace {
+
+const std::vector<Point> fifty{{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
+
+/// The first case of Cabrera, Simon and Prado 2002: six points of a line, timing free.
+PathTask line_of_six() {
+  PathTask task;
+  for (int i = 0; i < 6; ++i) task.points.emplace_back(20, 20 + 5 * i);
+  task.longest = 60;
+  task.pivots_within = {{-60, -60}, {60, -60}, {60, 60}, {-60, 60}};
+  return task;
+}
+
+/// The second: five points with timing.
+PathTask five_timed() {
+  PathTask task;
+  task.points = {{3, 3}, {2.759, 3.363}, {2.372, 3.663}, {1.890, 3.862}, {1.355, 3.943}};
+  for (int i = 0; i < 5; ++i) task.turns.push_back(i * pi / 12);
+  task.longest = 50;
+  task.pivots_within = fifty;
+  return task;
+}
+
+/// The third: a loop of eighteen points, 20 degrees from one to the next.
+PathTask loop_of_eighteen() {
+  PathTask task;
+  task.points = {{0.5, 1.1}, {0.4, 1.1},   {0.3, 1.1},  {0.2, 1.0}, {0.1, 0.9}, {0.05, 0.75},
+                 {0.02, 0.6}, {0, 0.5},    {0, 0.4},    {0.03, 0.3}, {0.1, 0.25}, {0.15, 0.2},
+                 {0.2, 0.3}, {0.3, 0.4},   {0.4, 0.5},  {0.5, 0.7}, {0.6, 0.9}, {0.6, 1.0}};
+  for (int i = 0; i < 18; ++i) task.turns.push_back(i * pi / 9);
+  task.longest = 50;
+  task.pivots_within = fifty;
+  return task;
+}
+
+/// Where circles about a and b meet nearest to `near`.
+Point meeting_near(const Point& a, double ra, const Point& b, double rb, const Point& near) {
+  const Point along = b - a;
+  const double d = along.norm(), t = (ra * ra - rb * rb + d * d) / (2 * d);
+  const double h = std::sqrt(std::max(0.0, ra * ra - t * t));
+  const Point foot = a + along / d * t, across = Point(-along.y(), along.x()) / d * h;
+  return (foot + across - near).norm() < (foot - across - near).norm() ? Point(foot + across) : Point(foot - across);
+}
+
+/// Moves a four-bar in small steps from its first angle, B by circles that meet, and looks at every point.
+void expect_reached(const PathTask& task, const PathAnswer& answer) {
+  const CouplerFourBar& bar = answer.linkage;
+  const Point at_first = answer.reached.front();
+  // B at the first point: the corner of the triangle A, B, P that is at the coupler point's distances.
+  Point A = bar.crank_pivot + bar.crank * Point(std::cos(answer.crank_angles[0]), std::sin(answer.crank_angles[0]));
+  const Point q = bar.coupler_point;
+  Point B;
+  for (const double side : {1.0, -1.0}) {
+    const Point guess = meeting_near(A, bar.coupler, bar.rocker_pivot, bar.rocker,
+                                     bar.rocker_pivot + side * left_of(A - bar.rocker_pivot) * 1e3);
+    const Point along = (guess - A) / bar.coupler;
+    if ((A + q.x() * along + q.y() * left_of(along) - at_first).norm() < 1e-6 * bar.longest()) B = guess;
+  }
+  double square = 0, largest = 0;
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    const double from = answer.crank_angles[i == 0 ? 0 : i - 1], to = answer.crank_angles[i];
+    for (int step = 1; step <= 200; ++step) {
+      const double angle = from + (to - from) * step / 200;
+      A = bar.crank_pivot + bar.crank * Point(std::cos(angle), std::sin(angle));
+      B = meeting_near(A, bar.coupler, bar.rocker_pivot, bar.rocker, B);
+    }
+    const Point along = (B - A) / bar.coupler, P = A + q.x() * along + q.y() * left_of(along);
+    EXPECT_LT((P - answer.reached[i]).norm(), 1e-8 * bar.longest()) << i;
+    const double distance = (P - task.points[i]).norm();
+    square += distance * distance / static_cast<double>(task.points.size());
+    largest = std::max(largest, distance);
+    if (!task.turns.empty()) {
+      EXPECT_NEAR(answer.crank_angles[i] - answer.crank_angles[0], task.turns[i], 1e-12);
+    }
+  }
+  EXPECT_NEAR(std::sqrt(square), answer.error_rms, 1e-8 * bar.longest());
+  EXPECT_NEAR(largest, answer.error_max, 1e-8 * bar.longest());
+  EXPECT_LE(bar.longest(), task.longest);
+  EXPECT_GE(answer.transmission_min, task.transmission);
+  for (const Point& pivot : {bar.crank_pivot, bar.rocker_pivot})
+    EXPECT_LE(pivot.cwiseAbs().maxCoeff(), task.pivots_within[2].x());
+}
+
+/// Both cognates, driven by the general solver between the points too, draw what the first linkage draws.
+void expect_cognates(const PathAnswer& answer) {
+  ASSERT_TRUE(answer.cognates);
+  std::vector<double> angles;
+  const double first = answer.crank_angles.front(), last = answer.crank_angles.back();
+  for (int i = 0; i <= 40; ++i) angles.push_back(first + (last - first) * i / 40);
+  const auto curve = certified_path(answer.linkage, CognateDriver::crank, angles, first);
+  ASSERT_TRUE(curve);
+  for (const Cognate& cognate : *answer.cognates) {
+    std::vector<double> driven;
+    for (const double angle : angles) driven.push_back(angle + cognate.offset);
+    const double start = cognate.driver == CognateDriver::crank
+                             ? driven.front()
+                             : curve->coupler_angle.front() + std::arg(as_complex(answer.linkage.coupler_point));
+    const auto same = certified_path(cognate.linkage, cognate.driver, driven, start);
+    ASSERT_TRUE(same);
+    for (std::size_t i = 0; i < angles.size(); ++i)
+      EXPECT_LT((same->reached[i] - curve->reached[i]).norm(), 1e-10 * answer.linkage.longest());
+  }
+}
+
+TEST(PathGenerator, MeetsSixPointsOfALine) {
+  const PathTask task = line_of_six();
+  const auto search = generate_path(task);
+  ASSERT_TRUE(search) << search.error();
+  EXPECT_GE(search->answers.size(), 2u);
+  EXPECT_LT(search->answers.front().error_max, 1e-9);
+  for (const PathAnswer& answer : search->answers) {
+    expect_reached(task, answer);
+    expect_cognates(answer);
+  }
+}
+
+TEST(PathGenerator, MeetsFivePointsWithTiming) {
+  const PathTask task = five_timed();
+  const auto search = generate_path(task);
+  ASSERT_TRUE(search) << search.error();
+  EXPECT_LT(search->answers.front().error_max, 1e-9);
+  for (const PathAnswer& answer : search->answers) {
+    expect_reached(task, answer);
+    expect_cognates(answer);
+  }
+}
+
+TEST(PathGenerator, FollowsALoopByMeanSquareAndByLargestDistance) {
+  PathTask task = loop_of_eighteen();
+  const auto squares = generate_path(task);
+  ASSERT_TRUE(squares) << squares.error();
+  const PathAnswer& best = squares->answers.front();
+  EXPECT_LT(18 * best.error_rms * best.error_rms, 0.00903);
+  task.aim = PathAim::largest_distance;
+  const auto largest = generate_path(task);
+  ASSERT_TRUE(largest) << largest.error();
+  EXPECT_LT(largest->answers.front().error_max, 0.0307);
+  EXPECT_GT(largest->answers.front().error_rms, best.error_rms);
+  for (const PathAnswer& answer : {best, largest->answers.front()}) {
+    expect_reached(task, answer);
+    expect_cognates(answer);
+  }
+}
+
+TEST(PathGenerator, TheSameTaskGivesTheSameAnswer) {
+  const auto one = generate_path(five_timed()), other = generate_path(five_timed());
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->answers.front().linkage.crank, other->answers.front().linkage.crank);
+  EXPECT_EQ(one->answers.front().reached, other->answers.front().reached);
+}
+
+TEST(PathGenerator, RefusesWhatHasADefectOrBreaksALimit) {
+  PathTask task = line_of_six();
+  const auto search = generate_path(task);
+  ASSERT_TRUE(search) << search.error();
+  const PathAnswer& answer = search->answers.front();
+  EXPECT_TRUE(judged_path(task, answer.linkage, answer.crank_angles));
+  std::vector<double> disordered = answer.crank_angles;
+  std::swap(disordered[2], disordered[3]);
+  EXPECT_FALSE(judged_path(task, answer.linkage, disordered));
+  CouplerFourBar short_rocker = answer.linkage;  // comes apart
+  short_rocker.rocker = 0.01 * short_rocker.coupler;
+  EXPECT_FALSE(judged_path(task, short_rocker, answer.crank_angles));
+  PathTask narrow = task;
+  narrow.longest = 0.99 * answer.linkage.longest();
+  EXPECT_FALSE(judged_path(narrow, answer.linkage, answer.crank_angles));
+  PathTask stiff = task;
+  stiff.transmission = answer.transmission_min + 1e-6;
+  EXPECT_FALSE(judged_path(stiff, answer.linkage, answer.crank_angles));
+  PathTask elsewhere = task;
+  elsewhere.pivots_within = {{200, 200}, {201, 200}, {200, 201}};
+  EXPECT_FALSE(judged_path(elsewhere, answer.linkage, answer.crank_angles));
+}
+
+/// A dead point between two crank angles, at both of which the loop closes, stops the motion.
+TEST(PathGenerator, TheGeneralSolverDoesNotPassAPlaceWhereTheLoopOpens) {
+  CouplerFourBar bar;  // a double rocker: the crank cannot pass 180 degrees
+  bar.rocker_pivot = {10, 0};
+  bar.crank = 8;
+  bar.coupler = 3;
+  bar.rocker = 5;
+  bar.coupler_point = {1, 1};
+  ASSERT_TRUE(bar.at(0.4));
+  ASSERT_TRUE(bar.at(2 * pi - 0.4));
+  EXPECT_FALSE(certified_path(bar, CognateDriver::crank, {0.4, 2 * pi - 0.4}, 0.4));
+}
+
+void expect_slopes(const PathTask& task) {
+  PathProgram program(task, FourBarBranch::second, true);
+  Eigen::VectorXd x(program.size());
+  x.head<9>() << 0.3, -0.2, 0.5, 0.1, 0.4, -0.6, -0.9, 0.1, 0.2;
+  for (Eigen::Index i = 9; i < x.size(); ++i) x[i] = 0.4 + 0.3 * static_cast<double>(i - 9);
+  program.watch_extremes(x);
+  Eigen::VectorXd value, above, below;
+  Eigen::MatrixXd errors, limits;
+  ASSERT_TRUE(program.errors(x, value, &errors));
+  program.limits(x, value, &limits);
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    Eigen::VectorXd more = x, less = x;
+    more[k] += 1e-6;
+    less[k] -= 1e-6;
+    program.errors(more, above, nullptr);
+    program.errors(less, below, nullptr);
+    EXPECT_LT((errors.col(k) - (above - below) / 2e-6).lpNorm<Eigen::Infinity>(), 1e-7) << k;
+    program.limits(more, above, nullptr);
+    program.limits(less, below, nullptr);
+    EXPECT_LT((limits.col(k) - (above - below) / 2e-6).lpNorm<Eigen::Infinity>(), 1e-7) << k;
+  }
+}
+
+TEST(PathGenerator, SlopesAreThoseOfTheErrorsAndLimits) {
+  expect_slopes(line_of_six());
+  expect_slopes(loop_of_eighteen());
+}
+
+}  // namespace
+}  // namespace kempe
