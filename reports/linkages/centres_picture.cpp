@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "reports/linkages/centres_steps.hpp"
 #include "reports/linkages/picture.hpp"
 
 namespace kempe {
@@ -19,8 +20,8 @@ constexpr double reach = 1.6;       ///< extents from the linkage's middle: what
 class CentresPicture {
  public:
   CentresPicture(const LinkageScene& scene, const std::vector<InstantCentre>& centres, double unit)
-      : scene_(scene), centres_(centres), unit_(unit), middle_(0.5 * (scene.lower + scene.upper)) {
-    number_links();
+      : scene_(scene), centres_(centres), unit_(unit), middle_(0.5 * (scene.lower + scene.upper)),
+        numbers_(link_numbers(centres)) {
     Point lower = scene.lower, upper = scene.upper;
     for (const InstantCentre& centre : centres)
       if (is_near(centre)) {
@@ -46,11 +47,7 @@ class CentresPicture {
                   .with("height", scale_.number(height))
                   .with("fill", "#fff")
                   .line();
-    for (const InstantCentre& centre : centres_)
-      if (centre.lines && is_near(centre)) inside += draw_lines(centre);
-    inside += draw_linkage();
-    inside += draw_points();
-    inside += draw_legend() + draw_insets();
+    inside += drawing() + draw_legend() + draw_insets();
     return svg_root()
         .with("viewBox", fmt::format("{} {} {} {}", left, top, scale_.number(width), scale_.number(height)))
         .with("width", "1100")
@@ -59,19 +56,44 @@ class CentresPicture {
         .line();
   }
 
+  /// For a page that says by its own style sheet how things look, and lists the links beside it: sizes are shares of the letters.
+  std::string draw_for_page() const {
+    const double width = scale_.upper.x() - scale_.lower.x() +
+                         (insets_.empty() ? 0 : inset_side() + scale_.letter),
+                 height = scale_.upper.y() - scale_.lower.y();
+    return SvgElement("svg")
+        .with("id", "centres")
+        .with("viewBox",
+              fmt::format("{} {} {} {}", scale_.number(scale_.lower.x()), scale_.number(scale_.lower.y()),
+                          scale_.number(width), scale_.number(height)))
+        .with("font-size", scale_.number(0.75 * scale_.letter))
+        .with("role", "img")
+        .with("aria-label", "Instant centres of " + scene_.title)
+        .holding("\n" + drawing() + draw_insets())
+        .text();
+  }
+
  private:
+  std::string drawing() const {
+    std::string text;
+    for (const InstantCentre& centre : centres_)
+      if (centre.lines && is_near(centre))
+        text += SvgElement("g")
+                    .with("class", "lines")
+                    .with("data-centre", name_of(centre))
+                    .holding(draw_lines(centre))
+                    .line();
+    return text + draw_linkage() + draw_points();
+  }
+
   Point on_page(const Point& p) const { return {p.x() / unit_, -p.y() / unit_}; }
   bool is_near(const InstantCentre& centre) const {
     return centre.kind == Kind::finite && (on_page(centre.at) - middle_).norm() < reach * scene_.extent();
   }
 
-  void number_links() {
-    for (const InstantCentre& centre : centres_)
-      for (const int body : {centre.first, centre.second}) numbers_.try_emplace(body, 0);
-    int next = 1;
-    for (auto& [body, number] : numbers_) number = next++;
+  std::string name_of(const InstantCentre& centre) const {
+    return centre_name(numbers_, centre.first, centre.second);
   }
-  std::string label(int a, int b) const { return fmt::format("{}-{}", numbers_.at(a), numbers_.at(b)); }
 
   std::string own_style() const {
     return fmt::format(
@@ -127,13 +149,12 @@ class CentresPicture {
     return text;
   }
 
-  std::string words(const std::string& css, const Point& at, const std::string& text) const {
+  SvgElement words(const std::string& css, const Point& at, const std::string& text) const {
     return SvgElement("text")
         .with("class", css)
         .with("x", scale_.number(at.x()))
         .with("y", scale_.number(at.y()))
-        .saying(text)
-        .line();
+        .saying(text);
   }
 
   static std::string style_of(InstantCentre::Source source) {
@@ -186,16 +207,33 @@ class CentresPicture {
     return std::string(1, static_cast<char>('a' + inset % 26));
   }
 
-  std::string labels_of(const Place& place) const {
-    std::string labels;
+  std::string names_of(const Place& place, const char* between) const {
+    std::string names;
     for (const InstantCentre* centre : place.centres)
-      labels += (labels.empty() ? "" : ", ") + label(centre->first, centre->second);
-    return labels;
+      names += (names.empty() ? "" : between) + name_of(*centre);
+    return names;
+  }
+
+  /// The names of the centres at a place, beside it.
+  std::string label(const Place& place, const Point& beside) const {
+    return words("centre " + style_of(place.centres.front()->source), beside, names_of(place, ", "))
+        .with("data-centres", names_of(place, " "))
+        .line();
+  }
+
+  std::string inset_label(const Group& group, const Point& beside, std::size_t inset) const {
+    std::string names;
+    for (const Place& place : group) names += (names.empty() ? "" : " ") + names_of(place, " ");
+    return words("centre", beside, "inset " + letter_of(inset))
+        .with("data-centres", names)
+        .with("data-inset", letter_of(inset))
+        .line();
   }
 
   std::string dot(const Place& place, const Point& at) const {
     return SvgElement("circle")
         .with("class", style_of(place.centres.front()->source))
+        .with("data-centres", names_of(place, " "))
         .with("cx", scale_.number(at.x()))
         .with("cy", scale_.number(at.y()))
         .with("r", scale_.number(0.7 * scale_.pin))
@@ -208,11 +246,7 @@ class CentresPicture {
     for (const Group& group : groups()) {
       for (const Place& place : group) text += dot(place, place.at);
       const Point beside = middle_of(group) + Point(1.4, -1.2) * scale_.pin;
-      if (group.size() > 1)
-        text += words("centre", beside, "inset " + letter_of(inset++));
-      else
-        text += words("centre " + style_of(group.front().centres.front()->source), beside,
-                      labels_of(group.front()));
+      text += group.size() > 1 ? inset_label(group, beside, inset++) : label(group.front(), beside);
     }
     return text;
   }
@@ -248,11 +282,11 @@ class CentresPicture {
     for (const Place& place : group) {
       const Point at = centre + larger * (place.at - middle);
       text += dot(place, at);
-      text += words("centre " + style_of(place.centres.front()->source), at + Point(1.4, -1.2) * scale_.pin,
-                    labels_of(place));
+      text += label(place, at + Point(1.4, -1.2) * scale_.pin);
     }
     return text + words("legend", corner - Point(0, 0.3 * scale_.letter),
-                        fmt::format("inset {}: {:.3g} times as large", letter_of(number), larger));
+                        fmt::format("inset {}: {:.3g} times as large", letter_of(number), larger))
+                      .line();
   }
 
   std::string draw_insets() const {
@@ -268,7 +302,7 @@ class CentresPicture {
     lines.push_back("");
     for (const InstantCentre& centre : centres_) {
       if (is_near(centre)) continue;
-      const std::string name = label(centre.first, centre.second);
+      const std::string name = name_of(centre);
       if (centre.kind == Kind::at_infinity)
         lines.push_back(fmt::format("{}  at infinity, {:.2f}°", name,
                                     degrees(std::atan2(centre.direction.y(), centre.direction.x()))));
@@ -285,7 +319,7 @@ class CentresPicture {
     const double step =
         std::min(1.15 * scale_.letter, std::max(below - y, 0.0) / static_cast<double>(lines.size()));
     for (const std::string& line : lines) {
-      text += words("legend", {scale_.upper.x() + 0.5 * scale_.letter, y}, line);
+      text += words("legend", {scale_.upper.x() + 0.5 * scale_.letter, y}, line).line();
       y += step;
     }
     return text;
@@ -302,6 +336,11 @@ class CentresPicture {
 };
 
 }  // namespace
+
+std::string centres_drawing(const LinkageScene& scene, const std::vector<InstantCentre>& centres,
+                            double unit) {
+  return CentresPicture(scene, centres, unit).draw_for_page();
+}
 
 std::string centres_svg(const LinkageScene& scene, const std::vector<InstantCentre>& centres, double unit) {
   return CentresPicture(scene, centres, unit).draw();
