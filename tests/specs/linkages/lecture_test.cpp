@@ -204,7 +204,6 @@ TEST(LectureLinkages, JansensFootWalks) {
   expect_near(leg.at(first, "F"), Point(30.3109, -82.5894), 1e-4, "F");
   expect_near(leg.at(leg.run.frames.back(), "F"), leg.at(first, "F"), 1e-10, "the curve is closed");
   double low = 0, high = -100, ahead = -100, behind = 100;
-  int on_ground = 0;
   for (const RunFrame& frame : leg.run.frames) {
     const Point F = leg.at(frame, "F");
     expect_near(F, jansens_foot(pi / 2 + 2 * pi * frame.share), 1e-9, "F");
@@ -213,11 +212,15 @@ TEST(LectureLinkages, JansensFootWalks) {
     ahead = std::max(ahead, F.x());
     behind = std::min(behind, F.x());
   }
-  for (const RunFrame& frame : leg.run.frames) on_ground += leg.at(frame, "F").y() < low + 1;
   EXPECT_NEAR(high - low, 22.5, 0.1);      // the step's height
   EXPECT_NEAR(ahead - behind, 67.9, 0.1);  // and its length
-  EXPECT_NEAR(on_ground / 721.0, 0.42,
-              0.1);  // part of the turn in which the foot keeps within 1 cm of the ground
+  int on_ground = 0;
+  for (const RunFrame& frame : leg.run.frames)
+    if (leg.at(frame, "F").y() < low + 1) {
+      ++on_ground;
+      EXPECT_GT(leg.velocity(frame, "F").real(), 0) << frame.share;  // there the foot goes one way only
+    }
+  EXPECT_GT(on_ground, 721 / 3);
   EXPECT_EQ(leg.mobility().mobility, 1);
   EXPECT_EQ(leg.mobility().gruebler, 1);
 }
