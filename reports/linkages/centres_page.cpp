@@ -20,7 +20,8 @@ std::string links_list(const LinkageModel& model, const std::vector<InstantCentr
 
 std::string step_item(const LinkageFile& file, const LinkageModel& model, const CentreStep& step) {
   return fmt::format(
-      "<li data-centre=\"{}\" data-uses=\"{}\"><button type=\"button\">{}</button> <span>{} <i>{}</i></span></li>\n",
+      "<li data-centre=\"{}\" data-uses=\"{}\"><button type=\"button\">{}</button> <span>{} "
+      "<i>{}</i></span></li>\n",
       step.name, fmt::join(step.uses, " "), step.name, html_escaped(step.reason),
       html_escaped(centre_place_text(file, model, *step.centre)));
 }
@@ -41,18 +42,21 @@ std::string steps_lists(const LinkageFile& file, const LinkageModel& model,
 
 std::string centres_html(const LinkageFile& file, const LinkageModel& model, const LinkageScene& scene,
                          double step, const std::vector<InstantCentre>& centres) {
-  std::string page =
-      page_head("Instant centres: " + scene.title, {web_assets::style, web_assets::centres_style}, {web_assets::centres});
+  std::string page = page_head("Instant centres: " + scene.title,
+                               {web_assets::style, web_assets::centres_style}, {web_assets::centres});
   page += fmt::format(
       "<body>\n<header>\n<p class=\"brand\">Kempe · instant centres</p>\n<h1>{}</h1>\n<p class=\"lead\">Step "
-      "{:.6g} of {}, lengths in {}. The instant centre of two links is the point where both move alike. The three "
-      "centres of any three links lie on one line (Aronhold and Kennedy): two such lines give the next centre.</p>\n"
+      "{:.6g} of {}, lengths in {}. The instant centre of two links is the point where both move alike. The "
+      "three "
+      "centres of any three links lie on one line (Aronhold and Kennedy): two such lines give the next "
+      "centre.</p>\n"
       "</header>\n<main class=\"construction\">\n<div>\n",
       html_escaped(scene.title), step, file.steps, scene.unit);
   page += centres_drawing(scene, centres, file.unit.in_mm);
   page +=
       "\n<div class=\"drive\"><button type=\"button\" id=\"back\">Back</button><button type=\"button\" "
-      "id=\"next\">Next</button><button type=\"button\" id=\"all\">All</button><output id=\"told\"></output></div>\n"
+      "id=\"next\">Next</button><button type=\"button\" id=\"all\">All</button><output "
+      "id=\"told\"></output></div>\n"
       "</div>\n<aside>\n<h3>Links</h3>\n";
   page += links_list(model, centres) + steps_lists(file, model, centres);
   return page + "</aside>\n</main>\n" + page_element("script", web_assets::centres) + "</body></html>\n";

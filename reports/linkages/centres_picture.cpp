@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -221,12 +224,12 @@ class CentresPicture {
         .line();
   }
 
-  std::string inset_label(const Group& group, const Point& beside, std::size_t inset) const {
+  std::string inset_label(const Group& group, const Point& beside, const std::string& letter) const {
     std::string names;
     for (const Place& place : group) names += (names.empty() ? "" : " ") + names_of(place, " ");
-    return words("centre", beside, "inset " + letter_of(inset))
+    return words("centre", beside, "inset " + letter)
         .with("data-centres", names)
-        .with("data-inset", letter_of(inset))
+        .with("data-inset", letter)
         .line();
   }
 
@@ -240,13 +243,42 @@ class CentresPicture {
         .text();
   }
 
+  /// Where words that belong to a dot begin: at its upper right, or at the first of the other corners where they lie on no earlier
+  /// words. If all are taken, at its upper right.
+  Point room_beside(const Point& dot, const std::string& said,
+                    std::vector<Eigen::AlignedBox2d>& taken) const {
+    const double high = 0.75 * scale_.letter, wide = 0.6 * high * static_cast<double>(said.size());
+    const double pin = scale_.pin;
+    const std::array<Point, 4> corners{Point(1.4, -1.2) * pin,
+                                       {1.4 * pin, 1.2 * pin + 0.7 * high},
+                                       {-1.4 * pin - wide, -1.2 * pin},
+                                       {-1.4 * pin - wide, 1.2 * pin + 0.7 * high}};
+    const auto box_at = [&](const Point& corner) {
+      const Point from = dot + corner;
+      return Eigen::AlignedBox2d(from - Point(0, 0.8 * high), from + Point(wide, 0.1 * high));
+    };
+    const auto* free = std::find_if(corners.begin(), corners.end(), [&](const Point& corner) {
+      return std::none_of(
+          taken.begin(), taken.end(),
+          [box = box_at(corner)](const Eigen::AlignedBox2d& other) { return box.intersects(other); });
+    });
+    const Point& corner = free == corners.end() ? corners.front() : *free;
+    taken.push_back(box_at(corner));
+    return dot + corner;
+  }
+
   std::string draw_points() const {
     std::string text;
     std::size_t inset = 0;
+    std::vector<Eigen::AlignedBox2d> taken;
     for (const Group& group : groups()) {
       for (const Place& place : group) text += dot(place, place.at);
-      const Point beside = middle_of(group) + Point(1.4, -1.2) * scale_.pin;
-      text += group.size() > 1 ? inset_label(group, beside, inset++) : label(group.front(), beside);
+      const bool is_inset = group.size() > 1;
+      const std::string letter = letter_of(inset);
+      const std::string said = is_inset ? "inset " + letter : names_of(group.front(), ", ");
+      const Point beside = room_beside(middle_of(group), said, taken);
+      text += is_inset ? inset_label(group, beside, letter) : label(group.front(), beside);
+      if (is_inset) ++inset;
     }
     return text;
   }
@@ -295,6 +327,11 @@ class CentresPicture {
     return text;
   }
 
+  /// A coordinate that is zero but for rounding is zero.
+  double without_dust(double coordinate) const {
+    return std::abs(coordinate) < 1e-12 * scene_.extent() ? 0 : coordinate;
+  }
+
   std::string draw_legend() const {
     std::vector<std::string> lines{scene_.title, ""};
     for (const auto& [body, number] : numbers_)
@@ -307,8 +344,9 @@ class CentresPicture {
         lines.push_back(fmt::format("{}  at infinity, {:.2f}°", name,
                                     degrees(std::atan2(centre.direction.y(), centre.direction.x()))));
       else if (centre.kind == Kind::finite)
-        lines.push_back(fmt::format("{}  at ({:.4g}, {:.4g}), outside", name, centre.at.x() / unit_,
-                                    centre.at.y() / unit_));
+        lines.push_back(fmt::format("{}  at ({:.4g}, {:.4g}), outside", name,
+                                    without_dust(centre.at.x() / unit_),
+                                    without_dust(centre.at.y() / unit_)));
       else
         lines.push_back(fmt::format("{}  none: no relative motion", name));
     }

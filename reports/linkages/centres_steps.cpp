@@ -16,8 +16,8 @@ struct LineWords {
   std::vector<std::string> uses;
 };
 
-LineWords line_words(const LinkageModel& model, const std::map<int, int>& numbers, const InstantCentre& centre,
-                     const CentreLine& line) {
+LineWords line_words(const LinkageModel& model, const std::map<int, int>& numbers,
+                     const InstantCentre& centre, const CentreLine& line) {
   if (line.from == CentreLine::From::slider)
     return {"on the normal of " + constraint_label(model, line.constraint), {}};
   if (line.from == CentreLine::From::no_turning)
@@ -29,7 +29,8 @@ LineWords line_words(const LinkageModel& model, const std::map<int, int>& number
           {one, other}};
 }
 
-CentreStep step_to(const LinkageModel& model, const std::map<int, int>& numbers, const InstantCentre& centre) {
+CentreStep step_to(const LinkageModel& model, const std::map<int, int>& numbers,
+                   const InstantCentre& centre) {
   CentreStep step{&centre, centre_name(numbers, centre.first, centre.second), {}, {}};
   if (centre.source != InstantCentre::Source::lines || !centre.lines) {
     step.reason = source_of(model, centre);
