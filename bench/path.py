@@ -44,8 +44,11 @@ def cost(points, timing):
     wanted = np.array([complex(*p) for p in points])[:, None]
     turns = None if timing is None else np.radians(np.array(timing) - timing[0])[:, None]
 
+    looked = [0]
+
     def square(x):  # one column for each member of the population
         x = x.reshape(x.shape[0], -1)
+        looked[0] += x.shape[1]
         A0, B0 = x[0] + 1j * x[1], x[2] + 1j * x[3]
         a, b, c, p, q, mode = x[4], x[5], x[6], x[7], x[8], np.where(x[9] < 0, -1, 1)
         if turns is None:  # the crank turns one way: the first angle, then the steps, of either sense
@@ -62,7 +65,7 @@ def cost(points, timing):
         missing = np.maximum(0, np.abs(cosine) - 1)
         return (np.abs(P - wanted) ** 2).sum(axis=0) + 1e3 * missing.sum(axis=0) + 1e3 * over
 
-    return lambda x: square(x) if x.ndim > 1 else float(square(x)[0])
+    return lambda x: square(x) if x.ndim > 1 else float(square(x)[0]), looked
 
 
 def by_evolution(points, timing, bound, seeds):
@@ -71,9 +74,10 @@ def by_evolution(points, timing, bound, seeds):
         bounds += [(0, 1)] + [(1e-3, 3)] * (len(points) - 1)
     best, evaluations, start = np.inf, 0, time.perf_counter()
     for seed in range(seeds):
-        result = differential_evolution(cost(points, timing), bounds, vectorized=True, updating="deferred", maxiter=5000,
+        square, looked = cost(points, timing)
+        result = differential_evolution(square, bounds, vectorized=True, updating="deferred", maxiter=5000,
                                         tol=1e-12, seed=seed, polish=False)
-        best, evaluations = min(best, result.fun), evaluations + result.nfev
+        best, evaluations = min(best, float(result.fun)), evaluations + looked[0]
     return best, evaluations, time.perf_counter() - start
 
 

@@ -170,10 +170,10 @@ constexpr double farthest_path_mm = 1e6;
 
 /// A list of `least` to `most` places; empty, and told, where it is not.
 std::vector<Point> read_path_places(const Reader& reader, std::string_view dotted, std::size_t least,
-                               std::size_t most, Complaints& complaints) {
+                                    std::size_t most, Complaints& complaints) {
   const toml::node* node = reader.find(dotted);
-  const std::string allowed = fmt::format("[[x, y], ...] with {} to {} places, numbers from {} to {} mm", least,
-                                          most, -farthest_path_mm, farthest_path_mm);
+  const std::string allowed = fmt::format("[[x, y], ...] with {} to {} places, numbers from {} to {} mm",
+                                          least, most, -farthest_path_mm, farthest_path_mm);
   const auto refuse = [&](const toml::node& what) {
     complaints.add(line_of(what), std::string(dotted), describe(what), allowed);
     return std::vector<Point>();
@@ -207,8 +207,7 @@ void read_timing(const Reader& reader, PathSpec& spec, Complaints& complaints) {
     if (!angle) return refuse(one);
     if (!first) first = angle;
     const double turn = radians(*angle - *first);
-    const bool turns_back =
-        spec.turns.size() > 1 && (turn > spec.turns.back()) != (spec.turns[1] > 0);
+    const bool turns_back = spec.turns.size() > 1 && (turn > spec.turns.back()) != (spec.turns[1] > 0);
     if (!(std::abs(turn) < 2 * pi) || (!spec.turns.empty() && turn == spec.turns.back()) || turns_back)
       return refuse(one);
     spec.turns.push_back(turn);
@@ -217,9 +216,9 @@ void read_timing(const Reader& reader, PathSpec& spec, Complaints& complaints) {
 
 void read_poses(const Reader& reader, PathSpec& spec, Complaints& complaints) {
   const toml::node* node = reader.find("path", "poses_mm");
-  const std::string allowed = fmt::format(
-      "[[x, y, degrees], ...] with 3 to 5 different poses, numbers from {} to {}", -farthest_path_mm,
-      farthest_path_mm);
+  const std::string allowed =
+      fmt::format("[[x, y, degrees], ...] with 3 to 5 different poses, numbers from {} to {}",
+                  -farthest_path_mm, farthest_path_mm);
   const auto refuse = [&](const toml::node& what) {
     spec.poses.clear();
     complaints.add(line_of(what), "path.poses_mm", describe(what), allowed);

@@ -38,9 +38,11 @@ struct InversorSpec {
 
 /// A path-generating four-bar, as asked for.
 struct PathSpec {
-  std::vector<Point> points;         ///< mm, 3 to 60, not all in one place; empty where poses are given
-  std::vector<BodyPlacement> poses;  ///< mm, rad: 3 to 5, all different, not all in one place; empty where points are given
-  std::vector<double> turns;  ///< rad, from the first point on: 0, then rising or falling, less than a turn; empty: free
+  std::vector<Point> points;  ///< mm, 3 to 60, not all in one place; empty where poses are given
+  std::vector<BodyPlacement>
+      poses;  ///< mm, rad: 3 to 5, all different, not all in one place; empty where points are given
+  std::vector<double>
+      turns;  ///< rad, from the first point on: 0, then rising or falling, less than a turn; empty: free
   bool largest_distance = false;     ///< what is made small: the largest distance, not the mean square
   double longest = 0;                ///< mm; of ten times the path's size where the file says nothing
   double transmission = 0;           ///< rad

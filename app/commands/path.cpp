@@ -18,7 +18,8 @@
 namespace kempe::app {
 namespace {
 
-constexpr const char* no_bound = "a search: no bound of the least error is known, and nothing is proven about what was not found";
+constexpr const char* no_bound =
+    "a search: no bound of the least error is known, and nothing is proven about what was not found";
 
 struct PathArguments {
   std::string spec_file, linkage_file;
@@ -112,7 +113,8 @@ std::string columns_of(const Point& p) { return fmt::format("{:10.4f} {:10.4f}",
 
 std::string links_text(const CouplerFourBar& bar) {
   return fmt::format(
-      "  pivots    {}  and {}\n  crank {:.6g}, coupler {:.6g}, rocker {:.6g}; coupler point {:.6g} along, {:.6g} to the "
+      "  pivots    {}  and {}\n  crank {:.6g}, coupler {:.6g}, rocker {:.6g}; coupler point {:.6g} along, "
+      "{:.6g} to the "
       "left; assembly mode {}\n",
       columns_of(bar.crank_pivot), columns_of(bar.rocker_pivot), bar.crank, bar.coupler, bar.rocker,
       bar.coupler_point.x(), bar.coupler_point.y(), bar.branch == FourBarBranch::first ? 1 : 2);
@@ -129,56 +131,68 @@ std::string cognates_text(const PathAnswer& answer) {
 
 std::string text_of(const PoseTask& task, const PoseSearch& search) {
   std::string text = fmt::format("poses        {}, each taken exactly\n", task.poses.size());
-  text += fmt::format("searched     {} dyads, {} four-bars of them; {} with poses on two branches or in another order, {} against a limit\n",
-                      search.dyads.size(), search.linkages, search.defective, search.limited);
+  text += fmt::format(
+      "searched     {} dyads, {} four-bars of them; {} with poses on two branches or in another order, {} "
+      "against a limit\n",
+      search.dyads.size(), search.linkages, search.defective, search.limited);
   if (task.poses.size() == 5) {
     text += "dyads        centre, circle point in the coupler's frame, length\n";
     for (const Dyad& dyad : search.dyads)
-      text += fmt::format("  {}  {}  {:10.4f}\n", columns_of(dyad.centre), columns_of(dyad.circle), dyad.length);
+      text +=
+          fmt::format("  {}  {}  {:10.4f}\n", columns_of(dyad.centre), columns_of(dyad.circle), dyad.length);
   }
   for (std::size_t k = 0; k < search.answers.size(); ++k) {
     const PoseAnswer& answer = search.answers[k];
-    text += fmt::format("\nanswer {}: {}, transmission {:.3f} degrees at least; off by {:.2g} mm and {:.2g} degrees at most\n",
-                        k + 1, name(answer.path.linkage.links().motion()), degrees(answer.path.transmission_min),
-                        answer.path.error_max, degrees(answer.error_angle));
+    text += fmt::format(
+        "\nanswer {}: {}, transmission {:.3f} degrees at least; off by {:.2g} mm and {:.2g} degrees at "
+        "most\n",
+        k + 1, name(answer.path.linkage.links().motion()), degrees(answer.path.transmission_min),
+        answer.path.error_max, degrees(answer.error_angle));
     text += links_text(answer.path.linkage) + cognates_text(answer.path);
   }
-  text += fmt::format("\nanswer 1 at each pose\n{:>10} {:>10} {:>10} {:>10}\n", "crank deg", "x", "y", "turned deg");
+  text += fmt::format("\nanswer 1 at each pose\n{:>10} {:>10} {:>10} {:>10}\n", "crank deg", "x", "y",
+                      "turned deg");
   const PoseAnswer& best = search.answers.front();
   for (std::size_t i = 0; i < task.poses.size(); ++i)
-    text += fmt::format("{:10.3f} {} {:10.4f}\n", degrees(best.path.crank_angles[i]), columns_of(best.path.reached[i]),
-                        degrees(best.angles[i]));
+    text += fmt::format("{:10.3f} {} {:10.4f}\n", degrees(best.path.crank_angles[i]),
+                        columns_of(best.path.reached[i]), degrees(best.angles[i]));
   return text;
 }
 
 std::string text_of(const PathTask& task, const PathSearch& search) {
-  std::string text = fmt::format(
-      "path         {} points, {}; {}\n", task.points.size(), task.turns.empty() ? "timing free" : "with timing",
-      task.aim == PathAim::mean_square ? "least mean square distance" : "least largest distance");
-  text += fmt::format("searched     {} four-bars, {} refined with {} evaluations of the path\nbound        none: {}\n",
-                      search.effort.starts, search.effort.refined, search.effort.evaluations, no_bound);
+  std::string text =
+      fmt::format("path         {} points, {}; {}\n", task.points.size(),
+                  task.turns.empty() ? "timing free" : "with timing",
+                  task.aim == PathAim::mean_square ? "least mean square distance" : "least largest distance");
+  text += fmt::format(
+      "searched     {} four-bars, {} refined with {} evaluations of the path\nbound        none: {}\n",
+      search.effort.starts, search.effort.refined, search.effort.evaluations, no_bound);
   for (std::size_t k = 0; k < search.answers.size(); ++k) {
     const PathAnswer& answer = search.answers[k];
-    text += fmt::format("\nanswer {}: {}, error {:.4g} mm RMS, {:.4g} mm at most, transmission {:.3f} degrees at least\n",
-                        k + 1, name(answer.linkage.links().motion()), answer.error_rms, answer.error_max,
-                        degrees(answer.transmission_min));
+    text += fmt::format(
+        "\nanswer {}: {}, error {:.4g} mm RMS, {:.4g} mm at most, transmission {:.3f} degrees at least\n",
+        k + 1, name(answer.linkage.links().motion()), answer.error_rms, answer.error_max,
+        degrees(answer.transmission_min));
     text += links_text(answer.linkage);
     text += cognates_text(answer);
   }
-  text += fmt::format("\nanswer 1 at each point\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "crank deg", "wanted x",
-                      "wanted y", "reached x", "reached y", "distance");
+  text += fmt::format("\nanswer 1 at each point\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "crank deg",
+                      "wanted x", "wanted y", "reached x", "reached y", "distance");
   const PathAnswer& best = search.answers.front();
   for (std::size_t i = 0; i < task.points.size(); ++i)
-    text += fmt::format("{:10.3f} {} {} {:11.3g}\n", degrees(best.crank_angles[i]), columns_of(task.points[i]),
-                        columns_of(best.reached[i]), (best.reached[i] - task.points[i]).norm());
+    text +=
+        fmt::format("{:10.3f} {} {} {:11.3g}\n", degrees(best.crank_angles[i]), columns_of(task.points[i]),
+                    columns_of(best.reached[i]), (best.reached[i] - task.points[i]).norm());
   return text;
 }
 
 /// Writes the linkage file asked for; the code of why not.
-int write_linkage(const Session& session, const PathArguments& arguments, const std::vector<PathAnswer>& answers) {
+int write_linkage(const Session& session, const PathArguments& arguments,
+                  const std::vector<PathAnswer>& answers) {
   if (arguments.linkage_file.empty()) return done;
   if (arguments.answer > std::ssize(answers))
-    return fail(session, bad_input, fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
+    return fail(session, bad_input,
+                fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
   const PathAnswer& answer = answers[static_cast<std::size_t>(arguments.answer - 1)];
   if (arguments.cognate == 0) return write_output(session, arguments.linkage_file, path_linkage(answer));
   if (!answer.cognates)
@@ -209,22 +223,25 @@ int run(const Session& session, const PathArguments& arguments) {
     if (!search) return fail_unproven(session, search.error());
     std::vector<PathAnswer> answers;
     for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
-    return finish(answers, [&] { return json_of(*search, task.poses.size()); }, [&] { return text_of(task, *search); });
+    return finish(
+        answers, [&] { return json_of(*search, task.poses.size()); }, [&] { return text_of(task, *search); });
   }
   const PathTask task = task_of(*spec);
   const auto search = generate_path(task);
   if (!search) return fail_unproven(session, search.error());
-  return finish(search->answers, [&] { return json_of(*search); }, [&] { return text_of(task, *search); });
+  return finish(
+      search->answers, [&] { return json_of(*search); }, [&] { return text_of(task, *search); });
 }
 
 }  // namespace
 
 void add_path_command(CLI::App& program, Session& session) {
-  CLI::App* command =
-      add_command(program, session, "path", "Design four-bars whose coupler follows given points or takes given poses",
-                  "kempe path specs/examples/generators/straight-line.toml -o line.toml");
+  CLI::App* command = add_command(program, session, "path",
+                                  "Design four-bars whose coupler follows given points or takes given poses",
+                                  "kempe path specs/examples/generators/straight-line.toml -o line.toml");
   auto arguments = std::make_shared<PathArguments>();
-  command->add_option("SPEC", arguments->spec_file, "Points or poses, and limits (TOML; see docs/path.md)")->required();
+  command->add_option("SPEC", arguments->spec_file, "Points or poses, and limits (TOML; see docs/path.md)")
+      ->required();
   auto* linkage = command->add_option("-o,--linkage", arguments->linkage_file,
                                       "Write an answer as a linkage file, for solve, mobility and centres");
   command->add_option("--answer", arguments->answer, "Write this answer instead of the best")

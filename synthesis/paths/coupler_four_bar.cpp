@@ -46,8 +46,8 @@ std::optional<double> CouplerFourBar::least_transmission_angle(double first, dou
 }
 
 double CouplerFourBar::longest() const {
-  return std::max({ground(), crank, coupler, rocker, coupler_point.norm(),
-                   (coupler_point - Point(coupler, 0)).norm()});
+  return std::max(
+      {ground(), crank, coupler, rocker, coupler_point.norm(), (coupler_point - Point(coupler, 0)).norm()});
 }
 
 std::optional<std::array<Cognate, 2>> cognates_of(const CouplerFourBar& bar, double crank_angle) {
@@ -83,10 +83,12 @@ std::optional<CertifiedPath> certified_path(const CouplerFourBar& bar, CognateDr
   const bool by_crank = driver == CognateDriver::crank;
   linkage.drive(RelativeAngle{by_crank ? crank : coupler, PlanarLinkage::ground, angles.front()}, "driver");
   // A guess may lie whole turns away from the driver's value, which a continuous angle does not.
-  const auto near = [](double angle, double to) { return angle + 2 * pi * std::round((to - angle) / (2 * pi)); };
+  const auto near = [](double angle, double to) {
+    return angle + 2 * pi * std::round((to - angle) / (2 * pi));
+  };
   PlanarPosition guess(4);
-  guess[static_cast<std::size_t>(crank)] = {bar.crank_pivot,
-                                            by_crank ? angles.front() : direction_of(place->A - bar.crank_pivot)};
+  guess[static_cast<std::size_t>(crank)] = {
+      bar.crank_pivot, by_crank ? angles.front() : direction_of(place->A - bar.crank_pivot)};
   const double along = direction_of(place->B - place->A);
   guess[static_cast<std::size_t>(coupler)] = {place->A, by_crank ? along : near(along, angles.front())};
   guess[static_cast<std::size_t>(rocker)] = {bar.rocker_pivot, direction_of(place->B - bar.rocker_pivot)};

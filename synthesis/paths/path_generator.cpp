@@ -164,7 +164,13 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
     if (!(way * (crank_angles[i] - crank_angles[i - 1]) > 0)) return std::nullopt;
   const auto motion = certified_path(linkage, CognateDriver::crank, crank_angles, crank_angles.front());
   if (!motion) return std::nullopt;
-  PathAnswer answer{linkage, crank_angles, motion->coupler_angle, motion->reached, 0, 0, *transmission,
+  PathAnswer answer{linkage,
+                    crank_angles,
+                    motion->coupler_angle,
+                    motion->reached,
+                    0,
+                    0,
+                    *transmission,
                     cognates_of(linkage, crank_angles.front())};
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const double distance = (answer.reached[i] - task.points[i]).norm();
@@ -217,10 +223,11 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
     if (!seen) search.answers.push_back(std::move(answer));
   }
   if (search.answers.empty())
-    return tl::unexpected(fmt::format(
-        "no four-bar was found that keeps the limits. Searched: {} scattered four-bars, the best {} refined; that "
-        "is not a proof that none exists",
-        search.effort.starts, search.effort.refined));
+    return tl::unexpected(
+        fmt::format("no four-bar was found that keeps the limits. Searched: {} scattered four-bars, the best "
+                    "{} refined; that "
+                    "is not a proof that none exists",
+                    search.effort.starts, search.effort.refined));
   return search;
 }
 

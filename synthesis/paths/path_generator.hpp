@@ -26,22 +26,24 @@ enum class PathAim {
 /// What is asked for. Lengths mm, angles rad.
 struct PathTask {
   std::vector<Point> points;  ///< at least 3, not all in one place
-  std::vector<double> turns;  ///< how far the crank has turned at each from the first on: 0, then rising or falling; empty: free
+  std::vector<double>
+      turns;  ///< how far the crank has turned at each from the first on: 0, then rising or falling; empty: free
   PathAim aim = PathAim::mean_square;
-  double longest = 0;         ///< of CouplerFourBar::longest, > 0
-  double transmission = 0;    ///< rad, < pi/2: least angle from the first point to the last; 0.02 are always kept
+  double longest = 0;  ///< of CouplerFourBar::longest, > 0
+  double transmission =
+      0;  ///< rad, < pi/2: least angle from the first point to the last; 0.02 are always kept
   std::vector<Point> pivots_within;  ///< corners of a convex polygon, counter-clockwise; empty: anywhere
 };
 
 /// A four-bar, moved over its points by the general solver.
 struct PathAnswer {
   CouplerFourBar linkage;
-  std::vector<double> crank_angles;  ///< at each point, rad, rising or falling
-  std::vector<double> coupler_angles;  ///< rad
-  std::vector<Point> reached;        ///< where the coupler point is at each
-  double error_rms = 0;              ///< mm: root of the mean squared distance
-  double error_max = 0;              ///< mm
-  double transmission_min = 0;       ///< rad, from the first point to the last
+  std::vector<double> crank_angles;                ///< at each point, rad, rising or falling
+  std::vector<double> coupler_angles;              ///< rad
+  std::vector<Point> reached;                      ///< where the coupler point is at each
+  double error_rms = 0;                            ///< mm: root of the mean squared distance
+  double error_max = 0;                            ///< mm
+  double transmission_min = 0;                     ///< rad, from the first point to the last
   std::optional<std::array<Cognate, 2>> cognates;  ///< nothing where one has a link without length
 };
 
@@ -50,7 +52,8 @@ struct PathEffort {
   std::size_t starts = 0;       ///< scattered linkages judged by linear least squares
   std::size_t refined = 0;      ///< of them that the local solver went on from
   std::size_t evaluations = 0;  ///< of the whole path, by the local solver
-  std::size_t rejected = 0;     ///< refined linkages that break a limit or whose motion the general solver stopped
+  std::size_t rejected =
+      0;  ///< refined linkages that break a limit or whose motion the general solver stopped
 };
 
 struct PathSearch {

@@ -23,8 +23,8 @@ PathProgram::PathProgram(const PathTask& task, FourBarBranch branch, bool rising
   for (const Point& p : task.points) points_.push_back((as_complex(p) - centre_) / unit_);
   for (const Point& p : task.pivots_within) pivots_.push_back(as_point((as_complex(p) - centre_) / unit_));
   longest_ = task.longest / unit_ * (1 - slack::path_inside_limit);
-  cos_limit_ = std::cos(std::max(task.transmission, slack::path_from_dead_points) +
-                        slack::path_inside_transmission);
+  cos_limit_ =
+      std::cos(std::max(task.transmission, slack::path_from_dead_points) + slack::path_inside_transmission);
 }
 
 PathProgram::Coupler PathProgram::coupler(const Eigen::VectorXd& x, double angle) const {
@@ -177,7 +177,9 @@ void PathProgram::limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
   for (std::size_t k = 0; k < pivots_.size(); ++k) {
     const Point from = pivots_[k], along = (pivots_[(k + 1) % pivots_.size()] - from).normalized();
     // Not positive to the left of the edge.
-    const auto outside = [&](Complex p) { return -cross(along, as_point(p) - from) + slack::path_inside_limit; };
+    const auto outside = [&](Complex p) {
+      return -cross(along, as_point(p) - from) + slack::path_inside_limit;
+    };
     value[row] = outside(z0);
     value[row + 1] = outside(z0 + z1 / alpha);
     if (slope)

@@ -23,7 +23,9 @@ class PathProgram {
   bool timed() const { return timed_; }
 
   /// The crank's angle from the ground link at point i.
-  double angle(const Eigen::VectorXd& x, int i) const { return timed_ ? x[angles_at] + turns_[static_cast<std::size_t>(i)] : x[angles_at + i]; }
+  double angle(const Eigen::VectorXd& x, int i) const {
+    return timed_ ? x[angles_at] + turns_[static_cast<std::size_t>(i)] : x[angles_at + i];
+  }
 
   /// Sets z0, z1, z2 to the best for the ratios and angles; false where the loop does not close at every point.
   bool project(Eigen::VectorXd& x) const;

@@ -41,8 +41,7 @@ double path_cost(unsigned n, const double* u, double* gradient, void* data) {
   }
   run.program.errors(run.unknowns(u), run.value, gradient ? &run.slope : nullptr);
   const double weight = 1 / (run.program.count() * run.scale * run.scale);
-  if (gradient)
-    Eigen::Map<Eigen::VectorXd>(gradient, n) = 2 * weight * run.slope.transpose() * run.value;
+  if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n) = 2 * weight * run.slope.transpose() * run.value;
   return weight * run.value.squaredNorm();
 }
 
@@ -68,14 +67,16 @@ void path_limits(unsigned m, double* result, unsigned n, const double* u, double
     result[row] = weight * run.value.segment<2>(2 * i).squaredNorm() - u[n - 1];
     if (!gradient) continue;
     Eigen::Map<Rows> all(gradient, m, n);
-    all.row(row).head(width) = 2 * weight * run.value.segment<2>(2 * i).transpose() * run.slope.middleRows<2>(2 * i);
+    all.row(row).head(width) =
+        2 * weight * run.value.segment<2>(2 * i).transpose() * run.slope.middleRows<2>(2 * i);
     all(row, n - 1) = -1;
   }
 }
 
 double largest_square(const Eigen::VectorXd& errors) {
   double most = 0;
-  for (Eigen::Index i = 0; i + 1 < errors.size(); i += 2) most = std::max(most, errors.segment<2>(i).squaredNorm());
+  for (Eigen::Index i = 0; i + 1 < errors.size(); i += 2)
+    most = std::max(most, errors.segment<2>(i).squaredNorm());
   return most;
 }
 
@@ -87,7 +88,8 @@ void run_slsqp(PathRun& run, int most_evaluations, Eigen::VectorXd& x) {
   run.scale = std::max(std::sqrt(square), 1e-12);
   std::vector<double> all(x.data(), x.data() + x.size());
   Eigen::VectorXd low = program.lowest(), high = program.highest();
-  std::vector<double> lowest(low.data(), low.data() + low.size()), highest(high.data(), high.data() + high.size());
+  std::vector<double> lowest(low.data(), low.data() + low.size()),
+      highest(high.data(), high.data() + high.size());
   if (run.largest) {
     all.push_back(1);
     lowest.push_back(0);
@@ -102,7 +104,8 @@ void run_slsqp(PathRun& run, int most_evaluations, Eigen::VectorXd& x) {
   nlopt_set_min_objective(solver.get(), path_cost, &run);
   const int rows = program.limit_count() + (run.largest ? program.count() : 0);
   const std::vector<double> slack(static_cast<std::size_t>(rows), 1e-12);
-  nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(rows), path_limits, &run, slack.data());
+  nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(rows), path_limits, &run,
+                                   slack.data());
   nlopt_set_xtol_rel(solver.get(), slack::path_at_rest);
   nlopt_set_maxeval(solver.get(), most_evaluations);
   double cost = 0;

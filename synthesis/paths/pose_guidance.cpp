@@ -80,7 +80,8 @@ std::vector<Eigen::Vector4d> roots_of(const Rows8& rows) {
     return 0.5 * (m + m.transpose());
   };
   std::vector<Eigen::Vector4d> found;
-  for (const Eigen::Vector3d& place : meeting_of(pair(0, 5) - pair(3, 1) - pair(4, 2), pair(0, 6) - pair(3, 2) + pair(4, 1))) {
+  for (const Eigen::Vector3d& place :
+       meeting_of(pair(0, 5) - pair(3, 1) - pair(4, 2), pair(0, 6) - pair(3, 2) + pair(4, 1))) {
     const Eigen::Matrix<double, 8, 1> q = N * place;
     if (std::abs(q[0]) < slack::at_infinity * q.norm()) continue;
     found.emplace_back(q[1] / q[0], q[2] / q[0], q[3] / q[0], q[4] / q[0]);
@@ -155,7 +156,8 @@ bool met_before(const std::vector<Dyad>& dyads, const Dyad& dyad) {
 /// Of the rows of five poses, or of four and of a line for the circle point.
 void add_dyads(const ScaledPoses& scaled, const Point* across, std::vector<Dyad>& dyads) {
   Rows8 rows;
-  for (std::size_t k = 0; k < scaled.poses.size(); ++k) rows.row(static_cast<Eigen::Index>(k)) = row_of(scaled.poses[k]);
+  for (std::size_t k = 0; k < scaled.poses.size(); ++k)
+    rows.row(static_cast<Eigen::Index>(k)) = row_of(scaled.poses[k]);
   if (across != nullptr) rows.row(4) << 0, across->x(), across->y(), 0, 0, 0, 0, 0;
   for (Eigen::Vector4d wz : roots_of(rows)) {
     if (!met_exactly(scaled.poses, across, wz)) continue;
@@ -205,7 +207,8 @@ std::optional<std::vector<double>> one_way(const std::vector<double>& angles) {
     }
     const double whole = std::abs(turned.back() - turned.front());
     bool moves = whole < 2 * pi;
-    for (std::size_t k = 1; k < angles.size(); ++k) moves = moves && std::abs(turned[k] - turned[k - 1]) >= slack::least_turn;
+    for (std::size_t k = 1; k < angles.size(); ++k)
+      moves = moves && std::abs(turned[k] - turned[k - 1]) >= slack::least_turn;
     if (moves) return turned;
   }
   return std::nullopt;
@@ -329,8 +332,10 @@ tl::expected<PoseSearch, std::string> guide_poses(const PoseTask& task, std::siz
   if (!search.answers.empty()) return search;
   const char* looked[] = {"a grid of circle points", "circle points on 180 lines", "every circle point"};
   return tl::unexpected(fmt::format(
-      "no four-bar was found that takes the poses without defect and keeps the limits. Searched: {}, {} dyads within "
-      "the limits, {} four-bars of them, {} with the poses on two branches or in another order, {} against a limit; "
+      "no four-bar was found that takes the poses without defect and keeps the limits. Searched: {}, {} "
+      "dyads within "
+      "the limits, {} four-bars of them, {} with the poses on two branches or in another order, {} against a "
+      "limit; "
       "that is not a proof that none exists",
       looked[task.poses.size() - 3], search.dyads.size(), search.linkages, search.defective, search.limited));
 }

@@ -35,9 +35,9 @@ PathTask five_timed() {
 /// The third: a loop of eighteen points, 20 degrees from one to the next.
 PathTask loop_of_eighteen() {
   PathTask task;
-  task.points = {{0.5, 1.1}, {0.4, 1.1},   {0.3, 1.1},  {0.2, 1.0}, {0.1, 0.9}, {0.05, 0.75},
-                 {0.02, 0.6}, {0, 0.5},    {0, 0.4},    {0.03, 0.3}, {0.1, 0.25}, {0.15, 0.2},
-                 {0.2, 0.3}, {0.3, 0.4},   {0.4, 0.5},  {0.5, 0.7}, {0.6, 0.9}, {0.6, 1.0}};
+  task.points = {{0.5, 1.1},  {0.4, 1.1}, {0.3, 1.1}, {0.2, 1.0},  {0.1, 0.9},  {0.05, 0.75},
+                 {0.02, 0.6}, {0, 0.5},   {0, 0.4},   {0.03, 0.3}, {0.1, 0.25}, {0.15, 0.2},
+                 {0.2, 0.3},  {0.3, 0.4}, {0.4, 0.5}, {0.5, 0.7},  {0.6, 0.9},  {0.6, 1.0}};
   for (int i = 0; i < 18; ++i) task.turns.push_back(i * pi / 9);
   task.longest = 50;
   task.pivots_within = fifty;
@@ -50,7 +50,8 @@ Point meeting_near(const Point& a, double ra, const Point& b, double rb, const P
   const double d = along.norm(), t = (ra * ra - rb * rb + d * d) / (2 * d);
   const double h = std::sqrt(std::max(0.0, ra * ra - t * t));
   const Point foot = a + along / d * t, across = Point(-along.y(), along.x()) / d * h;
-  return (foot + across - near).norm() < (foot - across - near).norm() ? Point(foot + across) : Point(foot - across);
+  return (foot + across - near).norm() < (foot - across - near).norm() ? Point(foot + across)
+                                                                       : Point(foot - across);
 }
 
 /// Moves a four-bar in small steps from its first angle, B by circles that meet, and looks at every point.
@@ -58,7 +59,8 @@ void expect_reached(const PathTask& task, const PathAnswer& answer) {
   const CouplerFourBar& bar = answer.linkage;
   const Point at_first = answer.reached.front();
   // B at the first point: the corner of the triangle A, B, P that is at the coupler point's distances.
-  Point A = bar.crank_pivot + bar.crank * Point(std::cos(answer.crank_angles[0]), std::sin(answer.crank_angles[0]));
+  Point A =
+      bar.crank_pivot + bar.crank * Point(std::cos(answer.crank_angles[0]), std::sin(answer.crank_angles[0]));
   const Point q = bar.coupler_point;
   Point B;
   for (const double side : {1.0, -1.0}) {
@@ -103,9 +105,10 @@ void expect_cognates(const PathAnswer& answer) {
   for (const Cognate& cognate : *answer.cognates) {
     std::vector<double> driven;
     for (const double angle : angles) driven.push_back(angle + cognate.offset);
-    const double start = cognate.driver == CognateDriver::crank
-                             ? driven.front()
-                             : curve->coupler_angle.front() + std::arg(as_complex(answer.linkage.coupler_point));
+    const double start =
+        cognate.driver == CognateDriver::crank
+            ? driven.front()
+            : curve->coupler_angle.front() + std::arg(as_complex(answer.linkage.coupler_point));
     const auto same = certified_path(cognate.linkage, cognate.driver, driven, start);
     ASSERT_TRUE(same);
     for (std::size_t i = 0; i < angles.size(); ++i)

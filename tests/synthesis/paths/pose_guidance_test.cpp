@@ -92,18 +92,21 @@ TEST(PoseGuidance, FivePosesLeaveNoDyadOut) {
         Eigen::Vector4d value;
         const double first = (placed(poses[0], at.head<2>()) - at.tail<2>()).squaredNorm();
         for (int k = 1; k < 5; ++k)
-          value[k - 1] = (placed(poses[static_cast<std::size_t>(k)], at.head<2>()) - at.tail<2>()).squaredNorm() - first;
+          value[k - 1] =
+              (placed(poses[static_cast<std::size_t>(k)], at.head<2>()) - at.tail<2>()).squaredNorm() - first;
         return value;
       };
       for (int round = 0; round < 60; ++round) {
         Eigen::Matrix4d slope;  // quadratic functions: central differences are exact
-        for (int k = 0; k < 4; ++k) slope.col(k) = (gaps(x + Eigen::Vector4d::Unit(k)) - gaps(x - Eigen::Vector4d::Unit(k))) / 2;
+        for (int k = 0; k < 4; ++k)
+          slope.col(k) = (gaps(x + Eigen::Vector4d::Unit(k)) - gaps(x - Eigen::Vector4d::Unit(k))) / 2;
         x -= slope.partialPivLu().solve(gaps(x));
         if (!x.allFinite() || x.norm() > 1e6) break;
       }
       if (!x.allFinite() || x.norm() > 1e4 || gaps(x).norm() > 1e-6) continue;
       EXPECT_TRUE(std::any_of(dyads.begin(), dyads.end(), [&](const Dyad& dyad) {
-        return (dyad.centre - Point(x.tail<2>())).norm() + (dyad.circle - Point(x.head<2>())).norm() < 1e-4 * (1 + x.norm());
+        return (dyad.centre - Point(x.tail<2>())).norm() + (dyad.circle - Point(x.head<2>())).norm() <
+               1e-4 * (1 + x.norm());
       })) << x.transpose();
     }
   }
