@@ -77,7 +77,7 @@ nlohmann::ordered_json json_of(const PathAnswer& answer) {
   return object;
 }
 
-nlohmann::ordered_json json_of(const PoseSearch& search, std::size_t poses) {
+nlohmann::ordered_json json_of(const PoseTask& task, const PoseSearch& search) {
   nlohmann::ordered_json object;
   for (const PoseAnswer& answer : search.answers) {
     nlohmann::ordered_json one = json_of(answer.path);
@@ -86,8 +86,8 @@ nlohmann::ordered_json json_of(const PoseSearch& search, std::size_t poses) {
     object["answers"].push_back(std::move(one));
   }
   object["bound"] = no_bound;
-  if (poses == 5)
-    for (const Dyad& dyad : search.dyads)
+  if (task.poses.size() == 5)
+    for (const Dyad& dyad : burmester_dyads(task.poses))
       object["dyads"].push_back({{"centre_mm", json_of(dyad.centre)},
                                  {"circle_point_mm", json_of(dyad.circle)},
                                  {"length_mm", dyad.length}});
@@ -137,7 +137,7 @@ std::string text_of(const PoseTask& task, const PoseSearch& search) {
       search.dyads.size(), search.linkages, search.defective, search.limited);
   if (task.poses.size() == 5) {
     text += "dyads        centre, circle point in the coupler's frame, length\n";
-    for (const Dyad& dyad : search.dyads)
+    for (const Dyad& dyad : burmester_dyads(task.poses))
       text +=
           fmt::format("  {}  {}  {:10.4f}\n", columns_of(dyad.centre), columns_of(dyad.circle), dyad.length);
   }
@@ -224,7 +224,7 @@ int run(const Session& session, const PathArguments& arguments) {
     std::vector<PathAnswer> answers;
     for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
     return finish(
-        answers, [&] { return json_of(*search, task.poses.size()); }, [&] { return text_of(task, *search); });
+        answers, [&] { return json_of(task, *search); }, [&] { return text_of(task, *search); });
   }
   const PathTask task = task_of(*spec);
   const auto search = generate_path(task);
