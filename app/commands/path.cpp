@@ -8,6 +8,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
+#include "geometry/fixed_text.hpp"
 #include "reports/linkages/generated.hpp"
 #include "specs/generator_spec.hpp"
 #include "specs/text/printable.hpp"
@@ -109,7 +110,9 @@ nlohmann::ordered_json json_of(const PathSearch& search) {
   return object;
 }
 
-std::string columns_of(const Point& p) { return fmt::format("{:10.4f} {:10.4f}", p.x() + 0.0, p.y() + 0.0); }
+std::string columns_of(const Point& p) {
+  return fmt::format("{:>10} {:>10}", fixed_text(p.x(), 4), fixed_text(p.y(), 4));
+}
 
 std::string links_text(const CouplerFourBar& bar) {
   return fmt::format(
@@ -154,8 +157,8 @@ std::string text_of(const PoseTask& task, const PoseSearch& search) {
                       "turned deg");
   const PoseAnswer& best = search.answers.front();
   for (std::size_t i = 0; i < task.poses.size(); ++i)
-    text += fmt::format("{:10.3f} {} {:10.4f}\n", degrees(best.path.crank_angles[i]),
-                        columns_of(best.path.reached[i]), degrees(best.angles[i]));
+    text += fmt::format("{:10.3f} {} {:>10}\n", degrees(best.path.crank_angles[i]),
+                        columns_of(best.path.reached[i]), fixed_text(degrees(best.angles[i]), 4));
   return text;
 }
 

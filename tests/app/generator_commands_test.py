@@ -266,11 +266,11 @@ class Path(Case):
         for old, new, words in [
             ("points_mm", "points", ["path.points", "points_mm"]),
             ("[0.5, 1.1]", "[0.5, nan]", [":5:", "path.points_mm"]),
-            ("[0.5, 1.1],", "", [":9:", "path.driver_deg", "17 points"]),
-            ("[0, 20, 40", "[0, 40, 20", [":9:", "path.driver_deg", "rising or falling"]),
-            ("340]", "360]", [":9:", "path.driver_deg", "less than 360"]),
-            ("longest_mm = 50", "longest_mm = -1", [":12:", "limits.longest_mm"]),
-            ("[50, -50], [50, 50]", "[50, 50], [50, -50]", [":13:", "limits.pivots_within_mm", "not convex"]),
+            ("[0.5, 1.1],", "", [":8:", "path.driver_deg", "17 points"]),
+            ("[0, 20, 40", "[0, 40, 20", [":8:", "path.driver_deg", "rising or falling"]),
+            ("340]", "360]", [":8:", "path.driver_deg", "less than 360"]),
+            ("longest_mm = 50", "longest_mm = -1", [":11:", "limits.longest_mm"]),
+            ("[50, -50], [50, 50]", "[50, 50], [50, -50]", [":12:", "limits.pivots_within_mm", "not convex"]),
             ("[limits]", "minimize = 'all'\n[limits]", ["path.minimize", "largest_distance"]),
         ]:
             self.assertIn(old, good)
