@@ -89,7 +89,9 @@ class Loads(unittest.TestCase):
                       "In the plane, all together", "Down, all together", "Load error over the region", "Sag over the region"):
             self.assertIn(words, page)
         narrow = json.loads((self.here / "design" / "design.json").read_text())
-        self.assertGreater(beyond(said), 0)
+        self.assertRegex(said, "budget .* layers [0-9]")
+        self.assertRegex(said, " down .* pull [0-9]")
+        self.assertIn("Layers: links bent out of the plane", page)
         narrow["limits"]["load_error_mm"] = stated["quality"]["load_error_max_mm"] + 0.9 * beyond(said)
         (self.here / "narrow.json").write_text(json.dumps(narrow))
         self.assertEqual(kempe("report", self.here / "narrow.json", "-o", self.here / "narrow").returncode, 0)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cstdio>
 
 #include "geometry/chance.hpp"
@@ -61,6 +62,27 @@ TEST(LayerOffsets, AgreeWithAFrameInSpace) {
       "largest relative differences: in the plane %.2g, rise %.2g; pins and layers add up to %.3g of the "
       "links\n",
       in_plane, rise, part);
+}
+
+/// How much further two instruments of bricks give way once their plates may leave the plane (bench/solids.py, docs/loads.md), shear taken off.
+TEST(LayerOffsets, AddWhatSolidElementsFind) {
+  const auto more = [](Complex k, Grounding grounding, const BarLengths& lengths, double opening,
+                       const LinkStyle& style, double E) {
+    SagConditions conditions{.style = style, .E = E, .G = E / 2.6, .density = 1000, .grip = style.thickness};
+    conditions.layers = {{1, 2, 2, 1}};
+    const Eigen::Matrix2d all = LayeredErrorProfile(k, grounding, conditions, 1).compliance(lengths, opening);
+    const LoadErrorAt links = LoadErrorProfile(k, grounding, style, {"", E, 1000, 1}, 1).at(lengths, opening);
+    const Eigen::Vector2d ends = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(all).eigenvalues();
+    return std::pair(ends[1] / links.worst - 1, ends[0] / links.least - 1);
+  };
+  const auto steel = more(0.4, Grounding::pen, {91.784, 76.542}, radians(90),
+                          {.width = 15, .pin_diameter = 8, .thickness = 5}, 200e3);
+  EXPECT_NEAR(steel.first, 0.097 - 0.014, 0.01);
+  EXPECT_NEAR(steel.second, 0.185 - 0.042, 0.01);
+  const auto PLA = more(-0.5, Grounding::pole, {150, 110}, radians(60),
+                        {.width = 20, .pin_diameter = 8, .thickness = 8}, 3e3);
+  EXPECT_NEAR(PLA.first, 0.080 - 0.014, 0.01);
+  EXPECT_NEAR(PLA.second, 0.142 - 0.025, 0.01);
 }
 
 }  // namespace
