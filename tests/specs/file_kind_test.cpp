@@ -66,7 +66,7 @@ TEST(FileKind, OfEveryShippedFileIsRecognised) {
 }
 
 TEST(FileKind, OfAnotherFileIsToldByEveryReaderAsTheOneFault) {
-  constexpr FileKind readers[] = {FileKind::spec, FileKind::linkage, FileKind::measurements,
+  constexpr FileKind readers[] = {FileKind::spec,     FileKind::linkage,  FileKind::measurements,
                                   FileKind::function, FileKind::inversor, FileKind::path};
   for (const auto& [kind, file] : shipped())
     for (const FileKind reader : readers) {
