@@ -107,17 +107,17 @@ ordered_json table_schema(std::string_view table) {
 
 }  // namespace
 
-ordered_json spec_schema(std::span<const std::string_view> left_out) {
+ordered_json spec_schema(std::span<const std::string_view> outlined) {
   ordered_json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                       {"title", "Spec of a copying linkage for kempe"},
                       {"type", "object"},
-                      {"additionalProperties", !left_out.empty()},
+                      {"additionalProperties", false},
                       {"required", {"copy"}}};
   for (const SpecKey& key : spec_keys())
     if (key.table.empty()) schema["properties"][std::string(key.name)] = key_schema(key);
   for (const std::string_view table : spec_tables()) {
-    if (std::find(left_out.begin(), left_out.end(), table) != left_out.end()) continue;
-    const ordered_json one = table_schema(table);
+    const bool is_outlined = std::find(outlined.begin(), outlined.end(), table) != outlined.end();
+    const ordered_json one = is_outlined ? ordered_json{{"type", "object"}} : table_schema(table);
     const bool is_list = table == "obstacles" || table == "bodies";
     schema["properties"][std::string(table)] = is_list ? list_schema(one, 0) : one;
   }

@@ -7,8 +7,7 @@
 
 namespace kempe {
 
-/// A JSON schema (draft 7) of specs: docs/spec.schema.json. Without the tables `left_out`, which then are neither described nor
-/// forbidden.
-nlohmann::ordered_json spec_schema(std::span<const std::string_view> left_out = {});
+/// A JSON schema (draft 7) of specs: docs/spec.schema.json. Of the tables `outlined` it says only that they may be there.
+nlohmann::ordered_json spec_schema(std::span<const std::string_view> outlined = {});
 
 }  // namespace kempe

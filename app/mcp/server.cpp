@@ -226,16 +226,19 @@ std::optional<Json> Server::call(const Json& id, const Json& params) {
 
 std::optional<Json> Server::watch(ToolProcess process, const Json& id, const ToolRun& run) {
   bool cancelled = false;
+  const auto look = [&] {
+    if (!look_through(id) || cancelled) return;
+    cancelled = true;
+    process.stop();
+  };
+  look();  // what came in together with the call
   while (process.runs()) {
     std::array<pollfd, 3> waiting{process.output(), process.errors(),
                                   pollfd{lines_.wants_more() ? STDIN_FILENO : -1, POLLIN, 0}};
     const int ready = ::poll(waiting.data(), waiting.size(), process.patience());
     if (ready > 0 && waiting[2].revents != 0) {
       lines_.read_some();
-      if (look_through(id) && !cancelled) {
-        cancelled = true;
-        process.stop();
-      }
+      look();
       if (!can_write_) return std::nullopt;  // and ends the process
     }
     process.read();

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <map>
 
 #include "specs/json_spec.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/measurements.hpp"
+#include "specs/spec_keys.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/spec_schema.hpp"
 #include "specs/text/printable.hpp"
@@ -21,19 +22,22 @@ using Json = nlohmann::ordered_json;
 using Kind = ToolArgument::Kind;
 
 constexpr const char* limit_name = "time_limit_s";
-/// Of a map nothing depends on these: the schemas of map and explain leave them to that of design.
-constexpr std::string_view not_of_a_map[] = {"tolerance", "tool", "material", "load", "objective", "cutting"};
+constexpr std::string_view a_spec = "The spec's tables and keys, as in docs/spec.md";
+constexpr std::string_view a_given_mechanism =
+    "The spec's tables and keys, those of the tool design, with a mechanism";
+constexpr std::string_view a_spec_file = "The same as a file (TOML; see docs/spec.md)";
 
 const std::vector<Tool>& all_tools() {
   static const std::vector<Tool> all{
       {"design",
        "Design a copying linkage",
        "synthesize",
+       "",
        "The answer has lengths, layers, figures and the proven bound; without a design it says whether it is "
        "proven that none "
        "exists, what is in the way, and the least change of each single limit that is enough.",
-       {{"spec", Kind::spec, "SPEC", false, "spec"},
-        {"spec_file", Kind::input, "SPEC", false, "spec"},
+       {{"spec", Kind::spec, "SPEC", false, "spec", a_spec},
+        {"spec_file", Kind::input, "SPEC", false, "spec", a_spec_file},
         {"folder", Kind::output_folder, "--output", true},
         {"seed", Kind::whole_number, "--seed"},
         {"map_tolerance", Kind::number, "--map-tolerance"}},
@@ -44,10 +48,11 @@ const std::vector<Tool>& all_tools() {
       {"map",
        "Map a given mechanism",
        "workspace",
+       "",
        "The answer says whether the tracer covers the region without contact, and if not, which parts are in "
        "the way.",
-       {{"spec", Kind::spec, "SPEC", false, "spec"},
-        {"spec_file", Kind::input, "SPEC", false, "spec"},
+       {{"spec", Kind::spec, "SPEC", false, "spec", a_given_mechanism},
+        {"spec_file", Kind::input, "SPEC", false, "spec", a_spec_file},
         {"folder", Kind::output_folder, "--output", true},
         {"map_tolerance", Kind::number, "--map-tolerance"}},
        true,
@@ -57,13 +62,14 @@ const std::vector<Tool>& all_tools() {
       {"explain",
        "Explain one place",
        "workspace",
-       "For one place of the tracer: free or not, and the limit, the figures and the two parts that decide. "
-       "The mechanism is that "
-       "of a spec with [mechanism], or of a design.json. No file is written.",
-       {{"spec", Kind::spec, "SPEC", false, "spec"},
-        {"spec_file", Kind::input, "SPEC", false, "spec"},
-        {"design_file", Kind::input, "SPEC", false, "spec"},
-        {"at", Kind::place, "--why", true}},
+       "Say why the tracer can or cannot stand at a place",
+       "The answer names the limit, the figures and the two parts that decide. The mechanism is that of a "
+       "spec, or of the "
+       "design.json that design and map write. No file is written.",
+       {{"spec", Kind::spec, "SPEC", false, "spec", a_given_mechanism},
+        {"spec_file", Kind::input, "SPEC", false, "spec", a_spec_file},
+        {"design_file", Kind::input, "SPEC", false, "spec", "A design.json"},
+        {"at", Kind::place, "--why", true, {}, "The place, [x, y] in mm"}},
        false,
        true,
        false,
@@ -71,6 +77,7 @@ const std::vector<Tool>& all_tools() {
       {"verify",
        "Verify a design",
        "verify",
+       "",
        "The answer names everything that the file states and that does not hold.",
        {{"design_file", Kind::input, "DESIGN", true}},
        false,
@@ -80,6 +87,7 @@ const std::vector<Tool>& all_tools() {
       {"trace",
        "Copy a drawing",
        "trace",
+       "",
        "The answer says how much was drawn, and for what is left out the cause.",
        {{"design_file", Kind::input, "DESIGN", true},
         {"drawing_file", Kind::input, "DRAWING", true},
@@ -100,9 +108,13 @@ const std::vector<Tool>& all_tools() {
       {"calibrate",
        "Calibrate an instrument",
        "calibrate",
+       "",
        "The answer has the errors found with their uncertainty, what to set, and what is left.",
-       {{"measurements", Kind::measurements, "MEASUREMENTS", false, "measurements"},
-        {"measurements_file", Kind::input, "MEASUREMENTS", false, "measurements"},
+       {{"measurements", Kind::measurements, "MEASUREMENTS", false, "measurements",
+         "Instrument and readings: the tables and keys of docs/calibration.md, such as instrument and "
+         "reading"},
+        {"measurements_file", Kind::input, "MEASUREMENTS", false, "measurements",
+         "The same as a file (TOML; see docs/calibration.md)"},
         {"folder", Kind::output_folder, "--output"},
         {"target_mm", Kind::number, "--target-mm"},
         {"ratios", Kind::words, "--ratios"},
@@ -118,7 +130,6 @@ const std::vector<Tool>& all_tools() {
 bool is_path(Kind kind) {
   return kind == Kind::input || kind == Kind::output_file || kind == Kind::output_folder;
 }
-bool is_tables(Kind kind) { return kind == Kind::spec || kind == Kind::measurements; }
 
 std::string allowed(Kind kind) {
   switch (kind) {
@@ -128,7 +139,7 @@ std::string allowed(Kind kind) {
     case Kind::output_file:
     case Kind::output_folder: return "a text, the path from the served folder";
     case Kind::number: return "a number";
-    case Kind::whole_number: return "a whole number";
+    case Kind::whole_number: return "a whole number from 0";
     case Kind::truth: return "true or false";
     case Kind::place: return "[x, y], two numbers";
     case Kind::words: return "a list of texts without commas";
@@ -147,7 +158,7 @@ bool fits(Kind kind, const Json& value) {
     case Kind::output_file:
     case Kind::output_folder: return value.is_string();
     case Kind::number: return value.is_number();
-    case Kind::whole_number: return value.is_number_integer();
+    case Kind::whole_number: return value.is_number_unsigned();
     case Kind::truth: return value.is_boolean();
     case Kind::place:
       return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
@@ -160,7 +171,12 @@ bool fits(Kind kind, const Json& value) {
 Json schema_of(const Tool& tool, Kind kind) {
   switch (kind) {
     case Kind::spec: {
-      Json schema = tool.name == "design" ? spec_schema() : spec_schema(not_of_a_map);
+      // All keys once: a model reads the list of all tools at once, and pays for every word of it.
+      std::vector<std::string_view> outlined;
+      if (tool.name != "design")
+        std::copy_if(spec_tables().begin(), spec_tables().end(), std::back_inserter(outlined),
+                     [](std::string_view table) { return table != "mechanism"; });
+      Json schema = spec_schema(outlined);
       schema.erase("$schema");
       return schema;
     }
@@ -169,7 +185,7 @@ Json schema_of(const Tool& tool, Kind kind) {
     case Kind::output_file:
     case Kind::output_folder: return {{"type", "string"}, {"minLength", 1}};
     case Kind::number: return {{"type", "number"}};
-    case Kind::whole_number: return {{"type", "integer"}};
+    case Kind::whole_number: return {{"type", "integer"}, {"minimum", 0}};
     case Kind::truth: return {{"type", "boolean"}};
     case Kind::place:
       return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
@@ -192,11 +208,8 @@ std::string description_of(const CLI::App& command, const Tool& tool, const Tool
   const auto option = std::find_if(all.begin(), all.end(), [&](const CLI::Option* one) {
     return one->check_name(std::string(argument.option)) || one->get_name(true) == argument.option;
   });
-  std::string text = is_tables(argument.kind) || option == all.end() ? "" : (*option)->get_description();
-  if (argument.kind == Kind::spec) text = "The spec's tables and keys, as in docs/spec.md";
-  if (argument.kind == Kind::measurements)
-    text =
-        "Instrument and readings: the tables and keys of docs/calibration.md, such as instrument and reading";
+  std::string text(argument.words);
+  if (text.empty() && option != all.end()) text = (*option)->get_description();
   if (is_path(argument.kind)) text += "; a path from the served folder";
   if (const std::string choice = choice_sentence(tool, argument); !choice.empty()) text += "; " + choice;
   return text;
@@ -217,7 +230,8 @@ Json listed(const CLI::App& program, const Tool& tool) {
                               {"description", command->get_option("--time-limit")->get_description()}};
   return {{"name", tool.name},
           {"title", tool.title},
-          {"description", command->get_description() + ". " + std::string(tool.answer)},
+          {"description", (tool.does.empty() ? command->get_description() : std::string(tool.does)) + ". " +
+                              std::string(tool.answer)},
           {"inputSchema",
            {{"type", "object"},
             {"properties", std::move(properties)},

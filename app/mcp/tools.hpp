@@ -23,7 +23,7 @@ struct ToolArgument {
     output_file,
     output_folder,
     number,
-    whole_number,
+    whole_number,  ///< from 0
     truth,
     place,  ///< [x, y]
     words   ///< a list of texts
@@ -33,11 +33,13 @@ struct ToolArgument {
   std::string_view option;  ///< of the command: "--fit", "SPEC"
   bool required = false;
   std::string_view choice = {};  ///< arguments with the same word: exactly one of them is given
+  std::string_view words = {};   ///< for a person; empty: those of the option
 };
 
 struct Tool {
   std::string_view name, title, command;
-  std::string_view answer;  ///< what comes back, after the command's own description
+  std::string_view does;    ///< for a person, a sentence without its full stop; empty: the command's
+  std::string_view answer;  ///< what comes back
   std::vector<ToolArgument> arguments;
   bool writes;          ///< it may write files
   bool takes_limit;     ///< the command has --time-limit
