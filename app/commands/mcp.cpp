@@ -20,7 +20,7 @@ struct McpArguments {
   int threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 256U));
 };
 
-int run(const Session& session, const CLI::App& program, const McpArguments& arguments) {
+int run(const Session& session, CLI::App& program, const McpArguments& arguments) {
   std::error_code error;
   if (!std::filesystem::is_directory(arguments.folder, error))
     return fail(session,

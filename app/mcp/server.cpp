@@ -215,7 +215,7 @@ std::optional<Json> Server::call(const Json& id, const Json& params) {
   const Json arguments = params.value("arguments", Json::object());
   if (!arguments.is_object())
     return rpc_error(id, RpcCode::invalid_params, "found arguments of another kind; allowed: an object");
-  const auto run = tool_run(*tool, arguments, seconds_, threads_);
+  const auto run = tool_run(program_, *tool, arguments, seconds_, threads_);
   if (!run) return rpc_result(id, faults_result(run.error()));
   // A command with --time-limit has some time more to write what it found; the others are ended.
   const double end = tool->takes_limit ? run->limit + grace_after(run->limit) + 1 : run->limit;

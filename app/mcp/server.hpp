@@ -17,7 +17,7 @@ namespace kempe::app {
 class Server {
  public:
   /// `seconds` and `threads`: at most so much for a call.
-  Server(const CLI::App& program, double seconds, int threads)
+  Server(CLI::App& program, double seconds, int threads)
       : program_(program), seconds_(seconds), threads_(threads) {}
 
   /// Returns `done` at the end of stdin, `cannot_write` once stdout is closed.
@@ -38,7 +38,7 @@ class Server {
   bool look_through(const Json& id);
   void send(const Json& message);
 
-  const CLI::App& program_;
+  CLI::App& program_;
   double seconds_;
   int threads_;
   MessageLines lines_{0};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 
 #include "specs/json_spec.hpp"
 #include "specs/key_checks.hpp"
@@ -203,20 +204,24 @@ std::string choice_sentence(const Tool& tool, const ToolArgument& argument) {
   return fmt::format("give exactly one of {}", fmt::join(names, ", "));
 }
 
-std::string description_of(const CLI::App& command, const Tool& tool, const ToolArgument& argument) {
-  const auto& all = command.get_options();
-  const auto option = std::find_if(all.begin(), all.end(), [&](const CLI::Option* one) {
-    return one->check_name(std::string(argument.option)) || one->get_name(true) == argument.option;
-  });
+/// The option that an argument stands for. There is one.
+CLI::Option* option_of(CLI::App& command, const ToolArgument& argument) {
+  for (CLI::Option* option : command.get_options(nullptr))
+    if (option->check_name(std::string(argument.option)) || option->get_name(true) == argument.option)
+      return option;
+  throw std::logic_error("a tool's argument without an option: " + std::string(argument.name));
+}
+
+std::string description_of(CLI::App& command, const Tool& tool, const ToolArgument& argument) {
   std::string text(argument.words);
-  if (text.empty() && option != all.end()) text = (*option)->get_description();
+  if (text.empty()) text = option_of(command, argument)->get_description();
   if (is_path(argument.kind)) text += "; a path from the served folder";
   if (const std::string choice = choice_sentence(tool, argument); !choice.empty()) text += "; " + choice;
   return text;
 }
 
-Json listed(const CLI::App& program, const Tool& tool) {
-  const CLI::App* command = program.get_subcommand(std::string(tool.command));
+Json listed(CLI::App& program, const Tool& tool) {
+  CLI::App* command = program.get_subcommand(std::string(tool.command));
   Json properties = Json::object(), required = Json::array();
   for (const ToolArgument& argument : tool.arguments) {
     Json schema = schema_of(tool, argument.kind);
@@ -285,6 +290,33 @@ void check_choices(const Tool& tool, const Json& arguments, ArgumentFaults& faul
                choice_sentence(tool, argument));
     given.erase(count);
   }
+}
+
+std::vector<CLI::Validator*> validators_of(CLI::Option& option) {
+  std::vector<CLI::Validator*> all;
+  try {
+    for (int i = 0;; ++i) all.push_back(option.get_validator(i));
+  } catch (const CLI::OptionNotFound&) {  // there is no other way to ask how many there are
+  }
+  return all;
+}
+
+/// What the option's own checks say to numbers: "found 7; allowed: a number from 0 to 1", or words of CLI11.
+void check_numbers(CLI::App& command, const ToolArgument& argument, const Json& value,
+                   ArgumentFaults& faults) {
+  if (argument.kind != Kind::number && argument.kind != Kind::whole_number && argument.kind != Kind::place)
+    return;
+  CLI::Option* option = option_of(command, argument);
+  for (const Json& number : value.is_array() ? value : Json::array({value}))
+    for (CLI::Validator* check : validators_of(*option)) {
+      std::string text = number.dump();
+      const std::string said = (*check)(text);
+      if (said.empty()) continue;
+      constexpr std::string_view before = "; allowed: ";
+      const std::size_t at = said.find(before);
+      return faults.add(argument.name, shown(number),
+                        at == std::string::npos ? said : said.substr(at + before.size()));
+    }
 }
 
 /// An argument's part of the command line. Values stand behind "=", so that none is taken for an option.
@@ -359,14 +391,14 @@ const Tool* find_tool(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-nlohmann::ordered_json tool_list(const CLI::App& program) {
+nlohmann::ordered_json tool_list(CLI::App& program) {
   Json list = Json::array();
   for (const Tool& tool : tools()) list.push_back(listed(program, tool));
   return list;
 }
 
-tl::expected<ToolRun, InputError> tool_run(const Tool& tool, const Json& arguments, double limit,
-                                           int threads) {
+tl::expected<ToolRun, InputError> tool_run(CLI::App& program, const Tool& tool, const Json& arguments,
+                                           double limit, int threads) {
   ArgumentFaults faults;
   ToolRun run{&tool, {"kempe", std::string(tool.command), "--json", "--quiet"}, {}, {}, limit};
   std::vector<std::string> last{"--"};  // the positional words
@@ -379,6 +411,7 @@ tl::expected<ToolRun, InputError> tool_run(const Tool& tool, const Json& argumen
     } else if (!fits(argument.kind, *value)) {
       faults.add(argument.name, shown(*value), allowed(argument.kind));
     } else {
+      check_numbers(*program.get_subcommand(std::string(tool.command)), argument, *value, faults);
       add_words(argument, *value, run, last, faults);
     }
   }

@@ -52,7 +52,7 @@ std::span<const Tool> tools();
 const Tool* find_tool(std::string_view name);
 
 /// What tools/list says of every tool; the words are those of the options of `program`.
-nlohmann::ordered_json tool_list(const CLI::App& program);
+nlohmann::ordered_json tool_list(CLI::App& program);
 
 struct PathGiven {
   std::string key, path;
@@ -68,9 +68,11 @@ struct ToolRun {
   double limit = 0;  ///< s
 };
 
-/// The error holds every argument that is unknown, missing or of a wrong kind.
-tl::expected<ToolRun, InputError> tool_run(const Tool& tool, const nlohmann::ordered_json& arguments,
-                                           double limit, int threads);
+/// The error holds every argument that is unknown, missing, of a wrong kind, or refused by the option of `program` that it stands
+/// for.
+tl::expected<ToolRun, InputError> tool_run(CLI::App& program, const Tool& tool,
+                                           const nlohmann::ordered_json& arguments, double limit,
+                                           int threads);
 
 /// Why the files that the call names, or that those name in turn, may not be used; nothing if they may. Reads them.
 std::optional<InputError> files_fault(const ToolRun& run);

@@ -292,9 +292,16 @@ class Tools(Case):
                 ("calibrate", {"measurements_file": "x", "ratios": ["1:2,1:3"], "plan": 1}, ["ratios", "plan"])):
             self.assertEqual(self.refused(self.client.call(tool, **arguments)), keys, (tool, arguments))
         self.assertIn("design_file (the nearest known argument)", self.client.call("verify", desing_file="x")["content"][0]["text"])
-        self.refused(self.client.call("explain", spec=GIVEN, at=[1e300, 0]))
-        self.refused(self.client.call("design", spec=TEN, folder="a", map_tolerance=7))
-        self.refused(self.client.call("design", spec=TEN, folder="a", seed=-1))
+        # Ranges are those of the command's options.
+        for tool, arguments, key, allowed in (
+                ("explain", {"spec": GIVEN, "at": [0, 1e300]}, "at", "a number from -1e+07 to 1e+07"),
+                ("design", {"spec": TEN, "folder": "a", "map_tolerance": 7}, "map_tolerance", "a number from 1e-05 to 0.5"),
+                ("design", {"spec": TEN, "folder": "a", "seed": -1}, "seed", "a whole number from 0"),
+                ("calibrate", {"measurements_file": "x", "plan_readings": 101}, "plan_readings", "100"),
+                ("trace", {"design_file": "x", "drawing_file": "x", "copy_file": "x.svg", "fit": True, "scale": 2}, "trace", "--help")):
+            result = self.client.call(tool, **arguments)
+            self.assertEqual(self.refused(result), [key])
+            self.assertIn(allowed, result["content"][0]["text"])
         # What looks like an option is a path.
         self.assertEqual(self.refused(self.client.call("verify", design_file="--help")), [None])
         self.assertIs(self.client.call("design", spec=TEN, folder="--help")["isError"], False)
@@ -408,9 +415,9 @@ class Paths(Case):
 
 
 class Limits(Case):
-    def slow(self, client):
+    def slow(self):
         """A call that would last minutes: a copy of a long line, its poses a ten-thousandth of a millimetre apart."""
-        client.call("design", spec=TEN, folder="a")
+        self.client.call("design", spec=TEN, folder="a")
         lines = "".join(f"M0 {y / 100}H8" for y in range(800))
         (self.served / "long.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="8mm" height="8mm" viewBox="0 0 8 8"><path d="{lines}"/></svg>')
         return {"jsonrpc": "2.0", "id": "slow", "method": "tools/call", "params": {"name": "trace", "arguments": {
@@ -418,7 +425,7 @@ class Limits(Case):
 
     def test_a_call_ends_at_its_time(self):
         client = self.open("--time-limit", 0.3, *self.OPTIONS)
-        client.tell(self.slow(client))
+        client.tell(self.slow())
         result = client.hear()["result"]
         self.assertIs(result["isError"], True)
         self.assertEqual(result["content"][0]["text"], "stopped (time limit of 0.3 s) before an answer")
@@ -429,7 +436,7 @@ class Limits(Case):
 
     def test_pings_and_cancelling_while_a_call_runs(self):
         ping = {"jsonrpc": "2.0", "id": "p", "method": "ping"}
-        slow = self.slow(self.client)
+        slow = self.slow()
         self.client.tell(slow)
         self.client.tell(ping)
         first = self.client.hear()
@@ -446,7 +453,7 @@ class Limits(Case):
         self.assertEqual((said, code), ([], 0))
 
     def test_a_call_does_not_outlive_the_server(self):
-        self.client.tell(self.slow(self.client))
+        self.client.tell(self.slow())
         self.client.tell({"jsonrpc": "2.0", "id": "p", "method": "ping"})
         self.client.hear()
         listed = pathlib.Path(f"/proc/{self.client.server.pid}/task/{self.client.server.pid}/children")
