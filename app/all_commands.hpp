@@ -19,6 +19,7 @@ void add_pareto_command(CLI::App& program, Session& session);
 void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
 void add_studio_command(CLI::App& program, Session& session);
+void add_mcp_command(CLI::App& program, Session& session);
 void add_help_command(CLI::App& program, Session& session);
 
 using AddCommand = void (*)(CLI::App&, Session&);
@@ -40,6 +41,7 @@ inline constexpr AddCommand all_commands[] = {
     add_function_command,
     add_inversor_command,
     add_studio_command,
+    add_mcp_command,
     add_help_command,
 };
 // clang-format on
