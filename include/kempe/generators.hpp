@@ -1,0 +1,40 @@
+#pragma once
+// Function generators and inversors: linkages designed for a task, each with its linkage file.
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "kempe/export.hpp"
+#include "kempe/input_error.hpp"
+
+namespace kempe {
+
+/// A linkage that was designed, as text of a linkage file (kempe/linkage.hpp).
+struct GeneratedLinkage {
+  std::string kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"
+  std::string text;
+};
+
+struct Generated {
+  std::string json;                        ///< what the command prints with --json
+  std::vector<GeneratedLinkage> linkages;  ///< the best first
+  std::string plot;                        ///< SVG of a function generator's structural error; else empty
+};
+
+struct NothingGenerated {
+  std::string sentence;
+  bool proven = false;  ///< false: a search found none
+};
+
+/// A four-bar whose output crank shows a function of its input crank (TOML, docs/function-generator.md), as `kempe function` designs it.
+/// `name` stands for the file in messages. Some seconds at most.
+KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_function(
+    std::string_view spec, const std::string& name = "");
+
+/// The inversors for a lens (TOML, docs/inversor.md), as `kempe inversor` designs them: the smallest first.
+KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inversor(
+    std::string_view spec, const std::string& name = "");
+
+}  // namespace kempe
