@@ -6,11 +6,12 @@
 
 #include "reports/linkages/generated.hpp"
 #include "reports/linkages/generator_answers.hpp"
+#include "specs/text/text_file.hpp"
 
 namespace kempe {
 
-std::variant<Generated, InputError, NothingGenerated> generate_function(std::string_view text,
-                                                                        const std::string& name) {
+std::variant<Generated, InputError, NothingGenerated> generate_function_text(std::string_view text,
+                                                                             const std::string& name) {
   const auto spec = read_function_spec(text, name);
   if (!spec) return spec.error();
   const auto task = function_task(*spec, name);
@@ -23,8 +24,8 @@ std::variant<Generated, InputError, NothingGenerated> generate_function(std::str
                    function_plot(*design, wanted)};
 }
 
-std::variant<Generated, InputError, NothingGenerated> generate_inversor(std::string_view text,
-                                                                        const std::string& name) {
+std::variant<Generated, InputError, NothingGenerated> generate_inversor_text(std::string_view text,
+                                                                             const std::string& name) {
   const auto spec = read_inversor_spec(text, name);
   if (!spec) return spec.error();
   const InversorTask task = inversor_task(*spec);
@@ -39,6 +40,18 @@ std::variant<Generated, InputError, NothingGenerated> generate_inversor(std::str
   for (const InversorDesign& design : designs)
     found.linkages.push_back({std::string(kempe::name(design.kind)), inversor_linkage(task, design)});
   return found;
+}
+
+std::variant<Generated, InputError, NothingGenerated> generate_function(const std::filesystem::path& file) {
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  return generate_function_text(*text, file.string());
+}
+
+std::variant<Generated, InputError, NothingGenerated> generate_inversor(const std::filesystem::path& file) {
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  return generate_inversor_text(*text, file.string());
 }
 
 }  // namespace kempe

@@ -78,13 +78,12 @@ py::object dict_of(const LinkageMotion& motion) {
                   "undetermined"_a = motion.undetermined, "end"_a = end);
 }
 
-/// (json, [(kind, linkage file)], plot); or (sentence, proven); or faults.
+/// (json, [(kind, linkage file)], plot); or a NothingGenerated; or faults.
 template <typename Generate>
-py::object generated(const Generate& generate, const std::string& spec, const std::string& name) {
-  const auto found = at_work(py::none(), [&](Hooks&) { return generate(spec, name); });
+py::object generated(const Generate& generate) {
+  const auto found = at_work(py::none(), [&](Hooks&) { return generate(); });
   if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
-  if (const auto* none = std::get_if<NothingGenerated>(&found))
-    return py::make_tuple(none->sentence, none->proven);
+  if (const auto* none = std::get_if<NothingGenerated>(&found)) return py::cast(*none);
   const auto& answer = std::get<Generated>(found);
   py::list linkages;
   for (const GeneratedLinkage& linkage : answer.linkages)
@@ -98,6 +97,9 @@ void add_linkages(py::module_& module) {
   py::class_<NoMotion>(module, "NoMotion")
       .def_property_readonly("sentence", [](const NoMotion& none) { return text_of(none.sentence); })
       .def_property_readonly("stopped", [](const NoMotion& none) { return none.stopped; });
+  py::class_<NothingGenerated>(module, "NothingGenerated")
+      .def_property_readonly("sentence", [](const NothingGenerated& none) { return text_of(none.sentence); })
+      .def_property_readonly("proven", [](const NothingGenerated& none) { return none.proven; });
   py::class_<Linkage>(module, "Linkage")
       .def_property_readonly("text", &Linkage::text)
       .def_property_readonly("name", [](const Linkage& linkage) { return text_of(linkage.name()); })
@@ -178,22 +180,20 @@ void add_linkages(py::module_& module) {
       "links"_a, "freedoms"_a);
   module.def(
       "generate_function",
-      [](const std::string& spec, const std::string& name) {
-        const auto work = [](const std::string& text, const std::string& file) {
-          return generate_function(text, file);
-        };
-        return generated(work, spec, name);
-      },
-      "spec"_a, "name"_a);
+      [](const std::filesystem::path& file) { return generated([&] { return generate_function(file); }); },
+      "file"_a);
+  module.def(
+      "generate_function_text",
+      [](const std::string& spec) { return generated([&] { return generate_function_text(spec); }); },
+      "spec"_a);
   module.def(
       "generate_inversor",
-      [](const std::string& spec, const std::string& name) {
-        const auto work = [](const std::string& text, const std::string& file) {
-          return generate_inversor(text, file);
-        };
-        return generated(work, spec, name);
-      },
-      "spec"_a, "name"_a);
+      [](const std::filesystem::path& file) { return generated([&] { return generate_inversor(file); }); },
+      "file"_a);
+  module.def(
+      "generate_inversor_text",
+      [](const std::string& spec) { return generated([&] { return generate_inversor_text(spec); }); },
+      "spec"_a);
 }
 
 }  // namespace kempe::python

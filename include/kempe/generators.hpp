@@ -1,6 +1,7 @@
 #pragma once
 // Function generators and inversors: linkages designed for a task, each with its linkage file.
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,12 +30,18 @@ struct NothingGenerated {
 };
 
 /// A four-bar whose output crank shows a function of its input crank (TOML, docs/function-generator.md), as `kempe function` designs it.
-/// `name` stands for the file in messages. Some seconds at most.
+/// Some seconds at most.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_function(
+    const std::filesystem::path& file);
+/// The same of a file's text; `name` stands for the file in messages.
+KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_function_text(
     std::string_view spec, const std::string& name = "");
 
 /// The inversors for a lens (TOML, docs/inversor.md), as `kempe inversor` designs them: the smallest first.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inversor(
+    const std::filesystem::path& file);
+/// The same of a file's text; `name` stands for the file in messages.
+KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inversor_text(
     std::string_view spec, const std::string& name = "");
 
 }  // namespace kempe

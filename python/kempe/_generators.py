@@ -2,20 +2,19 @@
 from __future__ import annotations
 
 import json
-import pathlib
-from dataclasses import dataclass, field
-from typing import Any, Mapping, Optional, Union
+from dataclasses import dataclass, field, replace
+from typing import Any, Callable, Mapping, Optional, Union
 
 import numpy as np
 
 from . import _core
-from ._answers import Fault, NoDesign, SpecError, error_of
+from ._answers import NoDesign, error_of
 from ._geometry import Array
 from ._linkage import Linkage
 from ._spec import Path, text_of
 
 _Spec = Union[Path, Mapping[str, Any]]
-_Found = Union[tuple[str, list[tuple[str, str]], str], tuple[str, bool], list[tuple[str, int, str, str, str]]]
+_Found = Union[tuple[str, list[tuple[str, str]], str], list[tuple[str, int, str, str, str]], _core.NothingGenerated]
 
 
 @dataclass(frozen=True)
@@ -85,8 +84,7 @@ def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionG
     >>> len(dial.precision_points), dial.linkage.links
     (3, ['input', 'coupler', 'output'])
     """
-    text, name = _text_and_name(spec, tables)
-    found, linkages, plot = _found(_core.generate_function(text, name), bool(name))
+    found, linkages, plot = _generated(_core.generate_function, _core.generate_function_text, spec, tables)
     return FunctionGenerator(
         method=found["method"], lengths_mm=found["lengths_mm"], branch=found["branch"], motion=found["motion"],
         input_start_deg=found["input"]["start_deg"], input_range_deg=found["input"]["range_deg"],
@@ -107,39 +105,32 @@ def inversor(spec: Optional[_Spec] = None, **tables: Any) -> Inversor:
     >>> best.kind, [other.kind for other in best.others], list(best.why_not)
     ('right_angle', ['hart'], ['peaucellier'])
     """
-    text, name = _text_and_name(spec, tables)
-    found, linkages, _ = _found(_core.generate_inversor(text, name), bool(name))
+    found, linkages, _ = _generated(_core.generate_inversor, _core.generate_inversor_text, spec, tables)
     rows = {row["kind"]: row for row in found["inversors"]}
     why_not = {kind: row["why_not"] for kind, row in rows.items() if "why_not" in row}
     best, *others = [_inversor_of(rows[kind], linkage) for kind, linkage in linkages.items()]
-    return Inversor(**{**vars(best), "others": tuple(others), "why_not": why_not})
+    return replace(best, others=tuple(others), why_not=why_not)
 
 
-def _inversor_of(row: Mapping[str, Any], linkage: Linkage) -> Inversor:
-    lengths = tuple(InversorLength(**length) for length in row["lengths"])
-    return Inversor(**{**row, "lengths": lengths, "linkage": linkage})
+def _inversor_of(row: dict[str, Any], linkage: Linkage) -> Inversor:
+    return Inversor(kind=row["kind"], size_mm=row["size_mm"], lengths=tuple(InversorLength(**length) for length in row["lengths"]),
+                    travel_object_mm=row["travel_object_mm"], travel_image_mm=row["travel_image_mm"],
+                    transmission_min_deg=row["transmission_min_deg"], linkage=linkage, point_share=row.get("point_share"))
 
 
-def _text_and_name(spec: Optional[_Spec], tables: Mapping[str, Any]) -> tuple[str, str]:
-    if spec is None:
-        return text_of(tables), ""
-    if tables:
+def _generated(of_file: Callable[[Path], _Found], of_text: Callable[[str], _Found], spec: Optional[_Spec],
+               tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Linkage], str]:
+    """The command's JSON, the linkages by kind, the plot; or the error that says why not."""
+    if spec is not None and tables:
         raise TypeError("a file, a dict or keywords: one of them")
-    if isinstance(spec, Mapping):
-        return text_of(spec), ""
-    name = str(spec)
-    try:
-        return pathlib.Path(spec).read_text(encoding="utf-8"), name
-    except UnicodeDecodeError:
-        raise SpecError([Fault(name, None, "", "bytes that are no UTF-8", "a TOML file")]) from None
-    except OSError as error:
-        raise SpecError([Fault(name, None, "", error.strerror or str(error), "a file that can be read")]) from None
-
-
-def _found(answer: _Found, lines: bool) -> tuple[dict[str, Any], dict[str, Linkage], str]:
+    is_file = spec is not None and not isinstance(spec, Mapping)
+    if spec is None or isinstance(spec, Mapping):
+        answer = of_text(text_of(tables if spec is None else spec))
+    else:
+        answer = of_file(spec)
     if isinstance(answer, list):
-        raise error_of(answer, lines)
-    if len(answer) == 2:
-        raise NoDesign(answer[0], proven=answer[1])
+        raise error_of(answer, lines=is_file)
+    if isinstance(answer, _core.NothingGenerated):
+        raise NoDesign(answer.sentence, proven=answer.proven)
     text, linkages, plot = answer
     return json.loads(text), {kind: Linkage.from_toml(linkage) for kind, linkage in linkages}, plot
