@@ -19,7 +19,7 @@ std::variant<Generated, InputError, NothingGenerated> generate_function_text(std
   const auto design = generate_function(*task);
   if (!design) return NothingGenerated{design.error().sentence, design.error().proven};
   const std::string wanted = wanted_text(*spec);
-  return Generated{function_json(*task, *design),
+  return Generated{function_json(*task, *design, true),
                    {{"four_bar", function_linkage(*task, *design, wanted)}},
                    function_plot(*design, wanted)};
 }

@@ -15,6 +15,7 @@
 #include "reports/linkages/loop_equations.hpp"
 #include "reports/linkages/running.hpp"
 #include "reports/linkages/solve_table.hpp"
+#include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 
 namespace kempe {
@@ -71,8 +72,9 @@ std::vector<MovedPoint> moved_points(const LinkageModel& model, const PlanarRun&
       moved.places.push_back(place(frame.position, point.place));
       moved.velocities.push_back(known ? velocity_of(frame.position, frame.rate, point.place)
                                        : Point(not_there, not_there));
-      moved.accelerations.push_back(known ? acceleration_of(frame.position, frame.rate, frame.second, point.place)
-                                          : Point(not_there, not_there));
+      moved.accelerations.push_back(
+          known ? acceleration_of(frame.position, frame.rate, frame.second, point.place)
+                : Point(not_there, not_there));
     }
   }
   return points;
@@ -121,10 +123,10 @@ std::vector<JointReaction> reactions_of(const LoadedLinkage& loaded, const std::
   return reactions;
 }
 
-LinkageMotion motion_of(const LoadedLinkage& loaded, const PlanarRun& run) {
+DrivenMotion motion_of(const LoadedLinkage& loaded, const PlanarRun& run) {
   const int steps = loaded.file.steps;
   const SolveTable table = solve_table(loaded.file, loaded.model, run, steps);
-  LinkageMotion motion;
+  DrivenMotion motion;
   for (const RunFrame& frame : run.frames) {
     motion.steps.push_back(frame.share * steps);
     motion.times.push_back(frame.share * loaded.file.duration);
@@ -145,8 +147,8 @@ LinkageMotion motion_of(const LoadedLinkage& loaded, const PlanarRun& run) {
 
 /// What stands in a run from the chosen start; `steps_of` says in how many parts it is run.
 template <typename Answer, typename Steps, typename Make>
-LinkageAnswer<Answer> of_run(const LoadedLinkage& loaded, std::optional<int> steps, const AssemblyChoice& choice,
-                             const Steps& steps_of, const Make& make) {
+LinkageAnswer<Answer> of_run(const LoadedLinkage& loaded, std::optional<int> steps,
+                             const AssemblyChoice& choice, const Steps& steps_of, const Make& make) {
   const auto whole = told_whole(loaded, steps);
   if (!whole) return whole.error();
   const auto start = chosen_start(*whole, choice);
@@ -164,6 +166,7 @@ Linkage::Linkage(std::shared_ptr<const LoadedLinkage> inside, std::string text)
 std::variant<Linkage, InputError> Linkage::parse(std::string_view text, const std::string& name) {
   auto file = parse_linkage_file(text, name);
   if (!file) return file.error();
+  file->name = printable(file->name);  // a file without a name has its path's, which may be any bytes
   auto loaded = loaded_linkage(std::move(*file));
   if (!loaded) return loaded.error();
   return Linkage(std::make_shared<const LoadedLinkage>(std::move(*loaded)), std::string(text));
@@ -201,8 +204,9 @@ LinkageAnswer<std::vector<std::vector<PlacedPoint>>> Linkage::assemblies(const A
   return answer;
 }
 
-LinkageAnswer<LinkageMotion> Linkage::solve(std::optional<int> steps, const AssemblyChoice& choice) const {
-  return of_run<LinkageMotion>(*inside_, steps, choice, [](int parts) { return parts; }, motion_of);
+LinkageAnswer<DrivenMotion> Linkage::solve(std::optional<int> steps, const AssemblyChoice& choice) const {
+  return of_run<DrivenMotion>(
+      *inside_, steps, choice, [](int parts) { return parts; }, motion_of);
 }
 
 LinkageAnswer<std::string> Linkage::mobility(const AssemblyChoice& choice) const {

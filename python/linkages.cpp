@@ -36,6 +36,14 @@ py::object text_answered(std::uint64_t seed, int assembly, const Ask& ask) {
   return answered(seed, assembly, ask, [](const std::string& text) -> py::object { return text_of(text); });
 }
 
+/// What a linkage says about one step of its motion.
+auto at_step(LinkageAnswer<std::string> (Linkage::*ask)(double, const AssemblyChoice&) const) {
+  return [ask](const Linkage& linkage, double step, int assembly, std::uint64_t seed) {
+    return text_answered(seed, assembly,
+                         [&](const AssemblyChoice& choice) { return (linkage.*ask)(step, choice); });
+  };
+}
+
 /// A tuple of dicts: each point's place.
 py::object tuple_of(const std::vector<std::vector<PlacedPoint>>& assemblies) {
   py::tuple all(assemblies.size());
@@ -48,7 +56,7 @@ py::object tuple_of(const std::vector<std::vector<PlacedPoint>>& assemblies) {
   return all;
 }
 
-py::object dict_of(const LinkageMotion& motion) {
+py::object dict_of(const DrivenMotion& motion) {
   py::dict places, velocities, accelerations, angles, rates, changes, reactions, forces, table;
   for (const MovedPoint& point : motion.points) {
     const py::str name(point.name);
@@ -71,10 +79,10 @@ py::object dict_of(const LinkageMotion& motion) {
   py::object end = py::none();
   if (motion.end)
     end = py::make_tuple(motion.end->kind, motion.end->step, motion.end->sentences, motion.end->sentence);
-  return py::dict("steps"_a = array_of(motion.steps), "times"_a = array_of(motion.times),
-                  "places"_a = places, "velocities"_a = velocities, "accelerations"_a = accelerations,
-                  "angles"_a = angles, "rates"_a = rates, "changes"_a = changes, "reactions"_a = reactions,
-                  "forces"_a = forces, "table"_a = table, "force_sentences"_a = motion.force_sentences,
+  return py::dict("steps"_a = array_of(motion.steps), "times"_a = array_of(motion.times), "places"_a = places,
+                  "velocities"_a = velocities, "accelerations"_a = accelerations, "angles"_a = angles,
+                  "rates"_a = rates, "changes"_a = changes, "reactions"_a = reactions, "forces"_a = forces,
+                  "table"_a = table, "force_sentences"_a = motion.force_sentences,
                   "undetermined"_a = motion.undetermined, "end"_a = end);
 }
 
@@ -130,29 +138,9 @@ void add_linkages(py::module_& module) {
                                  [&](const AssemblyChoice& choice) { return linkage.mobility(choice); });
           },
           "seed"_a)
-      .def(
-          "centres",
-          [](const Linkage& linkage, double step, int assembly, std::uint64_t seed) {
-            return text_answered(seed, assembly,
-                                 [&](const AssemblyChoice& choice) { return linkage.centres(step, choice); });
-          },
-          "step"_a, "assembly"_a, "seed"_a)
-      .def(
-          "centres_drawing",
-          [](const Linkage& linkage, double step, int assembly, std::uint64_t seed) {
-            return text_answered(
-                seed, assembly,
-                [&](const AssemblyChoice& choice) { return linkage.centres_drawing(step, choice); });
-          },
-          "step"_a, "assembly"_a, "seed"_a)
-      .def(
-          "equations",
-          [](const Linkage& linkage, double step, int assembly, std::uint64_t seed) {
-            return text_answered(
-                seed, assembly,
-                [&](const AssemblyChoice& choice) { return linkage.equations(step, choice); });
-          },
-          "step"_a, "assembly"_a, "seed"_a)
+      .def("centres", at_step(&Linkage::centres), "step"_a, "assembly"_a, "seed"_a)
+      .def("centres_drawing", at_step(&Linkage::centres_drawing), "step"_a, "assembly"_a, "seed"_a)
+      .def("equations", at_step(&Linkage::equations), "step"_a, "assembly"_a, "seed"_a)
       .def(
           "animation",
           [](const Linkage& linkage, bool is_page, std::optional<int> steps, int assembly,
@@ -170,8 +158,8 @@ void add_linkages(py::module_& module) {
       },
       "text"_a, "name"_a);
   module.def(
-      "read_linkage",
-      [](const std::filesystem::path& file) { return value_or_faults(Linkage::read(file)); }, "file"_a);
+      "read_linkage", [](const std::filesystem::path& file) { return value_or_faults(Linkage::read(file)); },
+      "file"_a);
   module.def(
       "chains",
       [](int links, int freedoms) {

@@ -15,22 +15,24 @@ namespace kempe {
 /// A linkage that was designed, as text of a linkage file (kempe/linkage.hpp).
 struct GeneratedLinkage {
   std::string kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"
-  std::string text;
+  std::string text;  ///< TOML
 };
 
+/// What came out.
 struct Generated {
-  std::string json;                        ///< what the command prints with --json
+  std::string json;                        ///< what the command prints with --json, equations included
   std::vector<GeneratedLinkage> linkages;  ///< the best first
   std::string plot;                        ///< SVG of a function generator's structural error; else empty
 };
 
+/// Why nothing came out.
 struct NothingGenerated {
-  std::string sentence;
-  bool proven = false;  ///< false: a search found none
+  std::string sentence;  ///< for a person
+  bool proven = false;   ///< false: a search found none
 };
 
-/// A four-bar whose output crank shows a function of its input crank (TOML, docs/function-generator.md), as `kempe function` designs it.
-/// Some seconds at most.
+/// A four-bar whose output crank shows a function of its input crank (TOML, docs/function-generator.md), as `kempe function`
+/// designs it. Some seconds at most.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_function(
     const std::filesystem::path& file);
 /// The same of a file's text; `name` stands for the file in messages.

@@ -21,7 +21,7 @@ struct LoadedLinkage;  // what is inside
 
 /// Why a linkage that was read gives no answer.
 struct NoMotion {
-  std::string sentence;
+  std::string sentence;  ///< for a person
   bool stopped = false;  ///< by `stop`, or because the work allowed was spent: nothing is known
 };
 
@@ -38,34 +38,38 @@ struct AssemblyChoice {
 
 /// A named place, mm, table frame.
 struct PlacedPoint {
-  std::string name;
-  Point at = Point::Zero();
+  std::string name;          ///< as in the file
+  Point at = Point::Zero();  ///< mm
 };
 
 /// A point at the moments of a motion: mm, mm/s, mm/s^2, table frame. NaN where rates do not exist: where the motion stopped.
 struct MovedPoint {
-  std::string name;
-  std::vector<Point> places, velocities, accelerations;
+  std::string name;                  ///< as in the file
+  std::vector<Point> places;         ///< mm
+  std::vector<Point> velocities;     ///< mm/s
+  std::vector<Point> accelerations;  ///< mm/s^2
 };
 
 /// A link at the moments of a motion: rad (not folded), rad/s, rad/s^2. NaN like a point's rates.
 struct MovedLink {
-  std::string name;
-  std::vector<double> angles, rates, accelerations;
+  std::string name;                   ///< as in the file
+  std::vector<double> angles;         ///< rad, of the link's x axis
+  std::vector<double> rates;          ///< rad/s
+  std::vector<double> accelerations;  ///< rad/s^2
 };
 
 /// The force on a link in a joint, or on what a guide holds, at the moments: N, table frame. NaN where it does not exist or rigid
 /// links do not determine it.
 struct JointReaction {
-  std::string name;  ///< "B_on_rod", "C_from_ground"
-  std::vector<Point> forces;
+  std::string name;           ///< "B_on_rod", "C_from_ground"
+  std::vector<Point> forces;  ///< N
 };
 
 /// A column of the table of `kempe solve`, NaN where it has no value.
 struct MotionColumn {
-  std::string name;  ///< with its unit: "step", "P_x_m", "drive_P_y_N"
-  std::vector<double> values;
-  bool is_force = false;  ///< or moment
+  std::string name;            ///< with its unit: "step", "P_x_m", "drive_P_y_N"
+  std::vector<double> values;  ///< a moment each
+  bool is_force = false;       ///< or moment
 };
 
 /// How a motion ended before its time.
@@ -77,14 +81,14 @@ struct MotionEnd {
 };
 
 /// A linkage moved by its drivers.
-struct LinkageMotion {
-  std::vector<double> steps;  ///< 0, 1, ...; the last is a fraction where the motion ended early
-  std::vector<double> times;  ///< s
-  std::vector<MovedPoint> points;  ///< every point, those of the ground included
-  std::vector<MovedLink> links;    ///< every link but the ground
+struct DrivenMotion {
+  std::vector<double> steps;             ///< 0, 1, ...; the last is a fraction where the motion ended early
+  std::vector<double> times;             ///< s
+  std::vector<MovedPoint> points;        ///< every point, those of the ground included
+  std::vector<MovedLink> links;          ///< every link but the ground
   std::vector<JointReaction> reactions;  ///< where there are loads
-  /// The table of `kempe solve` in the file's unit: the points, links and transmission angles that the file wants, with velocities and
-  /// accelerations, and all forces.
+  /// The table of `kempe solve` in the file's unit: the points, links and transmission angles that the file wants, with
+  /// velocities and accelerations, and all forces.
   std::vector<MotionColumn> table;
   std::vector<std::string> force_sentences;  ///< what the forces come to
   std::vector<std::string> undetermined;     ///< joints whose reaction rigid links do not determine
@@ -99,22 +103,23 @@ class KEMPE_EXPORT Linkage {
   /// Of a file.
   static std::variant<Linkage, InputError> read(const std::filesystem::path& file);
 
-  const std::string& text() const;  ///< the file's
-  const std::string& name() const;
-  const std::string& unit() const;         ///< "mm", "cm", "m" or "in": of the file and the columns
-  std::vector<std::string> points() const;  ///< names, those of the ground first
-  std::vector<std::string> links() const;   ///< names, without the ground
-  int steps() const;                        ///< equal parts of the motion that the file wants
+  const std::string& text() const;                ///< the file's
+  const std::string& name() const;                ///< what it is called
+  const std::string& unit() const;                ///< "mm", "cm", "m" or "in": of the file and the columns
+  std::vector<std::string> points() const;        ///< names, those of the ground first
+  std::vector<std::string> links() const;         ///< names, without the ground
+  int steps() const;                              ///< equal parts of the motion that the file wants
   const std::vector<std::string>& notes() const;  ///< what was understood otherwise than it was written
 
   /// The closed positions at the start of the motion that a search finds, the chosen one first: every point's place. None is
   /// invented, one may be missed.
   LinkageAnswer<std::vector<std::vector<PlacedPoint>>> assemblies(const AssemblyChoice& choice = {}) const;
 
-  /// The motion in `steps` equal parts; nothing: as many as the file wants. Faults: `steps` beyond what a table may hold, a number of an
-  /// assembly mode that is not known, drivers that do not fit the mobility. Where the linkage locks on its way the motion ends there.
-  LinkageAnswer<LinkageMotion> solve(std::optional<int> steps = std::nullopt,
-                                     const AssemblyChoice& choice = {}) const;
+  /// The motion in `steps` equal parts; nothing: as many as the file wants. Faults: `steps` beyond what a table may hold, a
+  /// number of an assembly mode that is not known, drivers that do not fit the mobility. Where the linkage locks on its way the
+  /// motion ends there.
+  LinkageAnswer<DrivenMotion> solve(std::optional<int> steps = std::nullopt,
+                                    const AssemblyChoice& choice = {}) const;
 
   /// Gruebler's count and the true mobility: what `kempe mobility --json` prints.
   LinkageAnswer<std::string> mobility(const AssemblyChoice& choice = {}) const;
@@ -142,8 +147,8 @@ class KEMPE_EXPORT Linkage {
   std::string text_;
 };
 
-/// Number synthesis: the assortments of links of which a chain with these freedoms can be made, what `kempe mobility --links` prints as
-/// JSON. `links` 2 to 40, `freedoms` 0 to 40, else a fault.
+/// Number synthesis: the assortments of links of which a chain with these freedoms can be made, what `kempe mobility --links`
+/// prints as JSON. `links` 2 to 40, `freedoms` 0 to 40, else a fault.
 KEMPE_EXPORT std::variant<std::string, InputError> chains(int links, int freedoms = 1);
 
 }  // namespace kempe

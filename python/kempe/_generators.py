@@ -37,6 +37,7 @@ class FunctionGenerator:
     precision_points: tuple[float, ...]  #: x where the error is meant to vanish, or vanishes
     minimax: Optional[Mapping[str, Any]] = field(repr=False)  #: what is known of a minimax design: "local_minimum_proven", ...
     rejected: Mapping[str, int] = field(repr=False)  #: candidates with defects, by defect
+    equations: Mapping[str, Any] = field(repr=False)  #: as `kempe function --equations --json` has them
     reservation: str  #: what is not claimed; "" where nothing is left to say
     linkage: Linkage  #: the four-bar O-A-B-D, its input crank driven
     plot_svg: str = field(repr=False)  #: the structural error's curve, the text of an SVG file
@@ -92,7 +93,8 @@ def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionG
         y_at_start=found["output"]["y_at_start"], y_at_end=found["output"]["y_at_end"],
         structural_error_max_deg=found["structural_error_max_deg"], structural_error_rms_deg=found["structural_error_rms_deg"],
         transmission_min_deg=found["transmission_min_deg"], precision_points=tuple(found["precision_points"]),
-        minimax=found.get("minimax"), rejected=found["rejected"], reservation=found.get("reservation", ""),
+        minimax=found.get("minimax"), rejected=found["rejected"], equations=found["equations"],
+        reservation=found.get("reservation", ""),
         linkage=linkages["four_bar"], plot_svg=plot, _curve=tuple(found["structural_error"]))
 
 
@@ -113,7 +115,8 @@ def inversor(spec: Optional[_Spec] = None, **tables: Any) -> Inversor:
 
 
 def _inversor_of(row: dict[str, Any], linkage: Linkage) -> Inversor:
-    return Inversor(kind=row["kind"], size_mm=row["size_mm"], lengths=tuple(InversorLength(**length) for length in row["lengths"]),
+    return Inversor(kind=row["kind"], size_mm=row["size_mm"],
+                    lengths=tuple(InversorLength(**length) for length in row["lengths"]),
                     travel_object_mm=row["travel_object_mm"], travel_image_mm=row["travel_image_mm"],
                     transmission_min_deg=row["transmission_min_deg"], linkage=linkage, point_share=row.get("point_share"))
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import dataclass, field, fields
 from typing import Any, Iterator, Mapping, Optional, TypeVar, Union
 
@@ -33,9 +34,9 @@ class MotionEnd:
 class Motion:
     """A linkage moved by its drivers, as arrays of n moments by name. True if it went to its end.
 
-    Points: mm, mm/s and mm/s^2 in the table's frame, arrays (n, 2), those of the ground included. Links: degrees (a full turn counts
-    on), rad/s and rad/s^2, arrays (n,). NaN where a value does not exist: rates and forces where the motion stopped, reactions that
-    rigid links do not determine.
+    Points: mm, mm/s and mm/s^2 in the table's frame, arrays (n, 2), those of the ground included. Links: degrees (a full turn
+    counts on), rad/s and rad/s^2, arrays (n,). NaN where a value does not exist: rates and forces where the motion stopped,
+    reactions that rigid links do not determine.
     """
 
     linkage: str  #: its name
@@ -48,8 +49,10 @@ class Motion:
     angles_deg: Mapping[str, Array] = field(repr=False)  #: of each link's x axis
     rates_rad_per_s: Mapping[str, Array] = field(repr=False)
     accelerations_rad_per_s2: Mapping[str, Array] = field(repr=False)
-    reactions: Mapping[str, Array] = field(repr=False)  #: (n, 2), N: "B_on_rod" in a joint, "C_from_ground" in a guide; none without loads
-    forces: Mapping[str, Array] = field(repr=False)  #: (n,), N or N m by the name's end: every force's column, drivers' too ("drive_P_y_N")
+    #: (n, 2), N: "B_on_rod" in a joint, "C_from_ground" in a guide; none without loads
+    reactions: Mapping[str, Array] = field(repr=False)
+    #: (n,), N or N m by the name's end: every force's column, the drivers' too ("drive_P_y_N")
+    forces: Mapping[str, Array] = field(repr=False)
     force_sentences: tuple[str, ...] = field(repr=False)  #: what the forces come to
     undetermined: tuple[str, ...] = field(repr=False)  #: joints whose reactions rigid links do not determine
     end: Optional[MotionEnd]  #: None: it went to its end
@@ -58,8 +61,8 @@ class Motion:
     def to_columns(self) -> dict[str, Array]:
         """The table of `kempe solve`, a column a name with its unit: pandas.DataFrame(motion.to_columns()) takes it.
 
-        In the unit of the linkage's file: the points, links and transmission angles that the file wants, with velocities, accelerations
-        and all forces.
+        In the unit of the linkage's file: the points, links and transmission angles that the file wants, with velocities,
+        accelerations and all forces.
         """
         return dict(self._table)
 
@@ -148,8 +151,8 @@ class Centres:
 class Linkage:
     """Any planar linkage with its drivers, loads and motion. Made whole or not at all; it never changes.
 
-    The keywords are the tables and keys of a linkage file (docs/linkage-file.md), as dicts, lists and numbers; NumPy's arrays too. Lengths
-    are in its `unit`, millimetres unless it says another. Linkage.read() takes a file, Linkage.from_toml() its text.
+    The keywords are the tables and keys of a linkage file (docs/linkage-file.md), as dicts, lists and numbers; NumPy's arrays
+    too. Lengths are in its `unit`, millimetres unless it says another. Linkage.read() takes a file, Linkage.from_toml() its text.
 
     Raises SpecError with all faults, in the words of the file's reader.
 
@@ -183,7 +186,10 @@ class Linkage:
 
     @classmethod
     def from_toml(cls, text: str, name: str = "") -> Linkage:
-        """The linkage of a file's text; `name` stands for the file in messages. Raises SpecError with all faults and their lines."""
+        """The linkage of a file's text; `name` stands for the file in messages.
+
+        Raises SpecError with all faults and their lines.
+        """
         found = _core.parse_linkage(text, name)
         if isinstance(found, list):
             raise error_of(found)
@@ -198,7 +204,7 @@ class Linkage:
         if isinstance(found, list):
             raise error_of(found)
         linkage = cls.__new__(cls)
-        linkage._inside, linkage._file = found, str(file)
+        linkage._inside, linkage._file = found, os.fsencode(file).decode(errors="backslashreplace")
         return linkage
 
     def to_toml(self) -> str:
@@ -242,17 +248,20 @@ class Linkage:
         assembly  which of .assemblies(seed=seed) to start in
         seed      of the random numbers in the search for assembly modes
 
-        Where the linkage cannot go on, the motion ends there: .end says why. Raises NoMotion where it does not assemble or cannot start,
-        SpecError for steps or assembly that cannot be, and for drivers that do not fit the mobility.
+        Where the linkage cannot go on, the motion ends there: .end says why. Raises NoMotion where it does not assemble or cannot
+        start, SpecError for steps or assembly that cannot be, and for drivers that do not fit the mobility, Stopped where the
+        work allowed was spent.
         """
         found = _answer(self._inside.solve(steps, assembly, seed))
         end = found["end"]
         return Motion(linkage=self.name, unit=self.unit, steps=found["steps"], times_s=found["times"], positions=found["places"],
                       velocities=found["velocities"], accelerations=found["accelerations"],
-                      angles_deg={name: np.degrees(angle) for name, angle in found["angles"].items()}, rates_rad_per_s=found["rates"],
-                      accelerations_rad_per_s2=found["changes"], reactions=found["reactions"], forces=found["forces"],
+                      angles_deg={name: np.degrees(angle) for name, angle in found["angles"].items()},
+                      rates_rad_per_s=found["rates"], accelerations_rad_per_s2=found["changes"],
+                      reactions=found["reactions"], forces=found["forces"],
                       force_sentences=tuple(found["force_sentences"]), undetermined=tuple(found["undetermined"]),
-                      end=None if end is None else MotionEnd(end[0], end[1], tuple(end[2]), end[3]), _table=found["table"])
+                      end=None if end is None else MotionEnd(end[0], end[1], tuple(end[2]), end[3]),
+                      _table=found["table"])
 
     def assemblies(self, *, seed: int = 1) -> tuple[dict[str, Point], ...]:
         """The closed positions at the start of the motion, the chosen one first: each point's place, mm.
@@ -267,7 +276,10 @@ class Linkage:
         return Mobility(**{name: _tuples(value) for name, value in found.items()})
 
     def centres(self, at: float = 0, *, assembly: int = 0, seed: int = 1) -> Centres:
-        """Every instant centre at a step, whole or not, of its file's motion. Raises NoMotion where the motion does not get there."""
+        """Every instant centre at a step, whole or not, of its file's motion.
+
+        Raises NoMotion where the motion does not get there.
+        """
         found = json.loads(_answer(self._inside.centres(at, assembly, seed)))
         centres = tuple(self._centre(one) for one in found["centres"])
         return Centres(found["linkage"], found["step"], found["time_s"], tuple(found["drivers"]), centres)
@@ -284,12 +296,12 @@ class Linkage:
         return _answer(self._inside.centres_drawing(at, assembly, seed))
 
     def equations(self, at: float = 0, *, assembly: int = 0, seed: int = 1) -> dict[str, Any]:
-        """The loop equations at a step with their numbers and derivatives: what `kempe solve --equations --json` prints, as a dict."""
+        """The loop equations at a step with their numbers and derivatives: `kempe solve --equations --json` as a dict."""
         found: dict[str, Any] = json.loads(_answer(self._inside.equations(at, assembly, seed)))
         return found
 
     def animation(self, kind: str = "html", *, steps: Optional[int] = None, assembly: int = 0, seed: int = 1) -> str:
-        """The linkage moving, the text of one file without a network: "html", a page with a slider, or "svg", which plays by itself."""
+        """The linkage moving, the text of one file without a network: "html" has a slider, "svg" plays by itself."""
         if kind not in ("html", "svg"):
             raise ValueError(f"an animation is \"html\" or \"svg\"; found {kind!r}")
         return _answer(self._inside.animation(kind == "html", steps, assembly, seed))
@@ -314,7 +326,7 @@ class Linkage:
 
 
 def number_synthesis(links: int, freedoms: int = 1) -> dict[str, Any]:
-    """The assortments of links of which a chain with these freedoms can be made: what `kempe mobility --links --json` prints, as a dict.
+    """The assortments of links of which a chain with these freedoms can be made: `kempe mobility --links --json` as a dict.
 
     `links` 2 to 40, the ground included; `freedoms` 0 to 40. Raises SpecError beyond.
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "reports/linkages/function_equations.hpp"
 #include "reports/pictures/error_plot.hpp"
 #include "specs/text/expression.hpp"
 
@@ -73,7 +74,7 @@ std::string reservation(const FunctionDesign& design) {
          "error";
 }
 
-std::string function_json(const FunctionTask& task, const FunctionDesign& design) {
+std::string function_json(const FunctionTask& task, const FunctionDesign& design, bool with_equations) {
   const FourBar& bar = design.linkage;
   nlohmann::ordered_json object{
       {"method", std::string(name(task.method))},
@@ -108,6 +109,7 @@ std::string function_json(const FunctionTask& task, const FunctionDesign& design
                                           {"output_deg", degrees(at.output_angle)},
                                           {"error_deg", degrees(at.error)}});
   if (const std::string words = reservation(design); !words.empty()) object["reservation"] = words;
+  if (with_equations) object["equations"] = function_equations_json(task, design);
   return object.dump(1) + "\n";
 }
 
@@ -118,8 +120,9 @@ std::string function_plot(const FunctionDesign& design, const std::string& wante
 }
 
 InversorTask inversor_task(const InversorSpec& spec) {
-  return {spec.focal_length, spec.magnification_lower, spec.magnification_upper,
-          spec.transmission, spec.shortest,            spec.longest};
+  return {
+      spec.focal_length, spec.magnification_lower, spec.magnification_upper, spec.transmission, spec.shortest,
+      spec.longest};
 }
 
 std::string inversor_json(const InversorTask& task, const std::vector<InversorAnswer>& answers) {

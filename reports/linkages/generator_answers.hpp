@@ -20,8 +20,9 @@ std::string wanted_text(const FunctionSpec& spec);
 /// What the answer does not claim; empty where it says all that is to be said.
 std::string reservation(const FunctionDesign& design);
 
-/// One JSON object: lengths, cranks, errors, transmission, the structural error's curve, and the reservation if there is one.
-std::string function_json(const FunctionTask& task, const FunctionDesign& design);
+/// One JSON object: lengths, cranks, errors, transmission, the structural error's curve, the reservation if there is one, and on
+/// request the equations (function_equations.hpp).
+std::string function_json(const FunctionTask& task, const FunctionDesign& design, bool with_equations);
 
 /// The structural error's curve as SVG.
 std::string function_plot(const FunctionDesign& design, const std::string& wanted);

@@ -45,12 +45,11 @@ std::string opening_text(const LoadedLinkage& loaded, const Missing& missing) {
 
 tl::unexpected<NoRun> wrong_drivers(const LoadedLinkage& loaded, const Mobility& mobility) {
   const std::size_t driven = loaded.model.linkage.drivers().size();
-  return no_run({loaded.file.file, loaded.file.drivers.empty() ? 0 : loaded.file.drivers.back().line,
-                 "drivers",
-                 fmt::format("{} driven {} for a mobility of {} ({})", driven,
-                             driven == 1 ? "value" : "values", mobility.mobility,
-                             fmt::join(mobility_sentences(loaded.model, mobility), "; ")),
-                 "as many driven values as the mobility"});
+  return no_run(
+      {loaded.file.file, loaded.file.drivers.empty() ? 0 : loaded.file.drivers.back().line, "drivers",
+       fmt::format("{} driven {} for a mobility of {} ({})", driven, driven == 1 ? "value" : "values",
+                   mobility.mobility, fmt::join(mobility_sentences(loaded.model, mobility), "; ")),
+       "as many driven values as the mobility"});
 }
 
 /// Nothing closes with the drivers at their start: too many drivers, values out of reach, or no linkage at
@@ -63,8 +62,7 @@ tl::unexpected<NoRun> not_assembled(const LoadedLinkage& loaded, const Missing& 
   search.stop = stop;
   const auto found = start_assembly_modes(free.file, free.model, search);
   if (!found && stop && stop()) return no_run(NoRun::Why::interrupted);
-  if (!found)
-    return no_run(NoRun::Why::impossible, "does not assemble: " + opening_text(loaded, missing));
+  if (!found) return no_run(NoRun::Why::impossible, "does not assemble: " + opening_text(loaded, missing));
   const Mobility mobility = mobility_of(free.model.linkage, found->front());
   if (mobility.mobility < static_cast<int>(loaded.model.linkage.drivers().size()))
     return wrong_drivers(loaded, mobility);
@@ -97,8 +95,8 @@ template <class Run>
 tl::expected<PlanarRun, NoRun> driven(const LoadedLinkage& loaded, const std::function<bool()>& stop,
                                       const Run& run_it) {
   if (loaded.model.linkage.drivers().empty())
-    return no_run({loaded.file.file, 0, "drivers", "nothing",
-                   "[[drivers]], as many as the linkage has freedoms"});
+    return no_run(
+        {loaded.file.file, 0, "drivers", "nothing", "[[drivers]], as many as the linkage has freedoms"});
   tl::expected<PlanarRun, NoPathHere> run = run_it();
   if (!run) return no_path(loaded, run.error(), stop);
   if (run->stop && run->stop->end == PathEnd::interrupted) return no_run(NoRun::Why::interrupted);
@@ -131,8 +129,9 @@ tl::expected<std::vector<PlanarPosition>, NoRun> assembled(const LoadedLinkage& 
   if (found) return std::move(*found);
   const NoAssembly& none = found.error();
   if (!none.unmet.empty())
-    return no_run(NoRun::Why::impossible, fmt::format("no closing of the linkage lies within the bounds of {}",
-                                                      fmt::join(none.unmet, ", ")));
+    return no_run(
+        NoRun::Why::impossible,
+        fmt::format("no closing of the linkage lies within the bounds of {}", fmt::join(none.unmet, ", ")));
   if (stop && stop()) return no_run(NoRun::Why::interrupted);
   return not_assembled(loaded, none.missing.value(), seed, stop);
 }

@@ -24,6 +24,17 @@ PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 LINKAGES = sorted((SOURCE / "specs" / "examples" / "linkages").glob("*.toml"))
 GENERATORS = SOURCE / "specs" / "examples" / "generators"
 WATT = SOURCE / "specs" / "examples" / "linkages" / "watt-six-bar.toml"
+DIAL = """[function]
+expression = "log10(x)"
+x = [1, 2]
+method = "minimax"
+[input]
+range_deg = 60
+start_deg = 86
+[output]
+range_deg = 90
+start_deg = -19
+"""
 PRESS = SOURCE / "specs" / "examples" / "linkages" / "shear-press-forces.toml"
 
 
@@ -119,12 +130,14 @@ class LikeTheProgram(unittest.TestCase):
 
     def test_function_generators(self):
         with tempfile.TemporaryDirectory() as scratch:
-            for name in ("logarithm", "table"):
-                file, linkage, plot = GENERATORS / f"{name}.toml", pathlib.Path(scratch) / "f.toml", pathlib.Path(scratch) / "f.svg"
-                expected = told("function", file, "--linkage", linkage, "--plot", plot)
+            dial = pathlib.Path(scratch) / "dial.toml"
+            dial.write_text(DIAL)
+            for file in (dial, GENERATORS / "table.toml"):
+                linkage, plot = pathlib.Path(scratch) / "f.toml", pathlib.Path(scratch) / "f.svg"
+                expected = told("function", file, "--linkage", linkage, "--plot", plot, "--equations")
                 found = kempe.function_generator(file)
                 for key in ("method", "lengths_mm", "branch", "motion", "structural_error_max_deg", "structural_error_rms_deg",
-                            "transmission_min_deg", "rejected"):
+                            "transmission_min_deg", "rejected", "equations"):
                     self.assertEqual(getattr(found, key), expected[key], key)
                 self.assertEqual((list(found.precision_points), found.minimax), (expected["precision_points"], expected.get("minimax")))
                 self.assertEqual((found.input_start_deg, found.input_range_deg), tuple(expected["input"].values()))
@@ -269,7 +282,7 @@ class LikeNumPy(unittest.TestCase):
                                    + motion.velocities["C"][:, 1] * 2, work, atol=1e-8)
 
     def test_four_bars_close_and_show_the_function(self):
-        found = kempe.function_generator(GENERATORS / "logarithm.toml")
+        found = kempe.function_generator(tomllib.loads(DIAL))
         length, curve = found.lengths_mm, found.structural_error
         crank = length["input"] * np.exp(1j * np.radians(curve["input_deg"]))
         rocker = length["ground"] + length["output"] * np.exp(1j * np.radians(curve["output_deg"]))
@@ -340,6 +353,17 @@ class Faults(unittest.TestCase):
                     self.assertTrue(all(one.line is None and one.file is None for one in found))
                 compared += 1
         self.assertGreater(compared, 40)
+
+    def test_a_file_may_be_called_anything(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            file = os.fsencode(scratch) + b"/odd\xff.toml"
+            pathlib.Path(os.fsdecode(file)).write_text(WATT.read_text(encoding="utf-8").replace('name = "Watt six-bar"', ""))
+            linkage = kempe.Linkage.read(os.fsdecode(file))
+            self.assertTrue(linkage.name.startswith("odd"))
+            self.assertEqual(linkage.equations()["linkage"], linkage.name)
+            self.assertEqual((linkage.mobility().linkage, linkage.centres().linkage), (linkage.name, linkage.name))
+            self.assertIn("<svg", linkage.centres_drawing())
+            self.assertEqual(linkage, pickle.loads(pickle.dumps(linkage)))
 
     def test_arguments(self):
         linkage = kempe.Linkage.read(WATT)
