@@ -34,7 +34,8 @@ std::string spacing_of(const FunctionTask& task, double x) {
   const double middle = (task.x_lower + task.x_upper) / 2, half = (task.x_upper - task.x_lower) / 2;
   for (int j = 1; j <= task.points; ++j) {
     const double angle = 180.0 * (2 * j - 1) / (2 * task.points);
-    const double at = chebyshev_points(task.x_lower, task.x_upper, task.points)[static_cast<std::size_t>(j) - 1];
+    const double at =
+        chebyshev_points(task.x_lower, task.x_upper, task.points)[static_cast<std::size_t>(j) - 1];
     if (std::abs(at - x) <= 1e-9 * half)
       return fmt::format("{} {} cos({}) = {}", plain_number(middle), added_number(half), plain_number(angle),
                          plain_number(at));
@@ -49,8 +50,8 @@ std::string lengths_work(const FourBar& bar, const FreudensteinCoefficients& k) 
       "  a = d/K1 = {0}/{1} = {2}\n"
       "  c = d/K2 = {0}/{3} = {4}\n"
       "  b = sqrt(a^2 + c^2 + d^2 - 2 a c K3) = sqrt({2}^2 + {4}^2 + {0}^2 - 2 * {2} * {4} * {5}) = {6}\n",
-      plain_number(d), plain_number(k.K1), plain_number(a), plain_number(k.K2),
-      plain_number(c), plain_number(k.K3), plain_number(bar.coupler));
+      plain_number(d), plain_number(k.K1), plain_number(a), plain_number(k.K2), plain_number(c),
+      plain_number(k.K3), plain_number(bar.coupler));
 }
 
 std::string ripples_work(const FunctionDesign& design) {
@@ -76,10 +77,10 @@ std::vector<FunctionPoint> function_points(const FunctionTask& task, const Funct
     point.output_angle = wanted_output_angle(task, design, point.y);
     point.spacing = spacing_of(task, x);
     const double phi = point.input_angle, psi = point.output_angle;
-    point.equation = fmt::format("{0} cos({1}) {2} cos({3}) {4} = cos({3} - {5})", plain_number(k.K1),
-                                 plain_number(degrees(psi)), added_number(-k.K2), plain_number(degrees(phi)),
-                                 added_number(k.K3),
-                                 psi < 0 ? "(" + plain_number(degrees(psi)) + ")" : plain_number(degrees(psi)));
+    point.equation = fmt::format(
+        "{0} cos({1}) {2} cos({3}) {4} = cos({3} - {5})", plain_number(k.K1), plain_number(degrees(psi)),
+        added_number(-k.K2), plain_number(degrees(phi)), added_number(k.K3),
+        psi < 0 ? "(" + plain_number(degrees(psi)) + ")" : plain_number(degrees(psi)));
     point.residual = k.K1 * std::cos(psi) - k.K2 * std::cos(phi) + k.K3 - std::cos(phi - psi);
     points.push_back(point);
   }
@@ -101,9 +102,10 @@ std::vector<StructuralRipple> structural_ripples(const FunctionDesign& design) {
 std::string function_equations_text(const FunctionTask& task, const FunctionDesign& design) {
   const std::vector<FunctionPoint> points = function_points(task, design);
   const bool is_spaced = task.method == FunctionMethod::precision_points;
-  std::string text = is_spaced ? "\nprecision points by Chebyshev's spacing, n = " + std::to_string(task.points) +
-                                     ": x = (x0 + x1)/2 + (x1 - x0)/2 cos((2 j - 1) 180/(2 n))\n"
-                               : "\nplaces where the structural error vanishes, found on its curve\n";
+  std::string text = is_spaced
+                         ? "\nprecision points by Chebyshev's spacing, n = " + std::to_string(task.points) +
+                               ": x = (x0 + x1)/2 + (x1 - x0)/2 cos((2 j - 1) 180/(2 n))\n"
+                         : "\nplaces where the structural error vanishes, found on its curve\n";
   for (const FunctionPoint& point : points)
     text += "  x = " + (point.spacing.empty() ? plain_number(point.x) : point.spacing) + "\n";
   text += fmt::format(
@@ -114,8 +116,9 @@ std::string function_equations_text(const FunctionTask& task, const FunctionDesi
       plain_number(task.x_lower), plain_number(task.x_upper), plain_number(design.y_lower),
       plain_number(design.y_upper));
   for (const FunctionPoint& point : points)
-    text += fmt::format("  x = {}, y = {}: phi = {}, psi = {}\n", plain_number(point.x), plain_number(point.y),
-                        plain_number(degrees(point.input_angle)), plain_number(degrees(point.output_angle)));
+    text +=
+        fmt::format("  x = {}, y = {}: phi = {}, psi = {}\n", plain_number(point.x), plain_number(point.y),
+                    plain_number(degrees(point.input_angle)), plain_number(degrees(point.output_angle)));
   const FreudensteinCoefficients k = design.linkage.coefficients();
   text += fmt::format(
       "Freudenstein's equations: K1 cos(psi) - K2 cos(phi) + K3 = cos(phi - psi)\n"

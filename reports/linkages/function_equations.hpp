@@ -14,9 +14,9 @@ namespace kempe {
 struct FunctionPoint {
   double x = 0, y = 0;
   double input_angle = 0, output_angle = 0;  ///< wanted, rad from the ground link
-  std::string spacing;                       ///< Chebyshev's formula with its numbers; empty where the error's zeros were found
-  std::string equation;                      ///< "K1 cos(psi) - K2 cos(phi) + K3 = cos(phi - psi)" with its numbers, degrees
-  double residual = 0;                       ///< left less right
+  std::string spacing;   ///< Chebyshev's formula with its numbers; empty where the error's zeros were found
+  std::string equation;  ///< "K1 cos(psi) - K2 cos(phi) + K3 = cos(phi - psi)" with its numbers, degrees
+  double residual = 0;   ///< left less right
 };
 
 /// A local extreme of the structural error over the design's curve.

@@ -44,9 +44,11 @@ endfunction()
 set(sources "")
 asset(style "${WEB}/report.css")
 set(animation "${WEB}/animation")
-asset(animation ${animation}/elements.js ${animation}/motion.js ${animation}/player.js ${animation}/arrows.js
+asset(animation ${WEB}/elements.js ${animation}/motion.js ${animation}/player.js ${animation}/arrows.js
       ${animation}/polygons.js ${animation}/plottable.js ${animation}/plots.js ${animation}/page.js)
 asset(animation_style "${animation}/animation.css")
+asset(centres ${WEB}/elements.js ${WEB}/centres/centres.js)
+asset(centres_style "${WEB}/centres/centres.css")
 if(WITH_LIVE)
   set(geometry_folder "${WEB}/jsxgraph")
   check_sums("${geometry_folder}")

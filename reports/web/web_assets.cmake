@@ -2,8 +2,9 @@
 # JSXGraph stands in reports/web/jsxgraph, with its licence and checksums.
 option(KEMPE_WITH_LIVE_REPORT "Inline JSXGraph (1 MB), so that the report's picture can be moved" ON)
 set(web ${CMAKE_CURRENT_SOURCE_DIR}/web)
-set(parts ${web}/report.css ${web}/animation/animation.css ${web}/embed.cmake)
-foreach(name IN ITEMS elements motion player arrows polygons plottable plots page)
+set(parts ${web}/report.css ${web}/elements.js ${web}/animation/animation.css ${web}/centres/centres.css ${web}/centres/centres.js
+    ${web}/embed.cmake)
+foreach(name IN ITEMS motion player arrows polygons plottable plots page)
   list(APPEND parts ${web}/animation/${name}.js)
 endforeach()
 if(KEMPE_WITH_LIVE_REPORT)

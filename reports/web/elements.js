@@ -1,4 +1,4 @@
-// Elements that the script of an animation's page finds or makes, and figures as text.
+// Elements that the scripts of pages of linkages find or make, and figures as text.
 "use strict";
 (function (kempe) {
   const one = (id) => document.getElementById(id);
