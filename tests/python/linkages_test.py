@@ -105,7 +105,7 @@ class LikeTheProgram(unittest.TestCase):
                 at = min(1.5, linkage.steps)
                 expected, found = told("centres", file, "--at", at), linkage.centres(at)
                 self.assertEqual((len(found), found.time_s, list(found.drivers)), (expected["count"], expected["time_s"], expected["drivers"]))
-                in_mm = {"mm": 1, "cm": 10, "m": 1000}[linkage.unit]
+                in_mm = {"mm": 1, "cm": 10, "m": 1000, "in": 25.4}[linkage.unit]
                 for centre, one in zip(found, expected["centres"]):
                     self.assertEqual((list(centre.links), centre.kind, centre.source), (one["links"], one["kind"], one["source"]))
                     self.assertEqual((centre.joint, centre.velocity_error), (one.get("joint"), one.get("velocity_error")))
