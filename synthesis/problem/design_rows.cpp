@@ -140,7 +140,7 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wan
     case Row::Kind::pole_margin: return pole_margin_row(x);
     case Row::Kind::copy_error: return copy_error_row(row.share, x);
     case Row::Kind::size: return size_row(x);
-    case Row::Kind::load_error: return load_error_row(row.share, x);
+    case Row::Kind::load_error: return load_error_row(row.share, x, wanted);
     case Row::Kind::mass: return mass_row(x);
     case Row::Kind::sag: return sag_row(row, x, wanted);
     case Row::Kind::longest: return length_row(true, row.index, x);
@@ -251,7 +251,7 @@ bool DesignProblem::add_violated(std::vector<Row>& rows, const DesignVector& x, 
   add_sags(seen, x);
   const std::size_t before = rows.size();
   for (const Row& candidate : seen) {
-    if (row(candidate, x).value > -tolerance) continue;
+    if (row(candidate, x, Derivatives::none).value > -tolerance) continue;
     if (std::find(rows.begin(), rows.end(), candidate) == rows.end()) rows.push_back(candidate);
   }
   return rows.size() > before;
