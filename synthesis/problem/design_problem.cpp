@@ -222,6 +222,14 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings, LoadLim
   return result;
 }
 
+Assessment DesignProblem::count_load_error(Assessment seen, const DesignPoint& point) const {
+  seen.attained.load_error =
+      load_error_over(point.lengths, seen.near_opening, seen.far_opening, first_load_openings);
+  if (limits_.load_error) seen.violation += excess_share(seen.attained.load_error, *limits_.load_error);
+  seen.feasible = seen.violation == 0;
+  return seen;
+}
+
 DesignVector DesignProblem::vector_of(const DesignPoint& point) const {
   DesignVector x(layout_.size());
   const DistanceRange distances = space_.distances(point.pole);

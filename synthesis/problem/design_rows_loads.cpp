@@ -177,19 +177,23 @@ RowJet DesignProblem::mass_row(const DesignVector& x) const {
   return jet;
 }
 
-void DesignProblem::add_load_errors(std::vector<Row>& rows, const DesignVector& x) const {
+/// At both ends and where it is largest; under a limit only where it comes to `least_share` of that.
+void DesignProblem::add_load_errors(std::vector<Row>& rows, const DesignVector& x, double least_share) const {
   if (!load_error_) return;
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
-  double largest = 0, at = 0;
-  for (int i = 0; i < load_openings; ++i) {
-    const double share = i / (load_openings - 1.0);
-    const double error = load_error_->at(bar_lengths(lengths_of(x)), near + share * (far - near)).worst;
-    if (error > largest) largest = error, at = share;
-  }
-  std::vector<double> shares{0.0, 1.0};
-  if (at > 0 && at < 1) shares.push_back(at);
-  const auto add = [&](double share) { rows.push_back({Row::Kind::load_error, 0, share}); };
-  std::for_each(shares.begin(), shares.end(), add);
+  const BarLengths bars = bar_lengths(lengths_of(x));
+  std::array<double, load_openings> errors;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    errors[i] = load_error_->at(bars, near + static_cast<double>(i) / (load_openings - 1.0) * (far - near)).worst;
+  const double least = has_load_limit() ? least_share * *limits_.load_error : 0;
+  const auto add = [&](std::size_t i) {
+    if (errors[i] < least) return;
+    rows.push_back({Row::Kind::load_error, 0, static_cast<double>(i) / (load_openings - 1.0)});
+  };
+  const auto most = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
+  add(0);
+  add(load_openings - 1);
+  if (most > 0 && most < load_openings - 1) add(most);
 }
 
 }  // namespace kempe

@@ -10,11 +10,10 @@ namespace {
 
 /// A point's merit, seen at one opening; or, without a look at its load error, a figure that is no less than `best` because the merit is not.
 double merit_below(const DesignProblem& problem, const DesignPoint& point, double best) {
-  if (problem.has_load_limit())
-    if (const double at_least = merit_of(problem, problem.assess(point, 1, DesignProblem::LoadLimit::left_out));
-        at_least >= best)
-      return at_least;
-  return merit_of(problem, problem.assess(point, 1));
+  if (!problem.has_load_limit()) return merit_of(problem, problem.assess(point, 1));
+  const Assessment seen = problem.assess(point, 1, DesignProblem::LoadLimit::left_out);
+  const double at_least = merit_of(problem, seen);
+  return at_least >= best ? at_least : merit_of(problem, problem.count_load_error(seen, point));
 }
 
 }  // namespace
