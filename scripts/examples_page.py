@@ -49,6 +49,12 @@ def linkage(folder, file):
                 [("moving", f"{name}.html"), ("table", f"{name}.csv"), ("instant centres", f"{name}-centres.svg")])
 
 
+def of_lectures():
+    """The names of the files in the table of docs/teaching.md, in its order."""
+    table = re.search(r"^\| linkage of a lecture .*?\n\n", (SOURCE / "docs" / "teaching.md").read_text(), re.M | re.S).group()
+    return re.findall(r"`([\w-]+)\.toml`", table)
+
+
 def generator(folder, file):
     links = [("moving", f"{file.stem}-linkage.html"), ("linkage file", f"{file.stem}-linkage.toml"), ("figures", f"{file.stem}.json")]
     if (folder / f"{file.stem}.svg").exists():
@@ -63,10 +69,14 @@ def calibration(_, file):
 def main():
     folder = pathlib.Path(sys.argv[1])
     parts = []
-    for kind, heading, of in (("linkages", "Linkages", linkage), ("generators", "Generators", generator),
-                              ("calibration", "Calibrations", calibration)):
-        cards = "\n".join(of(folder, file) for file in sorted((EXAMPLES / kind).glob("*.toml")) if kind != "calibration"
-                          or (folder / f"calibration-{file.stem}.json").exists())
+    lectures = [EXAMPLES / "linkages" / f"{name}.toml" for name in of_lectures()]
+    others = [file for file in sorted((EXAMPLES / "linkages").glob("*.toml")) if file not in lectures]
+    calibrations = [file for file in sorted((EXAMPLES / "calibration").glob("*.toml"))
+                    if (folder / f"calibration-{file.stem}.json").exists()]
+    for heading, files, of in (("Linkages of lectures", lectures, linkage), ("Other linkages", others, linkage),
+                               ("Generators", sorted((EXAMPLES / "generators").glob("*.toml")), generator),
+                               ("Calibrations", calibrations, calibration)):
+        cards = "\n".join(of(folder, file) for file in files)
         parts.append(f"<h2>{heading}</h2>\n<div class=\"shown\">\n{cards}\n</div>")
     style = (SOURCE / "reports" / "web" / "report.css").read_text()
     (folder / "index.html").write_text(

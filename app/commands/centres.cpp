@@ -7,6 +7,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
+#include "reports/linkages/centres_page.hpp"
 #include "reports/linkages/centres_picture.hpp"
 #include "reports/linkages/json.hpp"
 #include "reports/linkages/text.hpp"
@@ -15,13 +16,14 @@ namespace kempe::app {
 namespace {
 
 struct CentresArguments {
-  std::string linkage, picture;
+  std::string linkage, picture, page;
   double step = 0;
   std::uint64_t seed = 1;
 };
 
 int run(const Session& session, const CentresArguments& arguments) {
-  if (const auto clash = output_clash({arguments.linkage}, {arguments.picture})) return fail(session, *clash);
+  if (const auto clash = output_clash({arguments.linkage}, {arguments.picture, arguments.page}))
+    return fail(session, *clash);
   const auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
   const auto assembly_modes = assemble_linkage(session, *loaded, arguments.seed);
@@ -30,11 +32,16 @@ int run(const Session& session, const CentresArguments& arguments) {
   if (!frame) return frame.error();
   const auto centres = instant_centres(loaded->model.linkage, frame->position, frame->rate);
   const std::vector<double> speeds = loaded->model.schedule.speeds_at(frame->share);
+  const PlanarRun moment{{*frame}, std::nullopt};
+  const LinkageScene scene = linkage_scene(loaded->file, loaded->model, moment, loaded->file.steps);
   if (!arguments.picture.empty()) {
-    const PlanarRun moment{{*frame}, std::nullopt};
-    const LinkageScene scene = linkage_scene(loaded->file, loaded->model, moment, loaded->file.steps);
     const int code =
         write_output(session, arguments.picture, centres_svg(scene, centres, loaded->file.unit.in_mm));
+    if (code != done) return code;
+  }
+  if (!arguments.page.empty()) {
+    const int code = write_output(session, arguments.page,
+                                  centres_html(loaded->file, loaded->model, scene, arguments.step, centres));
     if (code != done) return code;
   }
   const auto answer = session.json ? centres_json : centres_text;
@@ -52,6 +59,7 @@ void add_centres_command(CLI::App& program, Session& session) {
   add_linkage_argument(*command, arguments->linkage)->required();
   command->add_option("--at", arguments->step, "Step of the motion")->capture_default_str();
   command->add_option("-o,--svg", arguments->picture, "Draw them too: FILE.svg");
+  command->add_option("--page", arguments->page, "Write a page that finds them step by step: FILE.html");
   command
       ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for assembly modes")
       ->capture_default_str();

@@ -10,6 +10,7 @@
 #include "app/output_check.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/data/atomic_file.hpp"
+#include "reports/linkages/function_equations.hpp"
 #include "reports/linkages/generated.hpp"
 #include "reports/pictures/error_plot.hpp"
 #include "specs/generator_spec.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 struct FunctionArguments {
   std::string spec_file, plot_file, linkage_file;
+  bool with_equations = false;
 };
 
 std::string_view in_words(FunctionMethod method) {
@@ -184,7 +186,9 @@ int run(const Session& session, const FunctionArguments& arguments) {
     object["reservation"] = words;
     say(words);
   }
+  if (arguments.with_equations) object["equations"] = function_equations_json(*task, *design);
   print(session.json ? json_text(object) : text_of(*spec, *task, *design));
+  if (!session.json && arguments.with_equations) print(function_equations_text(*task, *design));
   if (!session.json && !arguments.linkage_file.empty())
     print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
                       printable(arguments.linkage_file)));
@@ -200,6 +204,9 @@ void add_function_command(CLI::App& program, Session& session) {
   auto arguments = std::make_shared<FunctionArguments>();
   command->add_option("SPEC", arguments->spec_file, "What is wanted (TOML; see docs/function-generator.md)")
       ->required();
+  command->add_flag(
+      "--equations", arguments->with_equations,
+      "Write out Chebyshev's spacing, Freudenstein's equations and the ripples with their numbers");
   command->add_option("--plot", arguments->plot_file, "Write the structural error's curve as SVG");
   command->add_option("--linkage", arguments->linkage_file,
                       "Write the four-bar as a linkage file, for solve, mobility and centres");

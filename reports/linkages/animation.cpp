@@ -243,7 +243,8 @@ std::string animation_html(const LinkageScene& scene) {
   page += fmt::format(
       "<header>\n<p class=\"brand\">Kempe · linkage</p>\n<h1>{}</h1>\n<p class=\"lead\">Lengths in "
       "{}.{}{}{}</p>\n</header>\n<main class=\"motion\">",
-      title, scene.unit, beats_sentence(scene), arrows_sentence(scene), ending);
+      title, scene.unit == "in" ? "inches" : scene.unit, beats_sentence(scene), arrows_sentence(scene),
+      ending);
   page += SvgElement("svg")
               .with("id", "picture")
               .with("viewBox", scale.view_box())

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
+#include "reports/linkages/centres_steps.hpp"
 #include "reports/linkages/picture.hpp"
 
 namespace kempe {
@@ -19,8 +23,8 @@ constexpr double reach = 1.6;       ///< extents from the linkage's middle: what
 class CentresPicture {
  public:
   CentresPicture(const LinkageScene& scene, const std::vector<InstantCentre>& centres, double unit)
-      : scene_(scene), centres_(centres), unit_(unit), middle_(0.5 * (scene.lower + scene.upper)) {
-    number_links();
+      : scene_(scene), centres_(centres), unit_(unit), middle_(0.5 * (scene.lower + scene.upper)),
+        numbers_(link_numbers(centres)) {
     Point lower = scene.lower, upper = scene.upper;
     for (const InstantCentre& centre : centres)
       if (is_near(centre)) {
@@ -46,11 +50,7 @@ class CentresPicture {
                   .with("height", scale_.number(height))
                   .with("fill", "#fff")
                   .line();
-    for (const InstantCentre& centre : centres_)
-      if (centre.lines && is_near(centre)) inside += draw_lines(centre);
-    inside += draw_linkage();
-    inside += draw_points();
-    inside += draw_legend() + draw_insets();
+    inside += drawing() + draw_legend() + draw_insets();
     return svg_root()
         .with("viewBox", fmt::format("{} {} {} {}", left, top, scale_.number(width), scale_.number(height)))
         .with("width", "1100")
@@ -59,19 +59,44 @@ class CentresPicture {
         .line();
   }
 
+  /// For a page that says by its own style sheet how things look, and lists the links beside it: sizes are shares of the letters.
+  std::string draw_for_page() const {
+    const double width = scale_.upper.x() - scale_.lower.x() +
+                         (insets_.empty() ? 0 : inset_side() + scale_.letter),
+                 height = scale_.upper.y() - scale_.lower.y();
+    return SvgElement("svg")
+        .with("id", "centres")
+        .with("viewBox",
+              fmt::format("{} {} {} {}", scale_.number(scale_.lower.x()), scale_.number(scale_.lower.y()),
+                          scale_.number(width), scale_.number(height)))
+        .with("font-size", scale_.number(0.75 * scale_.letter))
+        .with("role", "img")
+        .with("aria-label", "Instant centres of " + scene_.title)
+        .holding("\n" + drawing() + draw_insets())
+        .text();
+  }
+
  private:
+  std::string drawing() const {
+    std::string text;
+    for (const InstantCentre& centre : centres_)
+      if (centre.lines && is_near(centre))
+        text += SvgElement("g")
+                    .with("class", "lines")
+                    .with("data-centre", name_of(centre))
+                    .holding(draw_lines(centre))
+                    .line();
+    return text + draw_linkage() + draw_points();
+  }
+
   Point on_page(const Point& p) const { return {p.x() / unit_, -p.y() / unit_}; }
   bool is_near(const InstantCentre& centre) const {
     return centre.kind == Kind::finite && (on_page(centre.at) - middle_).norm() < reach * scene_.extent();
   }
 
-  void number_links() {
-    for (const InstantCentre& centre : centres_)
-      for (const int body : {centre.first, centre.second}) numbers_.try_emplace(body, 0);
-    int next = 1;
-    for (auto& [body, number] : numbers_) number = next++;
+  std::string name_of(const InstantCentre& centre) const {
+    return centre_name(numbers_, centre.first, centre.second);
   }
-  std::string label(int a, int b) const { return fmt::format("{}-{}", numbers_.at(a), numbers_.at(b)); }
 
   std::string own_style() const {
     return fmt::format(
@@ -127,13 +152,12 @@ class CentresPicture {
     return text;
   }
 
-  std::string words(const std::string& css, const Point& at, const std::string& text) const {
+  SvgElement words(const std::string& css, const Point& at, const std::string& text) const {
     return SvgElement("text")
         .with("class", css)
         .with("x", scale_.number(at.x()))
         .with("y", scale_.number(at.y()))
-        .saying(text)
-        .line();
+        .saying(text);
   }
 
   static std::string style_of(InstantCentre::Source source) {
@@ -186,33 +210,75 @@ class CentresPicture {
     return std::string(1, static_cast<char>('a' + inset % 26));
   }
 
-  std::string labels_of(const Place& place) const {
-    std::string labels;
+  std::string names_of(const Place& place, const char* between) const {
+    std::string names;
     for (const InstantCentre* centre : place.centres)
-      labels += (labels.empty() ? "" : ", ") + label(centre->first, centre->second);
-    return labels;
+      names += (names.empty() ? "" : between) + name_of(*centre);
+    return names;
+  }
+
+  /// The names of the centres at a place, beside it.
+  std::string label(const Place& place, const Point& beside) const {
+    return words("centre " + style_of(place.centres.front()->source), beside, names_of(place, ", "))
+        .with("data-centres", names_of(place, " "))
+        .line();
+  }
+
+  std::string inset_label(const Group& group, const Point& beside, const std::string& letter) const {
+    std::string names;
+    for (const Place& place : group) names += (names.empty() ? "" : " ") + names_of(place, " ");
+    return words("centre", beside, "inset " + letter)
+        .with("data-centres", names)
+        .with("data-inset", letter)
+        .line();
   }
 
   std::string dot(const Place& place, const Point& at) const {
     return SvgElement("circle")
         .with("class", style_of(place.centres.front()->source))
+        .with("data-centres", names_of(place, " "))
         .with("cx", scale_.number(at.x()))
         .with("cy", scale_.number(at.y()))
         .with("r", scale_.number(0.7 * scale_.pin))
         .text();
   }
 
+  /// Where words that belong to a dot begin: at its upper right, or at the first of the other corners where they lie on no earlier
+  /// words. If all are taken, at its upper right.
+  Point room_beside(const Point& dot, const std::string& said,
+                    std::vector<Eigen::AlignedBox2d>& taken) const {
+    const double high = 0.75 * scale_.letter, wide = 0.6 * high * static_cast<double>(said.size());
+    const double pin = scale_.pin;
+    const std::array<Point, 4> corners{Point(1.4, -1.2) * pin,
+                                       {1.4 * pin, 1.2 * pin + 0.7 * high},
+                                       {-1.4 * pin - wide, -1.2 * pin},
+                                       {-1.4 * pin - wide, 1.2 * pin + 0.7 * high}};
+    const auto box_at = [&](const Point& corner) {
+      const Point from = dot + corner;
+      return Eigen::AlignedBox2d(from - Point(0, 0.8 * high), from + Point(wide, 0.1 * high));
+    };
+    const auto* free = std::find_if(corners.begin(), corners.end(), [&](const Point& corner) {
+      return std::none_of(
+          taken.begin(), taken.end(),
+          [box = box_at(corner)](const Eigen::AlignedBox2d& other) { return box.intersects(other); });
+    });
+    const Point& corner = free == corners.end() ? corners.front() : *free;
+    taken.push_back(box_at(corner));
+    return dot + corner;
+  }
+
   std::string draw_points() const {
     std::string text;
     std::size_t inset = 0;
+    std::vector<Eigen::AlignedBox2d> taken;
     for (const Group& group : groups()) {
       for (const Place& place : group) text += dot(place, place.at);
-      const Point beside = middle_of(group) + Point(1.4, -1.2) * scale_.pin;
-      if (group.size() > 1)
-        text += words("centre", beside, "inset " + letter_of(inset++));
-      else
-        text += words("centre " + style_of(group.front().centres.front()->source), beside,
-                      labels_of(group.front()));
+      const bool is_inset = group.size() > 1;
+      const std::string letter = letter_of(inset);
+      const std::string said = is_inset ? "inset " + letter : names_of(group.front(), ", ");
+      const Point beside = room_beside(middle_of(group), said, taken);
+      text += is_inset ? inset_label(group, beside, letter) : label(group.front(), beside);
+      if (is_inset) ++inset;
     }
     return text;
   }
@@ -248,17 +314,22 @@ class CentresPicture {
     for (const Place& place : group) {
       const Point at = centre + larger * (place.at - middle);
       text += dot(place, at);
-      text += words("centre " + style_of(place.centres.front()->source), at + Point(1.4, -1.2) * scale_.pin,
-                    labels_of(place));
+      text += label(place, at + Point(1.4, -1.2) * scale_.pin);
     }
     return text + words("legend", corner - Point(0, 0.3 * scale_.letter),
-                        fmt::format("inset {}: {:.3g} times as large", letter_of(number), larger));
+                        fmt::format("inset {}: {:.3g} times as large", letter_of(number), larger))
+                      .line();
   }
 
   std::string draw_insets() const {
     std::string text;
     for (std::size_t i = 0; i < insets_.size(); ++i) text += draw_inset(i);
     return text;
+  }
+
+  /// A coordinate that is zero but for rounding is zero.
+  double without_dust(double coordinate) const {
+    return std::abs(coordinate) < 1e-12 * scene_.extent() ? 0 : coordinate;
   }
 
   std::string draw_legend() const {
@@ -268,13 +339,14 @@ class CentresPicture {
     lines.push_back("");
     for (const InstantCentre& centre : centres_) {
       if (is_near(centre)) continue;
-      const std::string name = label(centre.first, centre.second);
+      const std::string name = name_of(centre);
       if (centre.kind == Kind::at_infinity)
         lines.push_back(fmt::format("{}  at infinity, {:.2f}°", name,
                                     degrees(std::atan2(centre.direction.y(), centre.direction.x()))));
       else if (centre.kind == Kind::finite)
-        lines.push_back(fmt::format("{}  at ({:.4g}, {:.4g}), outside", name, centre.at.x() / unit_,
-                                    centre.at.y() / unit_));
+        lines.push_back(fmt::format("{}  at ({:.4g}, {:.4g}), outside", name,
+                                    without_dust(centre.at.x() / unit_),
+                                    without_dust(centre.at.y() / unit_)));
       else
         lines.push_back(fmt::format("{}  none: no relative motion", name));
     }
@@ -285,7 +357,7 @@ class CentresPicture {
     const double step =
         std::min(1.15 * scale_.letter, std::max(below - y, 0.0) / static_cast<double>(lines.size()));
     for (const std::string& line : lines) {
-      text += words("legend", {scale_.upper.x() + 0.5 * scale_.letter, y}, line);
+      text += words("legend", {scale_.upper.x() + 0.5 * scale_.letter, y}, line).line();
       y += step;
     }
     return text;
@@ -302,6 +374,11 @@ class CentresPicture {
 };
 
 }  // namespace
+
+std::string centres_drawing(const LinkageScene& scene, const std::vector<InstantCentre>& centres,
+                            double unit) {
+  return CentresPicture(scene, centres, unit).draw_for_page();
+}
 
 std::string centres_svg(const LinkageScene& scene, const std::vector<InstantCentre>& centres, double unit) {
   return CentresPicture(scene, centres, unit).draw();

@@ -53,17 +53,6 @@ std::string shown_length(double mm, const LinkageFile& file, const LinkageModel&
   return fmt::format("{:.6g}", is_rounding ? 0.0 : mm / file.unit.in_mm);
 }
 
-/// "(97.3849, 208.365) mm", "at infinity, direction 90 degrees".
-std::string place_text(const LinkageFile& file, const LinkageModel& model, const InstantCentre& centre) {
-  if (centre.kind == InstantCentre::Kind::finite)
-    return fmt::format("({}, {}) {}", shown_length(centre.at.x(), file, model),
-                       shown_length(centre.at.y(), file, model), file.unit.name);
-  if (centre.kind == InstantCentre::Kind::at_infinity)
-    return fmt::format("at infinity, direction {:.6g} degrees",
-                       degrees(std::atan2(centre.direction.y(), centre.direction.x())));
-  return "undetermined";
-}
-
 std::string driver_line(const LinkageFile& file, const LinkageModel& model, std::size_t driver, double value,
                         double speed) {
   const Constraint& constraint =
@@ -115,6 +104,17 @@ std::string number_synthesis_text(int links, int freedoms, const NumberSynthesis
   return text + left_out_lines("some of the links would be stiff among themselves", synthesis.stiff);
 }
 
+std::string centre_place_text(const LinkageFile& file, const LinkageModel& model,
+                              const InstantCentre& centre) {
+  if (centre.kind == InstantCentre::Kind::finite)
+    return fmt::format("({}, {}) {}", shown_length(centre.at.x(), file, model),
+                       shown_length(centre.at.y(), file, model), file.unit.name);
+  if (centre.kind == InstantCentre::Kind::at_infinity)
+    return fmt::format("at infinity, direction {:.6g} degrees",
+                       degrees(std::atan2(centre.direction.y(), centre.direction.x())));
+  return "undetermined";
+}
+
 std::string centres_text(const LinkageFile& file, const LinkageModel& model, double step,
                          const RunFrame& frame, const std::vector<double>& speeds,
                          const std::vector<InstantCentre>& centres) {
@@ -126,7 +126,7 @@ std::string centres_text(const LinkageFile& file, const LinkageModel& model, dou
   std::vector<std::array<std::string, 3>> rows;
   for (const InstantCentre& centre : centres)
     rows.push_back({model.linkage.body_name(centre.first) + ", " + model.linkage.body_name(centre.second),
-                    place_text(file, model, centre), source_of(model, centre)});
+                    centre_place_text(file, model, centre), source_of(model, centre)});
   std::array<std::size_t, 2> widths{};
   for (const auto& row : rows)
     for (std::size_t i = 0; i < 2; ++i) widths[i] = std::max(widths[i], row[i].size());

@@ -16,6 +16,10 @@ std::string mobility_text(const LinkageFile& file, const LinkageModel& model, co
 /// Joints, loops, and a line for every assortment: "4 binary, 2 ternary".
 std::string number_synthesis_text(int links, int freedoms, const NumberSynthesis& synthesis);
 
+/// Where a centre is, in the file's unit: "(97.3849, 208.365) mm", "at infinity, direction 90 degrees", "undetermined".
+std::string centre_place_text(const LinkageFile& file, const LinkageModel& model,
+                              const InstantCentre& centre);
+
 /// The drivers, and a line for every centre: its pair of links, its place in the file's unit, where it comes from.
 std::string centres_text(const LinkageFile& file, const LinkageModel& model, double step,
                          const RunFrame& frame, const std::vector<double>& speeds,

@@ -13,8 +13,10 @@ struct Asset {
 };
 
 extern const Asset style;            ///< reports/web/report.css
-extern const Asset animation;        ///< reports/web/animation.js
-extern const Asset animation_style;  ///< reports/web/animation.css
+extern const Asset animation;        ///< reports/web/animation/*.js
+extern const Asset animation_style;  ///< reports/web/animation/animation.css
+extern const Asset centres;          ///< reports/web/centres/centres.js
+extern const Asset centres_style;    ///< reports/web/centres/centres.css
 extern const Asset geometry;         ///< the dynamic geometry, jsxgraph; empty if the build had none
 extern const Asset live;             ///< the page's own scripts; empty if the build had no dynamic geometry
 extern const Asset live_style;       ///< the dynamic geometry's style sheet; empty likewise

@@ -74,6 +74,40 @@ class Function(Case):
             self.assertEqual(len(answer["precision_points"]), points)
             self.assertLess(answer["structural_error_max_deg"], 1)
 
+    @staticmethod
+    def value(words):
+        """A printed sum, with cos and sqrt, angles in degrees."""
+        words = re.sub(r"(?<=[0-9]) cos\(", " * cos(", words).replace("^", "**")
+        return eval(words, {"cos": lambda angle: math.cos(math.radians(angle)), "sqrt": math.sqrt})
+
+    def test_equations_hold_with_the_numbers_printed(self):
+        starts = "[input]\nstart_deg = 30\nrange_deg = 60\n[output]\nstart_deg = 60\nrange_deg = 90\n"
+        exact = self.file('[function]\nexpression = "log10(x)"\nx = [1, 2]\npoints = 3\n' + starts)
+        for spec, spaced in [(exact, True), (GENERATORS / "logarithm.toml", False)]:
+            answer, run = self.answer("function", spec, "--equations"), kempe("function", spec, "--equations")
+            work, lengths = answer["equations"], answer["lengths_mm"]
+            self.assertGreaterEqual(len(work["points"]), 3)
+            for j, point in enumerate(work["points"]):
+                left, right = point["equation"].split(" = ")
+                self.assertAlmostEqual(self.value(left), self.value(right), delta=2e-8 if spaced else 1e-6)
+                self.assertIn(point["equation"], run.stdout)
+                self.assertAlmostEqual(point["y"], math.log10(point["x"]), places=12)
+                if spaced:  # Chebyshev's spacing, from the lower end upward
+                    words, told = point["spacing"].split(" = ")
+                    self.assertAlmostEqual(self.value(words), float(told), places=9)
+                    self.assertAlmostEqual(point["x"], 1.5 - 0.5 * math.cos(math.pi * (2 * j + 1) / 6), places=9)
+                else:
+                    self.assertEqual(point["spacing"], "")
+            # The lengths from the printed lines, each by its own right side.
+            for letter, name in [("a", "input"), ("c", "output"), ("b", "coupler")]:
+                line = re.search(rf"^  {letter} = [^=]* = (.*) = (\S+)$", run.stdout, re.M)
+                self.assertAlmostEqual(self.value(line[1]), lengths[name], delta=1e-6 * lengths[name])
+                self.assertAlmostEqual(float(line[2]), lengths[name], delta=1e-8 * lengths[name])
+            heights = [ripple["error_deg"] for ripple in work["ripples"]]
+            self.assertTrue(all(a * b < 0 for a, b in zip(heights, heights[1:])), heights)
+            self.assertAlmostEqual(max(map(abs, heights)), answer["structural_error_max_deg"], delta=0.02 * answer["structural_error_max_deg"])
+            self.assertGreaterEqual(len(heights), 4)
+
     def spec(self, expression, x, method, input_deg, output_deg, ratio, transmission):
         return self.file(f'[function]\nexpression = "{expression}"\nx = {x}\n{method}\n[input]\nrange_deg = {input_deg}\n'
                          f'[output]\nrange_deg = {output_deg}\n[links]\nlongest_ratio = {ratio}\n'

@@ -276,6 +276,39 @@ TEST(CentresPicture, TellsCentresThatNearlyCoincideApartInAnInset) {
   }
 }
 
+TEST(CentresPicture, KeepsLabelsOffEachOther) {
+  for (const char* name : {"jansen", "double-rocker", "watt-six-bar"}) {
+    const Moved moved = example(name);
+    const PlanarRun moment{{moved.run.frames[1]}, std::nullopt};
+    const auto centres =
+        instant_centres(moved.model.linkage, moment.frames[0].position, moment.frames[0].rate);
+    const std::string picture = centres_svg(linkage_scene(moved.file, moved.model, moment, moved.steps),
+                                            centres, moved.file.unit.in_mm);
+    EXPECT_FALSE(std::regex_search(picture, std::regex("at \\([^)]*e-")))
+        << name << ": a zero but for rounding";
+    std::smatch style;
+    ASSERT_TRUE(std::regex_search(picture, style, std::regex("\\.centre\\{font:([0-9.]+)px")));
+    const double font = std::stod(style[1]);
+    struct Words {
+      double x, y, width;
+    };
+    std::vector<Words> all;
+    const std::regex words("<text class=\"centre[^\"]*\" x=\"([^\"]*)\" y=\"([^\"]*)\"[^>]*>([^<]*)<");
+    for (auto at = std::sregex_iterator(picture.begin(), picture.end(), words); at != std::sregex_iterator();
+         ++at)
+      all.push_back(
+          {std::stod((*at)[1]), std::stod((*at)[2]), 0.55 * font * static_cast<double>((*at)[3].length())});
+    EXPECT_GE(all.size(), 5u);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Words &a = all[i], &b = all[j];
+        const bool apart = a.x + a.width < b.x || b.x + b.width < a.x || std::abs(a.y - b.y) > 0.75 * font;
+        EXPECT_TRUE(apart) << name << ": words at (" << a.x << ", " << a.y << ") and (" << b.x << ", " << b.y
+                           << ")";
+      }
+  }
+}
+
 TEST(CentresPicture, DrawsTheNormalOfASlider) {
   const Moved moved = example("shear-press");
   const PlanarRun moment{{moved.run.frames[0]}, std::nullopt};
