@@ -81,13 +81,14 @@ int run(int seeds, int rounds, const std::vector<std::string>& files) {
           if (const FoundDesign* one = design_in(timed)) found = fmt::format("{:.9g}", one->value);
         }
         if (found != "none") ratios.push_back(least_limited / least_plain);
-        fmt::print("{:30} seed {} share {:4} {:8.1f} {:8.1f} ms {:5.2f}  {:.9g} {}\n", std::filesystem::path(file).stem().string(), seed, share,
-                   1e3 * least_plain, 1e3 * least_limited, least_limited / least_plain, without->value, found);
+        fmt::print("{:30} seed {} share {:4} {:8.1f} {:8.1f} ms {:5.2f}  {:.9g} {}\n",
+                   std::filesystem::path(file).stem().string(), seed, share, 1e3 * least_plain,
+                   1e3 * least_limited, least_limited / least_plain, without->value, found);
         std::fflush(stdout);
       }
     }
-  fmt::print("median ratio {:.2f}, most {:.2f}, of {}\n", median(ratios), *std::max_element(ratios.begin(), ratios.end()),
-             ratios.size());
+  fmt::print("median ratio {:.2f}, most {:.2f}, of {}\n", median(ratios),
+             *std::max_element(ratios.begin(), ratios.end()), ratios.size());
   return 0;
 }
 

@@ -81,7 +81,7 @@ RowJet DesignProblem::load_error_row(double share, const DesignVector& x, Deriva
   RowJet jet = zero_jet(layout_.size());
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
   const LoadErrorJet error = load_error_->worst(bar_lengths(lengths_of(x)), near + share * (far - near),
-                                                  wanted == Derivatives::second);
+                                                wanted == Derivatives::second);
   const bool is_goal = goal_ == Goal::load_error;
   const double limit = is_goal ? x[layout_.goal()] + std::log(goal_scale())
                                : std::log(*limits_.load_error * (1 - slack::inward_load_error));
@@ -184,7 +184,8 @@ void DesignProblem::add_load_errors(std::vector<Row>& rows, const DesignVector& 
   const BarLengths bars = bar_lengths(lengths_of(x));
   std::array<double, load_openings> errors;
   for (std::size_t i = 0; i < errors.size(); ++i)
-    errors[i] = load_error_->at(bars, near + static_cast<double>(i) / (load_openings - 1.0) * (far - near)).worst;
+    errors[i] =
+        load_error_->at(bars, near + static_cast<double>(i) / (load_openings - 1.0) * (far - near)).worst;
   const double least = has_load_limit() ? least_share * *limits_.load_error : 0;
   const auto add = [&](std::size_t i) {
     if (errors[i] < least) return;

@@ -116,8 +116,8 @@ ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& op
                                    ? options.budget.fruitless_under_load
                                    : options.budget.starts;
     for (const Start& start : starts_of(problem, options, evaluations)) {
-      if (options.stop() || (best.feasible && (tried >= options.budget.starts || fruitless >= most_fruitless ||
-                                               is_done(best, options))))
+      if (options.stop() || (best.feasible && (tried >= options.budget.starts ||
+                                               fruitless >= most_fruitless || is_done(best, options))))
         break;
       const ChoiceResult before = best;
       try_from({problem.unit_lengths(start.pole, start.z[0], start.z[1]), start.pole});
