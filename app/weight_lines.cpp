@@ -68,6 +68,15 @@ std::string budget_lines(const Design& design) {
   if (!budget) return "";
   std::string text = "budget       in the plane " + parts_of(*budget, true) + "\n";
   if (budget->sum(false) > 0) text += "             down " + parts_of(*budget, false) + "\n";
+  if (const auto& limit = design.limits.load_error; limit && design.quality.loads) {
+    const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
+    if (links <= *limit && links + beyond > *limit)
+      text += fmt::format(
+          "             limits.load_error_mm speaks of the links alone; pins and layers add up to {:.3g} mm, "
+          "more than it "
+          "leaves\n",
+          beyond);
+  }
   const std::string in_plane = help_words(budget->most_helpful(true)),
                     down = help_words(budget->most_helpful(false));
   if (!in_plane.empty()) text += "             most would help " + in_plane + "\n";

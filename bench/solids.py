@@ -301,7 +301,7 @@ class Solids:
 
 
 def stated(kempe, task, reach, opening, folder):
-    """What kempe states of this mechanism at this opening: design.json and the pins' part of its budget."""
+    """What kempe states of this mechanism at this opening: design.json and its budget's parts for pins and for layers."""
     for assembly in (0, 1):
         spec = folder / "spec.toml"
         spec.write_text(spec_of(task, assembly, reach))
@@ -311,8 +311,8 @@ def stated(kempe, task, reach, opening, folder):
             sys.exit(f"solids.py: {task[0]}: {run.stdout}{run.stderr}")
         design = json.loads((out / "design.json").read_text())
         if assembly == (1 if opening > 0 else 0):
-            pins = re.search(r"budget .* pins ([0-9.e+-]+)", run.stdout)
-            return design, float(pins[1])
+            parts = [re.search(rf"budget .* {part} ([0-9.e+-]+)", run.stdout) for part in ("pins", "layers")]
+            return design, *(float(part[1]) for part in parts)
     raise AssertionError
 
 
@@ -320,7 +320,7 @@ def compare(kempe, task, folder):
     beams = Beams(task)
     opening, pin, force = task[6], task[9], task[11]
     reach = abs(beams.at[beams.tracer] - beams.at[beams.pole])
-    design, pins = stated(kempe, task, reach, opening, folder)
+    design, pins, layered = stated(kempe, task, reach, opening, folder)
     layers = {link["name"]: link["layer"] for link in design["mechanism"]["links"]}
     E = 1000 * design["material"]["E_GPa"]
     G = 1000 * design["material"].get("G_GPa", E / 2600)
@@ -352,6 +352,7 @@ def compare(kempe, task, folder):
         row("with shear", sheared[i], states[i])
         if i == 0:
             row("with shear and the pins of kempe's budget", sheared[i] + pins, states[i])
+            row("with shear, and pins and layers of the budget", sheared[i] + pins + layered, states[i])
         row("CalculiX, in the plane", plane[i], states[i])
         row("CalculiX, plates free to leave their planes", free[i], states[i])
     print(" sag by the links' weight, of tracer or pen what sinks more")

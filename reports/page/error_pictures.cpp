@@ -183,9 +183,8 @@ std::string error_pictures(const Design& design) {
   for (const Panel& panel : panels) figures += panel_figure(design, panel);
   return "<div class=\"panels\">" + figures +
          "</div>\n<p class=\"note\">The error with the tracer at each place of the region, in the worst "
-         "direction; darker is more, each picture on its own scale. The load error is that of links and "
-         "pins. "
-         "All depend on the distance from the pole alone.</p>\n";
+         "direction; darker is more, each picture on its own scale. The load error is that of links, "
+         "pins and layers. All depend on the distance from the pole alone.</p>\n";
 }
 
 }  // namespace kempe

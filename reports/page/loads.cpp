@@ -49,10 +49,12 @@ std::string source_words(const Design& design, ErrorSource source) {
     case ErrorSource::play: return "Play, " + length_text(design.tolerance->play) + " in each pin";
     case ErrorSource::load: return "Load, " + force_text(design.load->pen_force) + " at the pen";
     case ErrorSource::pins: return "Pins, bent between their layers";
+    case ErrorSource::layers: return "Layers: links bent out of the plane";
     case ErrorSource::weight: return "Weight";
-    case ErrorSource::tilt: break;
+    case ErrorSource::tilt: return "Pins, tilted within their play";
+    case ErrorSource::pull: break;
   }
-  return "Pins, tilted within their play";
+  return "Layers: what the load lifts or lowers";
 }
 
 std::string changes_text(const BudgetEntry& entry) {
@@ -89,9 +91,6 @@ std::string budget_table(const Design& design, const ErrorBudget& budget) {
       rows);
 }
 
-/// Share of the load error that links in different layers may add, by comparison with solid elements (docs/loads.md).
-constexpr double beyond_the_plane = 0.1;
-
 /// Yes or no where there is a limit; else how much of the whole error it is.
 std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   const double error = design.quality.loads->error_max;
@@ -101,12 +100,13 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   if (const auto& limit = design.limits.load_error) {
     const std::string text = fmt::format("{}; {} are allowed.", figure, length_text(*limit));
     if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
-    if (error * (1 + beyond_the_plane) <= *limit) return "Yes: " + text;
+    const double beyond = budget.beyond_the_links();
+    if (error + beyond <= *limit) return "Yes: " + text;
     return fmt::format(
-        "Yes, but narrowly: {} That links lie above each other may add {} %, which no figure here has: a "
-        "limit "
-        "wants as much room.",
-        text, number_text(100 * beyond_the_plane, 0));
+        "Yes, but narrowly: {} That is what the links give. Pins and layers add up to {}, which is more than "
+        "the limit "
+        "leaves.",
+        text, small_length(beyond));
   }
   if (!design.tolerance) return fmt::format("U{}.", figure.substr(1));
   const double sum = budget.sum(true);

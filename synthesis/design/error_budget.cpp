@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/loads/sag.hpp"
@@ -138,12 +139,56 @@ WorstDrop worst_drop(const Measured& of, const SagConditions& conditions, PartOf
   return {most(worst), worst.tracer.*part > worst.pen.*part ? Carrier::tracer : Carrier::pen};
 }
 
+SagConditions with_next_thickness(SagConditions conditions) {
+  conditions.style.thickness = next_of(flat_thicknesses, conditions.style.thickness);
+  return conditions;
+}
+
+/// What links in layers above each other do: in the plane what they give beyond load and pins, and how far tracer or pen rises or sinks.
+struct LayersDo {
+  double in_plane, rise;  ///< mm
+};
+
+LayersDo layers_do(const Measured& of, const SagConditions& conditions) {
+  const CopyingLinkage& linkage = of.design.linkage;
+  const BarLengths lengths{linkage.VA(), linkage.VB()};
+  const LayeredErrorProfile profile(linkage.k(), linkage.grounding(), conditions, of.design.load->pen_force);
+  const auto most = [&](double LayeredErrorAt::*part) {
+    const auto value = [&](double opening) { return profile.at(lengths, opening).*part; };
+    return value(top_over(of.openings, value));
+  };
+  const double stated = of.give(conditions.style, of.pins(conditions.style, of.design.hardware));
+  return {std::max(0.0, most(&LayeredErrorAt::in_plane) - stated), most(&LayeredErrorAt::rise)};
+}
+
+void add_layers(const Measured& of, std::vector<BudgetEntry>& entries) {
+  const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
+  const LayersDo here = layers_do(of, now);
+  if (!std::isfinite(here.in_plane) || !std::isfinite(here.rise)) return;
+  const SagConditions thicker = with_next_thickness(now);
+  const LayersDo then = layers_do(of, thicker);
+  BudgetEntry in_plane{
+      ErrorSource::layers, here.in_plane, {{instead(thicker.style, now.style), then.in_plane}}};
+  BudgetEntry down{ErrorSource::pull, here.rise, {{instead(thicker.style, now.style), then.rise}}};
+  if (now.tilt == 0)
+    for (const Carrier point : {Carrier::tracer, Carrier::pen}) {
+      SagConditions resting = now;
+      (point == Carrier::tracer ? resting.tracer_rests : resting.pen_rests) = true;
+      const LayersDo rested = layers_do(of, resting);
+      const std::string words =
+          fmt::format("the {} resting on the table", point == Carrier::tracer ? "tracer" : "pen");
+      in_plane.changes.push_back({words, rested.in_plane});
+      down.changes.push_back({words, rested.rise});
+    }
+  if (here.in_plane > no_drop) entries.push_back(std::move(in_plane));
+  if (here.rise > no_drop) entries.push_back(std::move(down));
+}
+
 void add_sag(const Measured& of, std::vector<BudgetEntry>& entries) {
   const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
   const WorstDrop weight = worst_drop(of, now, &Drop::by_weight), tilt = worst_drop(of, now, &Drop::by_play);
   if (!std::isfinite(weight.drop) || !std::isfinite(tilt.drop)) return;
-  SagConditions thicker = now;
-  thicker.style.thickness = next_of(flat_thicknesses, now.style.thickness);
+  const SagConditions thicker = with_next_thickness(now);
   const SagConditions resting = [&] {
     SagConditions other = now;
     (weight.point == Carrier::tracer ? other.tracer_rests : other.pen_rests) = true;
@@ -192,10 +237,11 @@ double gain_of(const BudgetEntry& entry) {
 
 }  // namespace
 
-bool is_in_plane(ErrorSource source) { return source != ErrorSource::weight && source != ErrorSource::tilt; }
+bool is_in_plane(ErrorSource source) { return source < ErrorSource::weight; }
 
 std::string_view name(ErrorSource source) {
-  constexpr std::string_view names[] = {"lengths", "play", "load", "pins", "weight", "tilt"};
+  constexpr std::string_view names[] = {"lengths", "play",   "load", "pins",
+                                        "layers",  "weight", "tilt", "pull"};
   return names[static_cast<std::size_t>(source)];
 }
 
@@ -203,6 +249,13 @@ double ErrorBudget::sum(bool in_plane) const {
   double sum = 0;
   for (const BudgetEntry& entry : entries)
     if (is_in_plane(entry.source) == in_plane) sum += entry.error;
+  return sum;
+}
+
+double ErrorBudget::beyond_the_links() const {
+  double sum = 0;
+  for (const BudgetEntry& entry : entries)
+    if (entry.source == ErrorSource::pins || entry.source == ErrorSource::layers) sum += entry.error;
   return sum;
 }
 
@@ -221,6 +274,7 @@ std::optional<ErrorBudget> error_budget(const Design& design) {
   add_tolerances(of, budget.entries);
   budget.entries.push_back(load_entry(of));
   budget.entries.push_back(pins_entry(of));
+  add_layers(of, budget.entries);
   add_sag(of, budget.entries);
   put_in_order(budget.entries);
   return budget;
@@ -231,6 +285,8 @@ ErrorCourse::ErrorCourse(const Design& design)
       give_(design.linkage.k(), design.linkage.grounding(), design.style, *design.material,
             design.load->pen_force,
             pin_compliance(design.linkage.grounding(), design.layers, design.style, design.hardware)),
+      layered_(design.linkage.k(), design.linkage.grounding(), sag_conditions(spec_of(design), design.layers),
+               design.load->pen_force),
       sag_(design.linkage.k(), design.linkage.grounding(), sag_conditions(spec_of(design), design.layers)) {
   if (design.tolerance)
     tolerances_ = copy_error_profile(design.linkage, CopyTolerance::uniform(*design.tolerance));
@@ -240,7 +296,10 @@ double ErrorCourse::tolerances(double opening) const {
   return tolerances_ ? tolerances_->at(opening).worst : 0;
 }
 
-double ErrorCourse::give(double opening) const { return give_.at(bars_, opening).worst; }
+double ErrorCourse::give(double opening) const {
+  const double flat = give_.at(bars_, opening).worst, layered = layered_.at(bars_, opening).in_plane;
+  return std::isfinite(layered) ? std::max(flat, layered) : flat;
+}
 
 double ErrorCourse::sag(double opening) const { return sag_.at(bars_.VA, bars_.VB, opening).most(); }
 

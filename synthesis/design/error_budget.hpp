@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "synthesis/design/design.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
@@ -19,12 +20,14 @@ enum class ErrorSource {
   play,     ///< in the plane, by the play of the pins
   load,     ///< in the plane, by bending and pull of the links
   pins,     ///< in the plane, by pins that bend between their layers
+  layers,   ///< in the plane, by links that bend and twist out of it, since pins pull beside their middles
   weight,   ///< down, by the weight of links, pen and tracer
-  tilt      ///< down, by pins that tilt within their play
+  tilt,     ///< down, by pins that tilt within their play
+  pull      ///< down or up, by the same bending and twist as `layers`
 };
-/// False of those that let pen or tracer sink.
+/// False of those that let pen or tracer sink or rise.
 bool is_in_plane(ErrorSource source);
-/// "lengths", "play", "load", "pins", "weight", "tilt": for a person.
+/// "lengths", "play", "load", "pins", "layers", "weight", "tilt", "pull": for a person.
 std::string_view name(ErrorSource source);
 
 /// One thing that a builder could do.
@@ -45,6 +48,8 @@ struct ErrorBudget {
   std::vector<BudgetEntry> entries;
   /// mm, of the entries in the plane or of the others.
   double sum(bool in_plane) const;
+  /// mm, pins and layers: what a load error of the links alone does not have.
+  double beyond_the_links() const;
   /// The entry of a group whose best change takes most of it away; null where none helps.
   const BudgetEntry* most_helpful(bool in_plane) const;
 };
@@ -58,12 +63,13 @@ class ErrorCourse {
   /// Of a design as above.
   explicit ErrorCourse(const Design& design);
   double tolerances(double opening) const;  ///< lengths and play together; 0 without a tolerance
-  double give(double opening) const;        ///< load and pins together
+  double give(double opening) const;        ///< load, pins and layers together
   double sag(double opening) const;         ///< of tracer or pen; infinite where the equations say nothing
 
  private:
   BarLengths bars_;
   LoadErrorProfile give_;
+  LayeredErrorProfile layered_;
   SagProfile sag_;
   std::optional<CopyErrorProfile> tolerances_{};
 };

@@ -167,6 +167,13 @@ std::vector<double> Grillage::drop_by_tilt(int joint) const {
   return drops;
 }
 
+Grillage::Tilted Grillage::tilted_by(const Eigen::MatrixXd& couples) const {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(balance_.cols(), couples.cols());
+  forces.middleRows(joints_, couples.rows()) = couples / scale_;
+  const Eigen::MatrixXd moved = response_ * forces;
+  return {moved.topRows(joints_), moved.middleRows(joints_, couples.rows()) / scale_};
+}
+
 NearbyDrop::NearbyDrop(const Grillage& grillage, int joint, double tilt) : grillage_(grillage) {
   const Eigen::Index size = grillage.balance_.cols();
   Eigen::VectorXd push = Eigen::VectorXd::Zero(size), moments = Eigen::VectorXd::Zero(size);

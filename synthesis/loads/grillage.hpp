@@ -64,6 +64,12 @@ class Grillage {
   /// For each pin the moment that it passes on where a joint is pushed down by 1 N, N mm. By reciprocity that is how far the joint
   /// drops, mm, if the pin lets its links tilt against each other by 1 rad in the worst direction.
   std::vector<double> drop_by_tilt(int joint) const;
+  /// How it stands under couples alone: rises of the joints, mm, and slopes of the nodes, one column for each load.
+  struct Tilted {
+    Eigen::MatrixXd rises, slopes;
+  };
+  /// `couples`: two rows a node, N mm, that do work on its slopes by x and by y; one column for each load. Slopes in the same rows.
+  Tilted tilted_by(const Eigen::MatrixXd& couples) const;
 
  private:
   friend class NearbyDrop;

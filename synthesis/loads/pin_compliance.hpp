@@ -12,4 +12,7 @@ namespace kempe {
 PinCompliance pin_compliance(Grounding grounding, const LayerAssignment& layers, const LinkStyle& style,
                              const JointHardware& hardware);
 
+/// One pin whose ends do not tilt, mm for each newton; diameter and height in mm.
+double upright_pin(double diameter, double height);
+
 }  // namespace kempe

@@ -75,11 +75,13 @@ class SagProfile {
   /// The same of one of the two points, with its slopes by log VA, log VB and the opening; 0 where the table bears it. Where a point is about
   /// to be lifted off the table, the slopes are those of one side.
   SagJet jet(double VA, double VB, double opening, Carrier point) const;
-  /// The grillage there: V at 0, bar VA along x; joints in the order of Joint.
+  /// The grillage there: V at 0, bar VA along x; joints in the order of Joint; pins: the post's
+  /// (at V with the pole there, of VA and of VB), at V between VA and VB (else), A, B, C.
   GrillagePlan plan(double VA, double VB, double opening) const;
+  /// Such a grillage on the points that the table carries.
+  StandingGrillage stands(const GrillagePlan& plan) const;
 
  private:
-  StandingGrillage stands(const GrillagePlan& plan) const;
   void add_links(GrillagePlan& plan) const;
   void add_pins(GrillagePlan& plan) const;
   void add_weights(GrillagePlan& plan) const;

@@ -21,7 +21,7 @@ namespace kempe {
 namespace {
 
 /// The search's design as the outcome tells it.
-FoundDesign finished(const SearchTask& task, SearchResult found) {
+FoundDesign finished(const SearchTask& task, SearchResult&& found) {
   const bool complete = found.design->complete;
   found = improved(task, std::move(found));
   found.design->evaluations = found.evaluations;

@@ -1,4 +1,5 @@
-// The page of an animated linkage in a browser, against the table that `kempe solve` writes. Claims, one a test.
+// Pages of linkages in a browser: the animation against the table that `kempe solve` writes, the instant centres against their
+// theorem. Claims, one a test.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -178,4 +179,42 @@ guess = { A = [20, 35], B = [120, 35] }
     assert.ok(words.filter((text) => /rocker.* turns? back/.test(text)).length >= 2, `${words}`);
     assert.ok(words.every((text) => /step [\d.]+ \S/.test(text)), `${words}`);
   });
+});
+
+test("The page of instant centres shows at each step two lines that meet in the centre, through centres shown before", async () => {
+  const file = path.join(folder, "centres.html");
+  execFileSync(kempe, ["centres", example("watt-six-bar"), "--at", "20", "--page", file]);
+  const { page, context, faults } = await newPage(browser, { viewport: { width: 1400, height: 900 } });
+  try {
+    await page.goto(pathToFileURL(file).href);
+    const steps = await page.locator("#steps li").count();
+    assert.equal(steps, 8);  // 15 pairs of six links less the seven joints
+    let told = 0;
+    for (let step = 0; step <= steps; ++step) {
+      await page.keyboard.press("ArrowRight");  // from the whole picture to the joints alone, then step by step
+      const seen = await page.evaluate(() => {
+        const visible = (node) => getComputedStyle(node).visibility === "visible";
+        const dots = Object.fromEntries([...document.querySelectorAll("#centres circle[data-centres]")].filter(visible).flatMap((dot) =>
+          dot.dataset.centres.split(" ").map((name) => [name, [Number(dot.getAttribute("cx")), Number(dot.getAttribute("cy"))]])));
+        const lines = [...document.querySelectorAll("#centres .lines.now .line")].map((line) => line.getAttribute("d").match(/-?[\d.]+/g).map(Number));
+        const now = document.querySelector("#steps li.now")?.dataset;
+        return { dots, lines, now: now && { ...now }, others: [...document.querySelectorAll("#centres .lines:not(.now)")].filter(visible).length };
+      });
+      assert.equal(seen.others, 0);
+      assert.equal(Boolean(seen.now), step > 0);
+      if (!seen.now || !seen.dots[seen.now.centre]) continue;
+      assert.equal(seen.lines.length, 2);
+      const away = ([x, y], [x1, y1, x2, y2]) => Math.abs((x - x1) * (y2 - y1) - (y - y1) * (x2 - x1)) / Math.hypot(x2 - x1, y2 - y1);
+      const used = seen.now.uses.split(" ");
+      for (const [i, line] of seen.lines.entries())
+        for (const name of [seen.now.centre, used[2 * i], used[2 * i + 1]])
+          if (seen.dots[name] && !(await page.locator(`text[data-inset][data-centres~="${name}"]`).count()))
+            assert.ok(away(seen.dots[name], line) < 0.2, `${name} is off a line of ${seen.now.centre} by ${away(seen.dots[name], line)}`);
+      ++told;
+    }
+    assert.ok(told >= 5, `${told} steps`);
+    assert.deepEqual(faults, [], "the page complained or asked for something");
+  } finally {
+    await context.close();
+  }
 });

@@ -11,6 +11,7 @@
 #include "kinematics/planar/mobility.hpp"
 #include "reports/linkages/animation.hpp"
 #include "reports/linkages/centres_picture.hpp"
+#include "reports/linkages/centres_steps.hpp"
 #include "reports/linkages/forces.hpp"
 #include "reports/linkages/json.hpp"
 #include "reports/linkages/solve_table.hpp"
@@ -306,6 +307,41 @@ TEST(CentresPicture, KeepsLabelsOffEachOther) {
         EXPECT_TRUE(apart) << name << ": words at (" << a.x << ", " << a.y << ") and (" << b.x << ", " << b.y
                            << ")";
       }
+  }
+}
+
+TEST(CentreSteps, GiveEveryCentreOnceAndFromCentresOnOneLineWithIt) {
+  for (const std::string name :
+       {"watt-six-bar", "plagiograph", "shear-press", "slider-crank", "peaucellier-lipkin"}) {
+    const Moved moved = example(name);
+    for (const std::size_t frame : {std::size_t{1}, std::size_t{3}}) {
+      const RunFrame& at = moved.run.frames[frame];
+      const auto centres = instant_centres(moved.model.linkage, at.position, at.rate);
+      const auto steps = centre_steps(moved.model, centres);
+      ASSERT_EQ(steps.size(), centres.size());
+      std::map<std::string, Eigen::Vector3d> known;  // homogeneous, so that those at infinity are points too
+      int through_lines = 0;
+      for (const CentreStep& step : steps) {
+        const InstantCentre& centre = *step.centre;
+        const bool is_far = centre.kind == InstantCentre::Kind::at_infinity;
+        const double size = moved.model.linkage.size();
+        const Eigen::Vector3d place = is_far ? Eigen::Vector3d(centre.direction.x(), centre.direction.y(), 0)
+                                             : Eigen::Vector3d(centre.at.x() / size, centre.at.y() / size, 1);
+        EXPECT_EQ(step.uses.size() % 2, 0u);
+        for (std::size_t i = 0; i + 1 < step.uses.size(); i += 2, ++through_lines) {
+          ASSERT_TRUE(known.count(step.uses[i]) && known.count(step.uses[i + 1])) << name << " " << step.name;
+          const Eigen::Vector3d a = place.normalized(), b = known[step.uses[i]].normalized(),
+                                c = known[step.uses[i + 1]].normalized();
+          const double volume = a.x() * (b.y() * c.z() - b.z() * c.y()) +
+                                a.y() * (b.z() * c.x() - b.x() * c.z()) +
+                                a.z() * (b.x() * c.y() - b.y() * c.x());
+          EXPECT_LT(std::abs(volume), 1e-9) << name << " " << step.name;
+        }
+        EXPECT_TRUE(known.emplace(step.name, place).second) << step.name;
+        EXPECT_FALSE(step.reason.empty());
+      }
+      EXPECT_GT(through_lines, 0) << name;
+    }
   }
 }
 

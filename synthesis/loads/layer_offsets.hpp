@@ -1,0 +1,48 @@
+#pragma once
+// What the layers add to the load error: links lie above each other, so a pin's force acts beside the middles of the links that it joins. It
+// tilts the pins and bends and twists the links out of their plane; that lets the pen give way further in the plane, and rise or sink.
+//
+// A pin over a height h between the middles of its links that bears f loads each of them by a couple h f / 2, and its ends move apart by h times the
+// mean of the two links' tilts, beside its own h^3 / 12EI + 10 h / 9GA. The links are the grillage of the sag under those couples M; by reciprocity the pen gives
+// way by M' R M more, R the grillage's answer to couples. Exact for slender links and pins that turn freely about their axes.
+// Derivation: docs/loads.md.
+
+#include <Eigen/Core>
+
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/sag.hpp"
+
+namespace kempe {
+
+/// At one opening, mm, under the force of the profile in its worst direction. NaN where the grillage's equations lose their digits.
+struct LayeredErrorAt {
+  double in_plane = 0;  ///< how far the pen gives way: links, pins and layers together
+  double rise = 0;      ///< how far tracer or pen rises or sinks
+};
+
+/// Of all linkages of one ratio and grounding, under one set of conditions.
+class LayeredErrorProfile {
+ public:
+  /// `pen_force`: N. A point that rests on the table under the weights stays there.
+  LayeredErrorProfile(Complex k, Grounding grounding, const SagConditions& conditions, double pen_force);
+
+  /// At an opening, rad.
+  LayeredErrorAt at(const BarLengths& lengths, double opening) const;
+
+  /// The pen's compliance in the plane there, mm/N, all in; x axis along bar VA.
+  Eigen::Matrix2d compliance(const BarLengths& lengths, double opening) const;
+
+ private:
+  struct Bent;
+  Bent bent(const BarLengths& lengths, double opening) const;
+  Eigen::Matrix2d upright(const BarLengths& lengths, double opening) const;
+
+  Complex shape_, factor_;
+  JointRoles roles_;
+  SagConditions conditions_;
+  SagProfile sag_;
+  LoadErrorProfile upright_;  ///< links, and pins whose ends do not tilt
+  double force_;
+};
+
+}  // namespace kempe

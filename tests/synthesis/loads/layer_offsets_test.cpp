@@ -1,0 +1,89 @@
+// Pins' forces beside the middles of their links: the closed form against a frame in space that shares no formula with it (space_frame.hpp).
+#include "synthesis/loads/layer_offsets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cstdio>
+
+#include "geometry/chance.hpp"
+#include "synthesis/loads/pin_compliance.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/loads/space_frame.hpp"
+
+namespace kempe {
+namespace {
+
+TEST(LayerOffsets, AgreeWithAFrameInSpace) {
+  Chance chance(61);
+  double in_plane = 0, rise = 0, part = 0;
+  for (int i = 0; i < test::samples(60);) {
+    const double rotation =
+        chance.share() < 0.3 ? (chance.share() < 0.5 ? 0 : pi) : chance.uniform(radians(20), radians(160));
+    const Complex k = copy_ratio(std::exp(chance.uniform(-1, 1)), rotation);
+    if (std::abs(k - 1.0) < 0.3) continue;
+    const Grounding grounding = all_groundings[static_cast<std::size_t>(3 * chance.share())];
+    const auto modes = assembly_modes(shape_of(k, grounding));
+    const auto& mode = modes[static_cast<std::size_t>(static_cast<double>(modes.size()) * chance.share())];
+    if (mode.openings.width() < 1) continue;
+    const auto linkage =
+        CopyingLinkage::make(k, grounding, chance.uniform(60, 300), chance.uniform(60, 300), mode.number);
+    if (!linkage) continue;
+    SCOPED_TRACE(i++);
+    const double opening = chance.uniform(mode.openings.lower + 0.4, mode.openings.upper - 0.4);
+    const LinkStyle style{.width = chance.uniform(10, 30),
+                          .pin_diameter = chance.uniform(4, 9),
+                          .thickness = chance.uniform(3, 10)};
+    const auto assignments = layer_assignments(3);
+    const auto& layers =
+        assignments[static_cast<std::size_t>(static_cast<double>(assignments.size()) * chance.share())];
+    const double E = std::exp(chance.uniform(std::log(3e3), std::log(200e3))), G = E / chance.uniform(2, 3);
+    const bool tracer_rests = chance.share() < 0.3;
+    SagConditions conditions{.style = style, .layers = layers, .E = E, .G = G, .density = 1000, .grip = 5};
+    conditions.tracer_rests = tracer_rests;
+    const LayeredErrorProfile profile(k, grounding, conditions, 1);
+    const BarLengths lengths{linkage->VA(), linkage->VB()};
+    const SagAt sag = SagProfile(k, grounding, conditions).at(lengths.VA, lengths.VB, opening);
+    const space_frame::Build build{
+        style, layers, E, G, torsion_constant(style.width, style.thickness), sag.tracer_bears > 0};
+    const auto frame = space_frame::answer(*linkage, opening, build);
+    const Eigen::Matrix2d closed = profile.compliance(lengths, opening);
+    in_plane = std::max(in_plane, (closed - frame.in_plane).norm() / frame.in_plane.norm());
+    const double seen_rise = std::max(frame.tracer_rise.norm(), frame.pen_rise.norm());
+    rise = std::max(rise, std::abs(profile.at(lengths, opening).rise - seen_rise) / seen_rise);
+    const double links =
+        LoadErrorProfile(k, grounding, style, {"", E, 1000, 0}, 1).at(lengths, opening).worst;
+    part = std::max(part, profile.at(lengths, opening).in_plane / links - 1);
+  }
+  EXPECT_LT(in_plane, 1e-4);
+  EXPECT_LT(rise, 1e-3);
+  EXPECT_GT(part, 0.05);
+  std::printf(
+      "largest relative differences: in the plane %.2g, rise %.2g; pins and layers add up to %.3g of the "
+      "links\n",
+      in_plane, rise, part);
+}
+
+/// How much further two instruments of bricks give way once their plates may leave the plane (bench/solids.py, docs/loads.md), shear taken off.
+TEST(LayerOffsets, AddWhatSolidElementsFind) {
+  const auto more = [](Complex k, Grounding grounding, const BarLengths& lengths, double opening,
+                       const LinkStyle& style, double E) {
+    SagConditions conditions{.style = style, .E = E, .G = E / 2.6, .density = 1000, .grip = style.thickness};
+    conditions.layers = {{1, 2, 2, 1}};
+    const Eigen::Matrix2d all = LayeredErrorProfile(k, grounding, conditions, 1).compliance(lengths, opening);
+    const LoadErrorAt links = LoadErrorProfile(k, grounding, style, {"", E, 1000, 1}, 1).at(lengths, opening);
+    const Eigen::Vector2d ends = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(all).eigenvalues();
+    return std::pair(ends[1] / links.worst - 1, ends[0] / links.least - 1);
+  };
+  const auto steel = more(0.4, Grounding::pen, {91.784, 76.542}, radians(90),
+                          {.width = 15, .pin_diameter = 8, .thickness = 5}, 200e3);
+  EXPECT_NEAR(steel.first, 0.097 - 0.014, 0.01);
+  EXPECT_NEAR(steel.second, 0.185 - 0.042, 0.01);
+  const auto PLA = more(-0.5, Grounding::pole, {150, 110}, radians(60),
+                        {.width = 20, .pin_diameter = 8, .thickness = 8}, 3e3);
+  EXPECT_NEAR(PLA.first, 0.080 - 0.014, 0.01);
+  EXPECT_NEAR(PLA.second, 0.142 - 0.025, 0.01);
+}
+
+}  // namespace
+}  // namespace kempe
