@@ -20,6 +20,7 @@ void add_function_command(CLI::App& program, Session& session);
 void add_inversor_command(CLI::App& program, Session& session);
 void add_path_command(CLI::App& program, Session& session);
 void add_studio_command(CLI::App& program, Session& session);
+void add_mcp_command(CLI::App& program, Session& session);
 void add_help_command(CLI::App& program, Session& session);
 
 using AddCommand = void (*)(CLI::App&, Session&);
@@ -42,6 +43,7 @@ inline constexpr AddCommand all_commands[] = {
     add_inversor_command,
     add_path_command,
     add_studio_command,
+    add_mcp_command,
     add_help_command,
 };
 // clang-format on

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "specs/text/printable.hpp"
+#include "specs/text/text_file.hpp"
 
 namespace kempe::app {
 
@@ -43,6 +44,17 @@ Json json_of(const InputError& fault) {
           {"allowed", fault.allowed}};
 }
 
+/// Lines of a given text are not those of the message that it came in.
+InputError as_given(const Session& session, InputError error) {
+  if (!session.given) return error;
+  const auto without_line = [&](InputError& fault) {
+    if (fault.file == session.given->name) fault.line = 0;
+  };
+  without_line(error);
+  for (InputError& other : error.others) without_line(other);
+  return error;
+}
+
 }  // namespace
 
 int fail(const Session& session, ExitCode code, const std::string& message) {
@@ -55,7 +67,8 @@ int fail_unproven(const Session& session, const std::string& message) {
   return fail_told(stopped, message);
 }
 
-int fail(const Session& session, const InputError& error) {
+int fail(const Session& session, const InputError& told) {
+  const InputError error = as_given(session, told);
   say(error.message());
   for (const InputError& other : error.others) say(other.message());
   if (session.json) print(faults_json(error));
@@ -71,6 +84,16 @@ std::string faults_json(const InputError& error) {
 int fail_told(ExitCode code, const std::string& message) {
   say(message);
   return code;
+}
+
+tl::expected<std::string, InputError> input_text(const Session& session, const std::string& file) {
+  if (session.given && session.given->name == file) return session.given->text;
+  return read_text_file(file);
+}
+
+void answer(const Session& session, const std::string& text, const std::string& object) {
+  print(session.json ? object : text);
+  if (session.json && session.both) std::fputs(printable_lines(text).c_str(), stderr);
 }
 
 void say(const std::string& message) {

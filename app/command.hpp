@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <tl/expected.hpp>
 
 #include "kempe/input_error.hpp"
 
@@ -22,11 +24,18 @@ enum ExitCode : int {
   interrupted = 130
 };
 
+/// An input's text that came in a message, as TOML; `name` stands for the file that there is not.
+struct GivenText {
+  std::string name, text;
+};
+
 /// What every command shares: the options --json and --quiet, and the run that the arguments chose.
 struct Session {
   bool json = false;
   bool quiet = false;
-  std::function<int()> chosen;  ///< set by the sub-command's callback; returns an ExitCode
+  bool both = false;               ///< with json: what a person would read goes to stderr
+  std::optional<GivenText> given;  ///< read in place of the file of its name; its lines nobody sees
+  std::function<int()> chosen;     ///< set by the sub-command's callback; returns an ExitCode
 };
 
 /// Adds a sub-command with the shared options; `example` closes its --help.
@@ -40,7 +49,7 @@ int fail(const Session& session, ExitCode code, const std::string& message);
 inline constexpr const char* none_found = "no design was found";
 /// The same for that verdict, with `proven` false in the object: a search says nothing about what it did not find. Returns `stopped`.
 int fail_unproven(const Session& session, const std::string& message);
-/// Bad input, every fault of it: {"error": {"faults": [{"file", "line", "key", "found", "allowed"}, ...]}}.
+/// Bad input, every fault of it (those of a given text without lines): {"error": {"faults": [{"file", "line", "key", "found", "allowed"}, ...]}}.
 int fail(const Session& session, const InputError& error);
 
 /// The object that the latter prints.
@@ -51,6 +60,12 @@ int fail_told(ExitCode code, const std::string& message);
 
 /// The same as a note, which changes nothing of the outcome.
 void say(const std::string& message);
+
+/// The text of an input file, or the one given in its place.
+tl::expected<std::string, InputError> input_text(const Session& session, const std::string& file);
+
+/// Prints a command's answer: `text` for people, or with --json `object`.
+void answer(const Session& session, const std::string& text, const std::string& object);
 
 /// JSON as text by lines, whatever bytes its texts hold.
 std::string json_text(const nlohmann::ordered_json& object);

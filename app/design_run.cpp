@@ -17,7 +17,6 @@
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
-#include "specs/text/text_file.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/design/copy_overlap.hpp"
 
@@ -29,12 +28,16 @@ std::string shown_name(const std::string& file) {
   return Json::parse(name.dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
-tl::expected<LoadedSpec, InputError> load_spec(const std::string& file) {
-  auto text = read_text_file(file);  // once: a pipe has nothing left for a second reading
+tl::expected<LoadedSpec, InputError> load_spec(const Session& session, const std::string& file) {
+  auto text = input_text(session, file);  // once: a pipe has nothing left for a second reading
   if (!text) return tl::unexpected(text.error());
-  auto spec = read_spec(*text, file, std::filesystem::path(file).parent_path());
+  return spec_of_text(std::move(*text), file);
+}
+
+tl::expected<LoadedSpec, InputError> spec_of_text(std::string text, const std::string& file) {
+  auto spec = read_spec(text, file, std::filesystem::path(file).parent_path());
   if (!spec) return tl::unexpected(spec.error());
-  return LoadedSpec{file, std::move(*text), std::move(*spec)};
+  return LoadedSpec{file, std::move(text), std::move(*spec)};
 }
 
 std::vector<std::filesystem::path> LoadedSpec::inputs() const {
@@ -385,7 +388,7 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
   if (drafted->has_parts && !time.enough())
     if (const auto lack = why_no_step()) told.push_back(*lack);
-  print(session.json ? summary_json(design, folder, files, told) : summary_text(design, folder, files, told));
+  answer(session, summary_text(design, folder, files, told), summary_json(design, folder, files, told));
   for (const std::string& sentence : left_out) say(sentence);
   return done;
 }

@@ -22,7 +22,9 @@ struct LoadedSpec {
   /// The files that the run reads: the spec, and the drawing that it names.
   std::vector<std::filesystem::path> inputs() const;
 };
-tl::expected<LoadedSpec, InputError> load_spec(const std::string& file);
+tl::expected<LoadedSpec, InputError> load_spec(const Session& session, const std::string& file);
+/// The same of its text, already read.
+tl::expected<LoadedSpec, InputError> spec_of_text(std::string text, const std::string& file);
 
 /// The file's name as a report may show it: bytes that are no UTF-8 become U+FFFD.
 std::string shown_name(const std::string& file);

@@ -9,14 +9,9 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "specs/linkages/model.hpp"
+#include "reports/linkages/running.hpp"
 
 namespace kempe::app {
-
-struct LoadedLinkage {
-  LinkageFile file;
-  LinkageModel model;
-};
 
 /// Whether the user asked to stop, for the solver's own looking.
 std::function<bool()> wish_to_stop();
@@ -26,6 +21,9 @@ CLI::Option* add_linkage_argument(CLI::App& command, std::string& file);
 
 /// Reads the file, builds its model and tells the reader's notes on stderr (unless quiet).
 tl::expected<LoadedLinkage, int> load_linkage(const Session& session, const std::string& file);
+
+/// Tells why there is no answer; returns the exit code.
+int tell(const Session& session, const LoadedLinkage& loaded, const NoRun& none);
 
 /// The closed positions at the start, the chosen one first.
 tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const Session& session,
@@ -37,16 +35,9 @@ tl::expected<std::vector<PlanarPosition>, int> assemble_linkage(const Session& s
 tl::expected<PlanarRun, int> drive_linkage(const Session& session, const LoadedLinkage& loaded,
                                            const PlanarPosition& start, int steps);
 
-/// The same to one step of the motion, whole or not, which alone is shown.
-tl::expected<PlanarRun, int> drive_to(const Session& session, const LoadedLinkage& loaded,
-                                      const PlanarPosition& start, double step);
-
 /// The moment at a step, whole or not, from 0 to the file's last, reached along the motion; `option` named it.
 tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage& loaded,
                                      const PlanarPosition& start, double step, const std::string& option);
-
-/// "dead point at step 17.33 of 36 (...): A, B and C in line (crank, rod)"
-std::string stop_sentence(const LoadedLinkage& loaded, const PlanarRun& run, int steps);
 
 /// Of a motion that ended early: `no_design` where the linkage cannot go on, `stopped` where the work allowed was spent.
 ExitCode code_of(const PlanarRun& run);

@@ -5,12 +5,9 @@
 
 #include <csignal>
 #include <cstdio>
-#include <exception>
-#include <sstream>
 
-#include "app/all_commands.hpp"
-#include "app/arguments.hpp"
 #include "app/command.hpp"
+#include "app/program.hpp"
 
 namespace {
 
@@ -38,27 +35,6 @@ int main(int argc, char** argv) {
   using namespace kempe::app;
   keep_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell allows is an error of writing, not the end
-  CLI::App program{"Kempe designs copying linkages: pantographs, plagiographs and similar linkages.",
-                   "kempe"};
-  program.set_version_flag("-v,--version", KEMPE_VERSION);
-  program.require_subcommand(1);
   Session session;
-  for (const AddCommand add : all_commands)
-    if (add != nullptr) add(program, session);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return told(tell_bad_arguments(program, {argv, argv + argc}, error));
-    std::ostringstream help;
-    program.exit(error, help, help);
-    print(help.str());
-    return told(done);
-  }
-  int code = failed;
-  try {
-    code = session.chosen();
-  } catch (const std::exception& error) {
-    return fail(session, failed, std::string("internal error: ") + error.what());
-  }
-  return told(code);
+  return told(run_program({argv, argv + argc}, session));
 }

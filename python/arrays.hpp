@@ -38,6 +38,11 @@ inline Numbers array_of(const std::vector<Point>& points) {
   return numbers;
 }
 
+/// An array (n,) of its own.
+inline Numbers array_of(const std::vector<double>& values) {
+  return Numbers(static_cast<pybind11::ssize_t>(values.size()), values.data());
+}
+
 /// The points of an array.
 inline std::vector<Point> points_of(const Numbers& numbers) {
   const Points points(numbers);

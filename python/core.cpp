@@ -16,6 +16,8 @@
 #include "kempe/kempe.hpp"
 #include "python/arrays.hpp"
 #include "python/at_work.hpp"
+#include "python/faults.hpp"
+#include "python/linkages.hpp"
 
 namespace kempe::python {
 namespace {
@@ -24,32 +26,6 @@ namespace py = pybind11;
 using namespace pybind11::literals;
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-
-/// A text that may quote a file of any bytes.
-py::str text_of(const std::string& quoting) {
-  PyObject* text = PyUnicode_DecodeUTF8(quoting.data(), static_cast<py::ssize_t>(quoting.size()), "replace");
-  if (text == nullptr) throw py::error_already_set();
-  return py::reinterpret_steal<py::str>(text);
-}
-
-/// (file, line, key, found, allowed) of each fault.
-py::list list_of(const InputError& first) {
-  py::list faults;
-  const auto add = [&faults](const InputError& fault) {
-    faults.append(py::make_tuple(text_of(fault.file), fault.line, text_of(fault.key), text_of(fault.found),
-                                 text_of(fault.allowed)));
-  };
-  add(first);
-  for (const InputError& other : first.others) add(other);
-  return faults;
-}
-
-/// The value, or the list of faults.
-template <typename Value>
-py::object value_or_faults(std::variant<Value, InputError> found) {
-  if (const auto* fault = std::get_if<InputError>(&found)) return list_of(*fault);
-  return py::cast(std::move(std::get<Value>(found)));
-}
 
 /// How to work, as Python says it.
 struct Wishes {
@@ -185,7 +161,7 @@ py::dict verified(const FinishedDesign& design) {
 /// (holds, broken), or faults.
 py::object audited(const std::filesystem::path& file) {
   const auto found = at_work(py::none(), [&](Hooks&) { return verify(file); });
-  if (const auto* fault = std::get_if<InputError>(&found)) return list_of(*fault);
+  if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
   const auto& audit = std::get<Audit>(found);
   return py::make_tuple(audit.holds, list_of(audit.broken));
 }
@@ -202,7 +178,7 @@ py::object traced(const FinishedDesign& design, const std::vector<Numbers>& line
   originals.reserve(lines.size());
   for (const Numbers& line : lines) originals.push_back(points_of(line));
   const auto found = at_work(py::none(), [&](Hooks&) { return trace(design, originals, step); });
-  if (const auto* fault = std::get_if<InputError>(&found)) return list_of(*fault);
+  if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
   const auto& copy = std::get<CopiedDrawing>(found);
   return py::dict("drawn"_a = list_of(copy.drawn), "missing"_a = list_of(copy.missing),
                   "drawn_length_mm"_a = copy.drawn_length, "missing_length_mm"_a = copy.missing_length,
@@ -381,7 +357,7 @@ void add_searches(py::module_& module) {
                              })
       .def_property_readonly("proven_bound", &Outcome::proven_bound)
       .def_property_readonly("faults", [](const Outcome& outcome) {
-        return outcome.fault() ? list_of(*outcome.fault()) : py::list();
+        return outcome.fault() ? faults_of(*outcome.fault()) : py::list();
       });
   module.def(
       "design",
@@ -407,4 +383,5 @@ PYBIND11_MODULE(_core, module) {
   kempe::python::add_designs(module);
   kempe::python::add_searches(module);
   kempe::python::add_calibration(module);
+  kempe::python::add_linkages(module);
 }

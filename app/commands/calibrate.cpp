@@ -11,7 +11,6 @@
 #include "reports/calibration/report.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/text/ratio.hpp"
-#include "specs/text/text_file.hpp"
 
 namespace kempe::app {
 namespace {
@@ -64,7 +63,7 @@ int write_report(const Session& session, const CalibrateArguments& arguments, co
 }
 
 int run(const Session& session, const CalibrateArguments& arguments) {
-  const auto text = read_text_file(arguments.file);
+  const auto text = input_text(session, arguments.file);
   if (!text) return fail(session, text.error());
   auto read = read_measurements(*text, arguments.file);
   if (!read) return fail(session, read.error());
@@ -89,7 +88,7 @@ int run(const Session& session, const CalibrateArguments& arguments) {
             write_report(session, arguments, *record, simulation, json, *text, measurements->design);
         code != done)
       return code;
-  print(session.json ? json : calibration_text(*record, simulation));
+  answer(session, calibration_text(*record, simulation), json);
   return done;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
@@ -12,12 +11,9 @@
 #include "reports/data/atomic_file.hpp"
 #include "reports/linkages/function_equations.hpp"
 #include "reports/linkages/generated.hpp"
-#include "reports/pictures/error_plot.hpp"
-#include "specs/generator_spec.hpp"
-#include "specs/text/expression.hpp"
+#include "reports/linkages/generator_answers.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
-#include "synthesis/functions/function_generator.hpp"
 
 namespace kempe::app {
 namespace {
@@ -34,78 +30,6 @@ std::string_view in_words(FunctionMethod method) {
     case FunctionMethod::minimax: return "minimax: the smallest largest error";
   }
   return {};
-}
-
-FunctionMethod method_named(const std::string& method) {
-  for (const FunctionMethod one : {FunctionMethod::least_squares, FunctionMethod::minimax})
-    if (method == name(one)) return one;
-  return FunctionMethod::precision_points;
-}
-
-tl::expected<FunctionTask, InputError> task_of(const FunctionSpec& spec, const std::string& file) {
-  FunctionTask task;
-  if (spec.expression.empty()) {
-    task.wanted = interpolated(spec.table);
-  } else {
-    const auto compiled = compile_expression(spec.expression);
-    if (!compiled)
-      return tl::unexpected(InputError{file, 0, "function.expression", compiled.error(),
-                                       "an expression of x such as log10(x)"});
-    task.wanted = *compiled;
-  }
-  task.x_lower = spec.x_lower;
-  task.x_upper = spec.x_upper;
-  task.input_range = spec.input_range;
-  task.output_range = spec.output_range;
-  task.input_start = spec.input_start;
-  task.output_start = spec.output_start;
-  task.points = spec.points;
-  task.method = method_named(spec.method);
-  task.ground = spec.ground;
-  task.transmission = spec.transmission;
-  task.longest_ratio = spec.longest_ratio;
-  return task;
-}
-
-nlohmann::ordered_json json_of(const FunctionTask& task, const FunctionDesign& design) {
-  const FourBar& bar = design.linkage;
-  nlohmann::ordered_json object{
-      {"method", std::string(name(task.method))},
-      {"lengths_mm",
-       {{"ground", bar.ground}, {"input", bar.input}, {"coupler", bar.coupler}, {"output", bar.output}}},
-      {"branch", bar.branch == FourBarBranch::first ? 1 : 2},
-      {"motion", std::string(name(design.motion))},
-      {"input", {{"start_deg", degrees(design.input_start)}, {"range_deg", degrees(task.input_range)}}},
-      {"output",
-       {{"start_deg", degrees(design.output_start)},
-        {"range_deg", degrees(task.output_range)},
-        {"y_at_start", design.y_lower},
-        {"y_at_end", design.y_upper}}},
-      {"precision_points", design.precision_points},
-      {"structural_error_max_deg", degrees(design.error_largest)},
-      {"structural_error_rms_deg", degrees(design.error_rms)},
-      {"transmission_min_deg", degrees(design.transmission_min)},
-      {"rejected",
-       {{"branch", design.rejected_branch},
-        {"order", design.rejected_order},
-        {"other", design.rejected_other}}}};
-  if (design.optimum)
-    object["minimax"] = {{"equal_ripples", design.optimum->ripples},
-                         {"unknowns", design.optimum->unknowns},
-                         {"limits_at_work", design.optimum->limits},
-                         {"local_minimum_proven", design.optimum->proven}};
-  for (const StructuralErrorSample& at : design.curve)
-    object["structural_error"].push_back({{"x", at.x},
-                                          {"y", at.y_wanted},
-                                          {"y_generated", at.y_generated},
-                                          {"input_deg", degrees(at.input_angle)},
-                                          {"output_deg", degrees(at.output_angle)},
-                                          {"error_deg", degrees(at.error)}});
-  return object;
-}
-
-std::string wanted_text(const FunctionSpec& spec) {
-  return spec.expression.empty() ? "the table" : "y = " + spec.expression;
 }
 
 std::string lengths_text(const FourBar& bar) {
@@ -147,19 +71,6 @@ std::string text_of(const FunctionSpec& spec, const FunctionTask& task, const Fu
   return text + proof_line(design);
 }
 
-/// Nothing where the answer says all that is to be said.
-std::string reservation(const FunctionDesign& design) {
-  if (!design.optimum || design.optimum->proven) return "";
-  return "the best found, but not proven to be a local minimum: a linkage near it may have a smaller largest "
-         "error";
-}
-
-std::string plot_of(const FunctionDesign& design, const std::string& title) {
-  ErrorPlot plot{title, "x", "structural error, degrees", {}, design.precision_points};
-  for (const StructuralErrorSample& at : design.curve) plot.curve.emplace_back(at.x, degrees(at.error));
-  return error_plot_svg(plot);
-}
-
 int run(const Session& session, const FunctionArguments& arguments) {
   if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file, arguments.linkage_file}))
     return fail(session, *clash);
@@ -167,27 +78,23 @@ int run(const Session& session, const FunctionArguments& arguments) {
   if (!text) return fail(session, text.error());
   const auto spec = read_function_spec(*text, arguments.spec_file);
   if (!spec) return fail(session, spec.error());
-  const auto task = task_of(*spec, arguments.spec_file);
+  const auto task = function_task(*spec, arguments.spec_file);
   if (!task) return fail(session, task.error());
   const auto design = generate_function(*task);
   if (!design && design.error().proven)
     return fail(session, no_design, "no design exists: " + design.error().sentence);
   if (!design) return fail_unproven(session, "no design found: " + design.error().sentence);
   if (!arguments.plot_file.empty()) {
-    const auto written = write_whole(arguments.plot_file, plot_of(*design, wanted_text(*spec)));
+    const auto written = write_whole(arguments.plot_file, function_plot(*design, wanted_text(*spec)));
     if (!written) return fail(session, cannot_write, written.error());
   }
   if (!arguments.linkage_file.empty()) {
     const std::string linkage = function_linkage(*task, *design, wanted_text(*spec));
     if (const int code = write_output(session, arguments.linkage_file, linkage); code != done) return code;
   }
-  auto object = json_of(*task, *design);
-  if (const std::string words = reservation(*design); !words.empty()) {
-    object["reservation"] = words;
-    say(words);
-  }
-  if (arguments.with_equations) object["equations"] = function_equations_json(*task, *design);
-  print(session.json ? json_text(object) : text_of(*spec, *task, *design));
+  if (const std::string words = reservation(*design); !words.empty()) say(words);
+  print(session.json ? function_json(*task, *design, arguments.with_equations)
+                     : text_of(*spec, *task, *design));
   if (!session.json && arguments.with_equations) print(function_equations_text(*task, *design));
   if (!session.json && !arguments.linkage_file.empty())
     print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",

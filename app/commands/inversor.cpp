@@ -1,17 +1,14 @@
 // kempe inversor: the three inversors for a lens, the best by size.
 
-#include "synthesis/functions/inversor.hpp"
-
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "reports/linkages/generated.hpp"
-#include "specs/generator_spec.hpp"
+#include "reports/linkages/generator_answers.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 
@@ -29,26 +26,6 @@ std::string_view spoken_name(InversorKind kind) {
     case InversorKind::right_angle: return "right angle";
   }
   return {};
-}
-
-nlohmann::ordered_json json_of(const InversorAnswer& answer) {
-  nlohmann::ordered_json object{{"kind", std::string(name(answer.kind))}};
-  if (!answer.design) {
-    object["why_not"] = answer.why_not;
-    return object;
-  }
-  const InversorDesign& design = *answer.design;
-  object["size_mm"] = design.size;
-  for (const InversorLength& length : design.lengths)
-    object["lengths"].push_back({{"name", length.name},
-                                 {"count", length.count},
-                                 {"mm", length.value},
-                                 {"sensitivity_mm_per_mm", length.sensitivity}});
-  if (design.point_share > 0) object["point_share"] = design.point_share;
-  object["travel_object_mm"] = design.travel_object;
-  object["travel_image_mm"] = design.travel_image;
-  object["transmission_min_deg"] = degrees(design.transmission_min);
-  return object;
 }
 
 /// Three lines and more for each kind: its lengths, or why there is none.
@@ -97,12 +74,7 @@ int run(const Session& session, const InversorArguments& arguments) {
   if (!text) return fail(session, text.error());
   const auto spec = read_inversor_spec(*text, file);
   if (!spec) return fail(session, spec.error());
-  const InversorTask task{spec->focal_length,
-                          spec->magnification_lower,
-                          spec->magnification_upper,
-                          spec->transmission,
-                          spec->shortest,
-                          spec->longest};
+  const InversorTask task = inversor_task(*spec);
   const auto answers = design_inversors(task);
   const auto best = smallest(answers);
   if (best && !arguments.linkage_file.empty()) {
@@ -118,19 +90,11 @@ int run(const Session& session, const InversorArguments& arguments) {
                         printable(arguments.linkage_file)));
     return done;
   }
-  nlohmann::ordered_json object{{"focal_length_mm", task.focal_length},
-                                {"magnification", {task.magnification_lower, task.magnification_upper}}};
-  object["best"] =
-      best ? nlohmann::ordered_json(std::string(name(best->kind))) : nlohmann::ordered_json(nullptr);
-  for (const InversorAnswer& answer : answers) object["inversors"].push_back(json_of(answer));
   if (best) {
-    print(json_text(object));
+    print(inversor_json(task, answers));
     return done;
   }
-  std::string why = "no design found (not proven: lengths are searched)";
-  for (const InversorAnswer& answer : answers)
-    why += "\n  " + std::string(name(answer.kind)) + ": " + answer.why_not;
-  return fail_unproven(session, why);
+  return fail_unproven(session, no_inversor_sentence(answers));
 }
 
 }  // namespace

@@ -16,21 +16,6 @@ struct MobilityArguments {
   std::uint64_t seed = 1;
 };
 
-/// A closed position with the drivers at their start, or, if they contradict each other, without them.
-tl::expected<PlanarPosition, int> closed_position(const Session& session, const LoadedLinkage& loaded,
-                                                  std::uint64_t seed) {
-  AssemblySearch search;
-  search.seed = seed;
-  if (const auto driven = start_assembly_modes(loaded.file, loaded.model, search)) return driven->front();
-  LoadedLinkage free{loaded.file, loaded.model};
-  free.model.linkage = loaded.model.linkage.undriven();
-  free.model.schedule = {};
-  free.file.bounds.clear();
-  auto found = assemble_linkage(session, free, seed);
-  if (!found) return tl::unexpected(found.error());
-  return found->front();
-}
-
 int run(const Session& session, const MobilityArguments& arguments) {
   if (arguments.links > 0) {
     const auto answer = session.json ? number_synthesis_json : number_synthesis_text;
@@ -39,8 +24,8 @@ int run(const Session& session, const MobilityArguments& arguments) {
   }
   const auto loaded = load_linkage(session, arguments.linkage);
   if (!loaded) return loaded.error();
-  const auto closed = closed_position(session, *loaded, arguments.seed);
-  if (!closed) return closed.error();
+  const auto closed = closed_position(*loaded, arguments.seed, wish_to_stop());
+  if (!closed) return tell(session, *loaded, closed.error());
   const Mobility mobility = mobility_of(loaded->model.linkage, *closed, arguments.seed);
   const auto answer = session.json ? mobility_json : mobility_text;
   print(answer(loaded->file, loaded->model, mobility));

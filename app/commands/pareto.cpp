@@ -159,7 +159,7 @@ std::string summary_text(const ParetoFront& front, int asked, bool complete, con
 }
 
 int run(const Session& session, const ParetoArguments& arguments) {
-  const auto loaded = load_spec(arguments.spec_file);
+  const auto loaded = load_spec(session, arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
   const auto first = objective_named(arguments.between.front()),
              second = objective_named(arguments.between.back());

@@ -31,8 +31,6 @@ struct SolveArguments {
   std::uint64_t seed = 1;
 };
 
-constexpr int least_animated_moments = 180;
-
 void apply(const SolveArguments& arguments, LinkageFile& file) {
   file.output.velocities |= arguments.velocities;
   file.output.accelerations |= arguments.accelerations;
@@ -86,12 +84,9 @@ int list_assembly_modes(const Session& session, const LoadedLinkage& loaded,
   return done;
 }
 
-/// Enough moments to look smooth: the table's steps, each cut into equal parts.
 int write_animations(const Session& session, const LoadedLinkage& loaded, const PlanarPosition& start,
                      const std::vector<std::string>& files) {
-  const int parts = (least_animated_moments + loaded.file.steps - 1) / loaded.file.steps,
-            steps = loaded.file.steps * parts;
-  const auto run = drive_linkage(session, loaded, start, steps);
+  const auto run = drive_linkage(session, loaded, start, animated_steps(loaded.file.steps));
   if (!run) return run.error();
   LinkageScene scene = linkage_scene(loaded.file, loaded.model, *run, loaded.file.steps);
   for (const std::string& file : files) {

@@ -24,7 +24,7 @@ std::string page_beside(const std::string& spec_file) {
 
 int run(const Session& session, StudioArguments arguments) {
   if (arguments.page.empty()) arguments.page = page_beside(arguments.spec_file);
-  const auto loaded = load_spec(arguments.spec_file);
+  const auto loaded = load_spec(session, arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
   const auto studio = find_studio();
   if (!studio) return fail(session, failed, studio.error());

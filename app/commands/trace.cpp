@@ -225,7 +225,7 @@ int run(const Session& session, TraceArguments arguments) {
   const Trace trace = trace_drawing(task_of(*design, *linkage), drawing->strokes, options);
   if (const auto written = write(trace, arguments, options.work); !written)
     return fail(session, cannot_write, written.error());
-  print(session.json ? summary_json(trace, *drawing, arguments) : summary_text(trace, *drawing, arguments));
+  answer(session, summary_text(trace, *drawing, arguments), summary_json(trace, *drawing, arguments));
   if (trace.poses_missed == 0) return done;
   return fail_told(verification_failed,
                    fmt::format("{}: {} positions cannot be reached and are left out ({}); they are red in {}",

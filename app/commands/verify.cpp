@@ -32,7 +32,7 @@ int check_file(const Session& session, const std::string& file) {
   if (!design) return fail(session, design.error());
   const auto found = audit(*design, file);
   if (!found) return fail(session, found.error());
-  print(session.json ? audit_json(*found, file) : audit_text(*found) + proof_line(*design, file));
+  answer(session, audit_text(*found) + proof_line(*design, file), audit_json(*found, file));
   return found->holds() ? done : fail_told(verification_failed, broken_text(*found, file));
 }
 

@@ -10,6 +10,8 @@
 #include "app/stopping.hpp"
 #include "app/studio_page.hpp"
 #include "geometry/regions/region_checks.hpp"
+#include "reports/data/design_json.hpp"
+#include "specs/file_kind.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
 
@@ -25,24 +27,36 @@ struct WorkspaceArguments {
   Paper paper = Paper::A4;
 };
 
-int tell_why(const Session& session, const Design& design, const Point& tracer) {
-  const Verdict verdict = verdict_at(map_task(design), tracer);
-  if (!session.json) {
-    print(fmt::format("({:.6g}, {:.6g}): {}\n", tracer.x(), tracer.y(), verdict.sentence));
-    return done;
-  }
+int tell_why(const Session& session, const MapTask& task, const Point& tracer) {
+  const Verdict verdict = verdict_at(task, tracer);
   nlohmann::ordered_json object{
       {"tracer_mm", {tracer.x(), tracer.y()}}, {"free", verdict.free}, {"uncertain", verdict.uncertain}};
   if (verdict.cause) object["cause"] = std::string(name(*verdict.cause));
   object["parts"] = verdict.parts;
   object["sentence"] = verdict.sentence;
-  print(json_text(object));
+  answer(session, fmt::format("({:.6g}, {:.6g}): {}\n", tracer.x(), tracer.y(), verdict.sentence),
+         json_text(object));
   return done;
+}
+
+/// The place seen by the design that a file holds.
+int tell_why_of_design(const Session& session, const std::string& text, const std::string& file,
+                       const Point& tracer) {
+  const auto design = read_design(text, file);
+  if (!design) return fail(session, design.error());
+  const auto linkage = linkage_of(*design, file);
+  return linkage ? tell_why(session, map_task(*design, *linkage), tracer) : fail(session, linkage.error());
 }
 
 int run(const Session& session, const WorkspaceArguments& arguments) {
   const Stopping stopping(arguments.time_limit);
-  const auto loaded = load_spec(arguments.spec_file);
+  const std::optional<Point> place =
+      arguments.why.empty() ? std::nullopt : std::optional(Point(arguments.why[0], arguments.why[1]));
+  const auto text = input_text(session, arguments.spec_file);
+  if (!text) return fail(session, text.error());
+  if (place && recognised_kind(*text) == FileKind::design)
+    return tell_why_of_design(session, *text, arguments.spec_file, *place);
+  const auto loaded = spec_of_text(*text, arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
   const auto studio = studio_page_if(arguments.studio, *loaded);
   if (!studio) return fail(session, failed, studio.error());
@@ -51,7 +65,7 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   if (const auto none = pole_blocked(loaded->spec)) return tell_no_design(session, *none);
   Design design = assemble_given(loaded->spec, *linkage,
                                  {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});
-  if (!arguments.why.empty()) return tell_why(session, design, {arguments.why[0], arguments.why[1]});
+  if (place) return tell_why(session, map_task(design), *place);
   const TimeToFinish time{stopping.flag(time_to_map(stopping.limit())),
                           stopping.flag(time_to_write(stopping.limit()))};
   const int code = publish_design(session, design, *loaded, arguments.folder, time, *studio, arguments.paper);
@@ -65,7 +79,10 @@ void add_workspace_command(CLI::App& program, Session& session) {
       add_command(program, session, "workspace", "Map a mechanism whose lengths the spec gives ([mechanism])",
                   "kempe workspace specs/examples/report-mechanism.toml -o out/report-mechanism");
   auto arguments = std::make_shared<WorkspaceArguments>();
-  command->add_option("SPEC", arguments->spec_file, "The spec (TOML; see docs/spec.md)")->required();
+  command
+      ->add_option("SPEC", arguments->spec_file,
+                   "The spec (TOML; see docs/spec.md); with --why also a design.json")
+      ->required();
   auto* folder = command->add_option("-o,--output", arguments->folder, "Folder for the map's files");
   auto* why = command
                   ->add_option("--why", arguments->why,

@@ -8,6 +8,8 @@
 #include "kempe/calibrate.hpp"
 #include "kempe/design.hpp"
 #include "kempe/front.hpp"
+#include "kempe/generators.hpp"
+#include "kempe/linkage.hpp"
 #include "kempe/sketch.hpp"
 #include "kempe/trace.hpp"
 #include "kempe/units.hpp"

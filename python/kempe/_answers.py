@@ -65,7 +65,7 @@ class NoDesign(Error):
 
 
 class Stopped(Error):
-    """The time limit came before a design was found or proven impossible; no design can beat .proven_bound, if it is there."""
+    """The time limit, or a motion's limit of work, came before an answer; no design can beat .proven_bound, if it is there."""
 
     def __init__(self, sentence: str, proven_bound: Optional[float] = None):
         super().__init__(sentence)
@@ -73,6 +73,14 @@ class Stopped(Error):
 
     def __reduce__(self) -> Any:
         return type(self), (self.sentence, self.proven_bound)
+
+
+class NoMotion(Error):
+    """A linkage does not assemble, cannot start, or does not get where it was wanted: .sentence says why."""
+
+    def __init__(self, sentence: str):
+        super().__init__(sentence)
+        self.sentence = sentence
 
 
 class NotWritten(Error):

@@ -170,7 +170,7 @@ std::string mobility_json(const LinkageFile& file, const LinkageModel& model, co
   for (const auto& set : m.redundant) object["redundant"].push_back(names_of(model, set));
   object["sentences"] = mobility_sentences(model, m);
   if (!file.notes.empty()) object["notes"] = file.notes;
-  return object.dump(1) + "\n";
+  return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string why_no_chain(int links, int freedoms, const NumberSynthesis& synthesis) {
@@ -202,7 +202,7 @@ std::string number_synthesis_json(int links, int freedoms, const NumberSynthesis
               {"with_a_stiff_part", list(synthesis.stiff)}};
   if (const std::string why = why_no_chain(links, freedoms, synthesis); !why.empty())
     object["sentence"] = why;
-  return object.dump(1) + "\n";
+  return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string source_of(const LinkageModel& model, const InstantCentre& centre) {
@@ -239,7 +239,7 @@ std::string centres_json(const LinkageFile& file, const LinkageModel& model, dou
   object["count"] = centres.size();
   object["centres"] = Json::array();
   for (const InstantCentre& centre : centres) object["centres"].push_back(centre_json(file, model, centre));
-  return object.dump(1) + "\n";
+  return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace kempe

@@ -68,6 +68,7 @@ LoadErrorProfile::LoadErrorProfile(Complex k, Grounding grounding, const LinkSty
     : shape_(shape_of(k, grounding)), factor_(pen_factor(k, grounding)), straight_(is_straight(shape_)),
       force_(pen_force), across_(1 / (3 * material.E * inertia(style))),
       along_(1 / (material.E * style.width * style.thickness)), pins_(pins),
+      has_rigid_pins_(pins.A == 0 && pins.B == 0 && pins.C == 0 && pins.V == 0 && pins.pole == 0),
       pole_is_at_V_(pole_is_at_V(grounding)), arms_ACX_(plate_arms(1.0 / shape_, straight_)),
       arms_BCY_(plate_arms(shape_, straight_)) {}
 
@@ -87,6 +88,7 @@ Buckets LoadErrorProfile::sums_of(const Forces& forces) const {
   }
   sums[VA_pulled].add(along_, forces.bar_VA);
   sums[VB_pulled].add(along_, forces.bar_VB);
+  if (has_rigid_pins_) return sums;
   sums[pins_give].add(pins_.A, forces.bar_VA);
   sums[pins_give].add(pins_.B + pins_.V, forces.bar_VB);
   for (const W& component : forces.pin_C) sums[pins_give].add(pins_.C, component);
@@ -117,19 +119,23 @@ LoadErrorAt LoadErrorProfile::at(const BarLengths& lengths, double opening) cons
   return {half * (trace + apart), half * std::max(0.0, trace - apart)};
 }
 
-LoadErrorJet LoadErrorProfile::worst(const BarLengths& lengths, double opening) const {
+LoadErrorJet LoadErrorProfile::worst(const BarLengths& lengths, double opening, bool wants_hessian) const {
   const auto sums = sums_of<std::array<BucketJet, bucket_count>>(link_force_jets(shape_, opening));
   const auto factors = factors_of(lengths);
   LoadErrorJet trace;
   Complex value = 0;
   Eigen::Vector3cd gradient = Eigen::Vector3cd::Zero();
   Eigen::Matrix3cd hessian = Eigen::Matrix3cd::Zero();
-  for (std::size_t i = 0; i < factors.size(); ++i) {
+  const std::size_t count = has_rigid_pins_ ? pins_give : factors.size();
+  for (std::size_t i = 0; i < count; ++i) {
     const OpeningJet t = Complex(factors[i]) * sums[i].trace, d = Complex(factors[i]) * sums[i].difference;
     const Eigen::Vector3d power(power_of_VA[i], power_of_VB[i], 0);
     const Eigen::Vector3d along_opening(0, 0, 1);
     trace.value += t.value.real();
     trace.gradient += t.value.real() * power + t.first.real() * along_opening;
+    value += d.value;
+    gradient += d.value * power.cast<Complex>() + d.first * along_opening.cast<Complex>();
+    if (!wants_hessian) continue;
     const auto curve = [&](const auto& zero, const auto& one, const auto& two) {
       using Scalar = std::decay_t<decltype(zero)>;
       const Eigen::Matrix3d mixed = power * along_opening.transpose() + along_opening * power.transpose();
@@ -138,8 +144,6 @@ LoadErrorJet LoadErrorProfile::worst(const BarLengths& lengths, double opening) 
           .eval();
     };
     trace.hessian += curve(t.value.real(), t.first.real(), t.second.real());
-    value += d.value;
-    gradient += d.value * power.cast<Complex>() + d.first * along_opening.cast<Complex>();
     hessian += curve(d.value, d.first, d.second);
   }
   const double apart = std::abs(value), half = 0.5 * force_ * std::norm(factor_);
@@ -148,6 +152,7 @@ LoadErrorJet LoadErrorProfile::worst(const BarLengths& lengths, double opening) 
   const Complex direction = std::conj(value) / apart;
   const Eigen::Vector3d slope = (direction * gradient).real();
   jet.gradient += half * slope;
+  if (!wants_hessian) return jet;
   jet.hessian +=
       half * ((direction * hessian).real() +
               ((gradient.conjugate() * gradient.transpose()).real() - slope * slope.transpose()) / apart);

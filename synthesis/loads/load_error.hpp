@@ -60,8 +60,8 @@ class LoadErrorProfile {
 
   /// At an opening, rad.
   LoadErrorAt at(const BarLengths& lengths, double opening) const;
-  /// The worst, with exact derivatives (of |D| where it is 0: none).
-  LoadErrorJet worst(const BarLengths& lengths, double opening) const;
+  /// The worst, with exact derivatives (of |D| where it is 0: none); second ones, which cost most, only where `wants_hessian`.
+  LoadErrorJet worst(const BarLengths& lengths, double opening, bool wants_hessian = true) const;
 
   /// How far the pen gives way under this force (N), mm; both in the frame whose x axis is bar VA's direction.
   Complex displacement(const BarLengths& lengths, double opening, Complex force) const;
@@ -86,6 +86,7 @@ class LoadErrorProfile {
   bool straight_;
   double force_, across_, along_;  ///< N; 1 / 3EI, 1 / EA
   PinCompliance pins_;
+  bool has_rigid_pins_;
   bool pole_is_at_V_;
   std::array<PlateArm, 2> arms_ACX_, arms_BCY_;
 };

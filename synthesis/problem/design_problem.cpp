@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "synthesis/problem/row_parts.hpp"
 #include "synthesis/problem/slack.hpp"
 #include "workspace/footprint.hpp"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr double far_apart = 1e3;
 /// Openings looked at for contact where only a first impression is wanted.
 constexpr int search_openings = 9;
+/// Openings looked at for a load error that is limited where only a first impression is wanted: it is largest at an end, or it changes slowly.
+constexpr int first_load_openings = 3;
 /// Fine enough to tell a better footprint from a worse one.
 constexpr FootprintGrid search_footprint{16, 48, 0};
 
@@ -175,7 +178,7 @@ double DesignProblem::violation_of(const Attained& has) const {
   return sum;
 }
 
-Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
+Assessment DesignProblem::assess(const DesignPoint& point, int openings, LoadLimit load) const {
   Assessment result;
   Attained& has = result.attained;
   const LogLengths& lengths = point.lengths;
@@ -201,7 +204,11 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   if (copy_error_)
     has.copy_error =
         std::max(copy_error_->at(result.near_opening).worst, copy_error_->at(result.far_opening).worst);
-  if (load_error_) has.load_error = load_error_over(lengths, result.near_opening, result.far_opening);
+  if (load_error_ && !(has_load_limit() && load == LoadLimit::left_out)) {
+    const bool is_first = has_load_limit() && openings <= search_openings;
+    has.load_error = load_error_over(lengths, result.near_opening, result.far_opening,
+                                     is_first ? first_load_openings : row_parts::load_openings);
+  }
   if (mass_) has.mass = mass_at(lengths);
   if (sag_) has.sag = sag_over(lengths, result.near_opening, result.far_opening);
   // Where opening_at() had to clamp, the linkage does not reach: count what is missing.
@@ -213,6 +220,14 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings) const {
   result.feasible = result.violation == 0;
   result.cost = cost_of(has);
   return result;
+}
+
+Assessment DesignProblem::count_load_error(Assessment seen, const DesignPoint& point) const {
+  seen.attained.load_error =
+      load_error_over(point.lengths, seen.near_opening, seen.far_opening, first_load_openings);
+  if (limits_.load_error) seen.violation += excess_share(seen.attained.load_error, *limits_.load_error);
+  seen.feasible = seen.violation == 0;
+  return seen;
 }
 
 DesignVector DesignProblem::vector_of(const DesignPoint& point) const {

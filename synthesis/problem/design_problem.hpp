@@ -115,8 +115,15 @@ class DesignProblem {
   /// False if not even the bounds leave anything (no length fits, or the interval is narrower than twice mu).
   bool possible() const;
 
-  /// Every requirement at a point; contact looked at in `openings` places between the region's two openings.
-  Assessment assess(const DesignPoint& point, int openings) const;
+  /// Every requirement at a point; contact looked at in `openings` places between the region's two openings. A limit on the load
+  /// error that is `left_out` counts as kept: nothing then seems worse than it is. count_load_error() adds it.
+  enum class LoadLimit { counted, left_out };
+  Assessment assess(const DesignPoint& point, int openings, LoadLimit load = LoadLimit::counted) const;
+  Assessment count_load_error(Assessment seen, const DesignPoint& point) const;
+
+  /// True with a limit on the load error, under another goal.
+  bool has_load_limit() const { return load_error_ && goal_ != Goal::load_error; }
+  bool has_obstacles() const { return !terms_.obstacles.empty(); }
 
   /// True with a limit on the sag: its rows jump where a point is lifted off the table, and a local solution may end beyond it.
   bool has_limit_that_jumps() const { return sag_ && limits_.sag; }
@@ -172,19 +179,19 @@ class DesignProblem {
   RowJet copy_gap_row(std::size_t corner, const DesignVector& x) const;
   RowJet copy_error_row(double share, const DesignVector& x) const;
   RowJet size_row(const DesignVector& x) const;
-  RowJet load_error_row(double share, const DesignVector& x) const;
+  RowJet load_error_row(double share, const DesignVector& x, Derivatives wanted) const;
   RowJet mass_row(const DesignVector& x) const;
   RowJet mass_in_vector(const DesignVector& x) const;
   RowJet sag_row_values(const Row& row, const DesignVector& x) const;
   RowJet sag_row(const Row& row, const DesignVector& x, Derivatives wanted) const;
-  double load_error_over(const LogLengths& lengths, double from, double to) const;
+  double load_error_over(const LogLengths& lengths, double from, double to, int openings) const;
   double mass_at(const LogLengths& lengths) const;
   double sag_over(const LogLengths& lengths, double from, double to) const;
   void ask_for_loads();
   void add_obstacles(std::vector<Row>& rows, const DesignVector& x, double band) const;
   void add_copy_gap(std::vector<Row>& rows, const DesignVector& x) const;
   void add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const;
-  void add_load_errors(std::vector<Row>& rows, const DesignVector& x) const;
+  void add_load_errors(std::vector<Row>& rows, const DesignVector& x, double least_share) const;
   void add_sags(std::vector<Row>& rows, const DesignVector& x) const;
   double smallest_obstacle_gap(const DesignPoint& point, double enough) const;
   RowJet half_plane_row(std::size_t plane, const DesignVector& x) const;

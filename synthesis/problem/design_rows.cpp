@@ -15,6 +15,8 @@ using namespace row_parts;
 constexpr int openings_looked_at = 33;
 /// Contacts nearer than this become rows from the start, in shares of the task's size.
 constexpr double contact_band = 0.05;
+/// Load errors that come to this share of their limit become rows from the start; others where a solution breaks the limit there.
+constexpr double load_share = 0.5;
 
 /// Adds factor * jet(u, v, d) where d = sum weight * x[opening].
 void add_linkage(RowJet& row, double factor, const LinkageJet& jet, double near_weight, double far_weight) {
@@ -140,7 +142,7 @@ RowJet DesignProblem::row(const Row& row, const DesignVector& x, Derivatives wan
     case Row::Kind::pole_margin: return pole_margin_row(x);
     case Row::Kind::copy_error: return copy_error_row(row.share, x);
     case Row::Kind::size: return size_row(x);
-    case Row::Kind::load_error: return load_error_row(row.share, x);
+    case Row::Kind::load_error: return load_error_row(row.share, x, wanted);
     case Row::Kind::mass: return mass_row(x);
     case Row::Kind::sag: return sag_row(row, x, wanted);
     case Row::Kind::longest: return length_row(true, row.index, x);
@@ -235,7 +237,7 @@ std::vector<Row> DesignProblem::rows_at(const DesignVector& x) const {
   add_obstacles(rows, x, contact_band);
   add_copy_gap(rows, x);
   add_copy_errors(rows, x);
-  add_load_errors(rows, x);
+  add_load_errors(rows, x, load_share);
   add_sags(rows, x);
   return rows;
 }
@@ -247,11 +249,11 @@ bool DesignProblem::add_violated(std::vector<Row>& rows, const DesignVector& x, 
   add_obstacles(seen, x, 0);
   add_copy_gap(seen, x);
   add_copy_errors(seen, x);
-  add_load_errors(seen, x);
+  add_load_errors(seen, x, 1 - slack::inward_load_error);
   add_sags(seen, x);
   const std::size_t before = rows.size();
   for (const Row& candidate : seen) {
-    if (row(candidate, x).value > -tolerance) continue;
+    if (row(candidate, x, Derivatives::none).value > -tolerance) continue;
     if (std::find(rows.begin(), rows.end(), candidate) == rows.end()) rows.push_back(candidate);
   }
   return rows.size() > before;

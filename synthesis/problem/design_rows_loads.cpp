@@ -10,8 +10,6 @@ namespace {
 
 using namespace row_parts;
 
-/// Openings looked at for the largest load error between the region's two openings.
-constexpr int load_openings = 9;
 /// The same for the largest sag, which costs much more.
 constexpr int sag_openings = 5;
 /// Times its limit: what a sag counts as that the equations do not give.
@@ -56,11 +54,11 @@ void DesignProblem::ask_for_loads() {
   if (goal_ == Goal::mass && mass_) goal_scale_ = mass_at(typical);
 }
 
-double DesignProblem::load_error_over(const LogLengths& lengths, double from, double to) const {
+double DesignProblem::load_error_over(const LogLengths& lengths, double from, double to, int openings) const {
+  const BarLengths bars = bar_lengths(lengths);
   double largest = 0;
-  for (int i = 0; i < load_openings; ++i)
-    largest = std::max(
-        largest, load_error_->at(bar_lengths(lengths), from + i / (load_openings - 1.0) * (to - from)).worst);
+  for (int i = 0; i < openings; ++i)
+    largest = std::max(largest, load_error_->at(bars, from + i / (openings - 1.0) * (to - from)).worst);
   return largest;
 }
 
@@ -79,26 +77,27 @@ double DesignProblem::mass_at(const LogLengths& lengths) const {
 }
 
 /// The goal's t, or the limit, against the load error at one opening: both as logarithms, since it grows with cubes of lengths.
-RowJet DesignProblem::load_error_row(double share, const DesignVector& x) const {
+RowJet DesignProblem::load_error_row(double share, const DesignVector& x, Derivatives wanted) const {
   RowJet jet = zero_jet(layout_.size());
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
-  const LoadErrorJet error = load_error_->worst(bar_lengths(lengths_of(x)), near + share * (far - near));
+  const LoadErrorJet error = load_error_->worst(bar_lengths(lengths_of(x)), near + share * (far - near),
+                                                wanted == Derivatives::second);
   const bool is_goal = goal_ == Goal::load_error;
   const double limit = is_goal ? x[layout_.goal()] + std::log(goal_scale())
                                : std::log(*limits_.load_error * (1 - slack::inward_load_error));
   jet.value = limit - std::log(error.value);
   if (is_goal) jet.gradient[layout_.goal()] = 1;
   const Eigen::Vector3d slope = error.gradient / error.value;
-  const Eigen::Matrix3d curve = error.hessian / error.value - slope * slope.transpose();
   constexpr std::array<int, 4> at = variables_of_linkage;
   const Eigen::Matrix<double, 3, 4> chain = chain_at(share);
   const Eigen::Vector4d gradient = chain.transpose() * slope;
+  for (int i = 0; i < 4; ++i) jet.gradient[at[static_cast<std::size_t>(i)]] -= gradient[i];
+  if (wanted != Derivatives::second) return jet;
+  const Eigen::Matrix3d curve = error.hessian / error.value - slope * slope.transpose();
   const Eigen::Matrix4d hessian = chain.transpose() * curve * chain;
-  for (int i = 0; i < 4; ++i) {
-    jet.gradient[at[static_cast<std::size_t>(i)]] -= gradient[i];
+  for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       jet.hessian(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) -= hessian(i, j);
-  }
   return jet;
 }
 
@@ -178,19 +177,24 @@ RowJet DesignProblem::mass_row(const DesignVector& x) const {
   return jet;
 }
 
-void DesignProblem::add_load_errors(std::vector<Row>& rows, const DesignVector& x) const {
+/// At both ends and where it is largest; under a limit only where it comes to `least_share` of that.
+void DesignProblem::add_load_errors(std::vector<Row>& rows, const DesignVector& x, double least_share) const {
   if (!load_error_) return;
   const double near = x[DesignLayout::near_opening], far = x[DesignLayout::far_opening];
-  double largest = 0, at = 0;
-  for (int i = 0; i < load_openings; ++i) {
-    const double share = i / (load_openings - 1.0);
-    const double error = load_error_->at(bar_lengths(lengths_of(x)), near + share * (far - near)).worst;
-    if (error > largest) largest = error, at = share;
-  }
-  std::vector<double> shares{0.0, 1.0};
-  if (at > 0 && at < 1) shares.push_back(at);
-  const auto add = [&](double share) { rows.push_back({Row::Kind::load_error, 0, share}); };
-  std::for_each(shares.begin(), shares.end(), add);
+  const BarLengths bars = bar_lengths(lengths_of(x));
+  std::array<double, load_openings> errors;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    errors[i] =
+        load_error_->at(bars, near + static_cast<double>(i) / (load_openings - 1.0) * (far - near)).worst;
+  const double least = has_load_limit() ? least_share * *limits_.load_error : 0;
+  const auto add = [&](std::size_t i) {
+    if (errors[i] < least) return;
+    rows.push_back({Row::Kind::load_error, 0, static_cast<double>(i) / (load_openings - 1.0)});
+  };
+  const auto most = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
+  add(0);
+  add(load_openings - 1);
+  if (most > 0 && most < load_openings - 1) add(most);
 }
 
 }  // namespace kempe

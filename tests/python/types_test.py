@@ -22,10 +22,14 @@ try:
 except kempe.SpecError as error:
     keys: list[str] = [fault.key for fault in error.faults]
 verdict: kempe.Verdict = design.map.why(1, 2)
+motion: kempe.Motion = kempe.Linkage.read("linkage.toml").solve(steps=8)
+freedoms: int = kempe.Linkage(ground={"O": [0, 0]}).mobility().mobility
+speed: float = motion.velocities["A"][0, 0] + kempe.inversor("lens.toml").linkage.solve().times_s[-1]
 wrong: str = design.size_mm
 '''
 # What no stub says: the class of pybind11's classes, and that they have no __init__ of their own.
-ALLOWED = "".join(f"kempe\\._core\\.{name}\nkempe\\._core\\.{name}\\.__init__\n" for name in ("Design", "Map", "Outcome", "Spec", "Wishes"))
+ALLOWED = "".join(f"kempe\\._core\\.{name}\nkempe\\._core\\.{name}\\.__init__\n" for name in
+                  ("Design", "Linkage", "Map", "NoMotion", "NothingGenerated", "Outcome", "Spec", "Wishes"))
 
 
 def run(*command, folder):

@@ -41,6 +41,12 @@ void report(const SearchTask& task, std::size_t searched, std::size_t all) {
                           : fmt::format("searching; {} obstacles out of reach are left out", left_out));
 }
 
+/// How many of the next choices are searched at once. Under a limit on the load error, which makes each search long, the most promising
+/// one comes alone: with what it found most of the others are left out.
+std::size_t group_size(const SearchTask& task, std::size_t searched) {
+  return task.limits.load_error && searched == 0 ? 1 : task.budgets().group;
+}
+
 SearchResult best_by(const Strategy& strategy, const SearchTask& task,
                      const std::vector<RelaxedDesign>& known) {
   Incumbent best;
@@ -48,7 +54,7 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
   std::size_t searched = 0;
   while (searched < order.size() && !task.stopped()) {
     const auto group =
-        std::span(order).subspan(searched, std::min(task.budgets().group, order.size() - searched));
+        std::span(order).subspan(searched, std::min(group_size(task, searched), order.size() - searched));
     const std::vector<ChoiceResult> found = search_group(strategy, task, group, best.result);
     for (std::size_t i = 0; i < group.size(); ++i) strategy.certify(task, group[i], found[i], best);
     report(task, searched += group.size(), order.size());

@@ -39,7 +39,8 @@ SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchR
     return std::abs(one.design->value - bound.value) <= task.budgets().improve.near * std::abs(bound.value);
   };
   for (const RelaxedDesign& start : starts_of(bound)) found = best_from(start, task, std::move(found));
-  if (!is_near(found)) found = basin_hopping(task, std::move(found));
+  const bool held_back = is_held_back(task, *found.design);
+  if (!is_near(found)) found = basin_hopping(task, std::move(found), held_back);
   if (is_held_back(task, *found.design)) return found;
   return searched_again(task, std::move(found), is_near);
 }

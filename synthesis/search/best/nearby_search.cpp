@@ -75,7 +75,7 @@ SearchResult best_from(const RelaxedDesign& start, const SearchTask& asked, Sear
   return found;
 }
 
-SearchResult basin_hopping(const SearchTask& task, SearchResult found) {
+SearchResult basin_hopping(const SearchTask& task, SearchResult found, bool while_better) {
   const CopyingLinkage& known = found.design->linkage;
   std::vector<Subproblem> subproblems = subproblems_of(task, known.grounding(), known.assembly_mode().number);
   Chance chance(task.control.options().seed);
@@ -87,7 +87,9 @@ SearchResult basin_hopping(const SearchTask& task, SearchResult found) {
     run_parallel(hops.size(), task.control.options().threads, [&](std::size_t i) {
       results[i] = refine(*hops[i].subproblem->problem, hops[i].start, task.budgets().local, task.stop());
     });
+    const double before = found.design->value;
     for (std::size_t i = 0; i < hops.size(); ++i) keep_hop(task, *hops[i].subproblem, results[i], found);
+    if (while_better && found.design->value == before) break;
   }
   return found;
 }

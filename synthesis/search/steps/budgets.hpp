@@ -41,6 +41,9 @@ struct ChoiceBudget {
   int evaluations = 200;    ///< points that the global search over lengths and poles looks at
   int starts = 6;           ///< local solutions
   int starts_if_none = 16;  ///< local solutions while none is feasible
+  /// Local solutions no better than those before, after which a choice is left under a limit on the load error and without
+  /// obstacles: the limit makes each solution longer, and the best start is nearly always among the first.
+  int fruitless_under_load = 2;
 };
 
 /// The choices' budgets by what makes them hard.

@@ -111,12 +111,18 @@ ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& op
     try_from(hint);
   }
   if (!is_done(best, options) && !options.stop()) {
-    int tried = 0;
+    int tried = 0, fruitless = 0;
+    const int most_fruitless = problem.has_load_limit() && !problem.has_obstacles()
+                                   ? options.budget.fruitless_under_load
+                                   : options.budget.starts;
     for (const Start& start : starts_of(problem, options, evaluations)) {
-      if (options.stop() || (best.feasible && (tried >= options.budget.starts || is_done(best, options))))
+      if (options.stop() || (best.feasible && (tried >= options.budget.starts ||
+                                               fruitless >= most_fruitless || is_done(best, options))))
         break;
+      const ChoiceResult before = best;
       try_from({problem.unit_lengths(start.pole, start.z[0], start.z[1]), start.pole});
       ++tried;
+      if (!better(best, before)) ++fruitless;
     }
   }
   best.evaluations = evaluations;

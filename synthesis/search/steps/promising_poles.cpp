@@ -6,6 +6,17 @@
 #include "synthesis/solvers/nlopt_backend.hpp"
 
 namespace kempe {
+namespace {
+
+/// A point's merit, seen at one opening; or, without a look at its load error, a figure that is no less than `best` because the merit is not.
+double merit_below(const DesignProblem& problem, const DesignPoint& point, double best) {
+  if (!problem.has_load_limit()) return merit_of(problem, problem.assess(point, 1));
+  const Assessment seen = problem.assess(point, 1, DesignProblem::LoadLimit::left_out);
+  const double at_least = merit_of(problem, seen);
+  return at_least >= best ? at_least : merit_of(problem, problem.count_load_error(seen, point));
+}
+
+}  // namespace
 
 std::vector<Point> promising_poles(const DesignProblem& problem, const PoleBudget& budget,
                                    const LocalBudget& local, const StopFlag& stop) {
@@ -16,7 +27,7 @@ std::vector<Point> promising_poles(const DesignProblem& problem, const PoleBudge
     for (const double of_lambda : budget.lambda_shares)
       for (const double of_m : budget.m_shares) {
         const DesignPoint point{problem.unit_lengths(pole, of_lambda, of_m), pole};
-        best = std::min(best, merit_of(problem, problem.assess(point, 1)));
+        best = std::min(best, merit_below(problem, point, best));
       }
     return best;
   };

@@ -136,6 +136,10 @@ TEST(LoadError, HasExactDerivatives) {
     const LoadErrorJet here = at(Eigen::Vector3d::Zero());
     const LoadErrorAt plain = profile.at(one.lengths, one.opening);
     EXPECT_NEAR(here.value, plain.worst, 1e-12 * plain.worst);
+    const LoadErrorJet slopes = profile.worst(one.lengths, one.opening, false);
+    EXPECT_NEAR(slopes.value, here.value, 1e-12 * here.value);
+    EXPECT_LE((slopes.gradient - here.gradient).norm(), 1e-12 * here.gradient.norm());
+    EXPECT_TRUE(slopes.hessian.isZero(0));
     if (plain.worst - plain.least < 0.02 * plain.worst) continue;  // near the kink of |D|
     constexpr double step = 1e-5;
     for (int j = 0; j < 3; ++j) {

@@ -1,0 +1,139 @@
+"""Function generators and inversors: linkages designed for a task."""
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, replace
+from typing import Any, Callable, Mapping, Optional, Union
+
+import numpy as np
+
+from . import _core
+from ._answers import NoDesign, error_of
+from ._geometry import Array
+from ._linkage import Linkage
+from ._spec import Path, text_of
+
+_Spec = Union[Path, Mapping[str, Any]]
+_Found = Union[tuple[str, list[tuple[str, str]], str], list[tuple[str, int, str, str, str]], _core.NothingGenerated]
+
+
+@dataclass(frozen=True)
+class FunctionGenerator:
+    """A four-bar whose output crank shows a function of its input crank. Lengths mm, angles degrees."""
+
+    method: str  #: "precision_points", "least_squares" or "minimax"
+    lengths_mm: Mapping[str, float]  #: ground, input, coupler, output
+    branch: int  #: 1 or 2: how it is assembled
+    motion: str  #: "crank-rocker", "double rocker", ...
+    input_start_deg: float
+    input_range_deg: float
+    output_start_deg: float
+    output_range_deg: float
+    y_at_start: float  #: the dial's ends
+    y_at_end: float
+    structural_error_max_deg: float
+    structural_error_rms_deg: float
+    transmission_min_deg: float
+    precision_points: tuple[float, ...]  #: x where the error is meant to vanish, or vanishes
+    minimax: Optional[Mapping[str, Any]] = field(repr=False)  #: what is known of a minimax design: "local_minimum_proven", ...
+    rejected: Mapping[str, int] = field(repr=False)  #: candidates with defects, by defect
+    equations: Mapping[str, Any] = field(repr=False)  #: as `kempe function --equations --json` has them
+    reservation: str  #: what is not claimed; "" where nothing is left to say
+    linkage: Linkage  #: the four-bar O-A-B-D, its input crank driven
+    plot_svg: str = field(repr=False)  #: the structural error's curve, the text of an SVG file
+    _curve: tuple[Mapping[str, float], ...] = field(repr=False)
+
+    @property
+    def structural_error(self) -> dict[str, Array]:
+        """The error's curve as columns over x: x, y, y_generated, input_deg, output_deg, error_deg."""
+        return {name: np.array([row[name] for row in self._curve]) for name in self._curve[0]}
+
+
+@dataclass(frozen=True)
+class InversorLength:
+    """A length of an inversor and what an error in it does."""
+
+    name: str
+    count: int  #: so many equal links
+    mm: float
+    sensitivity_mm_per_mm: float  #: the image's error, at most over the range
+
+
+@dataclass(frozen=True)
+class Inversor:
+    """An inversor for a lens: object and image stay in focus at every magnification of its range."""
+
+    kind: str  #: "peaucellier", "hart" or "right_angle"
+    size_mm: float  #: the sum of all its lengths
+    lengths: tuple[InversorLength, ...]
+    travel_object_mm: float
+    travel_image_mm: float
+    transmission_min_deg: float
+    linkage: Linkage  #: focus O, object P (driven), image Q
+    point_share: Optional[float] = None  #: of Hart's bars
+    others: tuple[Inversor, ...] = field(default=(), repr=False)  #: larger ones of the other kinds
+    why_not: Mapping[str, str] = field(default_factory=dict, repr=False)  #: of the kinds of which there is none
+
+
+def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionGenerator:
+    """A function-generating four-bar (docs/function-generator.md): from a TOML file, from its tables as a dict, or from keywords.
+
+    Raises SpecError with all faults, and NoDesign where none is found (.proven: none exists).
+
+    >>> dial = function_generator(function={"expression": "log10(x)", "x": [1, 2], "points": 3}, input={"range_deg": 60},
+    ...                           output={"range_deg": 90})
+    >>> len(dial.precision_points), dial.linkage.links
+    (3, ['input', 'coupler', 'output'])
+    """
+    found, linkages, plot = _generated(_core.generate_function, _core.generate_function_text, spec, tables)
+    return FunctionGenerator(
+        method=found["method"], lengths_mm=found["lengths_mm"], branch=found["branch"], motion=found["motion"],
+        input_start_deg=found["input"]["start_deg"], input_range_deg=found["input"]["range_deg"],
+        output_start_deg=found["output"]["start_deg"], output_range_deg=found["output"]["range_deg"],
+        y_at_start=found["output"]["y_at_start"], y_at_end=found["output"]["y_at_end"],
+        structural_error_max_deg=found["structural_error_max_deg"], structural_error_rms_deg=found["structural_error_rms_deg"],
+        transmission_min_deg=found["transmission_min_deg"], precision_points=tuple(found["precision_points"]),
+        minimax=found.get("minimax"), rejected=found["rejected"], equations=found["equations"],
+        reservation=found.get("reservation", ""),
+        linkage=linkages["four_bar"], plot_svg=plot, _curve=tuple(found["structural_error"]))
+
+
+def inversor(spec: Optional[_Spec] = None, **tables: Any) -> Inversor:
+    """The smallest inversor for a lens (docs/inversor.md), with those of the other kinds: from a TOML file, a dict or keywords.
+
+    Raises SpecError with all faults, and NoDesign where no kind is found.
+
+    >>> best = inversor(lens={"focal_length_mm": 150, "magnification": [0.5, 2]}, limits={"transmission_deg": 12})
+    >>> best.kind, [other.kind for other in best.others], list(best.why_not)
+    ('right_angle', ['hart'], ['peaucellier'])
+    """
+    found, linkages, _ = _generated(_core.generate_inversor, _core.generate_inversor_text, spec, tables)
+    rows = {row["kind"]: row for row in found["inversors"]}
+    why_not = {kind: row["why_not"] for kind, row in rows.items() if "why_not" in row}
+    best, *others = [_inversor_of(rows[kind], linkage) for kind, linkage in linkages.items()]
+    return replace(best, others=tuple(others), why_not=why_not)
+
+
+def _inversor_of(row: dict[str, Any], linkage: Linkage) -> Inversor:
+    return Inversor(kind=row["kind"], size_mm=row["size_mm"],
+                    lengths=tuple(InversorLength(**length) for length in row["lengths"]),
+                    travel_object_mm=row["travel_object_mm"], travel_image_mm=row["travel_image_mm"],
+                    transmission_min_deg=row["transmission_min_deg"], linkage=linkage, point_share=row.get("point_share"))
+
+
+def _generated(of_file: Callable[[Path], _Found], of_text: Callable[[str], _Found], spec: Optional[_Spec],
+               tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Linkage], str]:
+    """The command's JSON, the linkages by kind, the plot; or the error that says why not."""
+    if spec is not None and tables:
+        raise TypeError("a file, a dict or keywords: one of them")
+    is_file = spec is not None and not isinstance(spec, Mapping)
+    if spec is None or isinstance(spec, Mapping):
+        answer = of_text(text_of(tables if spec is None else spec))
+    else:
+        answer = of_file(spec)
+    if isinstance(answer, list):
+        raise error_of(answer, lines=is_file)
+    if isinstance(answer, _core.NothingGenerated):
+        raise NoDesign(answer.sentence, proven=answer.proven)
+    text, linkages, plot = answer
+    return json.loads(text), {kind: Linkage.from_toml(linkage) for kind, linkage in linkages}, plot
