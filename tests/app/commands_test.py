@@ -746,7 +746,7 @@ class Words(Case):
 
 class Generators(Case):
     def test_function_examples(self):
-        for path in sorted((EXAMPLES / "generators").glob("[lt]*.toml")):
+        for path in [EXAMPLES / "generators" / name for name in ("logarithm.toml", "table.toml")]:
             run = kempe("function", path, "--json", "--plot", self.scratch / "error.svg")
             self.assertEqual(run.returncode, 0, run.stderr)
             design = json.loads(run.stdout)
