@@ -46,7 +46,7 @@ def linkage(folder, file):
     mobility = json.loads((folder / f"{name}-mobility.json").read_text())
     count = mobility["gruebler_in_numbers"] + f"; true mobility {mobility['mobility']}"
     return card(tomllib.loads(file.read_text()).get("name", name), [told(file), count], f"{name}.svg",
-                [("moving", f"{name}.html"), ("table", f"{name}.csv"), ("instant centres", f"{name}-centres.svg")])
+                [("moving", f"{name}.html"), ("table", f"{name}.csv"), ("instant centres", f"{name}-centres.html")])
 
 
 def of_lectures():
