@@ -28,9 +28,9 @@
 namespace kempe::app {
 namespace {
 
-[[maybe_unused]] constexpr rlim_t most_memory = rlim_t{4} << 30;     // bytes
-constexpr rlim_t largest_file = rlim_t{256} << 20;  // bytes
-constexpr std::size_t longest_output = 1u << 20;    // bytes of each stream, the rest is dropped
+[[maybe_unused]] constexpr rlim_t most_memory = rlim_t{4} << 30;  // bytes
+constexpr rlim_t largest_file = rlim_t{256} << 20;                // bytes
+constexpr std::size_t longest_output = 1u << 20;                  // bytes of each stream, the rest is dropped
 constexpr std::chrono::seconds time_to_obey{3};
 
 void limit(int resource, rlim_t most) {

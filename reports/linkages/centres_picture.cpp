@@ -317,7 +317,7 @@ class CentresPicture {
       text += label(place, at + Point(1.4, -1.2) * scale_.pin);
     }
     return text + words("legend", corner - Point(0, 0.3 * scale_.letter),
-                        fmt::format("inset {}: {:.3g} times as large", letter_of(number), larger))
+                        fmt::format("inset {}, {:.3g} : 1", letter_of(number), larger))
                       .line();
   }
 
