@@ -37,9 +37,10 @@ ordered_json table_schema(std::string_view table);
 constexpr const char* ratio_pattern = "^ *[0-9.]+ *[:/] *[0-9.]+ *$";
 
 ordered_json value_schema(const SpecKey& key) {
-  const ordered_json word{{"enum", words_of(key)}};
-  const ordered_json number = number_schema(key, "number"), whole = number_schema(key, "integer");
-  const ordered_json point = list_schema(number, 2, 2), ring = list_schema(point, 3);
+  ordered_json word{{"enum", words_of(key)}};
+  ordered_json number = number_schema(key, "number"), whole = number_schema(key, "integer");
+  ordered_json point = list_schema(number, 2, 2);
+  const ordered_json ring = list_schema(point, 3);
   switch (key.kind) {
     case KeyKind::number: return number;
     case KeyKind::ratio: return {{"anyOf", {number, {{"type", "string"}, {"pattern", ratio_pattern}}}}};
