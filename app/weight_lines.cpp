@@ -72,10 +72,10 @@ std::string budget_lines(const Design& design) {
     const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
     if (links <= *limit && links + beyond > *limit)
       text += fmt::format(
-          "             limits.load_error_mm speaks of the links alone; pins and layers add up to {:.3g} mm, "
-          "more than it "
-          "leaves\n",
-          beyond);
+          "             limits.load_error_mm speaks of the links alone; with pins and layers the pen gives "
+          "way by "
+          "up to {:.3g} mm\n",
+          links + beyond);
   }
   const std::string in_plane = help_words(budget->most_helpful(true)),
                     down = help_words(budget->most_helpful(false));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -78,6 +79,13 @@ nlohmann::ordered_json json_of(const PathAnswer& answer) {
   return object;
 }
 
+/// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
+bool is_used(const PoseSearch& search, const Dyad& dyad) {
+  return std::any_of(search.dyads.begin(), search.dyads.end(), [&](const Dyad& used) {
+    return used.centre == dyad.centre && used.circle == dyad.circle;
+  });
+}
+
 nlohmann::ordered_json json_of(const PoseTask& task, const PoseSearch& search) {
   nlohmann::ordered_json object;
   for (const PoseAnswer& answer : search.answers) {
@@ -91,7 +99,8 @@ nlohmann::ordered_json json_of(const PoseTask& task, const PoseSearch& search) {
     for (const Dyad& dyad : burmester_dyads(task.poses))
       object["dyads"].push_back({{"centre_mm", json_of(dyad.centre)},
                                  {"circle_point_mm", json_of(dyad.circle)},
-                                 {"length_mm", dyad.length}});
+                                 {"length_mm", dyad.length},
+                                 {"within_limits", is_used(search, dyad)}});
   object["searched"] = {{"dyads", search.dyads.size()},
                         {"linkages", search.linkages},
                         {"defective", search.defective},
@@ -135,14 +144,15 @@ std::string cognates_text(const PathAnswer& answer) {
 std::string text_of(const PoseTask& task, const PoseSearch& search) {
   std::string text = fmt::format("poses        {}, each taken exactly\n", task.poses.size());
   text += fmt::format(
-      "searched     {} dyads, {} four-bars of them; {} with poses on two branches or in another order, {} "
+      "searched     {} dyads within the limits, {} four-bars of them; {} with poses on two branches or in "
+      "another order, {} "
       "against a limit\n",
       search.dyads.size(), search.linkages, search.defective, search.limited);
   if (task.poses.size() == 5) {
     text += "dyads        centre, circle point in the coupler's frame, length\n";
     for (const Dyad& dyad : burmester_dyads(task.poses))
-      text +=
-          fmt::format("  {}  {}  {:10.4f}\n", columns_of(dyad.centre), columns_of(dyad.circle), dyad.length);
+      text += fmt::format("  {}  {}  {:10.4f}{}\n", columns_of(dyad.centre), columns_of(dyad.circle),
+                          dyad.length, is_used(search, dyad) ? "" : "  against a limit: not used");
   }
   for (std::size_t k = 0; k < search.answers.size(); ++k) {
     const PoseAnswer& answer = search.answers[k];

@@ -141,8 +141,9 @@ std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const
   std::string text =
       fmt::format("drawn        {}, from {} in the drawing: {:.1f} mm of the original\n",
                   lines(trace.drawn.size()), lines(drawing.strokes.size()), trace.drawn_length);
-  text += fmt::format("poses        {}, the pen at most {:.2g} mm from the exact image\n",
-                      trace.poses_tried - trace.poses_missed, trace.departure);
+  text += fmt::format("poses        {}, the pen at most {:.2g} mm from the exact image{}\n",
+                      trace.poses_tried - trace.poses_missed, trace.departure,
+                      arguments.load ? " (under the load; the links' layers are not counted)" : "");
   if (trace.poses_missed > 0)
     text += fmt::format("left out     {}, {} positions, {:.1f} mm: {}\n", lines(trace.missing.size()),
                         trace.poses_missed, trace.missing_length, causes(trace));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <regex>
+
 #include "reports/linkages/centres_picture.hpp"
 #include "reports/linkages/text.hpp"
 #include "reports/page/html_page.hpp"
@@ -18,11 +20,17 @@ std::string links_list(const LinkageModel& model, const std::vector<InstantCentr
   return text + "</ul>\n";
 }
 
+/// Names such as 2-3 hold together at the end of a line.
+std::string unbroken(const std::string& words) {
+  static const std::regex hyphen("([0-9])-([0-9])");
+  return std::regex_replace(words, hyphen, "$1\u2011$2");
+}
+
 std::string step_item(const LinkageFile& file, const LinkageModel& model, const CentreStep& step) {
   return fmt::format(
       "<li data-centre=\"{}\" data-uses=\"{}\"><button type=\"button\">{}</button> <span>{} "
       "<i>{}</i></span></li>\n",
-      step.name, fmt::join(step.uses, " "), step.name, html_escaped(step.reason),
+      step.name, fmt::join(step.uses, " "), step.name, unbroken(html_escaped(step.reason)),
       html_escaped(centre_place_text(file, model, *step.centre)));
 }
 
@@ -51,7 +59,7 @@ std::string centres_html(const LinkageFile& file, const LinkageModel& model, con
       "centres of any three links lie on one line (Aronhold and Kennedy): two such lines give the next "
       "centre.</p>\n"
       "</header>\n<main class=\"construction\">\n<div>\n",
-      html_escaped(scene.title), step, file.steps, scene.unit);
+      html_escaped(scene.title), step, file.steps, scene.unit == "in" ? "inches" : scene.unit);
   page += centres_drawing(scene, centres, file.unit.in_mm);
   page +=
       "\n<div class=\"drive\"><button type=\"button\" id=\"back\">Back</button><button type=\"button\" "

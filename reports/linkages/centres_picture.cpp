@@ -50,7 +50,7 @@ class CentresPicture {
                   .with("height", scale_.number(height))
                   .with("fill", "#fff")
                   .line();
-    inside += drawing() + draw_legend() + draw_insets();
+    inside += drawing(false) + draw_legend() + draw_insets();
     return svg_root()
         .with("viewBox", fmt::format("{} {} {} {}", left, top, scale_.number(width), scale_.number(height)))
         .with("width", "1100")
@@ -72,15 +72,16 @@ class CentresPicture {
         .with("font-size", scale_.number(0.75 * scale_.letter))
         .with("role", "img")
         .with("aria-label", "Instant centres of " + scene_.title)
-        .holding("\n" + drawing() + draw_insets())
+        .holding("\n" + drawing(true) + draw_insets())
         .text();
   }
 
  private:
-  std::string drawing() const {
+  /// With or without the lines of centres that lie outside.
+  std::string drawing(bool with_far) const {
     std::string text;
     for (const InstantCentre& centre : centres_)
-      if (centre.lines && is_near(centre))
+      if (centre.lines && (with_far || is_near(centre)))
         text += SvgElement("g")
                     .with("class", "lines")
                     .with("data-centre", name_of(centre))
@@ -111,30 +112,47 @@ class CentresPicture {
         scale_.number(3 * scale_.stroke));
   }
 
-  /// The lines through the picture on which a centre was found.
+  /// The lines on which a centre was found, as far as they cross the picture.
   std::string draw_lines(const InstantCentre& centre) const {
     std::string text;
-    const Point at = on_page(centre.at);
     for (const CentreLine& line : *centre.lines) {
+      const auto through = point_on(centre, line);
       const Point along(line.direction.x(), -line.direction.y());
-      if (along == Point::Zero()) continue;
-      const double far = 3 * (scale_.upper - scale_.lower).maxCoeff();
-      text += SvgElement("path")
-                  .with("class", line.from == CentreLine::From::slider ? "line normal" : "line")
-                  .with("d", scale_.line(clipped(at, along, far), clipped(at, -along, far)))
-                  .line();
+      if (!through || along == Point::Zero()) continue;
+      if (const auto ends = visible_part(on_page(*through), along))
+        text += SvgElement("path")
+                    .with("class", line.from == CentreLine::From::slider ? "line normal" : "line")
+                    .with("d", scale_.line(ends->first, ends->second))
+                    .line();
     }
     return text;
   }
 
-  /// Where a ray from inside the view leaves it.
-  Point clipped(const Point& at, const Point& along, double far) const {
-    double way = far;
-    for (const int axis : {0, 1}) {
-      if (along[axis] > 0) way = std::min(way, (scale_.upper[axis] - at[axis]) / along[axis]);
-      if (along[axis] < 0) way = std::min(way, (scale_.lower[axis] - at[axis]) / along[axis]);
+  /// A finite centre on a line: the one that was found, or one that the line goes through.
+  std::optional<Point> point_on(const InstantCentre& found, const CentreLine& line) const {
+    if (found.kind == Kind::finite) return found.at;
+    for (const InstantCentre& centre : centres_) {
+      const auto is_of = [&](int a, int b) {
+        return centre.first == std::min(a, b) && centre.second == std::max(a, b);
+      };
+      if (centre.kind == Kind::finite && (is_of(found.first, line.via) || is_of(line.via, found.second)))
+        return centre.at;
     }
-    return at + std::max(way, 0.0) * along;
+    return std::nullopt;
+  }
+
+  /// The part of a straight line that lies within the view, if any.
+  std::optional<std::pair<Point, Point>> visible_part(const Point& at, const Point& along) const {
+    double first = -std::numeric_limits<double>::infinity(), last = -first;
+    for (const int axis : {0, 1}) {
+      const double lower = scale_.lower[axis] - at[axis], upper = scale_.upper[axis] - at[axis];
+      if (along[axis] == 0 && (lower > 0 || upper < 0)) return std::nullopt;
+      if (along[axis] == 0) continue;
+      first = std::max(first, std::min(lower / along[axis], upper / along[axis]));
+      last = std::min(last, std::max(lower / along[axis], upper / along[axis]));
+    }
+    if (!(first < last)) return std::nullopt;
+    return std::pair<Point, Point>(at + first * along, at + last * along);
   }
 
   std::string draw_linkage() const {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "synthesis/functions/precision_points.hpp"
+#include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
 namespace {
@@ -26,6 +27,13 @@ double wanted_input_angle(const FunctionTask& task, const FunctionDesign& design
 
 double wanted_output_angle(const FunctionTask& task, const FunctionDesign& design, double y) {
   return design.output_start + task.output_range * (y - design.y_lower) / (design.y_upper - design.y_lower);
+}
+
+/// The structural error at a place, rad; 0 where the loop does not close.
+double error_at(const FunctionTask& task, const FunctionDesign& design, double x) {
+  const auto generated = design.linkage.output_angle(wanted_input_angle(task, design, x));
+  return generated ? std::remainder(*generated - wanted_output_angle(task, design, task.wanted(x)), 2 * pi)
+                   : 0;
 }
 
 /// Chebyshev's formula for the places at which x was chosen by it; empty for other places.
@@ -54,10 +62,9 @@ std::string lengths_work(const FourBar& bar, const FreudensteinCoefficients& k) 
       plain_number(k.K3), plain_number(bar.coupler));
 }
 
-std::string ripples_work(const FunctionDesign& design) {
-  std::string text =
-      "structural error (generated less wanted angle of the output crank), its extremes among 181 places\n";
-  for (const StructuralRipple& ripple : structural_ripples(design))
+std::string ripples_work(const FunctionTask& task, const FunctionDesign& design) {
+  std::string text = "structural error (generated less wanted angle of the output crank), its extremes\n";
+  for (const StructuralRipple& ripple : structural_ripples(task, design))
     text += fmt::format("  x = {:<12} {:+.6g} degrees\n", plain_number(ripple.x), degrees(ripple.error));
   return text;
 }
@@ -87,14 +94,25 @@ std::vector<FunctionPoint> function_points(const FunctionTask& task, const Funct
   return points;
 }
 
-std::vector<StructuralRipple> structural_ripples(const FunctionDesign& design) {
-  std::vector<StructuralRipple> ripples;
-  for (const StructuralErrorSample& at : design.curve) {
-    const bool continues = !ripples.empty() && std::signbit(ripples.back().error) == std::signbit(at.error);
+std::vector<StructuralRipple> structural_ripples(const FunctionTask& task, const FunctionDesign& design) {
+  const auto& curve = design.curve;
+  std::vector<std::size_t> tops;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const bool continues =
+        !tops.empty() && std::signbit(curve[tops.back()].error) == std::signbit(curve[i].error);
     if (!continues)
-      ripples.push_back({at.x, at.error});
-    else if (std::abs(at.error) > std::abs(ripples.back().error))
-      ripples.back() = {at.x, at.error};
+      tops.push_back(i);
+    else if (std::abs(curve[i].error) > std::abs(curve[tops.back()].error))
+      tops.back() = i;
+  }
+  std::vector<StructuralRipple> ripples;
+  for (const std::size_t top : tops) {
+    ripples.push_back({curve[top].x, curve[top].error});
+    if (top == 0 || top + 1 == curve.size()) continue;
+    const double x = top_by_golden_section([&](double at) { return std::abs(error_at(task, design, at)); },
+                                           curve[top - 1].x, curve[top + 1].x, 40);
+    const double error = error_at(task, design, x);
+    if (std::abs(error) > std::abs(ripples.back().error)) ripples.back() = {x, error};
   }
   return ripples;
 }
@@ -126,7 +144,7 @@ std::string function_equations_text(const FunctionTask& task, const FunctionDesi
       plain_number(k.K1), plain_number(k.K2), plain_number(k.K3));
   for (const FunctionPoint& point : points)
     text += fmt::format("  {}   (left less right {:.1e})\n", point.equation, point.residual);
-  return text + lengths_work(design.linkage, k) + ripples_work(design);
+  return text + lengths_work(design.linkage, k) + ripples_work(task, design);
 }
 
 nlohmann::ordered_json function_equations_json(const FunctionTask& task, const FunctionDesign& design) {
@@ -140,7 +158,7 @@ nlohmann::ordered_json function_equations_json(const FunctionTask& task, const F
                                 {"spacing", point.spacing},
                                 {"equation", point.equation},
                                 {"residual", point.residual}});
-  for (const StructuralRipple& ripple : structural_ripples(design))
+  for (const StructuralRipple& ripple : structural_ripples(task, design))
     object["ripples"].push_back({{"x", ripple.x}, {"error_deg", degrees(ripple.error)}});
   return object;
 }

@@ -19,7 +19,7 @@ struct FunctionPoint {
   double residual = 0;   ///< left less right
 };
 
-/// A local extreme of the structural error over the design's curve.
+/// A local extreme of the structural error.
 struct StructuralRipple {
   double x = 0, error = 0;  ///< rad
 };
@@ -27,9 +27,9 @@ struct StructuralRipple {
 /// All places where the design is exact, in the order of x.
 std::vector<FunctionPoint> function_points(const FunctionTask& task, const FunctionDesign& design);
 
-/// The extremes of design.curve between its zeros and at its ends, in the order of x. The curve has 181 places: an extreme lies
-/// within one of their steps.
-std::vector<StructuralRipple> structural_ripples(const FunctionDesign& design);
+/// The largest error between each two zeros of design.curve and at its ends, in the order of x: seen at the curve's 181 places, then
+/// refined by golden section between the neighbours.
+std::vector<StructuralRipple> structural_ripples(const FunctionTask& task, const FunctionDesign& design);
 
 /// All of it for people.
 std::string function_equations_text(const FunctionTask& task, const FunctionDesign& design);

@@ -172,7 +172,7 @@ std::string error_pictures(const Design& design) {
   const ErrorCourse course(design);
   const auto tolerances = [&](double opening) { return course.tolerances(opening); };
   const auto give = [&](double opening) { return course.give(opening); };
-  std::vector<Panel> panels{{"give", "Load error", give}};
+  std::vector<Panel> panels{{"give", "Load, pins and layers", give}};
   if (design.tolerance) {
     panels.insert(panels.begin(), {"made", "Lengths and play", tolerances});
     panels.push_back({"in-plane", "All in the plane",

@@ -51,10 +51,10 @@ std::string source_words(const Design& design, ErrorSource source) {
     case ErrorSource::pins: return "Pins, bent between their layers";
     case ErrorSource::layers: return "Layers: links bent out of the plane";
     case ErrorSource::weight: return "Weight";
-    case ErrorSource::tilt: return "Pins, tilted within their play";
+    case ErrorSource::tilt: return "Tilt: pins within their play";
     case ErrorSource::pull: break;
   }
-  return "Layers: what the load lifts or lowers";
+  return "Pull: what the load lifts or lowers by the links' layers";
 }
 
 std::string changes_text(const BudgetEntry& entry) {
@@ -100,13 +100,13 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   if (const auto& limit = design.limits.load_error) {
     const std::string text = fmt::format("{}; {} are allowed.", figure, length_text(*limit));
     if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
-    const double beyond = budget.beyond_the_links();
-    if (error + beyond <= *limit) return "Yes: " + text;
+    const double whole = error + budget.beyond_the_links();
+    if (whole <= *limit) return "Yes: " + text;
     return fmt::format(
-        "Yes, but narrowly: {} That is what the links give. Pins and layers add up to {}, which is more than "
-        "the limit "
-        "leaves.",
-        text, small_length(beyond));
+        "By the links alone yes, with pins and layers no: {} That is what the links give; with pins and "
+        "layers "
+        "it is up to <b>{}</b>. A smaller limits.load_error_mm makes room for them.",
+        text, small_length(whole));
   }
   if (!design.tolerance) return fmt::format("U{}.", figure.substr(1));
   const double sum = budget.sum(true);
@@ -209,7 +209,7 @@ std::string load_chart(const Design& design, const OpeningInterval& used) {
   const LoadErrorProfile profile(linkage.k(), linkage.grounding(), design.style, *design.material,
                                  design.load->pen_force);
   CopyErrorChart chart{{}, used, design.limits.load_error};
-  chart.title = "Load error over the opening";
+  chart.title = "Load error of the links over the opening";
   chart.y_name = "load error, mm";
   chart.worst_name = "worst direction";
   chart.rss_name = "stiffest direction";

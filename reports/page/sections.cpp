@@ -174,7 +174,7 @@ std::string load_error_figure(const Design& design) {
   return html_key_figure(
       "Gives way at worst", length_text(error, error < 0.01 ? 4 : 3),
       fmt::format(
-          "under {} N{}", number_text(design.load->pen_force, 2),
+          "by its links alone, under {} N{}", number_text(design.load->pen_force, 2),
           design.limits.load_error ? ", limit " + length_text(*design.limits.load_error, 3) : std::string()));
 }
 

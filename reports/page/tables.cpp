@@ -132,9 +132,10 @@ std::string quality(const Design& design, const ReportExtras& extras) {
     add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
         "The same with independent errors: root of the sum of squares.");
   if (q.loads && design.load) {
-    add("Load error, worst", length_text(q.loads->error_max, 5),
+    add("Load error of the links, worst", length_text(q.loads->error_max, 5),
         at_most(q.loads->error_max, design.limits.load_error),
-        fmt::format("How far the pen gives way under {} N at the worst place of the region.",
+        fmt::format("How far the links let the pen give way under {} N at the worst place of the region. "
+                    "Pins and layers add to it: see the error budget.",
                     number_text(design.load->pen_force, 2)));
     add("Largest force in a pin", fmt::format("{} N", number_text(q.loads->pin_force_max, 2)), {},
         fmt::format("The hand holds {} N.", number_text(q.loads->hand_force_max, 2)));

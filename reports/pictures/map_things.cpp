@@ -132,7 +132,7 @@ std::string map_things(const MapScene& scene, std::vector<MapLayer>& layers, Lab
              contours(scene, copy_error_circles(scene.design), placer,
                       [](double level) { return length_text(level); }),
              "lines", false);
-  svg += add("load-lines", "Load error, worst",
+  svg += add("load-lines", "Load error of the links",
              contours(scene, load_error_circles(scene.design), placer,
                       [](double level) { return length_text(level, 5); }),
              "lines", false);

@@ -8,6 +8,8 @@
   let count = steps.length;  // so many steps are shown; the last of them is told unless all are
   let isAll = true;
 
+  const isInPicture = (name) => marks.some((mark) => mark.dataset.centres.split(" ").includes(name));
+
   function show(number, all = false) {
     count = Math.min(steps.length, Math.max(0, number));
     isAll = all;
@@ -29,7 +31,7 @@
       item.classList.toggle("now", item === step);
       item.classList.toggle("away", i >= count);
     });
-    one("told").textContent = step ? `${now}: ${step.querySelector("span").textContent}` : isAll ? "all centres" : "the centres that joints give";
+    one("told").textContent = step ? `${now}: ${step.querySelector("span").textContent}${isInPicture(now) ? "" : ", outside the picture"}` : isAll ? "all centres" : "the centres that joints give";
     one("back").disabled = !isAll && count === 0;
     one("next").disabled = !isAll && count === steps.length;
   }
