@@ -67,10 +67,12 @@ std::string budget_lines(const Design& design) {
   const auto budget = error_budget(design);
   if (!budget) return "";
   std::string text = "budget       in the plane " + parts_of(*budget, true) + "\n";
+  if (!budget->states_layers)
+    text += "             what the layers add is not stated: two joints of a link are too near each other\n";
   if (budget->sum(false) > 0) text += "             down " + parts_of(*budget, false) + "\n";
   if (const auto& limit = design.limits.load_error; limit && design.quality.loads) {
     const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
-    if (links <= *limit && links + beyond > *limit)
+    if (links <= *limit * (1 + 1e-9) && links + beyond > *limit * (1 + 1e-9))
       text += fmt::format(
           "             limits.load_error_mm speaks of the links alone; with pins and layers the pen gives "
           "way by "

@@ -366,18 +366,16 @@ void add_words(const ToolArgument& argument, const Json& value, ToolRun& run, st
   }
 }
 
-/// The text of what a call reads, or nothing: then the command says why.
-std::optional<std::string> text_of(const ToolRun& run, std::string& file) {
-  if (run.given) {
-    file = run.given->name;
-    return run.given->text;
+/// Why a file that an input's text names may not be read, or nothing.
+std::optional<InputError> named_file_fault(const Tool& tool, const std::string& text,
+                                           const std::string& file) {
+  if (tool.command == "calibrate") {
+    const auto measurements = read_measurements(text, file);
+    if (!measurements || measurements->design.empty()) return std::nullopt;
+    return named_path_fault("design", file, measurements->design);
   }
-  for (const PathGiven& path : run.paths)
-    if (path.key == "spec_file" || path.key == "measurements_file") {
-      file = path.path;
-      if (auto text = read_text_file(path.path)) return *text;
-    }
-  return std::nullopt;
+  const auto drawing = region_file_of(text);
+  return drawing ? named_path_fault("region.file", file, *drawing) : std::nullopt;
 }
 
 }  // namespace
@@ -433,16 +431,16 @@ std::optional<InputError> files_fault(const ToolRun& run) {
   for (const PathGiven& path : run.paths)
     if (auto fault = path_fault(path.key, path.path, path.use)) faults.add(std::move(*fault));
   if (!faults.none()) return faults.all();
-  std::string file;
-  const auto text = text_of(run, file);
-  if (!text) return std::nullopt;
-  if (run.tool->command == "calibrate") {
-    const auto measurements = read_measurements(*text, file);
-    if (!measurements || measurements->design.empty()) return std::nullopt;
-    return named_path_fault("design", file, measurements->design);
+  if (run.given) return named_file_fault(*run.tool, run.given->text, run.given->name);
+  // Every input, whatever its argument is called: a command takes a spec where a design.json is asked for. What cannot be read the
+  // command itself refuses.
+  for (const PathGiven& path : run.paths) {
+    if (path.use != PathUse::input) continue;
+    const auto text = read_text_file(path.path);
+    if (!text) continue;
+    if (auto fault = named_file_fault(*run.tool, *text, path.path)) return fault;
   }
-  const auto drawing = region_file_of(*text);
-  return drawing ? named_path_fault("region.file", file, *drawing) : std::nullopt;
+  return std::nullopt;
 }
 
 }  // namespace kempe::app

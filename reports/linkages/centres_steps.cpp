@@ -80,7 +80,11 @@ std::vector<CentreStep> centre_steps(const LinkageModel& model, const std::vecto
   };
   for (auto next = open.begin(); !open.empty();) {
     next = std::find_if(open.begin(), open.end(), can_be_drawn);
-    if (next == open.end()) next = open.begin();  // the velocities give it, or nothing does
+    if (next == open.end())  // the velocities give it, or nothing does
+      next = std::find_if(open.begin(), open.end(), [](const CentreStep& step) {
+        return step.centre->source != InstantCentre::Source::lines;
+      });
+    if (next == open.end()) next = open.begin();
     known.insert(next->name);
     steps.push_back(std::move(*next));
     open.erase(next);

@@ -6,20 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "reports/linkages/equation_numbers.hpp"
 #include "synthesis/functions/precision_points.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 
 namespace kempe {
 namespace {
-
-std::string plain_number(double value) {
-  return fmt::format("{:.10g}", value == 0 ? 0.0 : value);  // never -0
-}
-
-/// A number that follows another in a sum.
-std::string added_number(double value) {
-  return (std::signbit(value) ? "- " : "+ ") + plain_number(std::abs(value));
-}
 
 double wanted_input_angle(const FunctionTask& task, const FunctionDesign& design, double x) {
   return design.input_start + task.input_range * (x - task.x_lower) / (task.x_upper - task.x_lower);
@@ -40,13 +32,12 @@ double error_at(const FunctionTask& task, const FunctionDesign& design, double x
 std::string spacing_of(const FunctionTask& task, double x) {
   if (task.method != FunctionMethod::precision_points) return "";
   const double middle = (task.x_lower + task.x_upper) / 2, half = (task.x_upper - task.x_lower) / 2;
+  const std::vector<double> places = chebyshev_points(task.x_lower, task.x_upper, task.points);
   for (int j = 1; j <= task.points; ++j) {
     const double angle = 180.0 * (2 * j - 1) / (2 * task.points);
-    const double at =
-        chebyshev_points(task.x_lower, task.x_upper, task.points)[static_cast<std::size_t>(j) - 1];
+    const double at = places[static_cast<std::size_t>(j) - 1];
     if (std::abs(at - x) <= 1e-9 * half)
-      return fmt::format("{} {} cos({}) = {}", plain_number(middle), added_number(half), plain_number(angle),
-                         plain_number(at));
+      return fmt::format("{}{} cos({}) = {}", digits(middle), signed_number(half), digits(angle), digits(at));
   }
   return "";
 }
@@ -58,14 +49,13 @@ std::string lengths_work(const FourBar& bar, const FreudensteinCoefficients& k) 
       "  a = d/K1 = {0}/{1} = {2}\n"
       "  c = d/K2 = {0}/{3} = {4}\n"
       "  b = sqrt(a^2 + c^2 + d^2 - 2 a c K3) = sqrt({2}^2 + {4}^2 + {0}^2 - 2 * {2} * {4} * {5}) = {6}\n",
-      plain_number(d), plain_number(k.K1), plain_number(a), plain_number(k.K2), plain_number(c),
-      plain_number(k.K3), plain_number(bar.coupler));
+      digits(d), digits(k.K1), digits(a), digits(k.K2), digits(c), digits(k.K3), digits(bar.coupler));
 }
 
 std::string ripples_work(const FunctionTask& task, const FunctionDesign& design) {
   std::string text = "structural error (generated less wanted angle of the output crank), its extremes\n";
   for (const StructuralRipple& ripple : structural_ripples(task, design))
-    text += fmt::format("  x = {:<12} {:+.6g} degrees\n", plain_number(ripple.x), degrees(ripple.error));
+    text += fmt::format("  x = {:<12} {:+.6g} degrees\n", digits(ripple.x), degrees(ripple.error));
   return text;
 }
 
@@ -84,10 +74,9 @@ std::vector<FunctionPoint> function_points(const FunctionTask& task, const Funct
     point.output_angle = wanted_output_angle(task, design, point.y);
     point.spacing = spacing_of(task, x);
     const double phi = point.input_angle, psi = point.output_angle;
-    point.equation = fmt::format(
-        "{0} cos({1}) {2} cos({3}) {4} = cos({3} - {5})", plain_number(k.K1), plain_number(degrees(psi)),
-        added_number(-k.K2), plain_number(degrees(phi)), added_number(k.K3),
-        psi < 0 ? "(" + plain_number(degrees(psi)) + ")" : plain_number(degrees(psi)));
+    point.equation = fmt::format("{0} cos({1}){2} cos({3}){4} = cos({3} - {5})", digits(k.K1),
+                                 digits(degrees(psi)), signed_number(-k.K2), digits(degrees(phi)),
+                                 signed_number(k.K3), bracketed_digits(degrees(psi)));
     point.residual = k.K1 * std::cos(psi) - k.K2 * std::cos(phi) + k.K3 - std::cos(phi - psi);
     points.push_back(point);
   }
@@ -125,23 +114,21 @@ std::string function_equations_text(const FunctionTask& task, const FunctionDesi
                                ": x = (x0 + x1)/2 + (x1 - x0)/2 cos((2 j - 1) 180/(2 n))\n"
                          : "\nplaces where the structural error vanishes, found on its curve\n";
   for (const FunctionPoint& point : points)
-    text += "  x = " + (point.spacing.empty() ? plain_number(point.x) : point.spacing) + "\n";
+    text += "  x = " + (point.spacing.empty() ? digits(point.x) : point.spacing) + "\n";
   text += fmt::format(
-      "angles there, degrees: phi = {} {} (x - x0)/(x1 - x0), psi = {} {} (y - y0)/(y1 - y0)\n"
+      "angles there, degrees: phi = {}{} (x - x0)/(x1 - x0), psi = {}{} (y - y0)/(y1 - y0)\n"
       "  with x0 = {}, x1 = {}, y0 = {}, y1 = {}\n",
-      plain_number(degrees(design.input_start)), added_number(degrees(task.input_range)),
-      plain_number(degrees(design.output_start)), added_number(degrees(task.output_range)),
-      plain_number(task.x_lower), plain_number(task.x_upper), plain_number(design.y_lower),
-      plain_number(design.y_upper));
+      digits(degrees(design.input_start)), signed_number(degrees(task.input_range)),
+      digits(degrees(design.output_start)), signed_number(degrees(task.output_range)), digits(task.x_lower),
+      digits(task.x_upper), digits(design.y_lower), digits(design.y_upper));
   for (const FunctionPoint& point : points)
-    text +=
-        fmt::format("  x = {}, y = {}: phi = {}, psi = {}\n", plain_number(point.x), plain_number(point.y),
-                    plain_number(degrees(point.input_angle)), plain_number(degrees(point.output_angle)));
+    text += fmt::format("  x = {}, y = {}: phi = {}, psi = {}\n", digits(point.x), digits(point.y),
+                        digits(degrees(point.input_angle)), digits(degrees(point.output_angle)));
   const FreudensteinCoefficients k = design.linkage.coefficients();
   text += fmt::format(
       "Freudenstein's equations: K1 cos(psi) - K2 cos(phi) + K3 = cos(phi - psi)\n"
       "  K1 = d/a = {}, K2 = d/c = {}, K3 = (a^2 - b^2 + c^2 + d^2)/(2 a c) = {}\n",
-      plain_number(k.K1), plain_number(k.K2), plain_number(k.K3));
+      digits(k.K1), digits(k.K2), digits(k.K3));
   for (const FunctionPoint& point : points)
     text += fmt::format("  {}   (left less right {:.1e})\n", point.equation, point.residual);
   return text + lengths_work(design.linkage, k) + ripples_work(task, design);

@@ -153,11 +153,9 @@ std::string path_linkage(const PathAnswer& answer, std::optional<std::size_t> co
   }
   const double first = answer.crank_angles.front() + offset, last = answer.crank_angles.back() + offset;
   const Point P = answer.reached.front();
-  // A, where the driven link alone decides it.
-  Point A, B;
+  Point A = P, B = P;  // where the first place has them; a guess for the solver
   if (driver == CognateDriver::crank) {
-    A = bar.crank_pivot + as_point(std::polar(bar.crank, first));
-    B = A + as_point(as_complex(P - A) / as_complex(bar.coupler_point) * bar.coupler);
+    if (const auto place = bar.at(first)) A = place->A, B = place->B;
   } else {
     A = P - as_point(as_complex(bar.coupler_point) * std::polar(1.0, first));
     B = A + as_point(std::polar(bar.coupler, first));

@@ -9,18 +9,11 @@
 
 #include "kinematics/overloaded.hpp"
 #include "kinematics/planar/equations.hpp"
+#include "reports/linkages/equation_numbers.hpp"
 #include "reports/linkages/json.hpp"
 
 namespace kempe {
 namespace {
-
-/// Ten digits, and no more than the number has; no minus before a zero.
-std::string digits(double value) { return fmt::format("{:.10g}", value == 0 ? 0.0 : value); }
-
-/// What is added to a sum: " + 3", " - 3".
-std::string signed_number(double value) {
-  return fmt::format(" {} {}", value < 0 ? '-' : '+', digits(std::abs(value)));
-}
 
 /// An expression twice: with the unknowns' names, and with their values.
 struct Written {
@@ -33,9 +26,6 @@ struct Written {
 Written plain(const std::string& text) { return {text, text}; }
 
 Written in_brackets(const Written& inner) { return plain("(") + inner + plain(")"); }
-
-/// A number that may stand behind a sign.
-std::string bracketed_digits(double value) { return value < 0 ? "(" + digits(value) + ")" : digits(value); }
 
 class EquationWriter {
  public:
@@ -78,7 +68,7 @@ class EquationWriter {
       int row = system.row_of(number);
       for (LoopEquation equation : written(number)) {
         equation.of = constraint_label(model_, number);
-        equation.slopes = slopes(jacobian.row(row++) / system.value_slope(number), is_of_angles(number));
+        equation.slopes = slopes(jacobian.row(row++) / system.value_slope(number), above(number));
         result.push_back(std::move(equation));
       }
     }
@@ -90,9 +80,11 @@ class EquationWriter {
   const Constraint& constraint(int number) const {
     return model_.linkage.constraints()[static_cast<std::size_t>(number)].constraint;
   }
-  bool is_of_angles(int number) const {
-    return std::holds_alternative<RelativeAngle>(constraint(number)) ||
-           std::holds_alternative<GearPair>(constraint(number));
+  /// From what an equation is in, mm, rad or (of wheels) mm rad, to the file's unit and degrees.
+  double above(int number) const {
+    if (std::holds_alternative<RelativeAngle>(constraint(number))) return 180 / pi;
+    if (std::holds_alternative<GearPair>(constraint(number))) return in_unit(180 / pi);
+    return in_unit(1);
   }
 
   /// The value of a constraint: a driver's is that of the moment.
@@ -193,12 +185,12 @@ class EquationWriter {
             },
             [&](const GearPair& c) {
               const auto wheel = [&](double radius, int body) {
-                return plain(digits(radius) + " * (") + unknown('t', body) + plain(" - ") +
+                return plain(digits(in_unit(radius)) + " * (") + unknown('t', body) + plain(" - ") +
                        unknown('t', c.carrier) + plain(")");
               };
               return std::vector{
                   equals(wheel(c.first_radius, c.first) + plain(" + ") + wheel(c.second_radius, c.second),
-                         degrees(value_of(number, c.value)))};
+                         degrees(in_unit(value_of(number, c.value))))};
             },
             [&](const RackAndPinion& c) {
               return std::vector{
@@ -211,14 +203,12 @@ class EquationWriter {
         constraint(number));
   }
 
-  /// From mm and rad to the file's unit and degrees, above and below the line.
-  std::vector<std::pair<std::string, double>> slopes(const Eigen::RowVectorXd& row, bool of_angles) const {
+  /// A row of the Jacobian in the file's unit and degrees; `above` is the factor of the equation itself.
+  std::vector<std::pair<std::string, double>> slopes(const Eigen::RowVectorXd& row, double above) const {
     std::vector<std::pair<std::string, double>> result;
     for (Eigen::Index i = 0; i < row.size(); ++i) {
       const bool by_angle = i % 3 == 2;
-      const double below = by_angle ? 180 / pi : 1 / file_.unit.in_mm,
-                   above = of_angles ? 180 / pi : 1 / file_.unit.in_mm;
-      const double slope = row[i] * above / below;
+      const double slope = row[i] * above / (by_angle ? 180 / pi : in_unit(1));
       if (std::abs(row[i]) > 1e-12 * (by_angle ? model_.linkage.size() : 1))
         result.emplace_back(fmt::format("{}_{}", "xyt"[i % 3], names_[static_cast<std::size_t>(i / 3 + 1)]),
                             slope);

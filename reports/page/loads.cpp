@@ -101,7 +101,12 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
     const std::string text = fmt::format("{}; {} are allowed.", figure, length_text(*limit));
     if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
     const double whole = error + budget.beyond_the_links();
-    if (whole <= *limit) return "Yes: " + text;
+    if (whole <= *limit * (1 + 1e-9))
+      return budget.states_layers
+                 ? "Yes: " + text
+                 : "By links and pins yes; what the layers add is not stated, for two joints of a "
+                   "link are too near each other: " +
+                       text;
     return fmt::format(
         "By the links alone yes, with pins and layers no: {} That is what the links give; with pins and "
         "layers "

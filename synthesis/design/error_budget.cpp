@@ -154,17 +154,21 @@ LayersDo layers_do(const Measured& of, const SagConditions& conditions) {
   const BarLengths lengths{linkage.VA(), linkage.VB()};
   const LayeredErrorProfile profile(linkage.k(), linkage.grounding(), conditions, of.design.load->pen_force);
   const auto most = [&](double LayeredErrorAt::*part) {
-    const auto value = [&](double opening) { return profile.at(lengths, opening).*part; };
+    const auto value = [&](double opening) {
+      const double at = profile.at(lengths, opening).*part;
+      return std::isfinite(at) ? at : infinity;
+    };
     return value(top_over(of.openings, value));
   };
   const double stated = of.give(conditions.style, of.pins(conditions.style, of.design.hardware));
   return {std::max(0.0, most(&LayeredErrorAt::in_plane) - stated), most(&LayeredErrorAt::rise)};
 }
 
-void add_layers(const Measured& of, std::vector<BudgetEntry>& entries) {
+/// False where they cannot be stated.
+bool add_layers(const Measured& of, std::vector<BudgetEntry>& entries) {
   const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
   const LayersDo here = layers_do(of, now);
-  if (!std::isfinite(here.in_plane) || !std::isfinite(here.rise)) return;
+  if (!std::isfinite(here.in_plane) || !std::isfinite(here.rise)) return false;
   const SagConditions thicker = with_next_thickness(now);
   const LayersDo then = layers_do(of, thicker);
   BudgetEntry in_plane{
@@ -182,6 +186,7 @@ void add_layers(const Measured& of, std::vector<BudgetEntry>& entries) {
     }
   if (here.in_plane > no_drop) entries.push_back(std::move(in_plane));
   if (here.rise > no_drop) entries.push_back(std::move(down));
+  return true;
 }
 
 void add_sag(const Measured& of, std::vector<BudgetEntry>& entries) {
@@ -274,7 +279,7 @@ std::optional<ErrorBudget> error_budget(const Design& design) {
   add_tolerances(of, budget.entries);
   budget.entries.push_back(load_entry(of));
   budget.entries.push_back(pins_entry(of));
-  add_layers(of, budget.entries);
+  budget.states_layers = add_layers(of, budget.entries);
   add_sag(of, budget.entries);
   put_in_order(budget.entries);
   return budget;
@@ -298,7 +303,7 @@ double ErrorCourse::tolerances(double opening) const {
 
 double ErrorCourse::give(double opening) const {
   const double flat = give_.at(bars_, opening).worst, layered = layered_.at(bars_, opening).in_plane;
-  return std::isfinite(layered) ? std::max(flat, layered) : flat;
+  return std::isfinite(layered) ? std::max(flat, layered) : infinity;
 }
 
 double ErrorCourse::sag(double opening) const { return sag_.at(bars_.VA, bars_.VB, opening).most(); }

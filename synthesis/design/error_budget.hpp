@@ -46,6 +46,9 @@ struct BudgetEntry {
 /// All parts, those in the plane first, each group from the largest to the least. The sum of a group is never exceeded.
 struct ErrorBudget {
   std::vector<BudgetEntry> entries;
+  /// False where the equations of the links' bending out of the plane lose their digits: then `layers` and `pull` are not stated, and sums lack
+  /// them.
+  bool states_layers = true;
   /// mm, of the entries in the plane or of the others.
   double sum(bool in_plane) const;
   /// mm, pins and layers: what a load error of the links alone does not have.
@@ -63,8 +66,9 @@ class ErrorCourse {
   /// Of a design as above.
   explicit ErrorCourse(const Design& design);
   double tolerances(double opening) const;  ///< lengths and play together; 0 without a tolerance
-  double give(double opening) const;        ///< load, pins and layers together
-  double sag(double opening) const;         ///< of tracer or pen; infinite where the equations say nothing
+  double give(
+      double opening) const;  ///< load, pins and layers together; infinite where the layers are not stated
+  double sag(double opening) const;  ///< of tracer or pen; infinite where the equations say nothing
 
  private:
   BarLengths bars_;

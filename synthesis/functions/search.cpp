@@ -8,6 +8,7 @@
 
 #include "synthesis/functions/error.hpp"
 #include "synthesis/functions/slack.hpp"
+#include "synthesis/solvers/van_der_corput.hpp"
 
 namespace kempe {
 namespace {
@@ -81,23 +82,12 @@ class CoarseLook {
   std::vector<double> input_turns_, output_turns_;
 };
 
-/// The n-th number of van der Corput's sequence in a base: evenly scattered over 0..1 (Halton, 1960, uses one
-/// base a dimension).
-double van_der_corput(int n, int base) {
-  double result = 0, digit = 1;
-  for (; n > 0; n /= base) {
-    digit /= base;
-    result += digit * (n % base);
-  }
-  return result;
-}
-
 void add_scattered(const FunctionTask& task, const CoarseLook& look, std::vector<Start>& starts) {
   const double reach = std::log(task.longest_ratio);
-  const auto length = [&](int n, int base) {
+  const auto length = [&](std::size_t n, unsigned base) {
     return task.ground * std::exp(reach * (2 * van_der_corput(n, base) - 1));
   };
-  for (int n = 1; n <= scattered_starts; ++n)
+  for (std::size_t n = 1; n <= scattered_starts; ++n)
     for (const FourBarBranch branch : {FourBarBranch::first, FourBarBranch::second}) {
       Start start;
       start.design.linkage = {task.ground, length(n, 2), length(n, 3), length(n, 5), branch};

@@ -10,21 +10,12 @@
 
 #include "synthesis/paths/path_program.hpp"
 #include "synthesis/paths/slack.hpp"
+#include "synthesis/solvers/van_der_corput.hpp"
 
 namespace kempe {
 namespace {
 
 constexpr std::size_t scattered_linkages = 20000, finished_linkages = 40;
-
-/// Halton's sequence: the digits of i in a prime base behind the point, backwards.
-double halton_digit(std::size_t i, unsigned base) {
-  double result = 0, share = 1;
-  for (; i > 0; i /= base) {
-    share /= base;
-    result += share * static_cast<double>(i % base);
-  }
-  return result;
-}
 
 struct PathStart {
   Eigen::VectorXd x;
@@ -59,7 +50,7 @@ std::vector<PathStart> scattered_starts(const PathTask& task, PathEffort& effort
     PathProgram program(task, branch, rising);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(program.size());
     const auto between = [&](unsigned base, double low, double high) {
-      return low + (high - low) * halton_digit(i, base);
+      return low + (high - low) * van_der_corput(i, base);
     };
     const double longest = std::log(6.0);
     x[6] = between(3, -longest, longest);
@@ -124,15 +115,6 @@ double aimed_error(const PathTask& task, const PathAnswer& answer) {
   return task.aim == PathAim::mean_square ? answer.error_rms : answer.error_max;
 }
 
-bool pivots_kept(const PathTask& task, const CouplerFourBar& bar) {
-  for (std::size_t k = 0; k < task.pivots_within.size(); ++k) {
-    const Point from = task.pivots_within[k], to = task.pivots_within[(k + 1) % task.pivots_within.size()];
-    for (const Point& pivot : {bar.crank_pivot, bar.rocker_pivot})
-      if (cross(to - from, pivot - from) < 0) return false;
-  }
-  return true;
-}
-
 bool alike(const CouplerFourBar& a, const CouplerFourBar& b) {
   const double size = std::max(a.longest(), b.longest()) * slack::path_answers_apart;
   return (a.crank_pivot - b.crank_pivot).norm() < size && (a.rocker_pivot - b.rocker_pivot).norm() < size &&
@@ -155,7 +137,9 @@ double size_of(const std::vector<Point>& points) {
 std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar& linkage,
                                       const std::vector<double>& crank_angles) {
   const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
-  if (!finite || linkage.longest() > task.longest || !pivots_kept(task, linkage)) return std::nullopt;
+  if (!finite || linkage.longest() > task.longest || !lies_within(task.pivots_within, linkage.crank_pivot) ||
+      !lies_within(task.pivots_within, linkage.rocker_pivot))
+    return std::nullopt;
   const auto transmission = linkage.least_transmission_angle(crank_angles.front(), crank_angles.back());
   if (!transmission || *transmission < std::max(task.transmission, slack::path_from_dead_points))
     return std::nullopt;

@@ -19,7 +19,6 @@ class PathProgram {
   static constexpr int ratios_at = 6, angles_at = 9;
   int size() const { return angles_at + (timed_ ? 1 : count()); }
   int count() const { return static_cast<int>(points_.size()); }
-  double unit() const { return unit_; }  ///< mm
   bool timed() const { return timed_; }
 
   /// The crank's angle from the ground link at point i.

@@ -188,14 +188,6 @@ std::vector<Dyad> dyads_of_three(const ScaledPoses& scaled, double longest) {
   return dyads;
 }
 
-bool centre_kept(const PoseTask& task, const Point& centre) {
-  for (std::size_t k = 0; k < task.pivots_within.size(); ++k) {
-    const Point from = task.pivots_within[k], to = task.pivots_within[(k + 1) % task.pivots_within.size()];
-    if (cross(to - from, centre - from) < 0) return false;
-  }
-  return true;
-}
-
 /// The crank's angles at the poses, turning one way by less than a turn; nothing if it does not.
 std::optional<std::vector<double>> one_way(const std::vector<double>& angles) {
   for (const double way : {1.0, -1.0}) {
@@ -290,7 +282,7 @@ std::vector<Dyad> dyads_of(const PoseTask& task) {
   }
   std::erase_if(dyads, [&](const Dyad& dyad) {
     return !(dyad.length > 0) || dyad.length > task.longest || dyad.circle.norm() > task.longest ||
-           !centre_kept(task, dyad.centre);
+           !lies_within(task.pivots_within, dyad.centre);
   });
   return dyads;
 }

@@ -271,6 +271,14 @@ class Equations(Case):
         self.assertIn("x_crank + 30 cos(t_crank) - x_rod = 0\n  0 + 30 cos(15) - 28.97777479 = 0\n", text)
         self.assertTrue(text.endswith("9 unknowns, 9 equations, 1 of them a driver's\n"))
 
+    def test_wheels_have_their_radii_in_the_files_unit(self):
+        text = (LINKAGES / "geared-five-bar.toml").read_text()
+        told = [json.loads(kempe("solve", self.linkage(head + text), "--equations", 3, "--json").stdout)["equations"] for head in ("", 'unit = "in"\n')]
+        for in_mm, in_inches in zip(*told):
+            self.assertEqual(in_mm["symbols"], in_inches["symbols"])
+            for name, slope in in_mm["derivatives"].items():
+                self.assertAlmostEqual(in_inches["derivatives"][name], slope, delta=1e-9 * max(1, abs(slope)))
+
     def test_a_step_that_is_not_there(self):
         self.assertRefused(kempe("solve", LINKAGES / "slider-crank.toml", "--equations", 1e6), 2, "--equations", "a step from 0 to")
         self.assertRefused(kempe("solve", LINKAGES / "slider-crank.toml", "--equations", -1), 2, "a step from 0 to")

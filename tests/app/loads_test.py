@@ -102,6 +102,34 @@ class Loads(unittest.TestCase):
         self.assertEqual(back["quality"], stated["quality"])
         self.assertEqual(back["load"], stated["load"])
 
+    def test_layers_that_cannot_be_stated_are_not_left_out_in_silence(self):
+        spec = self.here / "spec.toml"
+        # Tracer and pen stand 0.12 mm apart on their link.
+        spec.write_text("""[copy]
+scale = 1.002
+[region]
+circle_mm = { centre = [90, 0], radius = 5 }
+[mechanism]
+vertex = "pole"
+VA_mm = 60
+VB_mm = 60
+assembly = 1
+[links]
+width_mm = 10
+thickness_mm = 3
+pin_diameter_mm = 3
+[material]
+name = "steel"
+[load]
+pen_N = 1
+[limits]
+load_error_mm = 1000
+""")
+        done = kempe("workspace", spec, "-o", self.here / "thin")
+        self.assertIn("what the layers add is not stated", done.stdout, done.stderr)
+        page = (self.here / "thin" / "report.html").read_text()
+        self.assertIn("By links and pins yes; what the layers add is not stated", page)
+
     def test_the_lightest_section_is_taken(self):
         text = LOADED.replace("width_mm = 6\nthickness_mm = 2\n", "sections_mm = [[10, 3], [6, 2], [8, 2]]\n")
         said, stated = self.design(text + '[limits]\nload_error_mm = 0.25\n[objective]\nminimize = "mass"\n')

@@ -389,6 +389,8 @@ class Paths(Case):
             self.assertEqual(self.refused(self.client.call("design", spec=spec, folder="a")), ["region.file"], named)
             (self.served / "spec.toml").write_text(f'[copy]\nscale = 2\n[region]\nfile = "{named}"\n[links]\nwidth_mm = 6\npin_diameter_mm = 3\n')
             self.assertEqual(self.refused(self.client.call("map", spec_file="spec.toml", folder="a")), ["region.file"], named)
+            for key in ("spec_file", "design_file"):
+                self.assertEqual(self.refused(self.client.call("explain", at=[1, 1], **{key: "spec.toml"})), ["region.file"], named)
             text = (EXAMPLES / "calibration/plotter.toml").read_text()
             (self.served / "m.toml").write_text(text.replace("drawing-pantograph.json", named.replace("square.svg", "design.json")))
             self.assertEqual(self.refused(self.client.call("calibrate", measurements_file="m.toml")), ["design"], named)

@@ -33,7 +33,7 @@
   addEventListener("keydown", (event) => {
     const { target, key } = event;
     if (event.ctrlKey || event.altKey || event.metaKey || target.tagName === "SELECT") return;
-    if ((target.tagName === "BUTTON" && key === " ") || (target.id === "moment" && key.startsWith("Arrow"))) return;  // they act themselves
+    if ((["BUTTON", "INPUT"].includes(target.tagName) && key === " ") || (target.id === "moment" && key.startsWith("Arrow"))) return;  // they act themselves
     const act = keys[key.length === 1 ? key.toLowerCase() : key];
     if (!act) return;
     event.preventDefault();

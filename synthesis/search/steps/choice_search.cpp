@@ -122,7 +122,7 @@ ChoiceResult search_choice(const DesignProblem& problem, const ChoiceOptions& op
       const ChoiceResult before = best;
       try_from({problem.unit_lengths(start.pole, start.z[0], start.z[1]), start.pole});
       ++tried;
-      if (!better(best, before)) ++fruitless;
+      if (before.feasible && !better(best, before)) ++fruitless;
     }
   }
   best.evaluations = evaluations;
