@@ -200,9 +200,9 @@ class Found {
 };
 
 /// A linkage beside another: every unknown moved by up to a size that grows from leap to leap.
-FunctionDesign leap(const FunctionTask& task, const FunctionDesign& from, int number) {
+FunctionDesign leap(const FunctionTask& task, const FunctionDesign& from, std::size_t number) {
   const double size = 0.1 + 0.7 * van_der_corput(number, 2);
-  const auto moved = [&](int base) { return size * (2 * van_der_corput(number, base) - 1); };
+  const auto moved = [&](unsigned base) { return size * (2 * van_der_corput(number, base) - 1); };
   FunctionDesign to = from;
   to.linkage.input *= std::exp(moved(3));
   to.linkage.coupler *= std::exp(moved(5));
@@ -227,7 +227,7 @@ FunctionSearch search_function(const FunctionTask& task, const WantedAngles& wan
     for (const FunctionDesign& squares : found.best(tried_by_minimax)) found.minimax_from(squares);
     for (std::size_t i = 0; i < std::min(tried.size(), tried_by_minimax); ++i) found.minimax_from(tried[i]);
   }
-  int number = 0;
+  std::size_t number = 0;
   for (const FunctionDesign& design : found.best(tried_leaps_from))
     for (int i = 0; i < leaps_each; ++i) found.fit_from(leap(task, design, ++number));
   search.extent = fmt::format(

@@ -30,7 +30,7 @@ CouplerFourBar four_bar_at(const Point& A0, const Point& A, const Point& B, cons
 
 bool lies_within(const std::vector<Point>& polygon, const Point& place) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point from = polygon[k], to = polygon[(k + 1) % polygon.size()];
+    const Point &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
     if (cross(to - from, place - from) < 0) return false;
   }
   return true;
