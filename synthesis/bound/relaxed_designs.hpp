@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/pole_places.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 
@@ -28,8 +29,9 @@ class RelaxedDesigns {
   }
   const std::optional<RelaxedDesign>& design() const { return design_; }
 
-  /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`: null if there are none to be seen.
-  void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles);
+  /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`, `loads`: null if there are none to be
+  /// seen.
+  void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles, const LoadFloor* loads);
 
  private:
   struct Box;

@@ -96,11 +96,24 @@ std::optional<double> bound_of(Goal goal, const FirstLook& look, const std::opti
   return bound;
 }
 
+/// Whether it is proven that no design keeps the limit on the load error beside the others. Asked where none was found: it costs as much
+/// as a first proof.
+bool none_keeps_loads(const SearchTask& task) {
+  if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
+  const auto proof = proven_bound(spec_for_tree(task), Objective::size,
+                                  {.boxes = task.budgets().proof.boxes,
+                                   .load_limit = true,
+                                   .shortest = task.limits.shortest,
+                                   .stop = task.stop()});
+  return proof && proof->no_design;
+}
+
 /// After a first look, which may be empty.
 SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
   SearchResult found = best_of_any_lengths(task, starts_of(proof));
+  if (!found.design && !found.stopped && none_keeps_loads(task)) return {.proven_none = true, .evaluations = found.evaluations};
   if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
   if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);
