@@ -1,11 +1,10 @@
-#include "synthesis/bound/load_floor.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "geometry/interval.hpp"
 #include "kinematics/assembly_mode.hpp"
+#include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/slack.hpp"
 
 namespace kempe::bounding {
@@ -23,8 +22,8 @@ struct TermSums {
 
   void add(const Interval& coefficient, const IntervalComplex& w) {
     trace += coefficient * squared_length(w);
-    difference = difference + coefficient * IntervalComplex{CGAL::square(w.re) - CGAL::square(w.im),
-                                                            2.0 * w.re * w.im};
+    difference = difference +
+                 coefficient * IntervalComplex{CGAL::square(w.re) - CGAL::square(w.im), 2.0 * w.re * w.im};
   }
 };
 
@@ -62,8 +61,9 @@ void add_plate(const std::array<PlateArm, 2>& arms, const PlateForces& forces, c
 }  // namespace
 
 LoadFloor::LoadFloor(const Spec& spec, const ModeFacts& mode)
-    : mode_(mode), limit_(*spec.limits.load_error * (1 + slack::load_limit)), pen_force_(spec.load->pen_force), E_(spec.material->E),
-      width_(spec.links.style.width), thickness_(spec.links.style.thickness),
+    : mode_(mode), limit_(*spec.limits.load_error * (1 + slack::load_limit)),
+      pen_force_(spec.load->pen_force), E_(spec.material->E), width_(spec.links.style.width),
+      thickness_(spec.links.style.thickness),
       profile_(load_error_profile(spec, spec.copy.k(), mode.grounding)) {}
 
 double LoadFloor::about(double psi, double t, double w) const {

@@ -266,7 +266,7 @@ class Tree {
   std::vector<Branch> branches_;
   bounding::KnownShapes obstacle_shapes_;
   std::vector<std::unique_ptr<bounding::ObstacleTest>>
-      obstacle_tests_;  // one a branch, if there are obstacles
+      obstacle_tests_;                            // one a branch, if there are obstacles
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
   bounding::ContactCuts cuts_;
   bounding::RelaxedDesigns designs_;

@@ -68,10 +68,11 @@ void RelaxedDesigns::try_design(const Box& box, double t, double w) {
     const CopyErrorProfile profile = copy_error_profile(*linkage, CopyTolerance::uniform(*spec_.tolerance));
     if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
   }
-  // A trial makes of a design that is a little too soft one that is not; once it did, only those that keep the limit promise more.
-  const bool may_be_soft = trials_ != nullptr && !(best_ < infinity);
-  if (box.loads != nullptr && !may_be_soft && !box.loads->keeps({linkage->VA(), linkage->VB()}, openings))
-    return;
+  const bool is_soft = box.loads != nullptr && !box.loads->keeps({linkage->VA(), linkage->VB()}, openings);
+  // A trial may make of a design that is too soft one that is not. While none is known each branch has one such trial.
+  const bool may_be_soft =
+      trials_ != nullptr && !(best_ < infinity) && !soft_tried_out_.contains(node.branch);
+  if (is_soft && !may_be_soft) return;
   const auto free = [&](const LayerChoice& choice) {
     return !options_.self_contact ||
            (smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
@@ -86,6 +87,7 @@ void RelaxedDesigns::try_design(const Box& box, double t, double w) {
   const RelaxedDesign design{linkage->grounding(), linkage->assembly_mode().number,
                              linkage->VA(),        linkage->VB(),
                              node.pole(),          layers->layers};
+  if (is_soft) soft_tried_out_.insert(node.branch);
   if (trials_)
     return try_out(box.obstacles, static_cast<std::size_t>(layers - branch.layers.begin()), design);
   design_ = design;

@@ -2,6 +2,7 @@
 // Designs of the relaxation that the bound's tree meets: the best of them is what a box must be able to beat.
 
 #include <optional>
+#include <set>
 
 #include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/pole_places.hpp"
@@ -47,6 +48,7 @@ class RelaxedDesigns {
   double best_ = infinity;
   std::optional<RelaxedDesign> design_;
   int tried_out_ = 0;
+  std::set<std::size_t> soft_tried_out_;  // branches
 };
 
 }  // namespace kempe::bounding

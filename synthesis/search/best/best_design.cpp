@@ -113,7 +113,8 @@ SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
   SearchResult found = best_of_any_lengths(task, starts_of(proof));
-  if (!found.design && !found.stopped && none_keeps_loads(task)) return {.proven_none = true, .evaluations = found.evaluations};
+  if (!found.design && !found.stopped && none_keeps_loads(task))
+    return {.proven_none = true, .evaluations = found.evaluations};
   if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
   if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);

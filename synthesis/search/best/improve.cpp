@@ -37,8 +37,8 @@ bool is_held_back(const SearchTask& task, const FoundDesign& design) {
 /// What no design with the limit on the load error beats: a yardstick for the search, which is not told (proven_bound.hpp).
 std::optional<ProvenBound> bound_under_load(const SearchTask& task, const FoundDesign& design) {
   if (!task.limits.load_error) return std::nullopt;
-  auto bound = proven_bound(task.space().spec(),
-                            {.incumbent = design.value, .load_limit = true, .stop = task.stop()});
+  auto bound =
+      proven_bound(task.space().spec(), {.incumbent = design.value, .load_limit = true, .stop = task.stop()});
   if (bound && bound->no_design) bound.reset();
   return bound;
 }
@@ -48,8 +48,7 @@ SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchR
   const auto is_near_to = [&](const ProvenBound& one) {
     return std::abs(found.design->value - one.value) <= task.budgets().improve.near * std::abs(one.value);
   };
-  const auto under_load =
-      is_near_to(bound) ? std::nullopt : bound_under_load(task, *found.design);
+  const auto under_load = is_near_to(bound) ? std::nullopt : bound_under_load(task, *found.design);
   const ProvenBound& yardstick = under_load ? *under_load : bound;
   for (const RelaxedDesign& start : starts_of(yardstick)) found = best_from(start, task, std::move(found));
   const bool held_back = is_held_back(task, *found.design);
@@ -94,7 +93,8 @@ SearchResult improved(const SearchTask& task, SearchResult found) {
   }
   if (!bound) return found;
   invariant(!bound->no_design, "no bound says that there is no design after one was found");
-  if (!has_stock_lengths(task.spec()) && !found.exhausted && !task.stopped()) found = nearer_to(*bound, task, std::move(found));
+  if (!has_stock_lengths(task.spec()) && !found.exhausted && !task.stopped())
+    found = nearer_to(*bound, task, std::move(found));
   found.design->proven_bound = bound->value;
   return found;
 }

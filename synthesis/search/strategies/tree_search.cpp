@@ -30,12 +30,12 @@ class TreeSearch {
     if (!best_.design) return {.stopped = task_.stopped(), .evaluations = best_.evaluations};
     best_.design->evaluations = best_.evaluations;
     best_.design->complete = !task_.stopped();
-    return {.design = best_.design,
-            .stopped = task_.stopped(),
-            .exhausted = tree && tree->exhausted && !task_.stopped(),
-            .bound =
-                tree && tree->tight && !sees_loads() ? std::optional(holding(tree->value)) : std::nullopt,
-            .evaluations = best_.evaluations};
+    return {
+        .design = best_.design,
+        .stopped = task_.stopped(),
+        .exhausted = tree && tree->exhausted && !task_.stopped(),
+        .bound = tree && tree->tight && !sees_loads() ? std::optional(holding(tree->value)) : std::nullopt,
+        .evaluations = best_.evaluations};
   }
 
  private:
