@@ -37,8 +37,10 @@ bool is_held_back(const SearchTask& task, const FoundDesign& design) {
 /// What no design with the limit on the load error beats: a yardstick for the search, which is not told (proven_bound.hpp).
 std::optional<ProvenBound> bound_under_load(const SearchTask& task, const FoundDesign& design) {
   if (!task.limits.load_error) return std::nullopt;
-  auto bound =
-      proven_bound(task.space().spec(), {.incumbent = design.value, .load_limit = true, .stop = task.stop()});
+  auto bound = proven_bound(task.space().spec(), {.incumbent = design.value,
+                                                  .boxes = task.budgets().improve.boxes_under_load,
+                                                  .load_limit = true,
+                                                  .stop = task.stop()});
   if (bound && bound->no_design) bound.reset();
   return bound;
 }
