@@ -48,7 +48,9 @@ LoadedBranch random_branch(test::SpecDice& dice) {
 double by_frame(const LoadedBranch& one, const BarLengths& lengths, double opening) {
   const Complex k = one.spec.copy.k();
   const Grounding grounding = one.branch.mode.grounding;
-  const Complex s = grounding == Grounding::pole ? k : grounding == Grounding::tracer ? 1.0 - k : 1.0 - 1.0 / k;
+  const Complex s = grounding == Grounding::pole     ? k
+                    : grounding == Grounding::tracer ? 1.0 - k
+                                                     : 1.0 - 1.0 / k;
   const Complex p = lengths.VA, q = std::polar(lengths.VB, opening);
   test::FrameTask task;
   task.joints = {Point(0, 0),     as_point(p),         as_point(q),
@@ -75,7 +77,8 @@ TEST(LoadFloor, NoDesignOfABoxGivesWayByLess) {
     const LoadedBranch one = random_branch(dice);
     const bounding::ModeFacts& mode = one.branch.mode;
     const bounding::LoadFloor floor(one.spec, mode);
-    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5), wide = dice.log_uniform(1e-6, 1);
+    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5),
+                 wide = dice.log_uniform(1e-6, 1);
     const bounding::LengthBox box{{t, t * (1 + wide)}, {w, w * (1 + wide)}};
     const double margin = 0.02 * (mode.near_end - mode.far_end);
     const double psi = dice.uniform(mode.far_end + margin, mode.near_end - margin);
@@ -108,8 +111,7 @@ TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
     const double one_end = one.branch.opening_of(far_psi), other_end = one.branch.opening_of(near_psi);
     const OpeningInterval openings{std::min(one_end, other_end), std::max(one_end, other_end)};
     const double nearest = linkage->radius_at(other_end), farthest = linkage->radius_at(one_end);
-    const bounding::PoleDistances distances{nearest, farthest, 1,
-                                            farthest * farthest - nearest * nearest};
+    const bounding::PoleDistances distances{nearest, farthest, 1, farthest * farthest - nearest * nearest};
     const double wide = dice.log_uniform(1e-6, 0.3);
     const bounding::LengthBox box{{t / (1 + wide * dice.uniform(0, 1)), t * (1 + wide)},
                                   {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
