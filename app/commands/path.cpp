@@ -2,122 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/linkages/generated.hpp"
+#include "reports/linkages/path_answers.hpp"
 #include "specs/generator_spec.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
-#include "synthesis/paths/path_generator.hpp"
-#include "synthesis/paths/pose_guidance.hpp"
 
 namespace kempe::app {
 namespace {
-
-constexpr const char* no_bound =
-    "a search: no bound of the least error is known, and nothing is proven about what was not found";
 
 struct PathArguments {
   std::string spec_file, linkage_file;
   int answer = 1, cognate = 0;
 };
-
-PathTask task_of(const PathSpec& spec) {
-  PathTask task;
-  task.points = spec.points;
-  task.turns = spec.turns;
-  task.aim = spec.largest_distance ? PathAim::largest_distance : PathAim::mean_square;
-  task.longest = spec.longest;
-  task.transmission = spec.transmission;
-  task.pivots_within = spec.pivots_within;
-  return task;
-}
-
-nlohmann::ordered_json json_of(const Point& p) { return {p.x() + 0.0, p.y() + 0.0}; }
-
-nlohmann::ordered_json json_of(const CouplerFourBar& bar) {
-  nlohmann::ordered_json pivots;
-  pivots.push_back(json_of(bar.crank_pivot));
-  pivots.push_back(json_of(bar.rocker_pivot));
-  return {{"pivots_mm", pivots},
-          {"crank_mm", bar.crank},
-          {"coupler_mm", bar.coupler},
-          {"rocker_mm", bar.rocker},
-          {"coupler_point_mm", json_of(bar.coupler_point)},
-          {"assembly_mode", bar.branch == FourBarBranch::first ? 1 : 2}};
-}
-
-nlohmann::ordered_json angles_in_degrees(const std::vector<double>& angles, double offset = 0) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const double angle : angles) list.push_back(degrees(angle + offset));
-  return list;
-}
-
-nlohmann::ordered_json json_of(const PathAnswer& answer) {
-  nlohmann::ordered_json object = json_of(answer.linkage);
-  object["motion"] = std::string(name(answer.linkage.links().motion()));
-  object["driver_deg"] = angles_in_degrees(answer.crank_angles);
-  for (const Point& p : answer.reached) object["reached_mm"].push_back(json_of(p));
-  object["error_rms_mm"] = answer.error_rms;
-  object["error_max_mm"] = answer.error_max;
-  object["lower_bound_mm"] = nullptr;
-  object["transmission_min_deg"] = degrees(answer.transmission_min);
-  object["cognates"] = nlohmann::ordered_json::array();
-  if (answer.cognates)
-    for (const Cognate& cognate : *answer.cognates) {
-      nlohmann::ordered_json other = json_of(cognate.linkage);
-      other["driver"] = cognate.driver == CognateDriver::crank ? "crank" : "coupler";
-      other["driver_deg"] = angles_in_degrees(answer.crank_angles, cognate.offset);
-      object["cognates"].push_back(std::move(other));
-    }
-  return object;
-}
-
-/// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
-bool is_used(const PoseSearch& search, const Dyad& dyad) {
-  return std::any_of(search.dyads.begin(), search.dyads.end(), [&](const Dyad& used) {
-    return used.centre == dyad.centre && used.circle == dyad.circle;
-  });
-}
-
-nlohmann::ordered_json json_of(const PoseTask& task, const PoseSearch& search) {
-  nlohmann::ordered_json object;
-  for (const PoseAnswer& answer : search.answers) {
-    nlohmann::ordered_json one = json_of(answer.path);
-    one["reached_deg"] = angles_in_degrees(answer.angles);
-    one["error_angle_max_deg"] = degrees(answer.error_angle);
-    object["answers"].push_back(std::move(one));
-  }
-  object["bound"] = no_bound;
-  if (task.poses.size() == 5)
-    for (const Dyad& dyad : burmester_dyads(task.poses))
-      object["dyads"].push_back({{"centre_mm", json_of(dyad.centre)},
-                                 {"circle_point_mm", json_of(dyad.circle)},
-                                 {"length_mm", dyad.length},
-                                 {"within_limits", is_used(search, dyad)}});
-  object["searched"] = {{"dyads", search.dyads.size()},
-                        {"linkages", search.linkages},
-                        {"defective", search.defective},
-                        {"limited", search.limited}};
-  return object;
-}
-
-nlohmann::ordered_json json_of(const PathSearch& search) {
-  nlohmann::ordered_json object;
-  for (const PathAnswer& answer : search.answers) object["answers"].push_back(json_of(answer));
-  object["bound"] = no_bound;
-  object["searched"] = {{"starts", search.effort.starts},
-                        {"refined", search.effort.refined},
-                        {"evaluations", search.effort.evaluations},
-                        {"rejected", search.effort.rejected}};
-  return object;
-}
 
 std::string columns_of(const Point& p) {
   return fmt::format("{:>10} {:>10}", fixed_text(p.x(), 4), fixed_text(p.y(), 4));
@@ -179,7 +82,7 @@ std::string text_of(const PathTask& task, const PathSearch& search) {
                   task.aim == PathAim::mean_square ? "least mean square distance" : "least largest distance");
   text += fmt::format(
       "searched     {} four-bars, {} refined with {} evaluations of the path\nbound        none: {}\n",
-      search.effort.starts, search.effort.refined, search.effort.evaluations, no_bound);
+      search.effort.starts, search.effort.refined, search.effort.evaluations, no_path_bound);
   for (std::size_t k = 0; k < search.answers.size(); ++k) {
     const PathAnswer& answer = search.answers[k];
     text += fmt::format(
@@ -224,26 +127,26 @@ int run(const Session& session, const PathArguments& arguments) {
   if (!spec) return fail(session, spec.error());
   const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& json, const auto& words) {
     if (const int code = write_linkage(session, arguments, answers); code != done) return code;
-    print(session.json ? json_text(json()) : words());
+    print(session.json ? json() : words());
     if (!session.json && !arguments.linkage_file.empty())
       print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
                         printable(arguments.linkage_file)));
     return static_cast<int>(done);
   };
   if (!spec->poses.empty()) {
-    const PoseTask task{spec->poses, spec->longest, spec->transmission, spec->pivots_within};
+    const PoseTask task = pose_task(*spec);
     const auto search = guide_poses(task);
     if (!search) return fail_unproven(session, search.error());
     std::vector<PathAnswer> answers;
     for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
     return finish(
-        answers, [&] { return json_of(task, *search); }, [&] { return text_of(task, *search); });
+        answers, [&] { return path_json(task, *search); }, [&] { return text_of(task, *search); });
   }
-  const PathTask task = task_of(*spec);
+  const PathTask task = path_task(*spec);
   const auto search = generate_path(task);
   if (!search) return fail_unproven(session, search.error());
   return finish(
-      search->answers, [&] { return json_of(*search); }, [&] { return text_of(task, *search); });
+      search->answers, [&] { return path_json(*search); }, [&] { return text_of(task, *search); });
 }
 
 }  // namespace
