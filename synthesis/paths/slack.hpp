@@ -25,6 +25,10 @@ inline constexpr double nearly_real = 1e-5;
 inline constexpr double rows_depend = 1e-11, at_infinity = 1e-9;
 /// Share of the longest link, and rad: what the general solver may find a pose off by.
 inline constexpr double poses_met = 1e-8;
+/// None: a ratio nearer to 1 copies the curve onto itself.
+inline constexpr double copies_itself = 1e-6;
+/// Share of the copy's size: what the general solver may find a copied point off by.
+inline constexpr double copied = 1e-9;
 /// None: changes at which the local solver ends.
 inline constexpr double path_at_rest = 1e-13;
 
