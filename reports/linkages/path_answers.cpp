@@ -86,11 +86,12 @@ PathTask path_task(const PathSpec& spec) {
   task.longest = spec.longest;
   task.transmission = spec.transmission;
   task.pivots_within = spec.pivots_within;
+  task.motions = spec.motions;
   return task;
 }
 
 PoseTask pose_task(const PathSpec& spec) {
-  return {spec.poses, spec.longest, spec.transmission, spec.pivots_within};
+  return {spec.poses, spec.longest, spec.transmission, spec.pivots_within, spec.motions};
 }
 
 bool is_used(const PoseSearch& search, const Dyad& dyad) {

@@ -69,6 +69,7 @@ std::vector<PathStart> scattered_starts(const PathTask& task, PathEffort& effort
     ++effort.starts;
     if (!program.project(x) || !program.errors(x, errors, nullptr)) continue;
     program.watch_extremes(x);
+    program.choose_motion(x);
     const double broken = broken_by(program, x);
     starts.push_back({x, branch, rising, errors.squaredNorm() / program.count() + 0.01 * broken});
   }
@@ -98,6 +99,7 @@ std::optional<PathStart> refined_start(const PathTask& task, PathStart start, Pa
                                        PathEffort& effort) {
   PathProgram program(task, start.branch, start.rising);
   program.watch_extremes(start.x);
+  program.choose_motion(start.x);
   for (int round = 0; round < 3; ++round) {
     refine_path(program, aim, evaluations, start.x, effort.evaluations);
     const int watched = program.limit_count();
@@ -139,6 +141,10 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
   const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
   if (!finite || linkage.longest() > task.longest || !lies_within(task.pivots_within, linkage.crank_pivot) ||
       !lies_within(task.pivots_within, linkage.rocker_pivot))
+    return std::nullopt;
+  const CrankMotion moves = linkage.links().motion();
+  if (!task.motions.empty() &&
+      std::find(task.motions.begin(), task.motions.end(), moves) == task.motions.end())
     return std::nullopt;
   const auto transmission = linkage.least_transmission_angle(crank_angles.front(), crank_angles.back());
   if (!transmission || *transmission < std::max(task.transmission, slack::path_from_dead_points))

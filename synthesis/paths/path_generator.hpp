@@ -33,6 +33,7 @@ struct PathTask {
   double transmission =
       0;  ///< rad, < pi/2: least angle from the first point to the last; 0.02 are always kept
   std::vector<Point> pivots_within;  ///< corners of a convex polygon, counter-clockwise; empty: anywhere
+  std::vector<CrankMotion> motions;  ///< by Grashof's rule, one of these; no change point; empty: any
 };
 
 /// A four-bar, moved over its points by the general solver.

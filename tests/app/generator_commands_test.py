@@ -261,6 +261,22 @@ class Path(Case):
         self.assertEqual(text.returncode, 0, text.stderr)
         self.assertIn("no bound of the least error is known", text.stdout)
 
+    def test_the_motion_that_is_asked_for(self):
+        good = (GENERATORS / "five-poses.toml").read_text()
+        for motion in ("crank-rocker", "double rocker"):
+            run = kempe("path", self.file(good + f'motion = "{motion}"\n'), "--json")
+            if run.returncode == 6:
+                continue
+            self.assertEqual({answer["motion"] for answer in json.loads(run.stdout)["answers"]}, {motion})
+        line = self.LINE.read_text()
+        for answer in self.answer("path", self.file(line + 'motion = "crank turns fully"\n'))["answers"]:
+            ground = math.dist(*answer["pivots_mm"])
+            others = [answer["coupler_mm"], answer["rocker_mm"]]
+            shortest, *rest = sorted([ground, answer["crank_mm"], *others])
+            self.assertIn(shortest, (ground, answer["crank_mm"]))
+            self.assertLess(shortest + rest[2], rest[0] + rest[1])
+        self.assertRefused(kempe("path", self.file(line + 'motion = "all"\n')), 2, "limits.motion", "crank turns fully")
+
     def test_the_plagiograph_on_the_coupler_copies_the_curve(self):
         """The general solver on both files: the six-bar's point is where the four-bar's, turned and scaled about the pole, is."""
         four, six = self.scratch / "four.toml", self.scratch / "six.toml"

@@ -199,12 +199,72 @@ TEST(PathGenerator, TheGeneralSolverDoesNotPassAPlaceWhereTheLoopOpens) {
   EXPECT_FALSE(certified_path(bar, CognateDriver::crank, {0.4, 2 * pi - 0.4}, 0.4));
 }
 
+/// Whether the crank goes round, by looking: whether the loop closes at every whole degree.
+bool goes_round(const CouplerFourBar& bar, bool by_crank) {
+  for (int degree = 0; degree < 360; ++degree) {
+    const double angle = radians(degree);
+    const Point& pivot = by_crank ? bar.crank_pivot : bar.rocker_pivot;
+    const Point& other = by_crank ? bar.rocker_pivot : bar.crank_pivot;
+    const Point end = pivot + (by_crank ? bar.crank : bar.rocker) * Point(std::cos(angle), std::sin(angle));
+    const double gap = (end - other).norm(), far = by_crank ? bar.rocker : bar.crank;
+    if (gap > bar.coupler + far || gap < std::abs(bar.coupler - far)) return false;
+  }
+  return true;
+}
+
+TEST(PathGenerator, KeepsTheMotionThatIsAskedFor) {
+  using enum CrankMotion;
+  for (const PathTask& free : {line_of_six(), five_timed()})
+    for (const std::vector<CrankMotion>& motions : std::initializer_list<std::vector<CrankMotion>>{
+             {crank_rocker}, {double_crank}, {rocker_crank}, {double_rocker}, {crank_rocker, double_crank}}) {
+      PathTask task = free;
+      task.motions = motions;
+      const auto search = generate_path(task);
+      ASSERT_TRUE(search) << search.error();
+      for (const PathAnswer& answer : search->answers) {
+        expect_reached(task, answer);
+        const bool crank = goes_round(answer.linkage, true), rocker = goes_round(answer.linkage, false);
+        if (motions.size() == 2) {
+          EXPECT_TRUE(crank);
+          continue;
+        }
+        EXPECT_EQ(crank, motions[0] == crank_rocker || motions[0] == double_crank);
+        EXPECT_EQ(rocker, motions[0] == rocker_crank || motions[0] == double_crank);
+      }
+    }
+}
+
+/// The oracle: the angle at B of the triangle A, B, B0 at 20,000 places between, by the law of cosines.
+TEST(PathGenerator, KeepsTheTransmissionAngleBetweenThePointsToo) {
+  for (PathTask task : {line_of_six(), loop_of_eighteen()}) {
+    task.transmission = radians(task.turns.empty() ? 72 : 40);
+    const auto search = generate_path(task);
+    ASSERT_TRUE(search) << search.error();
+    for (const PathAnswer& answer : search->answers) {
+      const CouplerFourBar& bar = answer.linkage;
+      const double first = answer.crank_angles.front(), last = answer.crank_angles.back();
+      double least = pi;
+      for (int i = 0; i <= 20000; ++i) {
+        const double angle = first + (last - first) * i / 20000;
+        const Point A = bar.crank_pivot + bar.crank * Point(std::cos(angle), std::sin(angle));
+        const double square = (A - bar.rocker_pivot).squaredNorm();
+        const double at_B = std::acos((bar.coupler * bar.coupler + bar.rocker * bar.rocker - square) /
+                                      (2 * bar.coupler * bar.rocker));
+        least = std::min({least, at_B, pi - at_B});
+      }
+      EXPECT_GE(least, task.transmission - 1e-12);
+      EXPECT_NEAR(least, answer.transmission_min, 1e-6);
+    }
+  }
+}
+
 void expect_slopes(const PathTask& task) {
   PathProgram program(task, FourBarBranch::second, true);
   Eigen::VectorXd x(program.size());
   x.head<9>() << 0.3, -0.2, 0.5, 0.1, 0.4, -0.6, -0.9, 0.1, 0.2;
   for (Eigen::Index i = 9; i < x.size(); ++i) x[i] = 0.4 + 0.3 * static_cast<double>(i - 9);
   program.watch_extremes(x);
+  program.choose_motion(x);
   Eigen::VectorXd value, above, below;
   Eigen::MatrixXd errors, limits;
   ASSERT_TRUE(program.errors(x, value, &errors));
@@ -225,6 +285,36 @@ void expect_slopes(const PathTask& task) {
 TEST(PathGenerator, SlopesAreThoseOfTheErrorsAndLimits) {
   expect_slopes(line_of_six());
   expect_slopes(loop_of_eighteen());
+  for (const CrankMotion motion : {CrankMotion::crank_rocker, CrankMotion::double_crank,
+                                   CrankMotion::rocker_crank, CrankMotion::double_rocker}) {
+    PathTask task = loop_of_eighteen();
+    task.motions = {motion};
+    expect_slopes(task);
+  }
+}
+
+/// The rows of a choice and the rule of Grashof on scattered lengths: the same, but near a change point.
+TEST(PathGenerator, RowsOfAMotionAreGrashofsRule) {
+  PathTask task = five_timed();
+  task.longest = 1e6;
+  task.pivots_within.clear();
+  for (const CrankMotion motion : {CrankMotion::crank_rocker, CrankMotion::double_crank,
+                                   CrankMotion::rocker_crank, CrankMotion::double_rocker}) {
+    task.motions = {motion};
+    int of_it = 0;
+    for (int i = 1; i <= 500; ++i) {
+      PathProgram program(task, FourBarBranch::first, true);
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(program.size()), value;
+      x[2] = 1;
+      for (int k = 0; k < 3; ++k) x[6 + k] = 2 * std::fmod(i * std::sqrt(2.0 + k), 1) - 1;
+      program.choose_motion(x);
+      program.limits(x, value, nullptr);
+      const bool is_it = program.linkage(x).links().motion() == motion;
+      EXPECT_EQ(value.tail<3>().maxCoeff() <= 0, is_it) << i;
+      of_it += is_it;
+    }
+    EXPECT_GT(of_it, 20);
+  }
 }
 
 }  // namespace
