@@ -105,6 +105,16 @@ std::string text_of(const PoseTask& task, const PoseSearch& search, const Copies
   return text;
 }
 
+/// Which limits hold an answer back; empty where it meets its points or stands at no limit.
+std::string limits_text(const PathTask& task, const PathAnswer& answer) {
+  if (meets_points(task, answer)) return "";
+  std::string text;
+  for (const ActiveLimit& limit : answer.active)
+    text += (text.empty() ? "  stands at " : ", ") + limit.key +
+            (limit.what.empty() ? "" : " (" + limit.what + ")");
+  return text.empty() ? text : text + ": another limit there may allow a smaller error\n";
+}
+
 std::string text_of(const PathTask& task, const PathSearch& search, const CopiesOfAnswers& copies) {
   std::string text =
       fmt::format("path         {} points, {}; {}\n", task.points.size(),
@@ -119,7 +129,7 @@ std::string text_of(const PathTask& task, const PathSearch& search, const Copies
         "\nanswer {}: {}, error {:.4g} mm RMS, {:.4g} mm at most, transmission {:.3f} degrees at least\n",
         k + 1, name(answer.linkage.links().motion()), answer.error_rms, answer.error_max,
         degrees(answer.transmission_min));
-    text += links_text(answer.linkage);
+    text += links_text(answer.linkage) + limits_text(task, answer);
     text += cognates_text(answer) + copy_text(copies, k);
   }
   text += fmt::format("\nanswer 1 at each point\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "crank deg",

@@ -37,6 +37,12 @@ nlohmann::ordered_json as_json(const PathAnswer& answer) {
   object["error_max_mm"] = answer.error_max;
   object["lower_bound_mm"] = nullptr;
   object["transmission_min_deg"] = degrees(answer.transmission_min);
+  object["active_limits"] = nlohmann::ordered_json::array();
+  for (const ActiveLimit& limit : answer.active) {
+    nlohmann::ordered_json one{{"key", limit.key}};
+    if (!limit.what.empty()) one["what"] = limit.what;
+    object["active_limits"].push_back(std::move(one));
+  }
   object["cognates"] = nlohmann::ordered_json::array();
   if (answer.cognates)
     for (const Cognate& cognate : *answer.cognates) {

@@ -136,6 +136,10 @@ double size_of(const std::vector<Point>& points) {
 
 }  // namespace
 
+bool meets_points(const PathTask& task, const PathAnswer& answer) {
+  return answer.error_max <= slack::path_met * size_of(task.points);
+}
+
 std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar& linkage,
                                       const std::vector<double>& crank_angles) {
   const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
@@ -161,13 +165,15 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
                     0,
                     0,
                     *transmission,
-                    cognates_of(linkage, crank_angles.front())};
+                    cognates_of(linkage, crank_angles.front()),
+                    {}};
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const double distance = (answer.reached[i] - task.points[i]).norm();
     answer.error_rms += distance * distance / static_cast<double>(task.points.size());
     answer.error_max = std::max(answer.error_max, distance);
   }
   answer.error_rms = std::sqrt(answer.error_rms);
+  answer.active = active_limits(task, answer);
   return answer;
 }
 
@@ -208,8 +214,10 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
   });
   for (PathAnswer& answer : answers) {
     if (search.answers.size() == most) break;
-    const bool seen = std::any_of(search.answers.begin(), search.answers.end(),
-                                  [&](const PathAnswer& other) { return alike(answer, other); });
+    const bool seen = std::any_of(search.answers.begin(), search.answers.end(), [&](const PathAnswer& other) {
+      const double enough = slack::path_one_curve * other.error_max;
+      return alike(answer, other) || (other.error_max > met && curves_apart(answer, other, enough) <= enough);
+    });
     if (!seen) search.answers.push_back(std::move(answer));
   }
   if (search.answers.empty())

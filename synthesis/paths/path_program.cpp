@@ -293,7 +293,7 @@ std::vector<double> PathProgram::crank_angles(const Eigen::VectorXd& x) const {
 
 Eigen::VectorXd PathProgram::lowest() const {
   Eigen::VectorXd bound = Eigen::VectorXd::Constant(size(), -100);
-  bound.segment<3>(ratios_at).setConstant(-std::log(20.0));
+  bound.segment<3>(ratios_at).setConstant(-std::log(slack::path_largest_ratio));
   return bound;
 }
 

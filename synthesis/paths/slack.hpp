@@ -19,6 +19,12 @@ inline constexpr double path_met = 1e-9;
 inline constexpr double path_starts_apart = 0.15;
 /// None: the same for answers.
 inline constexpr double path_answers_apart = 1e-3;
+/// Share of the better one's largest error: answers whose coupler curves are nowhere farther apart are one.
+inline constexpr double path_one_curve = 0.1;
+/// Share of a limit (rad for angles): an answer nearer to it stands at it.
+inline constexpr double path_at_limit = 1e-6;
+/// None: the ratios of a link to the ground link that the search looks at, and one over it.
+inline constexpr double path_largest_ratio = 20;
 /// None: the sum of what limits are missed by in the solver, above which it has not kept them.
 inline constexpr double path_limit_broken = 1e-8;
 /// Share: a root of the resultant with no larger imaginary part is tried as a real one; Newton's method decides.
