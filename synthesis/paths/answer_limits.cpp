@@ -86,7 +86,8 @@ std::vector<ActiveLimit> active_limits(const PathTask& task, const PathAnswer& a
     std::array<double, 4> links{bar.ground(), bar.crank, bar.coupler, bar.rocker};
     std::sort(links.begin(), links.end());
     const double excess = links[0] + links[3] - links[1] - links[2];
-    if (std::abs(excess) <= 2 * slack::path_from_change_point * links[3]) active.push_back({"limits.motion", ""});
+    if (std::abs(excess) <= 2 * slack::path_from_change_point * links[3])
+      active.push_back({"limits.motion", ""});
   }
   for (std::size_t k = 1; k < 4; ++k) {
     const double ratio = lengths[k].mm / bar.ground();

@@ -261,9 +261,9 @@ void PathProgram::limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
   for (int other = 0, k = 0; other < 4; ++other) {
     if (other == motion_->link) continue;
     value[row] = kept[static_cast<std::size_t>(k++)];
-    for (int link = 1; slope && link < 4; ++link)
-      (*slope)(row, ratios_at + link - 1) = motion_->sign * lengths[static_cast<std::size_t>(link)] *
-                                            (link == other || link == motion_->link ? 1 : -1);
+    for (int moved = 1; slope && moved < 4; ++moved)
+      (*slope)(row, ratios_at + moved - 1) = motion_->sign * lengths[static_cast<std::size_t>(moved)] *
+                                             (moved == other || moved == motion_->link ? 1 : -1);
     ++row;
   }
 }
