@@ -209,11 +209,14 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
   // Where several meet their points, the one that moves best comes first.
   const double met = slack::path_met * size_of(task.points);
   const auto rank = [&](const PathAnswer& answer) { return std::max(met, aimed_error(task, answer)); };
-  std::stable_sort(answers.begin(), answers.end(), [&](const PathAnswer& a, const PathAnswer& b) {
-    return rank(a) != rank(b) ? rank(a) < rank(b) : a.transmission_min > b.transmission_min;
+  std::vector<PathAnswer*> ranked;
+  for (PathAnswer& answer : answers) ranked.push_back(&answer);
+  std::stable_sort(ranked.begin(), ranked.end(), [&](const PathAnswer* a, const PathAnswer* b) {
+    return rank(*a) != rank(*b) ? rank(*a) < rank(*b) : a->transmission_min > b->transmission_min;
   });
-  for (PathAnswer& answer : answers) {
+  for (PathAnswer* next : ranked) {
     if (search.answers.size() == most) break;
+    PathAnswer& answer = *next;
     const bool seen = std::any_of(search.answers.begin(), search.answers.end(), [&](const PathAnswer& other) {
       const double enough = slack::path_one_curve * other.error_max;
       return alike(answer, other) || (other.error_max > met && curves_apart(answer, other, enough) <= enough);
