@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reports/data/certificate_jsonl.hpp"
+#include "synthesis/bound/proven_bound.hpp"
 
 namespace kempe {
 
@@ -26,6 +27,11 @@ tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, con
 
 tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec, const StopFlag& stop) {
   if (spec.links.sections.size() > 1) return tl::unexpected(certificate::NoLog::sections);
+  if (spec.limits.load_error) {
+    const auto without = proven_bound(spec, Objective::size, {.stop = stop});
+    if (stop()) return tl::unexpected(certificate::NoLog::stopped);
+    if (!without || !without->no_design) return tl::unexpected(certificate::NoLog::loads);
+  }
   certificate::ProofOptions options;
   options.stop = stop;
   const auto log = certificate::prove(spec, Objective::size, std::nullopt, options);

@@ -17,7 +17,9 @@
 #include "specs/drawings/svg_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/verification/drawing_trace.hpp"
 
 namespace kempe::app {
@@ -102,9 +104,18 @@ void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arg
 /// What the hand feels, or why the file cannot tell.
 tl::expected<HandWork, InputError> hand_work_of(const StoredDesign& design, const CopyingLinkage& linkage,
                                                 const std::string& file) {
-  if (design.material && design.load)
+  if (design.material && design.load) {
+    Spec spec;
+    spec.links.style = design.style;
+    spec.links.hardware = design.hardware;
+    spec.material = design.material;
+    spec.load = design.load;
+    spec.tolerance = design.tolerance;
     return HandWork(linkage, design.style, design.hardware, *design.material, *design.load,
-                    pin_compliance(linkage.grounding(), design.layers, design.style, design.hardware));
+                    pin_compliance(linkage.grounding(), design.layers, design.style, design.hardware),
+                    LayeredErrorProfile(linkage.k(), linkage.grounding(), sag_conditions(spec, design.layers),
+                                        design.load->pen_force));
+  }
   return tl::unexpected(InputError{file, 0, design.material ? "load" : "material", "a design without it",
                                    "one of a spec with [material] and [load]"});
 }
@@ -143,7 +154,10 @@ std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const
                   lines(trace.drawn.size()), lines(drawing.strokes.size()), trace.drawn_length);
   text += fmt::format("poses        {}, the pen at most {:.2g} mm from the exact image{}\n",
                       trace.poses_tried - trace.poses_missed, trace.departure,
-                      arguments.load ? " (under the load; the links' layers are not counted)" : "");
+                      arguments.load ? " under the load" : "");
+  if (arguments.load && trace.without_layers > 0)
+    text += fmt::format("layers       not counted at {} places, where their equations lose their digits\n",
+                        trace.without_layers);
   if (trace.poses_missed > 0)
     text += fmt::format("left out     {}, {} positions, {:.1f} mm: {}\n", lines(trace.missing.size()),
                         trace.poses_missed, trace.missing_length, causes(trace));
@@ -172,6 +186,7 @@ std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const
                                 {"texts", drawing.texts},
                                 {"images", drawing.images},
                                 {"references", drawing.references}};
+  if (arguments.load) object["without_layers"] = trace.without_layers;
   const HandForces forces = hand_forces(trace);
   if (forces.any()) {
     object["hand_min_N"] = forces.least;

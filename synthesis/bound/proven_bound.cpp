@@ -1,6 +1,6 @@
 // The tree: the most promising box of designs is looked at first, split across its widest coordinate, and
 // each half is shrunk by reach and length limits, bounded, and dropped if the gap between original and copy
-// (pole_places.hpp) or contact (contact_cuts.hpp, obstacles.hpp) rules it out. Designs met on the way
+// (pole_places.hpp), contact (contact_cuts.hpp, obstacles.hpp) or, where asked for, the limit on the load error (load_floor.hpp) rules it out. Designs met on the way
 // (relaxed_designs.hpp) say how good a box must be.
 
 #include "synthesis/bound/proven_bound.hpp"
@@ -12,6 +12,7 @@
 #include <set>
 
 #include "synthesis/bound/contact_cuts.hpp"
+#include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/relaxed_designs.hpp"
 #include "synthesis/problem/local_frame.hpp"
 #include "workspace/obstructions.hpp"
@@ -54,6 +55,10 @@ class Tree {
     return sees_obstacles() ? obstacle_tests_[node.branch].get() : nullptr;
   }
 
+  const bounding::LoadFloor* loads_of(const TreeNode& node) const {
+    return load_floors_.empty() ? nullptr : &load_floors_[node.branch];
+  }
+
   bool is_closed(double tolerance) const {
     return open_.empty() || open_.top().bound >= designs_.enough(tolerance);
   }
@@ -84,8 +89,8 @@ class Tree {
       if (options_.self_contact && !cuts_.rule_out(node, branch_of(node), boxes_)) continue;
       if (!rule_out_by_obstacles(node, false)) continue;
       if (++opened_ <= 100 || opened_ % 8 == 0)
-        designs_.try_in(node, branch_of(node),
-                        obstacles_of(node));  // often at first, when the boxes are still many
+        designs_.try_in(node, branch_of(node), obstacles_of(node),
+                        loads_of(node));  // often at first, when the boxes are still many
       split(node);
     }
   }
@@ -105,6 +110,7 @@ class Tree {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));
         if (sees_obstacles()) add_obstacle_test(branches_.back());
+        if (sees_loads()) load_floors_.emplace_back(spec_, branches_.back().mode);
         const ModeFacts& a = branches_.back().mode;
         if (a.a.empty() || a.b.empty() || a.allowed.empty()) continue;
         TreeNode root;
@@ -129,6 +135,7 @@ class Tree {
     node.bound = bound_of(node);
     if (!by_size_ && -node.bound < spec_.limits.transmission) return;
     if (node.bound >= designs_.best()) return drop(node, designs_.best());
+    if (sees_loads() && loads_of(node)->exceeded_by_all(node.distances, node.lengths)) return;
     if (!cuts_.repeat(node, branch_of(node)) || (node.sight.hit && !rule_out_by_obstacles(node, true)))
       return;
     node.number = boxes_;
@@ -137,6 +144,10 @@ class Tree {
 
   bool sees_obstacles() const {
     return options_.self_contact && (!spec_.obstacles.empty() || !spec_.bodies.empty() || spec_.table);
+  }
+
+  bool sees_loads() const {
+    return options_.load_limit && spec_.limits.load_error && spec_.load && spec_.material;
   }
 
   void add_obstacle_test(const Branch& branch) {
@@ -255,7 +266,8 @@ class Tree {
   std::vector<Branch> branches_;
   bounding::KnownShapes obstacle_shapes_;
   std::vector<std::unique_ptr<bounding::ObstacleTest>>
-      obstacle_tests_;  // one a branch, if there are obstacles
+      obstacle_tests_;                            // one a branch, if there are obstacles
+  std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen
   bounding::ContactCuts cuts_;
   bounding::RelaxedDesigns designs_;
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;

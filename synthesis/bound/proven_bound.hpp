@@ -58,6 +58,9 @@ struct BoundOptions {
   /// Keep contact of the linkage with itself. Without it the bound is looser, but found in a few hundred
   /// boxes.
   bool self_contact = true;
+  /// Keep the limit on the load error too, if there is one. No line of a proof's log speaks of it (docs/proof.md), so a bound that is told
+  /// goes without.
+  bool load_limit = false;
   /// Least distance of two joints of a link, mm, instead of the spec's least_joint_distance().
   std::optional<double> shortest = std::nullopt;
   /// Ends the tree early: what is proven so far comes back, as when the boxes run out.

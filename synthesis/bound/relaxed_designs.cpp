@@ -12,6 +12,7 @@ struct RelaxedDesigns::Box {
   const TreeNode& node;
   const Branch& branch;
   ObstacleTest* obstacles;
+  const LoadFloor* loads;
   DistanceRange range;  ///< of the region from the middle of the pole's places
 };
 
@@ -21,12 +22,13 @@ RelaxedDesigns::RelaxedDesigns(const Spec& spec, bool by_size, const BoundOption
   if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
 }
 
-void RelaxedDesigns::try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles) {
+void RelaxedDesigns::try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles,
+                            const LoadFloor* loads) {
   const auto range = places_.distances_from(node.pole());
   if (!range) return;
   const PoleDistances exact{range->nearest, range->farthest, 1,
                             range->farthest * range->farthest - range->nearest * range->nearest};
-  const Box box{node, branch, obstacles, *range};
+  const Box box{node, branch, obstacles, loads, *range};
   const ModeFacts& a = branch.mode;
   LengthBox lengths = node.lengths;
   if (!contract(a, exact, transmission(), lengths)) return;
@@ -66,6 +68,11 @@ void RelaxedDesigns::try_design(const Box& box, double t, double w) {
     const CopyErrorProfile profile = copy_error_profile(*linkage, CopyTolerance::uniform(*spec_.tolerance));
     if (profile.largest(openings).worst.worst > *spec_.limits.copy_error) return;
   }
+  const bool is_soft = box.loads != nullptr && !box.loads->keeps({linkage->VA(), linkage->VB()}, openings);
+  // A trial may make of a design that is too soft one that is not. While none is known each branch has one such trial.
+  const bool may_be_soft =
+      trials_ != nullptr && !(best_ < infinity) && !soft_tried_out_.contains(node.branch);
+  if (is_soft && !may_be_soft) return;
   const auto free = [&](const LayerChoice& choice) {
     return !options_.self_contact ||
            (smallest_gap_over(*linkage, spec_.links.style, choice.layers, openings).gap >=
@@ -80,6 +87,7 @@ void RelaxedDesigns::try_design(const Box& box, double t, double w) {
   const RelaxedDesign design{linkage->grounding(), linkage->assembly_mode().number,
                              linkage->VA(),        linkage->VB(),
                              node.pole(),          layers->layers};
+  if (is_soft) soft_tried_out_.insert(node.branch);
   if (trials_)
     return try_out(box.obstacles, static_cast<std::size_t>(layers - branch.layers.begin()), design);
   design_ = design;

@@ -2,7 +2,9 @@
 // Designs of the relaxation that the bound's tree meets: the best of them is what a box must be able to beat.
 
 #include <optional>
+#include <set>
 
+#include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/pole_places.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 
@@ -28,8 +30,9 @@ class RelaxedDesigns {
   }
   const std::optional<RelaxedDesign>& design() const { return design_; }
 
-  /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`: null if there are none to be seen.
-  void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles);
+  /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`, `loads`: null if there are none to be
+  /// seen.
+  void try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles, const LoadFloor* loads);
 
  private:
   struct Box;
@@ -45,6 +48,7 @@ class RelaxedDesigns {
   double best_ = infinity;
   std::optional<RelaxedDesign> design_;
   int tried_out_ = 0;
+  std::set<std::size_t> soft_tried_out_;  // branches
 };
 
 }  // namespace kempe::bounding

@@ -17,6 +17,8 @@ inline constexpr double end_of_opening = 32 * std::numeric_limits<double>::epsil
 /// Share of the largest coordinate: a gap to an obstacle is a difference of coordinates. Some 450 units in the last place, for
 /// a formula of a few dozen operations.
 inline constexpr double obstacle_gap_rounding = 1e-13;
+/// Share of the limit on the load error, which designs are held against as doubles tell: so much beyond it none is left out.
+inline constexpr double load_limit = 1e-9;
 /// Factors: what must surely be no larger, or no smaller, than its value in doubles.
 inline constexpr double surely_less = 1 - rounding, surely_more = 1 + rounding;
 /// rad: a design of the relaxation misses the transmission limit by no more.

@@ -18,6 +18,7 @@ struct ProofOptions {
 /// Why there is no log.
 enum class NoLog {
   no_rules,  ///< for the objective (only size and transmission have)
+  loads,     ///< that no design exists is due to the limit on the load error, of which no line speaks
   sections,  ///< several cross-sections are allowed, and a log speaks of one
   too_long,  ///< more lines than allowed
   stopped,

@@ -1,15 +1,18 @@
 #include "synthesis/loads/hand_work.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "synthesis/loads/gravity.hpp"
 
 namespace kempe {
 
 HandWork::HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
-                   const Material& material, const Load& load, const PinCompliance& pins)
+                   const Material& material, const Load& load, const PinCompliance& pins,
+                   std::optional<LayeredErrorProfile> layered)
     : linkage_(linkage), load_(load), friction_(load.friction, style, hardware),
       bending_(linkage.k(), linkage.grounding(), style, material, load.pen_force, pins),
+      layered_(std::move(layered)),
       masses_(mass_points(linkage, {style, material.density, load.pen_mass, load.tracer_mass})),
       moments_(mass_moments(linkage, masses_)) {}
 
@@ -17,7 +20,7 @@ std::optional<HandWorkAt> HandWork::at(const Pose& pose, const Point& heading) c
   const auto felt = mass_felt(linkage_, masses_, pose);
   const auto weight = hand_force_of_weight(linkage_, moments_, pose, load_.tilt);
   if (!felt || !weight) return std::nullopt;
-  const Complex k = linkage_.k(), p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V);
+  const Complex k = linkage_.k();
   const Point drag = -load_.pen_force * as_point(k / std::abs(k) * as_complex(heading));
   HandWorkAt result;
   result.pen_force = drag - Point(0, standard_gravity * std::sin(load_.tilt) * load_.pen_mass);
@@ -26,10 +29,21 @@ std::optional<HandWorkAt> HandWork::at(const Pose& pose, const Point& heading) c
   result.pins = pin_loads(linkage_, pose, result.pen_force);
   result.pole = std::abs(k - 1.0) * result.pen_force.norm();
   result.mass = heading.dot(*felt * heading);
-  const Complex along = p / std::abs(p);
-  result.give = as_point(along * bending_.displacement({linkage_.VA(), linkage_.VB()}, std::arg(q / p),
-                                                       std::conj(along) * as_complex(result.pen_force)));
+  let_give(pose, result);
   return result;
+}
+
+void HandWork::let_give(const Pose& pose, HandWorkAt& result) const {
+  const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V), along = p / std::abs(p);
+  const BarLengths lengths{linkage_.VA(), linkage_.VB()};
+  const double opening = std::arg(q / p);
+  const Complex force = std::conj(along) * as_complex(result.pen_force);
+  if (layered_) {
+    const Point give = layered_->compliance(lengths, opening) * as_point(force);
+    result.counts_layers = give.allFinite();
+    if (result.counts_layers) result.give = as_point(along * as_complex(give));
+  }
+  if (!result.counts_layers) result.give = as_point(along * bending_.displacement(lengths, opening, force));
 }
 
 }  // namespace kempe

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "synthesis/loads/friction.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/moving_masses.hpp"
 
@@ -18,25 +19,31 @@ struct HandWorkAt {
   PinLoads pins{};                  ///< under the pen's force
   double pole = 0;                  ///< N, all that the pole's post bears under the pen's force
   double mass = 0;                  ///< kg felt along the motion
-  Point give = Point::Zero();       ///< mm, how far the pen gives way under its force
+  Point give = Point::Zero();       ///< mm, how far the pen gives way in the plane under its force
+  bool counts_layers = false;       ///< `give` has what the links' layers add
 };
 
 /// One linkage under one load. Weights of the links count for the hand, not for pins and bending: they are small beside a tool's. Quasi-static:
 /// no force of inertia is in it.
 class HandWork {
  public:
-  /// `pins`: what pins give beside the links.
+  /// `pins`: what pins give beside the links. `layered`: links, pins and layers together, of which the pen's give is then; where its equations
+  /// lose their digits, links and `pins` alone are counted.
   HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const JointHardware& hardware,
-           const Material& material, const Load& load, const PinCompliance& pins = {});
+           const Material& material, const Load& load, const PinCompliance& pins = {},
+           std::optional<LayeredErrorProfile> layered = std::nullopt);
 
   /// The tracer moving along `heading`, a unit vector. Nothing at a dead point.
   std::optional<HandWorkAt> at(const Pose& pose, const Point& heading) const;
 
  private:
+  void let_give(const Pose& pose, HandWorkAt& result) const;
+
   CopyingLinkage linkage_;
   Load load_;
   PinFriction friction_;
   LoadErrorProfile bending_;
+  std::optional<LayeredErrorProfile> layered_;
   std::vector<MassPoint> masses_;
   MassMoments moments_;
 };

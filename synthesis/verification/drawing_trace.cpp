@@ -200,7 +200,9 @@ class Tracing {
     if (!options_.work) return pen;
     const auto work = options_.work->at(pose, heading_);
     if (options_.keep_hand) line_.hand.push_back(work ? work->hand.norm() : infinity);
-    return work && options_.gives_way ? Point(pen + work->give) : pen;
+    if (!work || !options_.gives_way) return pen;
+    if (!work->counts_layers) ++trace_.without_layers;
+    return pen + work->give;
   }
 
   Point image(const Point& tracer) const {

@@ -78,6 +78,8 @@ struct Trace {
   std::size_t poses_tried = 0, poses_missed = 0;
   /// Poses, in the order of all_not_reached.
   std::array<std::size_t, all_not_reached.size()> missed_by_cause{};
+  /// Of a pen that gives way: places at which what the links' layers add is not counted.
+  std::size_t without_layers = 0;
   double drawn_length = 0, missing_length = 0;  ///< mm of the original
   double departure = 0;  ///< mm, largest distance of the pen from the similar image at any pose
 };

@@ -1,6 +1,6 @@
 // tree                  among obstacles and beside bodies: the bound's tree as the search (tree_search.hpp); where it leaves nothing, that is all
 // prove                 the bound's tree: it proves that there is no design, or gives places to start from
-// relax                 every choice without contact: an order, and what to prune by
+// relax                 every choice without contact: an order, and what to prune by; at first without a limit on the load error, too
 // for group in order    of fixed size, so that threads change nothing
 //   search              in parallel; a choice that cannot beat what earlier groups found is left out
 //   certify             every limit anew; a miss adds a place or tightens a limit, then again; the best is kept
@@ -41,10 +41,15 @@ void report(const SearchTask& task, std::size_t searched, std::size_t all) {
                           : fmt::format("searching; {} obstacles out of reach are left out", left_out));
 }
 
-/// How many of the next choices are searched at once. Under a limit on the load error, which makes each search long, the most promising
-/// one comes alone: with what it found most of the others are left out.
-std::size_t group_size(const SearchTask& task, std::size_t searched) {
-  return task.limits.load_error && searched == 0 ? 1 : task.budgets().group;
+/// The next choices that are searched at once. Under a limit on the load error, which makes each search long, the most promising one
+/// comes alone, as with what it found most of the others are left out; and none that has yet to be relaxed under it, unless it comes first.
+std::span<Prospect> next_group(const SearchTask& task, std::span<Prospect> rest, bool is_first,
+                               const ChoiceResult& best) {
+  const std::size_t most = task.limits.load_error && is_first ? 1 : task.budgets().group;
+  std::size_t size = 1;
+  while (size < std::min(most, rest.size()) && !(rest[size].lacks_load_limit && may_beat(rest[size], best)))
+    ++size;
+  return rest.first(size);
 }
 
 SearchResult best_by(const Strategy& strategy, const SearchTask& task,
@@ -53,8 +58,9 @@ SearchResult best_by(const Strategy& strategy, const SearchTask& task,
   std::vector<Prospect> order = strategy.relax(task, known, best);
   std::size_t searched = 0;
   while (searched < order.size() && !task.stopped()) {
-    const auto group =
-        std::span(order).subspan(searched, std::min(group_size(task, searched), order.size() - searched));
+    const std::span<Prospect> rest = std::span(order).subspan(searched);
+    best.evaluations += relax_under_load(task, rest, best.result);
+    const std::span<Prospect> group = next_group(task, rest, searched == 0, best.result);
     const std::vector<ChoiceResult> found = search_group(strategy, task, group, best.result);
     for (std::size_t i = 0; i < group.size(); ++i) strategy.certify(task, group[i], found[i], best);
     report(task, searched += group.size(), order.size());
@@ -90,11 +96,25 @@ std::optional<double> bound_of(Goal goal, const FirstLook& look, const std::opti
   return bound;
 }
 
+/// Whether it is proven that no design keeps the limit on the load error beside the others. Asked where none was found: it costs as much
+/// as a first proof.
+bool none_keeps_loads(const SearchTask& task) {
+  if (!task.limits.load_error || task.goal == Goal::pole_margin || task.limits.pole_margin > 0) return false;
+  const auto proof = proven_bound(spec_for_tree(task), Objective::size,
+                                  {.boxes = task.budgets().proof.boxes,
+                                   .load_limit = true,
+                                   .shortest = task.limits.shortest,
+                                   .stop = task.stop()});
+  return proof && proof->no_design;
+}
+
 /// After a first look, which may be empty.
 SearchResult best_by_choices(const SearchTask& task, const FirstLook& look) {
   const auto proof = look.proof_is_whole ? look.proof : prove(task, task.stop());
   if (proof && proof->no_design) return {.proven_none = true};
   SearchResult found = best_of_any_lengths(task, starts_of(proof));
+  if (!found.design && !found.stopped && none_keeps_loads(task))
+    return {.proven_none = true, .evaluations = found.evaluations};
   if (found.proven_none) return {.proven_none = true, .evaluations = found.evaluations};
   const bool stopped = found.stopped;
   if (found.design && has_stock_lengths(task.spec())) found = best_with_stock_lengths(task, found);

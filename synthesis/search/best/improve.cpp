@@ -24,7 +24,8 @@ SearchResult told_with(std::optional<double> bound, const std::optional<ProvenBo
   return found;
 }
 
-/// True if a limit that the bound does not know of is met exactly: that, and no better design, may be what lies between design and bound.
+/// True if a limit that the bound does not know of, or only in part, is met exactly: that, and no better design, may be what lies between
+/// design and bound.
 bool is_held_back(const SearchTask& task, const FoundDesign& design) {
   const auto is_met = [](const std::optional<double>& limit, double attained) {
     return limit && attained > *limit * (1 - slack::met_exactly);
@@ -33,16 +34,32 @@ bool is_held_back(const SearchTask& task, const FoundDesign& design) {
          is_met(task.limits.sag, design.attained.sag);
 }
 
+/// What no design with the limit on the load error beats: a yardstick for the search, which is not told (proven_bound.hpp).
+std::optional<ProvenBound> bound_under_load(const SearchTask& task, const FoundDesign& design) {
+  if (!task.limits.load_error) return std::nullopt;
+  auto bound = proven_bound(task.space().spec(), {.incumbent = design.value,
+                                                  .boxes = task.budgets().improve.boxes_under_load,
+                                                  .load_limit = true,
+                                                  .stop = task.stop()});
+  if (bound && bound->no_design) bound.reset();
+  return bound;
+}
+
 /// Searched from the bound's starts, then around the design, then all over from other random numbers.
 SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchResult found) {
-  const auto is_near = [&](const SearchResult& one) {
-    return std::abs(one.design->value - bound.value) <= task.budgets().improve.near * std::abs(bound.value);
+  const auto is_near_to = [&](const ProvenBound& one) {
+    return std::abs(found.design->value - one.value) <= task.budgets().improve.near * std::abs(one.value);
   };
-  for (const RelaxedDesign& start : starts_of(bound)) found = best_from(start, task, std::move(found));
+  const auto under_load = is_near_to(bound) ? std::nullopt : bound_under_load(task, *found.design);
+  const ProvenBound& yardstick = under_load ? *under_load : bound;
+  for (const RelaxedDesign& start : starts_of(yardstick)) found = best_from(start, task, std::move(found));
   const bool held_back = is_held_back(task, *found.design);
-  if (!is_near(found)) found = basin_hopping(task, std::move(found), held_back);
+  if (!is_near_to(yardstick)) found = basin_hopping(task, std::move(found), held_back);
   if (is_held_back(task, *found.design)) return found;
-  return searched_again(task, std::move(found), is_near);
+  return searched_again(task, std::move(found), [&](const SearchResult& one) {
+    return std::abs(one.design->value - yardstick.value) <=
+           task.budgets().improve.near * std::abs(yardstick.value);
+  });
 }
 
 }  // namespace
@@ -63,7 +80,7 @@ SearchResult searched_again(const SearchTask& task, SearchResult found,
 }
 
 SearchResult improved(const SearchTask& task, SearchResult found) {
-  if (found.exhausted) {
+  if (found.exhausted && !task.limits.load_error) {
     found.design->proven_bound = found.bound;
     return found;
   }
@@ -79,7 +96,8 @@ SearchResult improved(const SearchTask& task, SearchResult found) {
   }
   if (!bound) return found;
   invariant(!bound->no_design, "no bound says that there is no design after one was found");
-  if (!has_stock_lengths(task.spec()) && !task.stopped()) found = nearer_to(*bound, task, std::move(found));
+  if (!has_stock_lengths(task.spec()) && !found.exhausted && !task.stopped())
+    found = nearer_to(*bound, task, std::move(found));
   found.design->proven_bound = bound->value;
   return found;
 }

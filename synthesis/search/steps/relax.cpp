@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "synthesis/search/steps/promising_poles.hpp"
+#include "synthesis/search/steps/rank.hpp"
 #include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
@@ -33,8 +34,8 @@ std::vector<std::vector<std::size_t>> alike_in(const std::vector<Prospect>& pros
   return groups;
 }
 
-/// Solves the problem without contact.
-void relax_one(const SearchTask& task, Prospect& prospect) {
+/// Solves the problem without contact, also from `hints`.
+void relax_one(const SearchTask& task, Prospect& prospect, const std::vector<DesignPoint>& hints = {}) {
   const Subproblem& sub = prospect.subproblem;
   const DesignProblem problem(task.space(), sub.choice->choice, task.limits, task.goal, sub.allowed, {});
   prospect.poles = promising_poles(problem, task.budgets().pole, task.budgets().local, task.stop());
@@ -44,7 +45,26 @@ void relax_one(const SearchTask& task, Prospect& prospect) {
     for (const double of_lambda : {0.0, 1.0})
       options.hints.push_back({problem.unit_lengths(pole, of_lambda, 0), pole});
   options.hints.insert(options.hints.end(), prospect.known.begin(), prospect.known.end());
+  options.hints.insert(options.hints.end(), hints.begin(), hints.end());
   prospect.relaxed = search_choice(problem, options);
+}
+
+void sort_stably(std::span<Prospect> prospects) {
+  std::stable_sort(prospects.begin(), prospects.end(),
+                   [](const Prospect& a, const Prospect& b) { return better(a.relaxed, b.relaxed); });
+}
+
+/// With the limit on the load error, for all that differ from the first in their layers alone.
+void relax_first_under_load(const SearchTask& task, std::span<Prospect> order) {
+  Prospect& first = order.front();
+  relax_one(task, first, {first.relaxed.point});
+  first.lacks_load_limit = false;
+  for (Prospect& other : order.subspan(1))
+    if (other.lacks_load_limit && are_alike(other.subproblem, first.subproblem)) {
+      other.relaxed = first.relaxed;
+      other.poles = first.poles;
+      other.lacks_load_limit = false;
+    }
 }
 
 }  // namespace
@@ -66,15 +86,37 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
   return prospects;
 }
 
-void sort_by_promise(std::vector<Prospect>& prospects) {
-  std::stable_sort(prospects.begin(), prospects.end(),
-                   [](const Prospect& a, const Prospect& b) { return better(a.relaxed, b.relaxed); });
-}
+void sort_by_promise(std::vector<Prospect>& prospects) { sort_stably(prospects); }
 
 std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
   std::vector<Prospect> prospects = prospects_of(task, task.subproblems(), known);
   sort_by_promise(prospects);
   return prospects;
+}
+
+std::vector<Prospect> relax_without_load(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
+  if (!task.limits.load_error || task.goal == Goal::load_error) return relax(task, known);
+  Requirements without = task.limits;
+  without.load_error.reset();
+  std::vector<Prospect> prospects = prospects_of(task.with(without, task.goal), task.subproblems(), known);
+  for (Prospect& prospect : prospects) prospect.lacks_load_limit = true;
+  sort_by_promise(prospects);
+  return prospects;
+}
+
+bool may_beat(const Prospect& prospect, const ChoiceResult& best) {
+  return !best.feasible || (prospect.relaxed.feasible && rank(prospect.relaxed.cost) < rank(best.cost));
+}
+
+std::uint64_t relax_under_load(const SearchTask& task, std::span<Prospect> order, const ChoiceResult& best) {
+  std::uint64_t evaluations = 0;
+  while (order.front().lacks_load_limit && order.front().relaxed.feasible && may_beat(order.front(), best) &&
+         !task.stopped()) {
+    relax_first_under_load(task, order);
+    evaluations += order.front().relaxed.evaluations;
+    sort_stably(order);
+  }
+  return evaluations;
 }
 
 }  // namespace kempe

@@ -2,7 +2,6 @@
 // be at best without contact.
 
 #include "synthesis/search/steps/certify.hpp"
-#include "synthesis/search/steps/rank.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
 
 namespace kempe {
@@ -10,14 +9,9 @@ namespace {
 
 std::vector<Prospect> relax_lengths(const SearchTask& task, const std::vector<RelaxedDesign>& known,
                                     Incumbent& best) {
-  std::vector<Prospect> order = kempe::relax(task, known);
+  std::vector<Prospect> order = relax_without_load(task, known);
   for (const Prospect& prospect : order) best.evaluations += prospect.relaxed.evaluations;
   return order;
-}
-
-/// What is no cheaper without contact cannot be cheaper with it.
-bool may_beat(const Prospect& prospect, const ChoiceResult& best) {
-  return !best.feasible || (prospect.relaxed.feasible && rank(prospect.relaxed.cost) < rank(best.cost));
 }
 
 ChoiceResult search_lengths(const SearchTask& task, const Prospect& prospect, const ChoiceResult& best) {

@@ -20,6 +20,7 @@ class TreeSearch {
                                        task_.goal == Goal::size ? Objective::size : Objective::transmission,
                                        {.tolerance = slack::tree_bound,
                                         .boxes = task_.budgets().tree.boxes,
+                                        .load_limit = true,
                                         .shortest = task_.limits.shortest,
                                         .stop = task_.stop(),
                                         .progress = task_.control.progress_of("searching")},
@@ -29,14 +30,18 @@ class TreeSearch {
     if (!best_.design) return {.stopped = task_.stopped(), .evaluations = best_.evaluations};
     best_.design->evaluations = best_.evaluations;
     best_.design->complete = !task_.stopped();
-    return {.design = best_.design,
-            .stopped = task_.stopped(),
-            .exhausted = tree && tree->exhausted && !task_.stopped(),
-            .bound = tree && tree->tight ? std::optional(holding(tree->value)) : std::nullopt,
-            .evaluations = best_.evaluations};
+    return {
+        .design = best_.design,
+        .stopped = task_.stopped(),
+        .exhausted = tree && tree->exhausted && !task_.stopped(),
+        .bound = tree && tree->tight && !sees_loads() ? std::optional(holding(tree->value)) : std::nullopt,
+        .evaluations = best_.evaluations};
   }
 
  private:
+  /// True if the tree's bound is one of designs that keep the limit on the load error, which no bound that is told rests on.
+  bool sees_loads() const { return task_.limits.load_error.has_value(); }
+
   /// The bound, where the last digits made a design a trifle better than the one it was proven with.
   double holding(double bound) const {
     const double value = best_.design->value;

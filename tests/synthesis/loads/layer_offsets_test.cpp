@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "geometry/chance.hpp"
+#include "synthesis/loads/hand_work.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/loads/space_frame.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 TEST(LayerOffsets, AgreeWithAFrameInSpace) {
   Chance chance(61);
-  double in_plane = 0, rise = 0, part = 0;
+  double in_plane = 0, rise = 0, part = 0, drawn = 0;
   for (int i = 0; i < test::samples(60);) {
     const double rotation =
         chance.share() < 0.3 ? (chance.share() < 0.5 ? 0 : pi) : chance.uniform(radians(20), radians(160));
@@ -54,9 +55,23 @@ TEST(LayerOffsets, AgreeWithAFrameInSpace) {
     const double links =
         LoadErrorProfile(k, grounding, style, {"", E, 1000, 0}, 1).at(lengths, opening).worst;
     part = std::max(part, profile.at(lengths, opening).in_plane / links - 1);
+    // A pen that drags gives way as the frame does, whichever way the linkage lies.
+    const Pose pose = linkage->pose_at(opening, chance.uniform(-pi, pi));
+    const Point heading = as_point(std::polar(1.0, chance.uniform(-pi, pi)));
+    const auto work = HandWork(*linkage, style, {}, {"", E, 1000, 1}, {.pen_force = 1}, {},
+                               LayeredErrorProfile(k, grounding, conditions, 1))
+                          .at(pose, heading);
+    ASSERT_TRUE(work);
+    EXPECT_TRUE(work->counts_layers);
+    const Point along = (pose.A - pose.V).normalized();
+    Eigen::Matrix2d turn;
+    turn << along.x(), -along.y(), along.y(), along.x();
+    const Point seen = turn * frame.in_plane * turn.transpose() * work->pen_force;
+    drawn = std::max(drawn, (work->give - seen).norm() / frame.in_plane.norm());
   }
   EXPECT_LT(in_plane, 1e-4);
   EXPECT_LT(rise, 1e-3);
+  EXPECT_LT(drawn, 1e-4);
   EXPECT_GT(part, 0.05);
   std::printf(
       "largest relative differences: in the plane %.2g, rise %.2g; pins and layers add up to %.3g of the "

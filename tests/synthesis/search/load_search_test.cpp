@@ -153,7 +153,7 @@ TEST(LoadSearch, SaysWhatLimitWouldDo) {
   const SearchOutcome outcome = synthesize(spec, {});
   const auto* none = std::get_if<NoDesign>(&outcome);
   ASSERT_NE(none, nullptr);
-  EXPECT_FALSE(none->proven);
+  EXPECT_TRUE(none->proven);  // by boxes whose designs all give way by more
   const auto relaxed =
       std::find_if(none->relaxations.begin(), none->relaxations.end(),
                    [](const Relaxation& each) { return each.key == "limits.load_error_mm"; });

@@ -1,0 +1,178 @@
+// What the bound says of the load error over a box of designs, against a frame of beams at designs of the box; and the tree that leaves
+// designs out by it, against designs that keep the limit.
+#include "synthesis/bound/load_floor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SVD>
+
+#include "specs/materials.hpp"
+#include "synthesis/bound/branch.hpp"
+#include "synthesis/bound/proven_bound.hpp"
+#include "synthesis/loads/load_error.hpp"
+#include "synthesis/search/search.hpp"
+#include "tests/samples.hpp"
+#include "tests/synthesis/loads/frame_oracle.hpp"
+#include "tests/synthesis/search_specimens.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+struct LoadedBranch {
+  Spec spec;
+  bounding::Branch branch;
+};
+
+/// With load, steel and a limit.
+Spec loaded(Spec spec, double limit = 0.1) {
+  spec.material = as_material(*material_named("steel"));
+  spec.load = Load{10};
+  spec.limits.load_error = limit;
+  return spec;
+}
+
+LoadedBranch random_branch(test::SpecDice& dice) {
+  Spec spec = loaded(dice.spec());
+  spec.limits.copy_error.reset();
+  spec.links.style.thickness = dice.uniform(1, 8);
+  if (dice.one_in(4)) spec.copy = Copy::of(dice.log_uniform(0.1, 10), dice.one_in(2) ? 0 : pi);
+  const Grounding grounding = all_groundings[static_cast<std::size_t>(dice.uniform(0, 3))];
+  const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
+  const auto number = static_cast<std::size_t>(dice.uniform(0, static_cast<double>(modes.size())));
+  auto branch = bounding::make_branch(spec, grounding, modes[number], {});
+  return {std::move(spec), std::move(branch)};
+}
+
+/// How far the pen gives way in its softest direction, by the frame; its shape from the definition, pen - pole = k (tracer - pole).
+double by_frame(const LoadedBranch& one, const BarLengths& lengths, double opening) {
+  const Complex k = one.spec.copy.k();
+  const Grounding grounding = one.branch.mode.grounding;
+  const Complex s = grounding == Grounding::pole     ? k
+                    : grounding == Grounding::tracer ? 1.0 - k
+                                                     : 1.0 - 1.0 / k;
+  const Complex p = lengths.VA, q = std::polar(lengths.VB, opening);
+  test::FrameTask task;
+  task.joints = {Point(0, 0),     as_point(p),         as_point(q),
+                 as_point(p + q), as_point(p + q / s), as_point(q + s * p)};
+  if (grounding == Grounding::pole)
+    task.pole = test::joint_V, task.tracer = test::joint_X, task.pen = test::joint_Y;
+  if (grounding == Grounding::pen)
+    task.pole = test::joint_X, task.tracer = test::joint_Y, task.pen = test::joint_V;
+  task.width = one.spec.links.style.width;
+  task.thickness = one.spec.links.style.thickness;
+  task.young = one.spec.material->E;
+  task.straight_ACX = task.straight_BCY = is_straight(s);
+  return one.spec.load->pen_force * test::solve_frame(task).compliance.jacobiSvd().singularValues()[0];
+}
+
+double within(test::SpecDice& dice, const bounding::Range& range) {
+  return std::clamp(dice.log_uniform(range.lower, range.upper), range.lower, range.upper);
+}
+
+TEST(LoadFloor, NoDesignOfABoxGivesWayByLess) {
+  test::SpecDice dice(415);
+  double nearest = HUGE_VAL;
+  for (int i = 0; i < test::samples(400); ++i) {
+    const LoadedBranch one = random_branch(dice);
+    const bounding::ModeFacts& mode = one.branch.mode;
+    const bounding::LoadFloor floor(one.spec, mode);
+    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5),
+                 wide = dice.log_uniform(1e-6, 1);
+    const bounding::LengthBox box{{t, t * (1 + wide)}, {w, w * (1 + wide)}};
+    const double margin = 0.02 * (mode.near_end - mode.far_end);
+    const double psi = dice.uniform(mode.far_end + margin, mode.near_end - margin);
+    const double least = floor.at_least(psi, box);
+    ASSERT_GE(least, 0);
+    for (int j = 0; j < 5; ++j) {
+      const double here = within(dice, box.t), there = within(dice, box.w);
+      const BarLengths lengths{std::sqrt(there / here / 2), std::sqrt(there * here / 2) * std::abs(mode.s)};
+      const double given = by_frame(one, lengths, one.branch.opening_of(psi));
+      EXPECT_LE(least, given * (1 + 1e-7)) << "t " << here << " of " << box.t.lower << " to " << box.t.upper;
+      if (wide < 1e-5) nearest = std::min(nearest, least / given);
+    }
+  }
+  EXPECT_GT(nearest, 0.9999);  // a small box's floor is near to what its designs have
+}
+
+TEST(LoadFloor, LeavesOutNoBoxWithADesignThatKeepsTheLimit) {
+  test::SpecDice dice(416);
+  int left_out = 0, kept = 0;
+  for (int i = 0; i < test::samples(2000); ++i) {
+    LoadedBranch one = random_branch(dice);
+    const bounding::ModeFacts& mode = one.branch.mode;
+    const double t = dice.log_uniform(0.3, 3), w = dice.log_uniform(1e3, 1e5);
+    const auto linkage =
+        bounding::linkage_of(one.spec, one.branch, std::sqrt(w / t / 2), std::sqrt(w * t / 2), Point::Zero());
+    ASSERT_TRUE(linkage);
+    const double far_psi = dice.uniform(mode.far_end + 0.05, mode.near_end - 0.05),
+                 near_psi = dice.uniform(far_psi, mode.near_end - 0.05);
+    if (!(far_psi < near_psi)) continue;
+    const double one_end = one.branch.opening_of(far_psi), other_end = one.branch.opening_of(near_psi);
+    const OpeningInterval openings{std::min(one_end, other_end), std::max(one_end, other_end)};
+    const double nearest = linkage->radius_at(other_end), farthest = linkage->radius_at(one_end);
+    const bounding::PoleDistances distances{nearest, farthest, 1, farthest * farthest - nearest * nearest};
+    const double wide = dice.log_uniform(1e-6, 0.3);
+    const bounding::LengthBox box{{t / (1 + wide * dice.uniform(0, 1)), t * (1 + wide)},
+                                  {w / (1 + wide * dice.uniform(0, 1)), w * (1 + wide)}};
+    const double has = load_error_profile(one.spec, one.spec.copy.k(), mode.grounding)
+                           .over({linkage->VA(), linkage->VB()}, openings)
+                           .worst;
+    one.spec.limits.load_error = has * dice.log_uniform(0.5, 2);
+    const bool keeps = has <= *one.spec.limits.load_error;
+    const bool is_left_out = bounding::LoadFloor(one.spec, mode).exceeded_by_all(distances, box);
+    EXPECT_FALSE(keeps && is_left_out) << i;
+    EXPECT_EQ(bounding::LoadFloor(one.spec, mode).keeps({linkage->VA(), linkage->VB()}, openings), keeps);
+    left_out += is_left_out;
+    kept += keeps;
+  }
+  EXPECT_GT(left_out, test::expected(200));
+  EXPECT_GT(kept, test::expected(200));
+}
+
+/// A plagiograph beside a fence.
+Spec beside_a_fence() {
+  Spec spec;
+  spec.copy = Copy::of(1.4, pi / 2);
+  spec.region = Region::rectangle({60, -14}, {8, 28});
+  spec.links.style = {.width = 6, .pin_diameter = 3, .thickness = 3};
+  spec.links.layers = 2;
+  spec.limits.clearance = 0.5;
+  spec.limits.transmission = radians(10);
+  spec.obstacles.push_back({{{{-4, 40}, {36, 40}, {36, 44}, {-4, 44}}, {}}, 1, 1, "fence"});
+  return spec;
+}
+
+TEST(LoadFloor, TheTreeUnderLoadIsABoundNearTheDesign) {
+  const SearchOutcome free = synthesize(loaded(beside_a_fence(), 1e6), {});
+  const auto* without = std::get_if<FoundDesign>(&free);
+  ASSERT_NE(without, nullptr);
+  const Spec spec = loaded(beside_a_fence(), 0.9 * without->attained.load_error);
+  const SearchOutcome outcome = synthesize(spec, {});
+  const auto* found = std::get_if<FoundDesign>(&outcome);
+  ASSERT_NE(found, nullptr);
+  EXPECT_LE(found->attained.load_error, *spec.limits.load_error * (1 + 1e-12));
+  const auto bound = proven_bound(spec, {.incumbent = found->value, .load_limit = true});
+  ASSERT_TRUE(bound);
+  EXPECT_TRUE(bound->tight);
+  EXPECT_LE(bound->value, found->value * (1 + 1e-12));
+  EXPECT_GE(bound->value, found->value * (1 - 2e-3));
+  const auto told = proven_bound(spec, {.incumbent = found->value});
+  ASSERT_TRUE(told);
+  EXPECT_LE(told->value, without->value * (1 + 1e-12));  // a bound that is told goes without the limit
+  ASSERT_TRUE(found->proven_bound);
+  EXPECT_LE(*found->proven_bound, without->value * (1 + 1e-12));
+}
+
+TEST(LoadFloor, ALimitThatNoDesignKeepsLeavesNoBox) {
+  const Spec spec = loaded(beside_a_fence(), 1e-5);
+  const auto bound = proven_bound(spec, {.load_limit = true});
+  ASSERT_TRUE(bound);
+  EXPECT_TRUE(bound->no_design);
+  const auto told = proven_bound(spec);
+  ASSERT_TRUE(told);
+  EXPECT_FALSE(told->no_design);
+}
+
+}  // namespace
+}  // namespace kempe
