@@ -19,7 +19,7 @@ std::vector<GeneratedLinkage> linkages_of(const std::vector<PathAnswer>& answers
     const std::string kind = "answer_" + std::to_string(&answer - answers.data() + 1);
     linkages.push_back({kind, path_linkage(answer)});
     if (!answer.cognates) continue;
-    for (const std::size_t cognate : {0, 1})
+    for (std::size_t cognate = 0; cognate < 2; ++cognate)
       linkages.push_back({kind + "_cognate_" + std::to_string(cognate + 1), path_linkage(answer, cognate)});
   }
   return linkages;
