@@ -20,7 +20,33 @@ namespace {
 struct PathArguments {
   std::string spec_file, linkage_file;
   int answer = 1, cognate = 0;
+  double copy_scale = 1, copy_rotation_deg = 0;
+  std::string copy_pole;
+  bool copies = false;
 };
+
+CopyTask copy_task(const PathArguments& arguments) {
+  CopyTask task{arguments.copy_scale, radians(arguments.copy_rotation_deg), std::nullopt};
+  if (arguments.copy_pole == "crank") task.pole = CopyPole::crank_pivot;
+  if (arguments.copy_pole == "rocker") task.pole = CopyPole::rocker_pivot;
+  return task;
+}
+
+/// The plagiograph on every answer, or on its cognate, where one is asked for.
+CopiesOfAnswers copies_of(const PathArguments& arguments, const std::vector<PathAnswer>& answers) {
+  CopiesOfAnswers made{copy_task(arguments), {}};
+  if (!arguments.copies) return made;
+  for (const PathAnswer& answer : answers)
+    if (arguments.cognate == 0)
+      made.copies.push_back(copy_on_coupler(answer, std::nullopt, made.task));
+    else if (answer.cognates)
+      made.copies.push_back(
+          copy_on_coupler(answer, static_cast<std::size_t>(arguments.cognate - 1), made.task));
+    else
+      made.copies.push_back(
+          tl::unexpected(std::string("the coupler point lies on a joint: there is no cognate")));
+  return made;
+}
 
 std::string columns_of(const Point& p) {
   return fmt::format("{:>10} {:>10}", fixed_text(p.x(), 4), fixed_text(p.y(), 4));
@@ -44,7 +70,11 @@ std::string cognates_text(const PathAnswer& answer) {
   return text;
 }
 
-std::string text_of(const PoseTask& task, const PoseSearch& search) {
+std::string copy_text(const CopiesOfAnswers& copies, std::size_t k) {
+  return k < copies.copies.size() ? kempe::copy_text(copies.task, copies.copies[k]) : "";
+}
+
+std::string text_of(const PoseTask& task, const PoseSearch& search, const CopiesOfAnswers& copies) {
   std::string text = fmt::format("poses        {}, each taken exactly\n", task.poses.size());
   text += fmt::format(
       "searched     {} dyads within the limits, {} four-bars of them; {} with poses on two branches or in "
@@ -64,7 +94,7 @@ std::string text_of(const PoseTask& task, const PoseSearch& search) {
         "most\n",
         k + 1, name(answer.path.linkage.links().motion()), degrees(answer.path.transmission_min),
         answer.path.error_max, degrees(answer.error_angle));
-    text += links_text(answer.path.linkage) + cognates_text(answer.path);
+    text += links_text(answer.path.linkage) + cognates_text(answer.path) + copy_text(copies, k);
   }
   text += fmt::format("\nanswer 1 at each pose\n{:>10} {:>10} {:>10} {:>10}\n", "crank deg", "x", "y",
                       "turned deg");
@@ -75,7 +105,17 @@ std::string text_of(const PoseTask& task, const PoseSearch& search) {
   return text;
 }
 
-std::string text_of(const PathTask& task, const PathSearch& search) {
+/// Which limits hold an answer back; empty where it meets its points or stands at no limit.
+std::string limits_text(const PathTask& task, const PathAnswer& answer) {
+  if (meets_points(task, answer)) return "";
+  std::string text;
+  for (const ActiveLimit& limit : answer.active)
+    text += (text.empty() ? "  stands at " : ", ") + limit.key +
+            (limit.what.empty() ? "" : " (" + limit.what + ")");
+  return text.empty() ? text : text + ": another limit there may allow a smaller error\n";
+}
+
+std::string text_of(const PathTask& task, const PathSearch& search, const CopiesOfAnswers& copies) {
   std::string text =
       fmt::format("path         {} points, {}; {}\n", task.points.size(),
                   task.turns.empty() ? "timing free" : "with timing",
@@ -89,8 +129,8 @@ std::string text_of(const PathTask& task, const PathSearch& search) {
         "\nanswer {}: {}, error {:.4g} mm RMS, {:.4g} mm at most, transmission {:.3f} degrees at least\n",
         k + 1, name(answer.linkage.links().motion()), answer.error_rms, answer.error_max,
         degrees(answer.transmission_min));
-    text += links_text(answer.linkage);
-    text += cognates_text(answer);
+    text += links_text(answer.linkage) + limits_text(task, answer);
+    text += cognates_text(answer) + copy_text(copies, k);
   }
   text += fmt::format("\nanswer 1 at each point\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "crank deg",
                       "wanted x", "wanted y", "reached x", "reached y", "distance");
@@ -104,12 +144,19 @@ std::string text_of(const PathTask& task, const PathSearch& search) {
 
 /// Writes the linkage file asked for; the code of why not.
 int write_linkage(const Session& session, const PathArguments& arguments,
-                  const std::vector<PathAnswer>& answers) {
+                  const std::vector<PathAnswer>& answers, const CopiesOfAnswers& copies) {
   if (arguments.linkage_file.empty()) return done;
   if (arguments.answer > std::ssize(answers))
     return fail(session, bad_input,
                 fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
   const PathAnswer& answer = answers[static_cast<std::size_t>(arguments.answer - 1)];
+  if (arguments.copies) {
+    const auto& copy = copies.copies[static_cast<std::size_t>(arguments.answer - 1)];
+    if (!copy)
+      return fail_unproven(session,
+                           "no copy of answer " + std::to_string(arguments.answer) + ": " + copy.error());
+    return write_output(session, arguments.linkage_file, copy_linkage(answer, copies.task, *copy));
+  }
   if (arguments.cognate == 0) return write_output(session, arguments.linkage_file, path_linkage(answer));
   if (!answer.cognates)
     return fail(session, bad_input,
@@ -126,8 +173,9 @@ int run(const Session& session, const PathArguments& arguments) {
   const auto spec = read_path_spec(*text, arguments.spec_file);
   if (!spec) return fail(session, spec.error());
   const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& json, const auto& words) {
-    if (const int code = write_linkage(session, arguments, answers); code != done) return code;
-    print(session.json ? json() : words());
+    const CopiesOfAnswers copies = copies_of(arguments, answers);
+    if (const int code = write_linkage(session, arguments, answers, copies); code != done) return code;
+    print(session.json ? json(copies) : words(copies));
     if (!session.json && !arguments.linkage_file.empty())
       print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
                         printable(arguments.linkage_file)));
@@ -140,13 +188,15 @@ int run(const Session& session, const PathArguments& arguments) {
     std::vector<PathAnswer> answers;
     for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
     return finish(
-        answers, [&] { return path_json(task, *search); }, [&] { return text_of(task, *search); });
+        answers, [&](const auto& copies) { return path_json(task, *search, copies); },
+        [&](const auto& copies) { return text_of(task, *search, copies); });
   }
   const PathTask task = path_task(*spec);
   const auto search = generate_path(task);
   if (!search) return fail_unproven(session, search.error());
   return finish(
-      search->answers, [&] { return path_json(*search); }, [&] { return text_of(task, *search); });
+      search->answers, [&](const auto& copies) { return path_json(*search, copies); },
+      [&](const auto& copies) { return text_of(task, *search, copies); });
 }
 
 }  // namespace
@@ -166,8 +216,24 @@ void add_path_command(CLI::App& program, Session& session) {
   command->add_option("--cognate", arguments->cognate, "Write this cognate of the answer instead of itself")
       ->check(CLI::Range(1, 2))
       ->needs(linkage);
-  command->callback(
-      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
+  auto* scale = command
+                    ->add_option("--copy-scale", arguments->copy_scale,
+                                 "Add the plagiograph that draws the coupler curve so many times as large")
+                    ->check(number_between(0.001, 1000));
+  auto* rotation = command
+                       ->add_option("--copy-rotation", arguments->copy_rotation_deg,
+                                    "Add the plagiograph that draws it turned by so many degrees")
+                       ->check(number_between(-360, 360));
+  auto* pole =
+      command
+          ->add_option(
+              "--copy-pole", arguments->copy_pole,
+              "The copy's fixed pivot: crank or rocker; left out: the one farther from change points")
+          ->check(CLI::IsMember({"crank", "rocker"}));
+  command->callback([&session, arguments, scale, rotation, pole] {
+    arguments->copies = scale->count() + rotation->count() + pole->count() > 0;
+    session.chosen = [&session, arguments] { return run(session, *arguments); };
+  });
 }
 
 }  // namespace kempe::app

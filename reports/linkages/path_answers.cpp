@@ -1,5 +1,7 @@
 #include "reports/linkages/path_answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -35,6 +37,12 @@ nlohmann::ordered_json as_json(const PathAnswer& answer) {
   object["error_max_mm"] = answer.error_max;
   object["lower_bound_mm"] = nullptr;
   object["transmission_min_deg"] = degrees(answer.transmission_min);
+  object["active_limits"] = nlohmann::ordered_json::array();
+  for (const ActiveLimit& limit : answer.active) {
+    nlohmann::ordered_json one{{"key", limit.key}};
+    if (!limit.what.empty()) one["what"] = limit.what;
+    object["active_limits"].push_back(std::move(one));
+  }
   object["cognates"] = nlohmann::ordered_json::array();
   if (answer.cognates)
     for (const Cognate& cognate : *answer.cognates) {
@@ -44,6 +52,34 @@ nlohmann::ordered_json as_json(const PathAnswer& answer) {
       object["cognates"].push_back(std::move(other));
     }
   return object;
+}
+
+const char* pole_words(CopyPole pole) {
+  return pole == CopyPole::crank_pivot ? "crank_pivot" : "rocker_pivot";
+}
+
+nlohmann::ordered_json as_json(const CopyTask& task, const tl::expected<CouplerCopy, std::string>& copy) {
+  nlohmann::ordered_json object{{"scale", task.scale}, {"rotation_deg", degrees(task.rotation)}};
+  if (!copy) {
+    object["why_not"] = copy.error();
+    return object;
+  }
+  object["pole"] = pole_words(copy->pole);
+  object["pole_mm"] =
+      as_json(copy->pole == CopyPole::crank_pivot ? copy->linkage.crank_pivot : copy->linkage.rocker_pivot);
+  object["four_bar"] = as_json(copy->linkage);
+  object["coupler_joint_mm"] = as_json(copy->coupler_joint);
+  object["arm_mm"] = copy->arm;
+  object["link_mm"] = copy->link;
+  object["copy_point_mm"] = as_json(copy->copy_point);
+  for (const Point& p : copy->copied) object["copied_mm"].push_back(as_json(p));
+  object["error_max_mm"] = copy->error_max;
+  object["parallelogram_min_deg"] = degrees(copy->parallelogram_min);
+  return object;
+}
+
+void add_copy(const CopiesOfAnswers& copies, std::size_t k, nlohmann::ordered_json& answer) {
+  if (k < copies.copies.size()) answer["copy"] = as_json(copies.task, copies.copies[k]);
 }
 
 }  // namespace
@@ -56,11 +92,12 @@ PathTask path_task(const PathSpec& spec) {
   task.longest = spec.longest;
   task.transmission = spec.transmission;
   task.pivots_within = spec.pivots_within;
+  task.motions = spec.motions;
   return task;
 }
 
 PoseTask pose_task(const PathSpec& spec) {
-  return {spec.poses, spec.longest, spec.transmission, spec.pivots_within};
+  return {spec.poses, spec.longest, spec.transmission, spec.pivots_within, spec.motions};
 }
 
 bool is_used(const PoseSearch& search, const Dyad& dyad) {
@@ -69,12 +106,14 @@ bool is_used(const PoseSearch& search, const Dyad& dyad) {
   });
 }
 
-std::string path_json(const PoseTask& task, const PoseSearch& search) {
+std::string path_json(const PoseTask& task, const PoseSearch& search, const CopiesOfAnswers& copies) {
   nlohmann::ordered_json object;
-  for (const PoseAnswer& answer : search.answers) {
+  for (std::size_t k = 0; k < search.answers.size(); ++k) {
+    const PoseAnswer& answer = search.answers[k];
     nlohmann::ordered_json one = as_json(answer.path);
     one["reached_deg"] = angles_in_degrees(answer.angles);
     one["error_angle_max_deg"] = degrees(answer.error_angle);
+    add_copy(copies, k, one);
     object["answers"].push_back(std::move(one));
   }
   object["bound"] = no_path_bound;
@@ -91,15 +130,35 @@ std::string path_json(const PoseTask& task, const PoseSearch& search) {
   return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string path_json(const PathSearch& search) {
+std::string path_json(const PathSearch& search, const CopiesOfAnswers& copies) {
   nlohmann::ordered_json object;
-  for (const PathAnswer& answer : search.answers) object["answers"].push_back(as_json(answer));
+  for (std::size_t k = 0; k < search.answers.size(); ++k) {
+    nlohmann::ordered_json one = as_json(search.answers[k]);
+    add_copy(copies, k, one);
+    object["answers"].push_back(std::move(one));
+  }
   object["bound"] = no_path_bound;
   object["searched"] = {{"starts", search.effort.starts},
                         {"refined", search.effort.refined},
                         {"evaluations", search.effort.evaluations},
                         {"rejected", search.effort.rejected}};
   return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string copy_text(const CopyTask& task, const tl::expected<CouplerCopy, std::string>& copy) {
+  const std::string what = fmt::format("  copy at {:.6g} times the size, turned by {:.6g} degrees",
+                                       task.scale, degrees(task.rotation));
+  if (!copy) return what + ": none; " + copy.error() + "\n";
+  return what + fmt::format(
+                    " about the {}\n"
+                    "  C on the coupler {:.6g} along, {:.6g} to the left; arm {:.6g}, link Q-C {:.6g}; "
+                    "copying point {:.6g} along, "
+                    "{:.6g} to the left\n"
+                    "  parallelogram {:.3f} degrees from flat at least; off by {:.2g} mm at most\n",
+                    copy->pole == CopyPole::crank_pivot ? "crank's pivot" : "rocker's pivot",
+                    copy->coupler_joint.x(), copy->coupler_joint.y(), copy->arm, copy->link,
+                    copy->copy_point.x(), copy->copy_point.y(), degrees(copy->parallelogram_min),
+                    copy->error_max);
 }
 
 }  // namespace kempe
