@@ -66,14 +66,14 @@ std::variant<Generated, InputError, NothingGenerated> generate_path_text(std::st
   if (spec->poses.empty()) {
     const auto search = generate_path(path_task(*spec));
     if (!search) return NothingGenerated{search.error(), false};
-    return Generated{path_json(*search), linkages_of(search->answers), {}};
+    return Generated{path_json(*search, {}), linkages_of(search->answers), {}};
   }
   const PoseTask task = pose_task(*spec);
   const auto search = guide_poses(task);
   if (!search) return NothingGenerated{search.error(), false};
   std::vector<PathAnswer> answers;
   for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
-  return Generated{path_json(task, *search), linkages_of(answers), {}};
+  return Generated{path_json(task, *search, {}), linkages_of(answers), {}};
 }
 
 std::variant<Generated, InputError, NothingGenerated> generate_path(const std::filesystem::path& file) {

@@ -106,6 +106,7 @@ class PathGenerator:
     error_rms_mm: float  #: root of the mean squared distance
     error_max_mm: float
     transmission_min_deg: float  #: from the first point to the last
+    active_limits: tuple[Mapping[str, Any], ...]  #: the limits at which it stands, as `kempe path --json` has them
     cognates: tuple[Cognate, ...] = field(repr=False)  #: two, or none where the coupler point lies on a joint
     linkage: Linkage = field(repr=False)  #: O, A, B, D and the coupler point P, its crank driven
     reached_deg: tuple[float, ...] = ()  #: of poses: how far the coupler has turned at each
