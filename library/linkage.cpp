@@ -9,6 +9,7 @@
 
 #include "kinematics/planar/rates.hpp"
 #include "reports/linkages/animation.hpp"
+#include "reports/linkages/centres_page.hpp"
 #include "reports/linkages/centres_picture.hpp"
 #include "reports/linkages/forces.hpp"
 #include "reports/linkages/json.hpp"
@@ -231,6 +232,15 @@ LinkageAnswer<std::string> Linkage::centres_drawing(double step, const AssemblyC
   const LinkageScene scene =
       linkage_scene(inside_->file, inside_->model, PlanarRun{{*moment}, std::nullopt}, inside_->file.steps);
   return centres_svg(scene, found, inside_->file.unit.in_mm);
+}
+
+LinkageAnswer<std::string> Linkage::centres_page(double step, const AssemblyChoice& choice) const {
+  const auto moment = moment_at(*inside_, step, choice);
+  if (!moment) return absent<std::string>(moment.error());
+  const LinkageScene scene =
+      linkage_scene(inside_->file, inside_->model, PlanarRun{{*moment}, std::nullopt}, inside_->file.steps);
+  return centres_html(inside_->file, inside_->model, scene, step,
+                      instant_centres(inside_->model.linkage, moment->position, moment->rate));
 }
 
 LinkageAnswer<std::string> Linkage::equations(double step, const AssemblyChoice& choice) const {

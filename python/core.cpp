@@ -333,6 +333,31 @@ void add_calibration(py::module_& module) {
         return answer([&](Hooks&) { return calibrate_text(text, "", folder); });
       },
       "text"_a, "folder"_a);
+  py::class_<CalibrationOptions>(module, "CalibrationOptions")
+      .def(py::init([](std::optional<double> target, const std::string& method,
+                       const std::vector<std::string>& ratios, bool plan, std::optional<int> plan_readings,
+                       bool simulate, std::uint64_t seed) {
+             return CalibrationOptions{target, method, ratios, plan, plan_readings, simulate, seed};
+           }),
+           "target"_a, "method"_a, "ratios"_a, "plan"_a, "plan_readings"_a, "simulate"_a, "seed"_a);
+  py::class_<CalibratedInstrument>(module, "CalibratedInstrument")
+      .def_property_readonly("json", [](const CalibratedInstrument& found) { return text_of(found.json); })
+      .def_property_readonly("page", [](const CalibratedInstrument& found) { return text_of(found.page); })
+      .def_property_readonly("simulated",
+                             [](const CalibratedInstrument& found) { return text_of(found.simulated); });
+  module.def(
+      "calibrate_with",
+      [answer](const CalibrationOptions& options, const std::string& text,
+               const std::filesystem::path& folder) {
+        return answer([&](Hooks&) { return calibrate_with(options, text, "", folder); });
+      },
+      "options"_a, "text"_a, "folder"_a);
+  module.def(
+      "calibrate_file_with",
+      [answer](const CalibrationOptions& options, const std::filesystem::path& file) {
+        return answer([&](Hooks&) { return calibrate_file_with(options, file); });
+      },
+      "options"_a, "file"_a);
 }
 
 void add_searches(py::module_& module) {

@@ -140,6 +140,7 @@ void add_linkages(py::module_& module) {
           "seed"_a)
       .def("centres", at_step(&Linkage::centres), "step"_a, "assembly"_a, "seed"_a)
       .def("centres_drawing", at_step(&Linkage::centres_drawing), "step"_a, "assembly"_a, "seed"_a)
+      .def("centres_page", at_step(&Linkage::centres_page), "step"_a, "assembly"_a, "seed"_a)
       .def("equations", at_step(&Linkage::equations), "step"_a, "assembly"_a, "seed"_a)
       .def(
           "animation",
@@ -182,6 +183,13 @@ void add_linkages(py::module_& module) {
       "generate_inversor_text",
       [](const std::string& spec) { return generated([&] { return generate_inversor_text(spec); }); },
       "spec"_a);
+  module.def(
+      "generate_path",
+      [](const std::filesystem::path& file) { return generated([&] { return generate_path(file); }); },
+      "file"_a);
+  module.def(
+      "generate_path_text",
+      [](const std::string& spec) { return generated([&] { return generate_path_text(spec); }); }, "spec"_a);
 }
 
 }  // namespace kempe::python

@@ -7,44 +7,19 @@
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
+#include "reports/calibration/choices.hpp"
 #include "reports/calibration/named_design.hpp"
 #include "reports/calibration/report.hpp"
 #include "reports/data/atomic_file.hpp"
-#include "specs/text/ratio.hpp"
 
 namespace kempe::app {
 namespace {
 
 struct CalibrateArguments {
   std::string file, folder, method;
-  std::optional<double> target;
-  std::vector<std::string> ratios;
-  bool plan = false, simulate = false;
-  std::optional<int> plan_readings;
+  CalibrationChoices choices;
   std::uint64_t seed = 1;
 };
-
-/// The options given on the command line over those of the file.
-tl::expected<Measurements, InputError> with_arguments(Measurements measurements,
-                                                      const CalibrateArguments& arguments) {
-  if (arguments.target) measurements.fit.target = *arguments.target;
-  if (arguments.method == "knight") measurements.fit.method = CalibrationMethod::knight;
-  if (arguments.method == "least_squares") measurements.fit.method = CalibrationMethod::least_squares;
-  if (measurements.fit.method == CalibrationMethod::knight && !measurements.instrument)
-    return tl::unexpected(InputError{"", 0, "--method", "Knight's method for a design", "least_squares"});
-  for (const std::string& text : arguments.ratios) {
-    const auto value = parse_ratio(text);
-    if (!value || *value < 0.01 || *value > 100)
-      return tl::unexpected(
-          InputError{"", 0, "--ratios", text, "ratios from 0.01 to 100, such as 1:3 or 0.4"});
-    measurements.ratios.push_back({text, *value});
-  }
-  if (arguments.plan && !measurements.plan) measurements.plan.emplace();
-  if (measurements.plan && arguments.plan_readings) measurements.plan->readings = *arguments.plan_readings;
-  if (arguments.simulate && !measurements.simulation) measurements.simulation.emplace();
-  if (!arguments.simulate) measurements.simulation.reset();
-  return measurements;
-}
 
 int write_report(const Session& session, const CalibrateArguments& arguments, const CalibrationRecord& record,
                  const std::optional<SimulationRecord>& simulation, const std::string& json,
@@ -62,12 +37,14 @@ int write_report(const Session& session, const CalibrateArguments& arguments, co
   return written ? done : fail(session, cannot_write, written.error());
 }
 
-int run(const Session& session, const CalibrateArguments& arguments) {
+int run(const Session& session, CalibrateArguments arguments) {
+  if (arguments.method == "knight") arguments.choices.method = CalibrationMethod::knight;
+  if (arguments.method == "least_squares") arguments.choices.method = CalibrationMethod::least_squares;
   const auto text = input_text(session, arguments.file);
   if (!text) return fail(session, text.error());
   auto read = read_measurements(*text, arguments.file);
   if (!read) return fail(session, read.error());
-  const auto measurements = with_arguments(std::move(*read), arguments);
+  const auto measurements = with_choices(std::move(*read), arguments.choices, "--");
   if (!measurements) return fail(session, measurements.error());
   const auto design = named_design(*measurements, std::filesystem::path(arguments.file).parent_path());
   if (!design) return fail(session, design.error());
@@ -104,18 +81,22 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->required();
   command->add_option("-o,--output", arguments->folder,
                       "Write calibration.json and report.html into this folder");
-  command->add_option("--target-mm", arguments->target, "Copy error that is good enough, mm")
+  command->add_option("--target-mm", arguments->choices.target, "Copy error that is good enough, mm")
       ->check(number_between(1e-6, 1000));
   command
       ->add_option("--method", arguments->method,
                    "knight or least_squares; left out: knight for two readings a round, else least_squares")
       ->check(CLI::IsMember({"knight", "least_squares"}));
-  command->add_option("--ratios", arguments->ratios, "Setting table for these ratios, such as 1:2,1:3,0.4")
+  command
+      ->add_option("--ratios", arguments->choices.ratios,
+                   "Setting table for these ratios, such as 1:2,1:3,0.4")
       ->delimiter(',');
-  command->add_flag("--plan", arguments->plan, "Propose the readings that determine most (D-optimal)");
-  command->add_option("--plan-readings", arguments->plan_readings, "How many readings --plan proposes")
+  command->add_flag("--plan", arguments->choices.plan,
+                    "Propose the readings that determine most (D-optimal)");
+  command
+      ->add_option("--plan-readings", arguments->choices.plan_readings, "How many readings --plan proposes")
       ->check(CLI::Range(1, 100));
-  command->add_flag("--simulate", arguments->simulate,
+  command->add_flag("--simulate", arguments->choices.simulate,
                     "Simulate instruments with hidden errors ([simulate])");
   command->add_option("--seed", arguments->seed, "Seed of the random numbers of the simulation");
   command->callback(

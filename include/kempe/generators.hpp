@@ -1,5 +1,5 @@
 #pragma once
-// Function generators and inversors: linkages designed for a task, each with its linkage file.
+// Function generators, inversors and path generators: linkages designed for a task, each with its linkage file.
 
 #include <filesystem>
 #include <string>
@@ -14,7 +14,8 @@ namespace kempe {
 
 /// A linkage that was designed, as text of a linkage file (kempe/linkage.hpp).
 struct GeneratedLinkage {
-  std::string kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"
+  std::string
+      kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"; "answer_1", "answer_1_cognate_1", ...
   std::string text;  ///< TOML
 };
 
@@ -44,6 +45,14 @@ KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inve
     const std::filesystem::path& file);
 /// The same of a file's text; `name` stands for the file in messages.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inversor_text(
+    std::string_view spec, const std::string& name = "");
+
+/// Four-bars whose coupler follows points or takes poses (TOML, docs/path.md), as `kempe path` designs them: the best first,
+/// each followed by its cognates if it has them. A second or so.
+KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_path(
+    const std::filesystem::path& file);
+/// The same of a file's text; `name` stands for the file in messages.
+KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_path_text(
     std::string_view spec, const std::string& name = "");
 
 }  // namespace kempe

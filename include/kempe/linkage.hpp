@@ -128,6 +128,8 @@ class KEMPE_EXPORT Linkage {
   LinkageAnswer<std::string> centres(double step = 0, const AssemblyChoice& choice = {}) const;
   /// The same as a drawing (SVG).
   LinkageAnswer<std::string> centres_drawing(double step = 0, const AssemblyChoice& choice = {}) const;
+  /// The same found step by step, a page (HTML) that loads nothing.
+  LinkageAnswer<std::string> centres_page(double step = 0, const AssemblyChoice& choice = {}) const;
 
   /// The loop equations at a step with their numbers: what `kempe solve --equations --json` prints.
   LinkageAnswer<std::string> equations(double step = 0, const AssemblyChoice& choice = {}) const;

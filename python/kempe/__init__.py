@@ -12,20 +12,22 @@ Lengths are millimetres, angles degrees where a name ends in _deg, places (x, y)
 """
 from ._answers import (Audit, Broken, Change, CopiedDrawing, CopiedLine, Error, Fault, Loss, NoDesign, NoMotion, NotWritten,
                        Sheet, SpecError, Stopped, Verdict, Verification)
-from ._calibration import calibrate
+from ._calibration import Calibration, calibrate, calibration
 from ._core import version as __version__
 from ._design import Design, Map, verify
-from ._generators import FunctionGenerator, Inversor, InversorLength, function_generator, inversor
+from ._generators import (Cognate, FunctionGenerator, Inversor, InversorLength, PathGenerator, PathGenerators, function_generator,
+                          inversor, path_generator)
 from ._geometry import Region
 from ._linkage import Centre, Centres, Linkage, Mobility, Motion, MotionEnd, number_synthesis
 from ._spec import Spec, load
 from ._work import pareto, sweep, synthesize, workspace
 
 __all__ = [
-    "Audit", "Broken", "Centre", "Centres", "Change", "CopiedDrawing", "CopiedLine", "Design", "Error", "Fault", "FunctionGenerator",
-    "Inversor", "InversorLength", "Linkage", "Loss", "Map", "Mobility", "Motion", "MotionEnd", "NoDesign", "NoMotion", "NotWritten",
-    "Region", "Sheet", "Spec", "SpecError", "Stopped", "Verdict", "Verification", "__version__", "calibrate", "function_generator",
-    "inversor", "load", "number_synthesis", "pareto", "sweep", "synthesize", "verify", "workspace",
+    "Audit", "Broken", "Calibration", "Centre", "Centres", "Change", "Cognate", "CopiedDrawing", "CopiedLine", "Design", "Error",
+    "Fault", "FunctionGenerator", "Inversor", "InversorLength", "Linkage", "Loss", "Map", "Mobility", "Motion", "MotionEnd",
+    "NoDesign", "NoMotion", "NotWritten", "PathGenerator", "PathGenerators", "Region", "Sheet", "Spec", "SpecError", "Stopped",
+    "Verdict", "Verification", "__version__", "calibrate", "calibration", "function_generator", "inversor", "load",
+    "number_synthesis", "pareto", "path_generator", "sweep", "synthesize", "verify", "workspace",
 ]
 
 for _name in __all__:  # a reader of a traceback or a pickle finds everything under kempe

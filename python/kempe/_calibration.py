@@ -1,9 +1,11 @@
 """What is wrong with a real instrument, from what it drew."""
 from __future__ import annotations
 
+import html
 import json
 import os
-from typing import Any, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Optional, Sequence
 
 from . import _core
 from ._answers import error_of
@@ -31,6 +33,50 @@ def calibrate(measurements: Path | Mapping[str, Any]) -> dict[str, Any]:
     if isinstance(measurements, Mapping):
         answer = _without_lines(answer)
     return answer
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """A calibration as its command gives it; in a notebook it shows its page."""
+
+    answer: Mapping[str, Any]  #: what `kempe calibrate --json` prints (docs/calibration.md); mm, degrees
+    page_html: str = field(repr=False)  #: report.html, the text of a page that needs no other file
+    simulated_toml: str = field(repr=False)  #: the first simulated instrument's readings as a file of measurements; "" without any
+
+    def _repr_html_(self) -> str:
+        page = html.escape(self.page_html, quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;height:42rem;border:0" title="Calibration"></iframe>'
+
+
+def calibration(measurements: Path | Mapping[str, Any], *, target_mm: Optional[float] = None, method: Optional[str] = None,
+                ratios: Sequence[str | float] = (), plan: bool = False, plan_readings: Optional[int] = None, simulate: bool = False,
+                seed: int = 1) -> Calibration:
+    """The calibration of an instrument with all that `kempe calibrate` can be asked for, and with its page.
+
+    measurements   a TOML file of readings, or its tables as a dict
+    target_mm      the copy error that is good enough, 1e-6 to 1000 mm
+    method         "knight" or "least_squares"; None: what fits the readings
+    ratios         a table of settings for each: "1:3" or 0.4; 0.01 to 100
+    plan           propose the readings that determine most; plan_readings: how many, 1 to 100
+    simulate       simulate instruments with hidden errors (the table `simulate`), drawn by `seed`
+
+    Raises SpecError with all faults, those of the options too.
+
+    >>> knight = {"instrument": {"arm_mm": 500, "ratio": 0.5},
+    ...           "reading": [{"arm_angle_deg": 30, "error_mm": [0.1, -0.3]}, {"arm_angle_deg": 60, "error_mm": [0.3, -0.5]}]}
+    >>> len(calibration(knight, plan=True, plan_readings=4).answer["plan"]["readings"])
+    4
+    """
+    is_file = not isinstance(measurements, Mapping)
+    options = _core.CalibrationOptions(target_mm, method or "", [str(ratio) for ratio in ratios], plan, plan_readings, simulate, seed)
+    if isinstance(measurements, Mapping):
+        found = _core.calibrate_with(options, text_of(measurements), os.getcwd())
+    else:
+        found = _core.calibrate_file_with(options, measurements)
+    if isinstance(found, list):
+        raise error_of(found, lines=is_file)
+    answer = json.loads(found.json)
+    return Calibration(answer if is_file else _without_lines(answer), found.page, found.simulated)
 
 
 def _without_lines(value: Any) -> Any:

@@ -1,14 +1,14 @@
-"""Function generators and inversors: linkages designed for a task."""
+"""Function generators, inversors and path generators: linkages designed for a task."""
 from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field, replace
-from typing import Any, Callable, Mapping, Optional, Union
+from typing import Any, Callable, Iterator, Mapping, Optional, Union
 
 import numpy as np
 
 from . import _core
-from ._answers import NoDesign, error_of
+from ._answers import NoDesign, Point, error_of
 from ._geometry import Array
 from ._linkage import Linkage
 from ._spec import Path, text_of
@@ -73,6 +73,94 @@ class Inversor:
     point_share: Optional[float] = None  #: of Hart's bars
     others: tuple[Inversor, ...] = field(default=(), repr=False)  #: larger ones of the other kinds
     why_not: Mapping[str, str] = field(default_factory=dict, repr=False)  #: of the kinds of which there is none
+
+
+@dataclass(frozen=True)
+class Cognate:
+    """One of the two other four-bars that draw the same coupler curve (Roberts and Chebyshev). Lengths mm, angles degrees."""
+
+    pivots_mm: tuple[Point, Point]  #: of crank and rocker
+    crank_mm: float
+    coupler_mm: float
+    rocker_mm: float
+    coupler_point_mm: Point  #: along the coupler from the crank's joint, and to the left of it
+    assembly_mode: int  #: 1 or 2
+    driver: str  #: "crank" or "coupler": which link turns as the crank of the first four-bar
+    driver_deg: tuple[float, ...]  #: its angle at each point
+    linkage: Linkage = field(repr=False)
+
+
+@dataclass(frozen=True)
+class PathGenerator:
+    """A four-bar whose coupler point follows a path, or whose coupler takes poses. Lengths mm, angles degrees."""
+
+    pivots_mm: tuple[Point, Point]  #: of crank and rocker
+    crank_mm: float
+    coupler_mm: float
+    rocker_mm: float
+    coupler_point_mm: Point  #: along the coupler from the crank's joint, and to the left of it
+    assembly_mode: int  #: 1 or 2
+    motion: str  #: "crank-rocker", "double rocker", ...
+    driver_deg: tuple[float, ...]  #: the crank's angle at each point
+    reached_mm: Array = field(repr=False, compare=False)  #: (n, 2): where the coupler point is at each
+    error_rms_mm: float  #: root of the mean squared distance
+    error_max_mm: float
+    transmission_min_deg: float  #: from the first point to the last
+    active_limits: tuple[Mapping[str, Any], ...]  #: the limits at which it stands, as `kempe path --json` has them
+    cognates: tuple[Cognate, ...] = field(repr=False)  #: two, or none where the coupler point lies on a joint
+    linkage: Linkage = field(repr=False)  #: O, A, B, D and the coupler point P, its crank driven
+    reached_deg: tuple[float, ...] = ()  #: of poses: how far the coupler has turned at each
+    error_angle_max_deg: Optional[float] = None  #: of poses
+
+
+@dataclass(frozen=True)
+class PathGenerators:
+    """What a search for path generators found: `.best`, and as a sequence all answers, the best first."""
+
+    answers: tuple[PathGenerator, ...]
+    bound: str  #: what is not claimed: nothing is proven about what was not found
+    searched: Mapping[str, int] = field(repr=False)  #: what was looked at
+    dyads: tuple[Mapping[str, Any], ...] = field(default=(), repr=False)  #: of five poses: all, as `kempe path --json` has them
+
+    @property
+    def best(self) -> PathGenerator:
+        """The first answer."""
+        return self.answers[0]
+
+    def __iter__(self) -> Iterator[PathGenerator]:
+        return iter(self.answers)
+
+    def __len__(self) -> int:
+        return len(self.answers)
+
+    def __getitem__(self, index: int) -> PathGenerator:
+        return self.answers[index]
+
+
+def path_generator(spec: Optional[_Spec] = None, **tables: Any) -> PathGenerators:
+    """Four-bars whose coupler follows points or takes poses (docs/path.md): from a TOML file, from its tables as a dict, or keywords.
+
+    Raises SpecError with all faults, and NoDesign where none is found.
+
+    >>> line = [[20, 20], [20, 25], [20, 30], [20, 35], [20, 40], [20, 45]]
+    >>> found = path_generator(path={"points_mm": line}, limits={"longest_mm": 60, "transmission_deg": 20})
+    >>> found.best.error_max_mm < 1e-9, found.best.reached_mm.shape, len(found.best.cognates)
+    (True, (6, 2), 2)
+    """
+    found, linkages, _ = _generated(_core.generate_path, _core.generate_path_text, spec, tables)
+    answers = []
+    for number, row in enumerate(found["answers"], 1):
+        row.pop("lower_bound_mm", None)  # none is known
+        cognates = tuple(Cognate(**_tuples(one), linkage=linkages[f"answer_{number}_cognate_{which}"])
+                         for which, one in enumerate(row.pop("cognates"), 1))
+        reached = np.array(row.pop("reached_mm"))
+        answers.append(PathGenerator(**_tuples(row), reached_mm=reached, cognates=cognates, linkage=linkages[f"answer_{number}"]))
+    return PathGenerators(tuple(answers), found["bound"], found["searched"], tuple(found.get("dyads", ())))
+
+
+def _tuples(row: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: tuple(tuple(one) if isinstance(one, list) else one for one in value) if isinstance(value, list) else value
+            for key, value in row.items()}
 
 
 def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionGenerator:

@@ -295,6 +295,10 @@ class Linkage:
         """The same drawn on the linkage, the text of an SVG file."""
         return _answer(self._inside.centres_drawing(at, assembly, seed))
 
+    def centres_page(self, at: float = 0, *, assembly: int = 0, seed: int = 1) -> str:
+        """The same found step by step by Aronhold and Kennedy's theorem, the text of an HTML page that needs no other file."""
+        return _answer(self._inside.centres_page(at, assembly, seed))
+
     def equations(self, at: float = 0, *, assembly: int = 0, seed: int = 1) -> dict[str, Any]:
         """The loop equations at a step with their numbers and derivatives: `kempe solve --equations --json` as a dict."""
         found: dict[str, Any] = json.loads(_answer(self._inside.equations(at, assembly, seed)))

@@ -98,5 +98,16 @@ TEST(Generators, GiveLinkagesThatMove) {
   EXPECT_EQ(std::get<InputError>(generate_inversor_text("", "lens.toml")).file, "lens.toml");
 }
 
+TEST(Generators, PathGeneratorsComeWithTheirCognates) {
+  const auto found = generate_path(KEMPE_SOURCE_DIR "/specs/examples/generators/five-poses.toml");
+  const auto& linkages = std::get<Generated>(found).linkages;
+  ASSERT_GE(linkages.size(), 3U);
+  EXPECT_EQ(linkages[0].kind, "answer_1");
+  EXPECT_EQ(linkages[2].kind, "answer_1_cognate_2");
+  const auto moved = linkage_of(linkages[0].text).solve(6);
+  EXPECT_EQ(std::get<DrivenMotion>(moved).steps.size(), 7U);
+  EXPECT_EQ(std::get<InputError>(generate_path_text("", "path.toml")).file, "path.toml");
+}
+
 }  // namespace
 }  // namespace kempe

@@ -125,6 +125,8 @@ class LikeTheProgram(unittest.TestCase):
             linkage = kempe.Linkage.read(WATT)
             self.assertEqual(linkage.animation(), page.read_text(encoding="utf-8"))
             self.assertEqual(linkage.animation("svg"), film.read_text(encoding="utf-8"))
+            subprocess.run([PROGRAM, "centres", WATT, "--at", "3", "--page", page, "--json"], check=True, capture_output=True)
+            self.assertEqual(linkage.centres_page(3), page.read_text(encoding="utf-8"))
             self.assertEqual(linkage.centres_drawing(3), picture.read_text(encoding="utf-8"))
             self.assertEqual(linkage._repr_svg_(), linkage.animation("svg"))
 
@@ -173,6 +175,45 @@ class LikeTheProgram(unittest.TestCase):
                     self.assertEqual(one.linkage.to_toml(), linkage.read_text(encoding="utf-8"))
                 self.assertEqual(found, kempe.inversor(tomllib.loads(file.read_text(encoding="utf-8"))))
                 self.assertEqual(found, pickle.loads(pickle.dumps(found)))
+
+
+    def test_path_generators(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            for name in ("straight-line", "five-poses"):
+                file, linkage = GENERATORS / f"{name}.toml", pathlib.Path(scratch) / "p.toml"
+                expected, found = told("path", file), kempe.path_generator(file)
+                self.assertEqual((len(found), found.bound, found.searched), (len(expected["answers"]), expected["bound"], expected["searched"]))
+                self.assertEqual(list(found.dyads), expected.get("dyads", []))
+                for number, (one, row) in enumerate(zip(found, expected["answers"]), 1):
+                    np.testing.assert_array_equal(one.reached_mm, row.pop("reached_mm"))
+                    self.assertIsNone(row.pop("lower_bound_mm"))
+                    for which, (other, wanted) in enumerate(zip(one.cognates, row.pop("cognates"), strict=True), 1):
+                        for key, value in wanted.items():
+                            self.assertEqual(json.loads(json.dumps(getattr(other, key))), value, key)
+                        if (number, which) == (1, 2):
+                            told("path", file, "--linkage", linkage, "--cognate", which)
+                            self.assertEqual(other.linkage.to_toml(), linkage.read_text(encoding="utf-8"))
+                    for key, value in row.items():
+                        self.assertEqual(json.loads(json.dumps(getattr(one, key))), value, key)
+                told("path", file, "--linkage", linkage, "--answer", len(found))
+                self.assertEqual(found[len(found) - 1].linkage.to_toml(), linkage.read_text(encoding="utf-8"))
+                self.assertEqual(found, kempe.path_generator(**tomllib.loads(file.read_text(encoding="utf-8"))))
+                self.assertEqual(found, pickle.loads(pickle.dumps(found)))
+
+    def test_calibration(self):
+        folder = SOURCE / "specs" / "examples" / "calibration"
+        for name, options, keywords in (
+                ("knight", ["--target-mm", 0.2, "--ratios", "1:3,0.4"], {"target_mm": 0.2, "ratios": ["1:3", 0.4]}),
+                ("ten-readings", ["--method", "least_squares", "--plan", "--plan-readings", 3],
+                 {"method": "least_squares", "plan": True, "plan_readings": 3}),
+                ("simulate", ["--simulate", "--seed", 7], {"simulate": True, "seed": 7})):
+            with tempfile.TemporaryDirectory() as scratch:
+                file = folder / f"{name}.toml"
+                expected, found = told("calibrate", file, *options, "-o", scratch), kempe.calibration(file, **keywords)
+                self.assertEqual(found.answer, expected)
+                self.assertEqual(found.page_html, (pathlib.Path(scratch) / "report.html").read_text(encoding="utf-8"))
+                simulated = pathlib.Path(scratch) / "simulated.toml"
+                self.assertEqual(found.simulated_toml, simulated.read_text(encoding="utf-8") if simulated.exists() else "")
 
 
 def met(a, ra, b, rb, near):
@@ -374,6 +415,11 @@ class Faults(unittest.TestCase):
             self.assertEqual([one.key for one in self.faults(wrong)], [key])
         with self.assertRaises(ValueError):
             linkage.animation("gif")
+        knight = SOURCE / "specs" / "examples" / "calibration" / "knight.toml"
+        for key, value in (("target_mm", 0), ("target_mm", float("nan")), ("method", "guess"), ("plan_readings", 101), ("ratios", ["x"])):
+            self.assertEqual([one.key for one in self.faults(lambda: kempe.calibration(knight, **{key: value}))], [key])
+        self.faults(lambda: kempe.calibration("no such file.toml"))
+        self.faults(lambda: kempe.path_generator(path={"points_mm": [[0, 0]]}))
 
     def test_where_there_is_no_motion(self):
         bars = {"crank": {"joints": ["O", "A"], "O-A": 10}, "rod": {"joints": ["A", "B"], "A-B": 30}, "rocker": {"joints": ["D", "B"], "D-B": 15}}
