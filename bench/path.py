@@ -7,8 +7,13 @@ published second case fixes both pivots' line, which the tasks here leave free. 
 literature does (pivots, lengths, coupler point, angles), 15 for each unknown in its population, and pays for every point at which
 the loop does not close; its best of SEEDS runs is shown, with the evaluations and seconds of all of them.
 
-usage: path.py KEMPE [SEEDS]     needs NumPy and SciPy
+Where pylinkage (PyPI) is installed, its path_generation is asked too. It meets points exactly by Burmester's theory over a grid of coupler angles,
+takes no timing and no limits, and its cost grows exponentially with the points, so the first task alone is given to it, with linkages that are not Grashof's allowed.
+
+usage: path.py KEMPE [SEEDS]     needs NumPy and SciPy; pylinkage if it is there
 """
+import importlib.metadata
+import importlib.util
 import json
 import pathlib
 import resource
@@ -16,6 +21,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 
 import numpy as np
 from scipy.optimize import differential_evolution
@@ -82,6 +88,16 @@ def by_evolution(points, timing, bound, seeds):
     return best, evaluations, time.process_time() - start
 
 
+def by_pylinkage(points):
+    """How many linkages its search returns, and seconds of CPU."""
+    from pylinkage.synthesis import path_generation
+    start = time.process_time()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = path_generation([tuple(map(float, point)) for point in points], max_solutions=3, require_grashof=False)
+    return len(found.solutions), time.process_time() - start
+
+
 def main():
     kempe, seeds = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 3
     for name, points, timing, bound in TASKS:
@@ -89,6 +105,9 @@ def main():
         print(f"{name}\n  kempe path              {error:10.3e} mm^2  {evaluations:9d} evaluations, {starts} linear fits  {seconds:6.2f} s", flush=True)
         error, evaluations, seconds = by_evolution(points, timing, bound, seeds)
         print(f"  differential evolution  {error:10.3e} mm^2  {evaluations:9d} evaluations, {seeds} runs  {seconds:6.2f} s", flush=True)
+        if importlib.util.find_spec("pylinkage") and timing is None:
+            found, seconds = by_pylinkage(points)
+            print(f"  pylinkage {importlib.metadata.version('pylinkage')}         {found} linkages through all points  {seconds:6.2f} s", flush=True)
 
 
 main()

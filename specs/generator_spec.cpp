@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/point.hpp"
@@ -247,6 +248,19 @@ void read_poses(const Reader& reader, PathSpec& spec, Complaints& complaints) {
                      "points_mm with it: poses are taken exactly, their timing is free");
 }
 
+void read_motion(Reader& reader, PathSpec& spec) {
+  constexpr std::string_view turns_fully = "crank turns fully";
+  constexpr std::array motions{CrankMotion::crank_rocker, CrankMotion::double_crank,
+                               CrankMotion::rocker_crank, CrankMotion::double_rocker};
+  std::vector<std::string_view> words{turns_fully};
+  for (const CrankMotion motion : motions) words.push_back(name(motion));
+  std::string word;
+  reader.word("limits", "motion", word, words);
+  if (word == turns_fully) spec.motions = {CrankMotion::crank_rocker, CrankMotion::double_crank};
+  for (const CrankMotion motion : motions)
+    if (word == name(motion)) spec.motions = {motion};
+}
+
 /// The largest distance of a place from the first, mm; told where it is nil.
 double read_size(const Reader& reader, std::string_view key, const std::vector<Point>& places,
                  Complaints& complaints) {
@@ -344,7 +358,7 @@ tl::expected<PathSpec, InputError> read_path_spec(std::string_view text, const s
   Reader reader(*parsed, complaints);
   PathSpec spec;
   reader.only({"path.points_mm", "path.poses_mm", "path.driver_deg", "path.minimize", "limits.longest_mm",
-               "limits.transmission_deg", "limits.pivots_within_mm"});
+               "limits.transmission_deg", "limits.pivots_within_mm", "limits.motion"});
   constexpr std::size_t most_points = 60, most_corners = 50;
   double size = 0;
   const bool points = reader.has("path.points_mm"), poses = reader.has("path.poses_mm");
@@ -368,6 +382,7 @@ tl::expected<PathSpec, InputError> read_path_spec(std::string_view text, const s
   spec.longest = 10 * size;
   reader.number("limits", "longest_mm", spec.longest, 1e-3, farthest_path_mm, false, " mm");
   reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
+  read_motion(reader, spec);
   if (reader.has("limits.pivots_within_mm")) {
     const auto corners = read_path_places(reader, "limits.pivots_within_mm", 3, most_corners, complaints);
     const auto polygon = corners.empty() ? std::optional(corners) : convex(corners);

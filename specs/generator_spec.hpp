@@ -9,6 +9,7 @@
 
 #include "kempe/input_error.hpp"
 #include "kempe/point.hpp"
+#include "kinematics/four_bar.hpp"
 #include "kinematics/planar/linkage.hpp"
 
 namespace kempe {
@@ -47,6 +48,7 @@ struct PathSpec {
   double longest = 0;                ///< mm; of ten times the path's size where the file says nothing
   double transmission = 0;           ///< rad
   std::vector<Point> pivots_within;  ///< mm, a convex polygon, counter-clockwise; empty: anywhere
+  std::vector<CrankMotion> motions;  ///< one of these; empty: any
 };
 
 /// Reads and checks; the error names file, line, key, what stands there and what is allowed.

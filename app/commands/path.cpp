@@ -2,121 +2,50 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/linkages/generated.hpp"
+#include "reports/linkages/path_answers.hpp"
 #include "specs/generator_spec.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
-#include "synthesis/paths/path_generator.hpp"
-#include "synthesis/paths/pose_guidance.hpp"
 
 namespace kempe::app {
 namespace {
 
-constexpr const char* no_bound =
-    "a search: no bound of the least error is known, and nothing is proven about what was not found";
-
 struct PathArguments {
   std::string spec_file, linkage_file;
   int answer = 1, cognate = 0;
+  double copy_scale = 1, copy_rotation_deg = 0;
+  std::string copy_pole;
+  bool copies = false;
 };
 
-PathTask task_of(const PathSpec& spec) {
-  PathTask task;
-  task.points = spec.points;
-  task.turns = spec.turns;
-  task.aim = spec.largest_distance ? PathAim::largest_distance : PathAim::mean_square;
-  task.longest = spec.longest;
-  task.transmission = spec.transmission;
-  task.pivots_within = spec.pivots_within;
+CopyTask copy_task(const PathArguments& arguments) {
+  CopyTask task{arguments.copy_scale, radians(arguments.copy_rotation_deg), std::nullopt};
+  if (arguments.copy_pole == "crank") task.pole = CopyPole::crank_pivot;
+  if (arguments.copy_pole == "rocker") task.pole = CopyPole::rocker_pivot;
   return task;
 }
 
-nlohmann::ordered_json json_of(const Point& p) { return {p.x() + 0.0, p.y() + 0.0}; }
-
-nlohmann::ordered_json json_of(const CouplerFourBar& bar) {
-  nlohmann::ordered_json pivots;
-  pivots.push_back(json_of(bar.crank_pivot));
-  pivots.push_back(json_of(bar.rocker_pivot));
-  return {{"pivots_mm", pivots},
-          {"crank_mm", bar.crank},
-          {"coupler_mm", bar.coupler},
-          {"rocker_mm", bar.rocker},
-          {"coupler_point_mm", json_of(bar.coupler_point)},
-          {"assembly_mode", bar.branch == FourBarBranch::first ? 1 : 2}};
-}
-
-nlohmann::ordered_json angles_in_degrees(const std::vector<double>& angles, double offset = 0) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const double angle : angles) list.push_back(degrees(angle + offset));
-  return list;
-}
-
-nlohmann::ordered_json json_of(const PathAnswer& answer) {
-  nlohmann::ordered_json object = json_of(answer.linkage);
-  object["motion"] = std::string(name(answer.linkage.links().motion()));
-  object["driver_deg"] = angles_in_degrees(answer.crank_angles);
-  for (const Point& p : answer.reached) object["reached_mm"].push_back(json_of(p));
-  object["error_rms_mm"] = answer.error_rms;
-  object["error_max_mm"] = answer.error_max;
-  object["lower_bound_mm"] = nullptr;
-  object["transmission_min_deg"] = degrees(answer.transmission_min);
-  object["cognates"] = nlohmann::ordered_json::array();
-  if (answer.cognates)
-    for (const Cognate& cognate : *answer.cognates) {
-      nlohmann::ordered_json other = json_of(cognate.linkage);
-      other["driver"] = cognate.driver == CognateDriver::crank ? "crank" : "coupler";
-      other["driver_deg"] = angles_in_degrees(answer.crank_angles, cognate.offset);
-      object["cognates"].push_back(std::move(other));
-    }
-  return object;
-}
-
-/// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
-bool is_used(const PoseSearch& search, const Dyad& dyad) {
-  return std::any_of(search.dyads.begin(), search.dyads.end(), [&](const Dyad& used) {
-    return used.centre == dyad.centre && used.circle == dyad.circle;
-  });
-}
-
-nlohmann::ordered_json json_of(const PoseTask& task, const PoseSearch& search) {
-  nlohmann::ordered_json object;
-  for (const PoseAnswer& answer : search.answers) {
-    nlohmann::ordered_json one = json_of(answer.path);
-    one["reached_deg"] = angles_in_degrees(answer.angles);
-    one["error_angle_max_deg"] = degrees(answer.error_angle);
-    object["answers"].push_back(std::move(one));
-  }
-  object["bound"] = no_bound;
-  if (task.poses.size() == 5)
-    for (const Dyad& dyad : burmester_dyads(task.poses))
-      object["dyads"].push_back({{"centre_mm", json_of(dyad.centre)},
-                                 {"circle_point_mm", json_of(dyad.circle)},
-                                 {"length_mm", dyad.length},
-                                 {"within_limits", is_used(search, dyad)}});
-  object["searched"] = {{"dyads", search.dyads.size()},
-                        {"linkages", search.linkages},
-                        {"defective", search.defective},
-                        {"limited", search.limited}};
-  return object;
-}
-
-nlohmann::ordered_json json_of(const PathSearch& search) {
-  nlohmann::ordered_json object;
-  for (const PathAnswer& answer : search.answers) object["answers"].push_back(json_of(answer));
-  object["bound"] = no_bound;
-  object["searched"] = {{"starts", search.effort.starts},
-                        {"refined", search.effort.refined},
-                        {"evaluations", search.effort.evaluations},
-                        {"rejected", search.effort.rejected}};
-  return object;
+/// The plagiograph on every answer, or on its cognate, where one is asked for.
+CopiesOfAnswers copies_of(const PathArguments& arguments, const std::vector<PathAnswer>& answers) {
+  CopiesOfAnswers made{copy_task(arguments), {}};
+  if (!arguments.copies) return made;
+  for (const PathAnswer& answer : answers)
+    if (arguments.cognate == 0)
+      made.copies.push_back(copy_on_coupler(answer, std::nullopt, made.task));
+    else if (answer.cognates)
+      made.copies.push_back(
+          copy_on_coupler(answer, static_cast<std::size_t>(arguments.cognate - 1), made.task));
+    else
+      made.copies.push_back(
+          tl::unexpected(std::string("the coupler point lies on a joint: there is no cognate")));
+  return made;
 }
 
 std::string columns_of(const Point& p) {
@@ -141,7 +70,11 @@ std::string cognates_text(const PathAnswer& answer) {
   return text;
 }
 
-std::string text_of(const PoseTask& task, const PoseSearch& search) {
+std::string copy_text(const CopiesOfAnswers& copies, std::size_t k) {
+  return k < copies.copies.size() ? kempe::copy_text(copies.task, copies.copies[k]) : "";
+}
+
+std::string text_of(const PoseTask& task, const PoseSearch& search, const CopiesOfAnswers& copies) {
   std::string text = fmt::format("poses        {}, each taken exactly\n", task.poses.size());
   text += fmt::format(
       "searched     {} dyads within the limits, {} four-bars of them; {} with poses on two branches or in "
@@ -161,7 +94,7 @@ std::string text_of(const PoseTask& task, const PoseSearch& search) {
         "most\n",
         k + 1, name(answer.path.linkage.links().motion()), degrees(answer.path.transmission_min),
         answer.path.error_max, degrees(answer.error_angle));
-    text += links_text(answer.path.linkage) + cognates_text(answer.path);
+    text += links_text(answer.path.linkage) + cognates_text(answer.path) + copy_text(copies, k);
   }
   text += fmt::format("\nanswer 1 at each pose\n{:>10} {:>10} {:>10} {:>10}\n", "crank deg", "x", "y",
                       "turned deg");
@@ -172,22 +105,32 @@ std::string text_of(const PoseTask& task, const PoseSearch& search) {
   return text;
 }
 
-std::string text_of(const PathTask& task, const PathSearch& search) {
+/// Which limits hold an answer back; empty where it meets its points or stands at no limit.
+std::string limits_text(const PathTask& task, const PathAnswer& answer) {
+  if (meets_points(task, answer)) return "";
+  std::string text;
+  for (const ActiveLimit& limit : answer.active)
+    text += (text.empty() ? "  stands at " : ", ") + limit.key +
+            (limit.what.empty() ? "" : " (" + limit.what + ")");
+  return text.empty() ? text : text + ": another limit there may allow a smaller error\n";
+}
+
+std::string text_of(const PathTask& task, const PathSearch& search, const CopiesOfAnswers& copies) {
   std::string text =
       fmt::format("path         {} points, {}; {}\n", task.points.size(),
                   task.turns.empty() ? "timing free" : "with timing",
                   task.aim == PathAim::mean_square ? "least mean square distance" : "least largest distance");
   text += fmt::format(
       "searched     {} four-bars, {} refined with {} evaluations of the path\nbound        none: {}\n",
-      search.effort.starts, search.effort.refined, search.effort.evaluations, no_bound);
+      search.effort.starts, search.effort.refined, search.effort.evaluations, no_path_bound);
   for (std::size_t k = 0; k < search.answers.size(); ++k) {
     const PathAnswer& answer = search.answers[k];
     text += fmt::format(
         "\nanswer {}: {}, error {:.4g} mm RMS, {:.4g} mm at most, transmission {:.3f} degrees at least\n",
         k + 1, name(answer.linkage.links().motion()), answer.error_rms, answer.error_max,
         degrees(answer.transmission_min));
-    text += links_text(answer.linkage);
-    text += cognates_text(answer);
+    text += links_text(answer.linkage) + limits_text(task, answer);
+    text += cognates_text(answer) + copy_text(copies, k);
   }
   text += fmt::format("\nanswer 1 at each point\n{:>10} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "crank deg",
                       "wanted x", "wanted y", "reached x", "reached y", "distance");
@@ -201,12 +144,19 @@ std::string text_of(const PathTask& task, const PathSearch& search) {
 
 /// Writes the linkage file asked for; the code of why not.
 int write_linkage(const Session& session, const PathArguments& arguments,
-                  const std::vector<PathAnswer>& answers) {
+                  const std::vector<PathAnswer>& answers, const CopiesOfAnswers& copies) {
   if (arguments.linkage_file.empty()) return done;
   if (arguments.answer > std::ssize(answers))
     return fail(session, bad_input,
                 fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
   const PathAnswer& answer = answers[static_cast<std::size_t>(arguments.answer - 1)];
+  if (arguments.copies) {
+    const auto& copy = copies.copies[static_cast<std::size_t>(arguments.answer - 1)];
+    if (!copy)
+      return fail_unproven(session,
+                           "no copy of answer " + std::to_string(arguments.answer) + ": " + copy.error());
+    return write_output(session, arguments.linkage_file, copy_linkage(answer, copies.task, *copy));
+  }
   if (arguments.cognate == 0) return write_output(session, arguments.linkage_file, path_linkage(answer));
   if (!answer.cognates)
     return fail(session, bad_input,
@@ -223,27 +173,30 @@ int run(const Session& session, const PathArguments& arguments) {
   const auto spec = read_path_spec(*text, arguments.spec_file);
   if (!spec) return fail(session, spec.error());
   const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& json, const auto& words) {
-    if (const int code = write_linkage(session, arguments, answers); code != done) return code;
-    print(session.json ? json_text(json()) : words());
+    const CopiesOfAnswers copies = copies_of(arguments, answers);
+    if (const int code = write_linkage(session, arguments, answers, copies); code != done) return code;
+    print(session.json ? json(copies) : words(copies));
     if (!session.json && !arguments.linkage_file.empty())
       print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
                         printable(arguments.linkage_file)));
     return static_cast<int>(done);
   };
   if (!spec->poses.empty()) {
-    const PoseTask task{spec->poses, spec->longest, spec->transmission, spec->pivots_within};
+    const PoseTask task = pose_task(*spec);
     const auto search = guide_poses(task);
     if (!search) return fail_unproven(session, search.error());
     std::vector<PathAnswer> answers;
     for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
     return finish(
-        answers, [&] { return json_of(task, *search); }, [&] { return text_of(task, *search); });
+        answers, [&](const auto& copies) { return path_json(task, *search, copies); },
+        [&](const auto& copies) { return text_of(task, *search, copies); });
   }
-  const PathTask task = task_of(*spec);
+  const PathTask task = path_task(*spec);
   const auto search = generate_path(task);
   if (!search) return fail_unproven(session, search.error());
   return finish(
-      search->answers, [&] { return json_of(*search); }, [&] { return text_of(task, *search); });
+      search->answers, [&](const auto& copies) { return path_json(*search, copies); },
+      [&](const auto& copies) { return text_of(task, *search, copies); });
 }
 
 }  // namespace
@@ -263,8 +216,24 @@ void add_path_command(CLI::App& program, Session& session) {
   command->add_option("--cognate", arguments->cognate, "Write this cognate of the answer instead of itself")
       ->check(CLI::Range(1, 2))
       ->needs(linkage);
-  command->callback(
-      [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
+  auto* scale = command
+                    ->add_option("--copy-scale", arguments->copy_scale,
+                                 "Add the plagiograph that draws the coupler curve so many times as large")
+                    ->check(number_between(0.001, 1000));
+  auto* rotation = command
+                       ->add_option("--copy-rotation", arguments->copy_rotation_deg,
+                                    "Add the plagiograph that draws it turned by so many degrees")
+                       ->check(number_between(-360, 360));
+  auto* pole =
+      command
+          ->add_option(
+              "--copy-pole", arguments->copy_pole,
+              "The copy's fixed pivot: crank or rocker; left out: the one farther from change points")
+          ->check(CLI::IsMember({"crank", "rocker"}));
+  command->callback([&session, arguments, scale, rotation, pole] {
+    arguments->copies = scale->count() + rotation->count() + pole->count() > 0;
+    session.chosen = [&session, arguments] { return run(session, *arguments); };
+  });
 }
 
 }  // namespace kempe::app

@@ -141,44 +141,81 @@ std::string function_linkage(const FunctionTask& task, const FunctionDesign& des
   return text + guess_table({{"A", A}, {"B", B}});
 }
 
-std::string path_linkage(const PathAnswer& answer, std::optional<std::size_t> cognate) {
-  CouplerFourBar bar = answer.linkage;
+namespace {
+
+/// A four-bar with its driver's angle at the first point, and what stands on it.
+struct DrivenBar {
+  CouplerFourBar bar;
   CognateDriver driver = CognateDriver::crank;
   double offset = 0;
-  if (cognate) {
-    const Cognate& other = answer.cognates.value()[*cognate];
-    bar = other.linkage;
-    driver = other.driver;
-    offset = other.offset;
-  }
-  const double first = answer.crank_angles.front() + offset, last = answer.crank_angles.back() + offset;
+};
+
+std::string path_linkage_text(const PathAnswer& answer, const DrivenBar& driven, const std::string& title,
+                              const CouplerCopy* copy) {
+  const CouplerFourBar& bar = driven.bar;
+  const bool by_crank = driven.driver == CognateDriver::crank;
+  const double first = answer.crank_angles.front() + driven.offset,
+               last = answer.crank_angles.back() + driven.offset;
   const Point P = answer.reached.front();
   Point A = P, B = P;  // where the first place has them; a guess for the solver
-  if (driver == CognateDriver::crank) {
+  if (by_crank) {
     if (const auto place = bar.at(first)) A = place->A, B = place->B;
   } else {
     A = P - as_point(as_complex(bar.coupler_point) * std::polar(1.0, first));
     B = A + as_point(std::polar(bar.coupler, first));
   }
-  std::string text = fmt::format(
-      "# Four-bar{} whose coupler point P passes {} given places, by kempe path.\n"
-      "# {} degrees at each place:",
-      cognate ? fmt::format(", cognate {},", *cognate + 1) : "", answer.crank_angles.size(),
-      driver == CognateDriver::crank ? "crank" : "coupler");
-  for (const double angle : answer.crank_angles) text += fmt::format(" {}", degrees(angle + offset));
+  const char* driver = by_crank ? "crank" : "coupler";
+  std::string text = title + fmt::format("# {} degrees at each place:", driver);
+  for (const double angle : answer.crank_angles) text += fmt::format(" {}", degrees(angle + driven.offset));
   text += fmt::format(
-      "\nname = \"Four-bar by kempe path\"\n\n[ground]\nO = {}\nD = {}\n\n[links]\n"
+      "\nname = \"{} by kempe path\"\n\n[ground]\nO = {}\nD = {}\n\n[links]\n"
       "crank = {{ joints = [\"O\", \"A\"], O-A = {} }}\n"
-      "coupler = {{ at = {{ A = [0, 0], B = [{}, 0], P = {} }} }}\n"
+      "coupler = {{ at = {{ A = [0, 0], B = [{}, 0], P = {}{} }} }}\n"
       "rocker = {{ joints = [\"D\", \"B\"], D-B = {} }}\n",
-      toml_place(bar.crank_pivot), toml_place(bar.rocker_pivot), bar.crank, bar.coupler,
-      toml_place(bar.coupler_point), bar.rocker);
+      copy != nullptr ? "Plagiograph on a four-bar" : "Four-bar", toml_place(bar.crank_pivot),
+      toml_place(bar.rocker_pivot), bar.crank, bar.coupler, toml_place(bar.coupler_point),
+      copy != nullptr ? fmt::format(", C = {}", toml_place(copy->coupler_joint)) : "", bar.rocker);
+  if (copy != nullptr)
+    text += fmt::format(
+        "arm = {{ joints = [\"{0}\", \"Q\"], {0}-Q = {1} }}\n"
+        "copier = {{ at = {{ Q = [0, 0], C = [{2}, 0], Y = {3} }} }}\n",
+        copy->pole == CopyPole::crank_pivot ? "O" : "D", copy->arm, copy->link, toml_place(copy->copy_point));
   text += fmt::format("\n[[drivers]]\nangle = \"{}\"\nfrom_deg = {}\nto_deg = {}\n\n[motion]\nsteps = 60\n",
-                      driver == CognateDriver::crank ? "crank" : "coupler", degrees(first), degrees(last));
-  text +=
-      "\n[output]\npoints = [\"P\"]\nangles = [\"crank\", \"coupler\", \"rocker\"]\n"
-      "transmission = [[\"A\", \"B\", \"D\"]]\ntrace = [\"P\"]\n";
-  return text + guess_table({{"A", A}, {"B", B}, {"P", P}});
+                      driver, degrees(first), degrees(last));
+  text += fmt::format(
+      "\n[output]\npoints = [\"P\"{0}]\nangles = [\"crank\", \"coupler\", \"rocker\"]\n"
+      "transmission = [[\"A\", \"B\", \"D\"]]\ntrace = [\"P\"{0}]\n",
+      copy != nullptr ? ", \"Y\"" : "");
+  if (copy == nullptr) return text + guess_table({{"A", A}, {"B", B}, {"P", P}});
+  return text +
+         guess_table(
+             {{"A", A}, {"B", B}, {"P", P}, {"Q", copy->Q}, {"C", copy->C}, {"Y", copy->copied.front()}});
+}
+
+}  // namespace
+
+std::string path_linkage(const PathAnswer& answer, std::optional<std::size_t> cognate) {
+  DrivenBar driven{answer.linkage};
+  if (cognate) {
+    const Cognate& other = answer.cognates.value()[*cognate];
+    driven = {other.linkage, other.driver, other.offset};
+  }
+  return path_linkage_text(
+      answer, driven,
+      fmt::format("# Four-bar{} whose coupler point P passes {} given places, by kempe path.\n",
+                  cognate ? fmt::format(", cognate {},", *cognate + 1) : "", answer.crank_angles.size()),
+      nullptr);
+}
+
+std::string copy_linkage(const PathAnswer& answer, const CopyTask& task, const CouplerCopy& copy) {
+  const bool by_crank = copy.pole == CopyPole::crank_pivot;
+  return path_linkage_text(answer, {copy.linkage, copy.driver, copy.offset},
+                           fmt::format("# Six-bar by kempe path: the coupler point P passes {} given places, "
+                                       "and the plagiograph {}-{}-C-Q copies its\n"
+                                       "# curve at Y, {} times as large and turned by {} degrees about {}.\n",
+                                       answer.crank_angles.size(), by_crank ? "O" : "D", by_crank ? "A" : "B",
+                                       task.scale, degrees(task.rotation), by_crank ? "O" : "D"),
+                           &copy);
 }
 
 }  // namespace kempe

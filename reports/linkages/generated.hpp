@@ -5,6 +5,7 @@
 
 #include "synthesis/functions/function_generator.hpp"
 #include "synthesis/functions/inversor.hpp"
+#include "synthesis/paths/coupler_copy.hpp"
 #include "synthesis/paths/path_generator.hpp"
 
 namespace kempe {
@@ -24,5 +25,9 @@ std::string function_linkage(const FunctionTask& task, const FunctionDesign& des
 /// last; or one of its cognates (0 or 1, which the answer must have), driven by the link that moves P in the same way. mm, degrees; every
 /// number to its last digit.
 std::string path_linkage(const PathAnswer& answer, std::optional<std::size_t> cognate = std::nullopt);
+
+/// The six-bar of a copy: the four-bar it stands on as in path_linkage, C on its coupler, the links O-Q (or D-Q) and Q-C-Y, and the point Y that
+/// draws the copy. mm, degrees; every number to its last digit.
+std::string copy_linkage(const PathAnswer& answer, const CopyTask& task, const CouplerCopy& copy);
 
 }  // namespace kempe

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kinematics/planar/path.hpp"
+#include "synthesis/paths/driven_four_bar.hpp"
 #include "synthesis/paths/slack.hpp"
 
 namespace kempe {
@@ -76,37 +77,49 @@ std::optional<std::array<Cognate, 2>> cognates_of(const CouplerFourBar& bar, dou
                                 Cognate{made(C0, C2, B1, B0), CognateDriver::crank, std::arg(1.0 - k)}};
 }
 
+std::optional<DrivenFourBar> driven_four_bar(const CouplerFourBar& bar, CognateDriver driver, double angle,
+                                             double start) {
+  const auto place = bar.at(start);
+  if (!place) return std::nullopt;
+  DrivenFourBar driven;
+  driven.place = *place;
+  PlanarLinkage& linkage = driven.linkage;
+  driven.crank = linkage.add_body("crank");
+  driven.coupler = linkage.add_body("coupler");
+  driven.rocker = linkage.add_body("rocker");
+  linkage.add(Revolute{{0, bar.crank_pivot}, {driven.crank, {0, 0}}}, "A0");
+  linkage.add(Revolute{{driven.crank, {bar.crank, 0}}, {driven.coupler, {0, 0}}}, "A");
+  linkage.add(Revolute{{driven.coupler, {bar.coupler, 0}}, {driven.rocker, {bar.rocker, 0}}}, "B");
+  linkage.add(Revolute{{0, bar.rocker_pivot}, {driven.rocker, {0, 0}}}, "B0");
+  const bool by_crank = driver == CognateDriver::crank;
+  linkage.drive(RelativeAngle{by_crank ? driven.crank : driven.coupler, PlanarLinkage::ground, angle},
+                "driver");
+  // A guess may lie whole turns away from the driver's value, which a continuous angle does not.
+  const auto near = [](double turned, double to) {
+    return turned + 2 * pi * std::round((to - turned) / (2 * pi));
+  };
+  driven.guess = PlanarPosition(4);
+  const auto at = [&](int body) -> BodyPlacement& { return driven.guess[static_cast<std::size_t>(body)]; };
+  at(driven.crank) = {bar.crank_pivot, by_crank ? angle : direction_of(place->A - bar.crank_pivot)};
+  const double along = direction_of(place->B - place->A);
+  at(driven.coupler) = {place->A, by_crank ? along : near(along, angle)};
+  at(driven.rocker) = {bar.rocker_pivot, direction_of(place->B - bar.rocker_pivot)};
+  return driven;
+}
+
 std::optional<CertifiedPath> certified_path(const CouplerFourBar& bar, CognateDriver driver,
                                             const std::vector<double>& angles, double start) {
-  const auto place = bar.at(start);
-  if (!place || angles.empty()) return std::nullopt;
-  PlanarLinkage linkage;
-  const int crank = linkage.add_body("crank"), coupler = linkage.add_body("coupler"),
-            rocker = linkage.add_body("rocker");
-  const BodyPoint P{coupler, bar.coupler_point};
-  linkage.add(Revolute{{0, bar.crank_pivot}, {crank, {0, 0}}}, "A0");
-  linkage.add(Revolute{{crank, {bar.crank, 0}}, {coupler, {0, 0}}}, "A");
-  linkage.add(Revolute{{coupler, {bar.coupler, 0}}, {rocker, {bar.rocker, 0}}}, "B");
-  linkage.add(Revolute{{0, bar.rocker_pivot}, {rocker, {0, 0}}}, "B0");
-  const bool by_crank = driver == CognateDriver::crank;
-  linkage.drive(RelativeAngle{by_crank ? crank : coupler, PlanarLinkage::ground, angles.front()}, "driver");
-  // A guess may lie whole turns away from the driver's value, which a continuous angle does not.
-  const auto near = [](double angle, double to) {
-    return angle + 2 * pi * std::round((to - angle) / (2 * pi));
-  };
-  PlanarPosition guess(4);
-  guess[static_cast<std::size_t>(crank)] = {
-      bar.crank_pivot, by_crank ? angles.front() : direction_of(place->A - bar.crank_pivot)};
-  const double along = direction_of(place->B - place->A);
-  guess[static_cast<std::size_t>(coupler)] = {place->A, by_crank ? along : near(along, angles.front())};
-  guess[static_cast<std::size_t>(rocker)] = {bar.rocker_pivot, direction_of(place->B - bar.rocker_pivot)};
-  auto path = PlanarPath::from(linkage, guess, {angles.front()});
+  if (angles.empty()) return std::nullopt;
+  const auto driven = driven_four_bar(bar, driver, angles.front(), start);
+  if (!driven) return std::nullopt;
+  const BodyPoint P{driven->coupler, bar.coupler_point};
+  auto path = PlanarPath::from(driven->linkage, driven->guess, {angles.front()});
   if (!path) return std::nullopt;
   CertifiedPath motion;
   for (const double angle : angles) {
     if (!path->advance({angle})) return std::nullopt;
     motion.reached.push_back(path->at(P));
-    motion.coupler_angle.push_back(path->angle(coupler));
+    motion.coupler_angle.push_back(path->angle(driven->coupler));
   }
   return motion;
 }

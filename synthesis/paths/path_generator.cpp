@@ -69,6 +69,7 @@ std::vector<PathStart> scattered_starts(const PathTask& task, PathEffort& effort
     ++effort.starts;
     if (!program.project(x) || !program.errors(x, errors, nullptr)) continue;
     program.watch_extremes(x);
+    program.choose_motion(x);
     const double broken = broken_by(program, x);
     starts.push_back({x, branch, rising, errors.squaredNorm() / program.count() + 0.01 * broken});
   }
@@ -98,6 +99,7 @@ std::optional<PathStart> refined_start(const PathTask& task, PathStart start, Pa
                                        PathEffort& effort) {
   PathProgram program(task, start.branch, start.rising);
   program.watch_extremes(start.x);
+  program.choose_motion(start.x);
   for (int round = 0; round < 3; ++round) {
     refine_path(program, aim, evaluations, start.x, effort.evaluations);
     const int watched = program.limit_count();
@@ -134,11 +136,19 @@ double size_of(const std::vector<Point>& points) {
 
 }  // namespace
 
+bool meets_points(const PathTask& task, const PathAnswer& answer) {
+  return answer.error_max <= slack::path_met * size_of(task.points);
+}
+
 std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar& linkage,
                                       const std::vector<double>& crank_angles) {
   const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
   if (!finite || linkage.longest() > task.longest || !lies_within(task.pivots_within, linkage.crank_pivot) ||
       !lies_within(task.pivots_within, linkage.rocker_pivot))
+    return std::nullopt;
+  const CrankMotion moves = linkage.links().motion();
+  if (!task.motions.empty() &&
+      std::find(task.motions.begin(), task.motions.end(), moves) == task.motions.end())
     return std::nullopt;
   const auto transmission = linkage.least_transmission_angle(crank_angles.front(), crank_angles.back());
   if (!transmission || *transmission < std::max(task.transmission, slack::path_from_dead_points))
@@ -155,13 +165,15 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
                     0,
                     0,
                     *transmission,
-                    cognates_of(linkage, crank_angles.front())};
+                    cognates_of(linkage, crank_angles.front()),
+                    {}};
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const double distance = (answer.reached[i] - task.points[i]).norm();
     answer.error_rms += distance * distance / static_cast<double>(task.points.size());
     answer.error_max = std::max(answer.error_max, distance);
   }
   answer.error_rms = std::sqrt(answer.error_rms);
+  answer.active = active_limits(task, answer);
   return answer;
 }
 
@@ -197,13 +209,18 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
   // Where several meet their points, the one that moves best comes first.
   const double met = slack::path_met * size_of(task.points);
   const auto rank = [&](const PathAnswer& answer) { return std::max(met, aimed_error(task, answer)); };
-  std::stable_sort(answers.begin(), answers.end(), [&](const PathAnswer& a, const PathAnswer& b) {
-    return rank(a) != rank(b) ? rank(a) < rank(b) : a.transmission_min > b.transmission_min;
+  std::vector<PathAnswer*> ranked;
+  for (PathAnswer& answer : answers) ranked.push_back(&answer);
+  std::stable_sort(ranked.begin(), ranked.end(), [&](const PathAnswer* a, const PathAnswer* b) {
+    return rank(*a) != rank(*b) ? rank(*a) < rank(*b) : a->transmission_min > b->transmission_min;
   });
-  for (PathAnswer& answer : answers) {
+  for (PathAnswer* next : ranked) {
     if (search.answers.size() == most) break;
-    const bool seen = std::any_of(search.answers.begin(), search.answers.end(),
-                                  [&](const PathAnswer& other) { return alike(answer, other); });
+    PathAnswer& answer = *next;
+    const bool seen = std::any_of(search.answers.begin(), search.answers.end(), [&](const PathAnswer& other) {
+      const double enough = slack::path_one_curve * other.error_max;
+      return alike(answer, other) || (other.error_max > met && curves_apart(answer, other, enough) <= enough);
+    });
     if (!seen) search.answers.push_back(std::move(answer));
   }
   if (search.answers.empty())

@@ -33,6 +33,14 @@ struct PathTask {
   double transmission =
       0;  ///< rad, < pi/2: least angle from the first point to the last; 0.02 are always kept
   std::vector<Point> pivots_within;  ///< corners of a convex polygon, counter-clockwise; empty: anywhere
+  std::vector<CrankMotion> motions;  ///< by Grashof's rule, one of these; no change point; empty: any
+};
+
+/// A limit that an answer stands at: without it, another might come nearer to the points.
+struct ActiveLimit {
+  std::string
+      key;  ///< of the spec, "limits.longest_mm"; or what is always kept: "dead point", "change point", "ratios searched"
+  std::string what;  ///< "rocker"; empty where the key says all
 };
 
 /// A four-bar, moved over its points by the general solver.
@@ -45,6 +53,7 @@ struct PathAnswer {
   double error_max = 0;                            ///< mm
   double transmission_min = 0;                     ///< rad, from the first point to the last
   std::optional<std::array<Cognate, 2>> cognates;  ///< nothing where one has a link without length
+  std::vector<ActiveLimit> active;                 ///< the limits that it stands at
 };
 
 /// What a search looked at.
@@ -57,7 +66,9 @@ struct PathEffort {
 };
 
 struct PathSearch {
-  std::vector<PathAnswer> answers;  ///< the best first; different ones, none a cognate of another
+  /// The best first; different ones, none a cognate of another, and of those whose coupler curves lie, from the first point to the last, nowhere
+  /// farther apart than a tenth of the better one's largest error the best alone.
+  std::vector<PathAnswer> answers;
   PathEffort effort;
 };
 
@@ -69,5 +80,15 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
 /// where a limit is broken or the motion has a defect.
 std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar& linkage,
                                       const std::vector<double>& crank_angles);
+
+/// Whether an answer meets all points, to rounding.
+bool meets_points(const PathTask& task, const PathAnswer& answer);
+
+/// The limits that an answer stands at, to 1e-6 of their size.
+std::vector<ActiveLimit> active_limits(const PathTask& task, const PathAnswer& answer);
+
+/// How far two answers' coupler curves lie apart from the first point to the last, at most: the largest distance of a place of one from the other,
+/// looked at `places` times between two points. Ends early, with infinity, where it is more than `enough`.
+double curves_apart(const PathAnswer& one, const PathAnswer& other, double enough, int places = 6);
 
 }  // namespace kempe

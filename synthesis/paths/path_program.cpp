@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "synthesis/paths/slack.hpp"
@@ -15,8 +16,55 @@ struct PathProgram::Coupler {
   Complex crank, direction, rocker;  ///< unit vectors
 };
 
+std::vector<GrashofRows> grashof_choices(const std::vector<CrankMotion>& motions) {
+  std::vector<GrashofRows> choices;
+  for (const CrankMotion motion : motions) switch (motion) {
+      case CrankMotion::crank_rocker: choices.push_back({1, 1}); break;
+      case CrankMotion::double_crank: choices.push_back({0, 1}); break;
+      case CrankMotion::rocker_crank: choices.push_back({3, 1}); break;
+      case CrankMotion::double_rocker:
+        choices.push_back({2, 1});
+        for (int link = 0; link < 4; ++link) choices.push_back({link, -1});
+        break;
+      case CrankMotion::change_point: break;
+    }
+  return choices;
+}
+
+namespace {
+
+/// The three rows of a choice, each kept where not positive, in ground links; x holds the logarithms of the ratios.
+std::array<double, 3> grashof_values(const GrashofRows& rows, const std::array<double, 4>& lengths) {
+  const double sum = lengths[0] + lengths[1] + lengths[2] + lengths[3];
+  std::array<double, 3> values{};
+  std::size_t row = 0;
+  for (std::size_t other = 0; other < 4; ++other)
+    if (const auto link = static_cast<std::size_t>(rows.link); other != link)
+      values[row++] =
+          rows.sign * (2 * (lengths[link] + lengths[other]) - sum) + slack::path_from_change_point;
+  return values;
+}
+
+std::array<double, 4> lengths_in_ground_links(const Eigen::VectorXd& x) {
+  return {1, std::exp(x[6]), std::exp(x[7]), std::exp(x[8])};
+}
+
+}  // namespace
+
+void PathProgram::choose_motion(const Eigen::VectorXd& x) {
+  double least = 0;
+  for (const GrashofRows& choice : motions_) {
+    const std::array<double, 3> values = grashof_values(choice, lengths_in_ground_links(x));
+    const double broken = *std::max_element(values.begin(), values.end());
+    if (motion_ && broken >= least) continue;
+    motion_ = choice;
+    least = broken;
+  }
+}
+
 PathProgram::PathProgram(const PathTask& task, FourBarBranch branch, bool rising)
-    : turns_(task.turns), branch_(branch), way_(rising ? 1 : -1), timed_(!task.turns.empty()) {
+    : turns_(task.turns), motions_(grashof_choices(task.motions)), branch_(branch), way_(rising ? 1 : -1),
+      timed_(!task.turns.empty()) {
   for (const Point& p : task.points) centre_ += as_complex(p) / static_cast<double>(task.points.size());
   unit_ = 0;
   for (const Point& p : task.points) unit_ = std::max(unit_, std::abs(as_complex(p) - centre_));
@@ -105,7 +153,8 @@ bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
 
 int PathProgram::limit_count() const {
   const int order = timed_ ? 0 : count();
-  return 2 * (count() + static_cast<int>(in_line_.size())) + 6 + 2 * static_cast<int>(pivots_.size()) + order;
+  return 2 * (count() + static_cast<int>(in_line_.size())) + 6 + 2 * static_cast<int>(pivots_.size()) +
+         order + (motion_ ? 3 : 0);
 }
 
 void PathProgram::watch_extremes(const Eigen::VectorXd& x) {
@@ -205,6 +254,18 @@ void PathProgram::limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
     }
     ++row;
   }
+
+  if (!motion_) return;
+  const std::array<double, 4> lengths = lengths_in_ground_links(x);
+  const std::array<double, 3> kept = grashof_values(*motion_, lengths);
+  for (int other = 0, k = 0; other < 4; ++other) {
+    if (other == motion_->link) continue;
+    value[row] = kept[static_cast<std::size_t>(k++)];
+    for (int moved = 1; slope && moved < 4; ++moved)
+      (*slope)(row, ratios_at + moved - 1) = motion_->sign * lengths[static_cast<std::size_t>(moved)] *
+                                             (moved == other || moved == motion_->link ? 1 : -1);
+    ++row;
+  }
 }
 
 CouplerFourBar PathProgram::linkage(const Eigen::VectorXd& x) const {
@@ -232,7 +293,7 @@ std::vector<double> PathProgram::crank_angles(const Eigen::VectorXd& x) const {
 
 Eigen::VectorXd PathProgram::lowest() const {
   Eigen::VectorXd bound = Eigen::VectorXd::Constant(size(), -100);
-  bound.segment<3>(ratios_at).setConstant(-std::log(20.0));
+  bound.segment<3>(ratios_at).setConstant(-std::log(slack::path_largest_ratio));
   return bound;
 }
 

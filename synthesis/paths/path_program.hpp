@@ -8,6 +8,16 @@
 
 namespace kempe {
 
+/// By Grashof's rule: one link and each other are together shorter (sign +1: the link is the shortest, and the linkage Grashof's) or longer (-1: the
+/// longest, and not Grashof's) than the other two.
+struct GrashofRows {
+  int link;  ///< 0 ground, 1 crank, 2 coupler, 3 rocker
+  double sign;
+};
+
+/// The rows of which one set is enough for one of these motions; none for a change point.
+std::vector<GrashofRows> grashof_choices(const std::vector<CrankMotion>& motions);
+
 /// A path moved to its centroid and scaled to size 1, with the way of turning and the assembly mode that a start has.
 ///
 /// Unknowns: z0, z1, z2 (two each), the logarithms of alpha, beta, gamma, and the crank's angles from the ground link: the first where
@@ -32,12 +42,15 @@ class PathProgram {
   /// The 2 n differences of the coupler point from the points, and their slopes (2 n rows) unless null; false where the loop does not close.
   bool errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const;
 
-  /// The limits, each kept where not positive: transmission at every point and where it is least between them, lengths, pivots, order.
+  /// The limits, each kept where not positive: transmission at every point and where it is least between them, lengths, pivots, order, and the motion.
   void limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const;
   int limit_count() const;
 
   /// Adds those of the crank's two places in line with the ground link that lie between the points: the limit holds at these too.
   void watch_extremes(const Eigen::VectorXd& x);
+
+  /// Where the task limits the motion: adds the rows of the choice that x breaks least.
+  void choose_motion(const Eigen::VectorXd& x);
 
   CouplerFourBar linkage(const Eigen::VectorXd& x) const;
   std::vector<double> crank_angles(const Eigen::VectorXd& x) const;
@@ -53,6 +66,8 @@ class PathProgram {
   std::vector<double> turns_;
   std::vector<Point> pivots_;
   std::vector<double> in_line_;  ///< crank angles, 0 and pi
+  std::vector<GrashofRows> motions_;
+  std::optional<GrashofRows> motion_;
   FourBarBranch branch_;
   double way_;  ///< +1 or -1
   Complex centre_;

@@ -293,6 +293,7 @@ tl::expected<PoseSearch, std::string> guide_poses(const PoseTask& task, std::siz
   path.longest = task.longest;
   path.transmission = task.transmission;
   path.pivots_within = task.pivots_within;
+  path.motions = task.motions;
   PoseSearch search;
   search.dyads = dyads_of(task);
   const double kept = std::max(task.transmission, slack::path_from_dead_points);

@@ -29,6 +29,7 @@ struct PoseTask {
   std::vector<BodyPlacement> poses;
   double longest = 0, transmission = 0;
   std::vector<Point> pivots_within;
+  std::vector<CrankMotion> motions;
 };
 
 /// All dyads of five poses, at most four; of four poses those whose circle point lies on one of 180 lines through the body's origin, a

@@ -11,12 +11,20 @@ inline constexpr double path_from_dead_points = 0.02, path_inside_transmission =
 inline constexpr double path_inside_limit = 1e-9;
 /// rad: the crank turns on at least so far from one point to the next, where the timing is free.
 inline constexpr double least_turn = 1e-3;
+/// None (ground links): how far a motion by Grashof's rule is kept from a change point, so that rounding does not make it one.
+inline constexpr double path_from_change_point = 1e-6;
 /// Share of the path's size: an error below it is rounding, and the point counts as met.
 inline constexpr double path_met = 1e-9;
 /// None (logarithms of ratios, radians): starts nearer than this are one.
 inline constexpr double path_starts_apart = 0.15;
 /// None: the same for answers.
 inline constexpr double path_answers_apart = 1e-3;
+/// Share of the better one's largest error: answers whose coupler curves are nowhere farther apart are one.
+inline constexpr double path_one_curve = 0.1;
+/// Share of a limit (rad for angles): an answer nearer to it stands at it.
+inline constexpr double path_at_limit = 1e-6;
+/// None: the ratios of a link to the ground link that the search looks at, and one over it.
+inline constexpr double path_largest_ratio = 20;
 /// None: the sum of what limits are missed by in the solver, above which it has not kept them.
 inline constexpr double path_limit_broken = 1e-8;
 /// Share: a root of the resultant with no larger imaginary part is tried as a real one; Newton's method decides.
@@ -25,6 +33,10 @@ inline constexpr double nearly_real = 1e-5;
 inline constexpr double rows_depend = 1e-11, at_infinity = 1e-9;
 /// Share of the longest link, and rad: what the general solver may find a pose off by.
 inline constexpr double poses_met = 1e-8;
+/// None: a ratio nearer to 1 copies the curve onto itself.
+inline constexpr double copies_itself = 1e-6;
+/// Share of the copy's size: what the general solver may find a copied point off by.
+inline constexpr double copied = 1e-9;
 /// None: changes at which the local solver ends.
 inline constexpr double path_at_rest = 1e-13;
 

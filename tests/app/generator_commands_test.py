@@ -261,6 +261,59 @@ class Path(Case):
         self.assertEqual(text.returncode, 0, text.stderr)
         self.assertIn("no bound of the least error is known", text.stdout)
 
+    def test_the_motion_that_is_asked_for(self):
+        good = (GENERATORS / "five-poses.toml").read_text()
+        for motion in ("crank-rocker", "double rocker"):
+            run = kempe("path", self.file(good + f'motion = "{motion}"\n'), "--json")
+            if run.returncode == 6:
+                continue
+            self.assertEqual({answer["motion"] for answer in json.loads(run.stdout)["answers"]}, {motion})
+        line = self.LINE.read_text()
+        for answer in self.answer("path", self.file(line + 'motion = "crank turns fully"\n'))["answers"]:
+            ground = math.dist(*answer["pivots_mm"])
+            others = [answer["coupler_mm"], answer["rocker_mm"]]
+            shortest, *rest = sorted([ground, answer["crank_mm"], *others])
+            self.assertIn(shortest, (ground, answer["crank_mm"]))
+            self.assertLess(shortest + rest[2], rest[0] + rest[1])
+        self.assertRefused(kempe("path", self.file(line + 'motion = "all"\n')), 2, "limits.motion", "crank turns fully")
+
+    def test_the_plagiograph_on_the_coupler_copies_the_curve(self):
+        """The general solver on both files: the six-bar's point is where the four-bar's, turned and scaled about the pole, is."""
+        four, six = self.scratch / "four.toml", self.scratch / "six.toml"
+        for cognate, pole, rotation in (([], ["--copy-pole", "crank"], -30), ([], [], 60), (["--cognate", 1], [], -30),
+                                        (["--cognate", 2], ["--copy-pole", "rocker"], -30)):
+            with self.subTest(cognate=cognate, pole=pole, rotation=rotation):
+                self.answer("path", self.LINE, "-o", four, *cognate)
+                copy = self.answer("path", self.LINE, "-o", six, "--copy-scale", 2, "--copy-rotation", rotation, *pole, *cognate)["answers"][0]["copy"]
+                x, y = copy["pole_mm"]
+                self.assertIn(copy["pole_mm"], copy["four_bar"]["pivots_mm"])
+                self.assertEqual(copy["pole"] == "crank_pivot", copy["pole_mm"] == copy["four_bar"]["pivots_mm"][0])
+                if pole:
+                    self.assertEqual(copy["pole"], f"{pole[1]}_pivot")
+                ratio = 2 * complex(math.cos(math.radians(rotation)), math.sin(math.radians(rotation)))
+                drawn, copied = self.answer("solve", four), self.answer("solve", six)
+                self.assertIsNone(copied["stop"])
+                columns = [self.turned(drawn, f"P_{axis}_mm") for axis in "xy"] + [self.turned(copied, f"Y_{axis}_mm") for axis in "xy"]
+                self.assertEqual(len(columns[0]), 61)
+                for px, py, yx, yy in zip(*columns, strict=True):
+                    image = complex(x, y) + ratio * (complex(px, py) - complex(x, y))
+                    self.assertLess(abs(complex(yx, yy) - image), 1e-8)
+                self.assertLess(math.dist(copy["copied_mm"][0], (columns[2][0], columns[3][0])), 1e-8)
+                self.assertLess(copy["error_max_mm"], 1e-9)
+                self.assertGreater(copy["parallelogram_min_deg"], 1)
+                self.assertEqual(self.answer("mobility", six)["mobility"], 1)
+
+    def test_a_copy_that_passes_a_change_point_is_refused(self):
+        file = self.scratch / "six.toml"
+        loop = GENERATORS / "loop.toml"
+        for answer in self.answer("path", loop, "--copy-rotation", 90)["answers"]:
+            self.assertIn("change point", answer["copy"]["why_not"])
+        self.assertRefused(kempe("path", loop, "--copy-rotation", 90, "-o", file), 6, "change point")
+        self.assertRefused(kempe("path", self.LINE, "--copy-scale", 1, "-o", file), 6, "the curve itself")
+        self.assertFalse(file.exists())
+        for wrong in (("--copy-scale", 0), ("--copy-scale", "nan"), ("--copy-rotation", 400), ("--copy-pole", "third")):
+            self.assertRefused(kempe("path", self.LINE, *wrong), 2)
+
     def test_bad_input(self):
         good = (GENERATORS / "loop.toml").read_text()
         for old, new, words in [

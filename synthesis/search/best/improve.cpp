@@ -70,6 +70,7 @@ SearchResult improved(const SearchTask& task, SearchResult found) {
   if (!has_exact_ratio(*found.design, task.spec())) return found;
   const auto bound =
       proven_bound(task.space().spec(), {.incumbent = found.design->value,
+                                         .tolerance = slack::tree_bound,
                                          .stop = task.stop(),
                                          .progress = task.control.progress_of("proving a bound")});
   if (task.stopped()) {

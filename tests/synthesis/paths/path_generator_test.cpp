@@ -199,12 +199,136 @@ TEST(PathGenerator, TheGeneralSolverDoesNotPassAPlaceWhereTheLoopOpens) {
   EXPECT_FALSE(certified_path(bar, CognateDriver::crank, {0.4, 2 * pi - 0.4}, 0.4));
 }
 
+/// Whether the crank goes round, by looking: whether the loop closes at every whole degree.
+bool goes_round(const CouplerFourBar& bar, bool by_crank) {
+  for (int degree = 0; degree < 360; ++degree) {
+    const double angle = radians(degree);
+    const Point& pivot = by_crank ? bar.crank_pivot : bar.rocker_pivot;
+    const Point& other = by_crank ? bar.rocker_pivot : bar.crank_pivot;
+    const Point end = pivot + (by_crank ? bar.crank : bar.rocker) * Point(std::cos(angle), std::sin(angle));
+    const double gap = (end - other).norm(), far = by_crank ? bar.rocker : bar.crank;
+    if (gap > bar.coupler + far || gap < std::abs(bar.coupler - far)) return false;
+  }
+  return true;
+}
+
+TEST(PathGenerator, KeepsTheMotionThatIsAskedFor) {
+  using enum CrankMotion;
+  for (const std::vector<CrankMotion>& motions : std::initializer_list<std::vector<CrankMotion>>{
+           {crank_rocker}, {double_crank}, {rocker_crank}, {double_rocker}, {crank_rocker, double_crank}}) {
+    PathTask task = motions.size() == 2 ? line_of_six() : five_timed();
+    task.motions = motions;
+    const auto search = generate_path(task);
+    ASSERT_TRUE(search) << search.error();
+    for (const PathAnswer& answer : search->answers) {
+      expect_reached(task, answer);
+      const bool crank = goes_round(answer.linkage, true), rocker = goes_round(answer.linkage, false);
+      if (motions.size() == 2) {
+        EXPECT_TRUE(crank);
+        continue;
+      }
+      EXPECT_EQ(crank, motions[0] == crank_rocker || motions[0] == double_crank);
+      EXPECT_EQ(rocker, motions[0] == rocker_crank || motions[0] == double_crank);
+    }
+  }
+}
+
+/// The oracle: the angle at B of the triangle A, B, B0 at 20,000 places between, by the law of cosines.
+TEST(PathGenerator, KeepsTheTransmissionAngleBetweenThePointsToo) {
+  for (PathTask task : {line_of_six(), loop_of_eighteen()}) {
+    task.transmission = radians(task.turns.empty() ? 72 : 40);
+    const auto search = generate_path(task);
+    ASSERT_TRUE(search) << search.error();
+    for (const PathAnswer& answer : search->answers) {
+      const CouplerFourBar& bar = answer.linkage;
+      const double first = answer.crank_angles.front(), last = answer.crank_angles.back();
+      double least = pi;
+      for (int i = 0; i <= 20000; ++i) {
+        const double angle = first + (last - first) * i / 20000;
+        const Point A = bar.crank_pivot + bar.crank * Point(std::cos(angle), std::sin(angle));
+        const double square = (A - bar.rocker_pivot).squaredNorm();
+        const double at_B = std::acos((bar.coupler * bar.coupler + bar.rocker * bar.rocker - square) /
+                                      (2 * bar.coupler * bar.rocker));
+        least = std::min({least, at_B, pi - at_B});
+      }
+      EXPECT_GE(least, task.transmission - 1e-12);
+      EXPECT_NEAR(least, answer.transmission_min, 1e-6);
+    }
+  }
+}
+
+/// The largest distance of places of one curve from places of the other, 400 between two points.
+double apart_by_looking(const PathAnswer& one, const PathAnswer& other) {
+  const auto curve = [](const PathAnswer& answer) {
+    std::vector<double> angles;
+    for (std::size_t i = 1; i < answer.crank_angles.size(); ++i)
+      for (int k = 0; k <= 400; ++k)
+        angles.push_back(answer.crank_angles[i - 1] +
+                         (answer.crank_angles[i] - answer.crank_angles[i - 1]) * k / 400);
+    return certified_path(answer.linkage, CognateDriver::crank, angles, angles.front()).value().reached;
+  };
+  const std::vector<Point> first = curve(one), second = curve(other);
+  double farthest = 0;
+  for (std::size_t i = 0; i < first.size(); i += 20) {
+    double nearest = 1e9;
+    for (const Point& q : second) nearest = std::min(nearest, (first[i] - q).norm());
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+TEST(PathGenerator, AnswersDifferInTheirCurvesAndSayWhichLimitHoldsThemBack) {
+  PathTask task = loop_of_eighteen();
+  task.transmission = radians(40);
+  const auto search = generate_path(task, 6);
+  ASSERT_TRUE(search) << search.error();
+  ASSERT_GE(search->answers.size(), 2u);
+  for (std::size_t k = 0; k < search->answers.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      const PathAnswer &better = search->answers[i], &worse = search->answers[k];
+      EXPECT_GT(std::max(apart_by_looking(better, worse), apart_by_looking(worse, better)),
+                0.099 * better.error_max);
+    }
+  const PathAnswer& best = search->answers.front();
+  const auto has = [](const PathAnswer& answer, const std::string& key) {
+    return std::any_of(answer.active.begin(), answer.active.end(),
+                       [&](const ActiveLimit& limit) { return limit.key == key; });
+  };
+  EXPECT_TRUE(has(best, "limits.transmission_deg"));
+  EXPECT_FALSE(has(best, "limits.longest_mm"));
+  // A looser limit there gives a smaller error, one elsewhere does not.
+  PathTask looser = task;
+  looser.transmission -= radians(0.5);
+  const auto less = generate_path(looser, 1);
+  ASSERT_TRUE(less);
+  EXPECT_LT(less->answers.front().error_rms, best.error_rms * (1 - 1e-5));
+  looser = task;
+  looser.longest *= 1.01;
+  const auto same = generate_path(looser, 1);
+  ASSERT_TRUE(same);
+  EXPECT_NEAR(same->answers.front().error_rms, best.error_rms, 1e-7 * best.error_rms);
+}
+
+TEST(PathGenerator, CurvesOfCognatesAreOne) {
+  const PathTask task = loop_of_eighteen();
+  const PathAnswer answer = generate_path(task, 1).value().answers.front();
+  PathAnswer other = answer;
+  other.linkage = answer.cognates.value()[1].linkage;
+  for (double& angle : other.crank_angles) angle += answer.cognates.value()[1].offset;
+  EXPECT_LT(curves_apart(answer, other, 1), 1e-12);
+  other = answer;
+  other.linkage.coupler_point += Point(0.01, 0);
+  EXPECT_NEAR(curves_apart(answer, other, 1), 0.01, 0.005);
+  EXPECT_GT(curves_apart(answer, other, 0.004), 1e9);
+}
+
 void expect_slopes(const PathTask& task) {
   PathProgram program(task, FourBarBranch::second, true);
   Eigen::VectorXd x(program.size());
   x.head<9>() << 0.3, -0.2, 0.5, 0.1, 0.4, -0.6, -0.9, 0.1, 0.2;
   for (Eigen::Index i = 9; i < x.size(); ++i) x[i] = 0.4 + 0.3 * static_cast<double>(i - 9);
   program.watch_extremes(x);
+  program.choose_motion(x);
   Eigen::VectorXd value, above, below;
   Eigen::MatrixXd errors, limits;
   ASSERT_TRUE(program.errors(x, value, &errors));
@@ -225,6 +349,36 @@ void expect_slopes(const PathTask& task) {
 TEST(PathGenerator, SlopesAreThoseOfTheErrorsAndLimits) {
   expect_slopes(line_of_six());
   expect_slopes(loop_of_eighteen());
+  for (const CrankMotion motion : {CrankMotion::crank_rocker, CrankMotion::double_crank,
+                                   CrankMotion::rocker_crank, CrankMotion::double_rocker}) {
+    PathTask task = loop_of_eighteen();
+    task.motions = {motion};
+    expect_slopes(task);
+  }
+}
+
+/// The rows of a choice and the rule of Grashof on scattered lengths: the same, but near a change point.
+TEST(PathGenerator, RowsOfAMotionAreGrashofsRule) {
+  PathTask task = five_timed();
+  task.longest = 1e6;
+  task.pivots_within.clear();
+  for (const CrankMotion motion : {CrankMotion::crank_rocker, CrankMotion::double_crank,
+                                   CrankMotion::rocker_crank, CrankMotion::double_rocker}) {
+    task.motions = {motion};
+    int of_it = 0;
+    for (int i = 1; i <= 500; ++i) {
+      PathProgram program(task, FourBarBranch::first, true);
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(program.size()), value;
+      x[2] = 1;
+      for (int k = 0; k < 3; ++k) x[6 + k] = 2 * std::fmod(i * std::sqrt(k == 2 ? 5.0 : 2.0 + k), 1) - 1;
+      program.choose_motion(x);
+      program.limits(x, value, nullptr);
+      const bool is_it = program.linkage(x).links().motion() == motion;
+      EXPECT_EQ(value.tail<3>().maxCoeff() <= 0, is_it) << i;
+      of_it += is_it;
+    }
+    EXPECT_GT(of_it, 20);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+#pragma once
+// What `kempe path` asks and answers: the tasks of its spec, and the answers as JSON for programs.
+
+#include <string>
+#include <vector>
+
+#include "specs/generator_spec.hpp"
+#include "synthesis/paths/coupler_copy.hpp"
+#include "synthesis/paths/path_generator.hpp"
+#include "synthesis/paths/pose_guidance.hpp"
+
+namespace kempe {
+
+/// What every answer leaves open, in words.
+inline constexpr const char* no_path_bound =
+    "a search: no bound of the least error is known, and nothing is proven about what was not found";
+
+/// The task of a spec with points.
+PathTask path_task(const PathSpec& spec);
+/// The task of a spec with poses.
+PoseTask pose_task(const PathSpec& spec);
+
+/// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
+bool is_used(const PoseSearch& search, const Dyad& dyad);
+
+/// The plagiographs of some answers, in their order: each with what it is, or a sentence why there is none.
+struct CopiesOfAnswers {
+  CopyTask task;
+  std::vector<tl::expected<CouplerCopy, std::string>> copies;
+};
+
+/// One JSON object (docs/path.md): every answer with its cognates, and the copies if there are any; what was searched; of five poses all
+/// dyads too.
+std::string path_json(const PathSearch& search, const CopiesOfAnswers& copies);
+std::string path_json(const PoseTask& task, const PoseSearch& search, const CopiesOfAnswers& copies);
+
+/// A copy in words, a few lines with an indent of two.
+std::string copy_text(const CopyTask& task, const tl::expected<CouplerCopy, std::string>& copy);
+
+}  // namespace kempe
