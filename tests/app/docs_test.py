@@ -13,7 +13,7 @@ NAMED_PLACE = re.compile(
 LINK = re.compile(r'\]\(([^)\s#]*)(#[^)\s]*)?\)|src="([^"]+)"')
 UNITS = re.compile(r"_(?:mm2?|deg)$")
 # Names that a reader chooses, or that a program writes.
-INVENTED = re.compile(r"^(?:SPEC|LINKAGE|MEASUREMENTS|NAME|FILE|commands/NAME|app/commands/NAME)\.|simulated\.toml$|^my-[\w-]+\.toml$")
+INVENTED = re.compile(r"^(?:SPEC|LINKAGE|MEASUREMENTS|NAME|FILE|commands/NAME|app/commands/NAME)\.|simulated\.toml$|^my-[\w-]+\.toml$|^out/")
 
 
 def pages(root):
