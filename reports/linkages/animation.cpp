@@ -102,6 +102,7 @@ std::string moving_bodies(const LinkageScene& scene, const PictureScale& scale, 
                 .with("transform", placement(scene.moments[0], body, scale))
                 .holding(SvgElement("title").saying(scene.bodies[body].name).text())
                 .holding(body_shape(scene.bodies[body], number, scale))
+                .holding(carried_axes(scene, body, scale))
                 .holding(motion)
                 .line();
   }

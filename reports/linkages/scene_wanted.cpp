@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "geometry/fixed_text.hpp"
 #include "reports/pictures/html_text.hpp"
@@ -11,7 +12,7 @@
 namespace kempe {
 namespace {
 
-/// Where the number of a ring stands: beside the way through the places, on the outer side of a loop.
+/// Where the number of a ring stands: beside the way through the places, on the outer side of a loop; of a pose across from its axes.
 std::vector<Point> ways_out(const std::vector<SceneWanted>& wanted) {
   const std::size_t count = wanted.size();
   double area = 0;
@@ -20,26 +21,38 @@ std::vector<Point> ways_out(const std::vector<SceneWanted>& wanted) {
   for (std::size_t i = 0; i < count; ++i) {
     const Point along = wanted[std::min(i + 1, count - 1)].at - wanted[i > 0 ? i - 1 : 0].at;
     const Point aside = area < 0 ? Point(-along.y(), along.x()) : Point(along.y(), -along.x());
-    ways.push_back(aside.norm() > 0 ? Point(aside.normalized()) : Point(0, -1));
+    if (const auto& angle = wanted[i].angle)
+      ways.push_back(as_point(std::polar(1.0, *angle + 0.75 * pi)));
+    else
+      ways.push_back(aside.norm() > 0 ? Point(aside.normalized()) : Point(0, -1));
   }
   return ways;
 }
 
-/// A pose's axes, the longer one along the body's x.
-std::string frame_axes(const Point& at, double angle, const PictureScale& scale) {
+/// A frame's axes, the longer one along its x.
+std::string frame_axes(std::string_view kind, const Point& at, double angle, const PictureScale& scale) {
   const Point x(std::cos(angle), std::sin(angle)), y(x.y(), -x.x());  // on a page y runs downward
   const Point x_end = at + 6 * scale.pin * x, y_end = at + 3 * scale.pin * y;
-  return drawn("path", "wanted", scale).with("d", scale.line(x_end, at) + scale.line(at, y_end)).text();
+  return drawn("path", kind, scale).with("d", scale.line(x_end, at) + scale.line(at, y_end)).text();
 }
 
 bool are_poses(const LinkageScene& scene) { return scene.wanted.front().angle.has_value(); }
 
-/// Rounded as it is told: 0 where rounding alone is left of a distance.
-std::string deviation_text(double value) { return value < 1e-9 ? "< 1e-9" : fmt::format("{:.3g}", value); }
+constexpr double rounding_leaves = 1e-9;  // in the file's unit, or degrees
+
+/// Three digits; of what rounding leaves only a bound.
+std::string deviation_text(double value) {
+  return value < rounding_leaves ? "<\u00a01e-9" : fmt::format("{:.3g}", value);
+}
+
+/// The largest of deviations in a sentence.
+std::string bound_text(double value) {
+  return value < rounding_leaves ? "less than 1e-9" : fmt::format("at most {:.3g}", value);
+}
 
 std::string pair_cell(const Point& at, const PictureScale& scale) {
-  return fmt::format("<td>({}, {})</td>", fixed_text(at.x(), scale.decimals),
-                     fixed_text(-at.y(), scale.decimals));
+  const int decimals = std::max(0, scale.decimals - 1);
+  return fmt::format("<td>({}, {})</td>", fixed_text(at.x(), decimals), fixed_text(-at.y(), decimals));
 }
 
 double deviation(const SceneWanted& wanted) { return (wanted.reached - wanted.at).norm(); }
@@ -77,7 +90,7 @@ std::string wanted_marks(const LinkageScene& scene, const PictureScale& scale) {
                 .with("cy", scale.number(wanted.at.y()))
                 .with("r", scale.number(1.15 * scale.pin))
                 .text();
-    if (wanted.angle) text += frame_axes(wanted.at, *wanted.angle, scale);
+    if (wanted.angle) text += frame_axes("wanted", wanted.at, *wanted.angle, scale);
     const Point number = wanted.at + 2.6 * scale.pin * ways[i];
     text += drawn("text", "order", scale)
                 .with("x", scale.number(number.x()))
@@ -88,6 +101,15 @@ std::string wanted_marks(const LinkageScene& scene, const PictureScale& scale) {
   return SvgElement("g").with("id", "wanted").holding(text).line();
 }
 
+std::string carried_axes(const LinkageScene& scene, std::size_t body, const PictureScale& scale) {
+  if (scene.wanted.empty() || !scene.wanted.front().reached_angle) return "";
+  const auto point = std::find_if(scene.points.begin(), scene.points.end(),
+                                  [&](const ScenePoint& one) { return one.name == scene.wanted_of; });
+  if (point == scene.points.end() || static_cast<std::size_t>(point->body) != body) return "";
+  return frame_axes("spoke", point->local,
+                    *scene.wanted.front().reached_angle - scene.moments.front().angle[body], scale);
+}
+
 std::string wanted_sentence(const LinkageScene& scene) {
   if (scene.wanted.empty()) return "";
   double most = 0, turned = 0;
@@ -95,30 +117,33 @@ std::string wanted_sentence(const LinkageScene& scene) {
     most = std::max(most, deviation(wanted));
     if (wanted.angle) turned = std::max(turned, turned_by(wanted));
   }
-  return fmt::format(" Numbered rings are the {} wanted {} of {}: off by {} {}{} at most.",
-                     scene.wanted.size(), are_poses(scene) ? "poses" : "places",
-                     html_escaped(scene.wanted_of), html_escaped(deviation_text(most)), scene.unit,
-                     are_poses(scene) ? " and " + html_escaped(deviation_text(turned)) + "°" : "");
+  if (are_poses(scene))
+    return fmt::format(" Numbered rings with axes are the {} wanted poses: off by {} {} and {} degrees.",
+                       scene.wanted.size(), bound_text(most), scene.unit, bound_text(turned));
+  return fmt::format(" Numbered rings are the {} wanted places of {}: off by {} {}.", scene.wanted.size(),
+                     html_escaped(scene.wanted_of), bound_text(most), scene.unit);
 }
 
 std::string wanted_table(const LinkageScene& scene) {
   if (scene.wanted.empty()) return "";
   const bool poses = are_poses(scene);
   const PictureScale scale = PictureScale::of(scene.lower, scene.upper);
+  const std::string head =
+      poses ? fmt::format("wanted, {0}</th><th>direction</th><th>off, {0}</th><th>off, degrees", scene.unit)
+            : fmt::format("wanted, {0}</th><th>reached, {0}</th><th>off, {0}", scene.unit);
   std::string text = fmt::format(
-      "<section id=\"wantedbox\"><h3>Wanted {0} of {1}</h3><table><thead><tr><th>at</th><th>wanted, {2}</th>"
-      "<th>reached, {2}</th><th>off, {2}</th>{3}</tr></thead><tbody>\n",
-      poses ? "poses" : "places", html_escaped(scene.wanted_of), scene.unit,
-      poses ? "<th>wanted</th><th>off, °</th>" : "");
+      "<section id=\"wantedbox\"><h3>Wanted {}</h3><table><thead><tr><th>at</th><th>{}</th></tr></thead>"
+      "<tbody>\n",
+      poses ? "poses" : "places of " + html_escaped(scene.wanted_of), head);
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
     const SceneWanted& wanted = scene.wanted[i];
     text += fmt::format("<tr><td><button type=\"button\" data-moment=\"{:.6g}\">{}</button></td>",
                         wanted.moment, i + 1) +
-            pair_cell(wanted.at, scale) + pair_cell(wanted.reached, scale) +
-            fmt::format("<td>{}</td>", html_escaped(deviation_text(deviation(wanted))));
-    if (poses)
-      text += fmt::format("<td>{}°</td><td>{}</td>", number_text(-degrees(*wanted.angle), 3),
-                          html_escaped(deviation_text(turned_by(wanted))));
+            pair_cell(wanted.at, scale);
+    text += poses ? fmt::format("<td>{}°</td>", number_text(-degrees(*wanted.angle), 3))
+                  : pair_cell(wanted.reached, scale);
+    text += fmt::format("<td>{}</td>", html_escaped(deviation_text(deviation(wanted))));
+    if (poses) text += fmt::format("<td>{}</td>", html_escaped(deviation_text(turned_by(wanted))));
     text += "</tr>\n";
   }
   return text + "</tbody></table></section>\n";

@@ -25,6 +25,9 @@ void add_wanted_places(const LinkageFile& file, const std::vector<WantedPlace>& 
 /// The numbered rings, a pose's with the axes of its frame, as SVG elements; empty where nothing was asked for.
 std::string wanted_marks(const LinkageScene& scene, const PictureScale& scale);
 
+/// Of poses, the axes that the link with the point carries with it, in its own frame; empty for other links, and without poses.
+std::string carried_axes(const LinkageScene& scene, std::size_t body, const PictureScale& scale);
+
 /// A sentence that says what the rings are and how far off the linkage is at most.
 std::string wanted_sentence(const LinkageScene& scene);
 

@@ -277,6 +277,22 @@ class Path(Case):
             self.assertLess(shortest + rest[2], rest[0] + rest[1])
         self.assertRefused(kempe("path", self.file(line + 'motion = "all"\n')), 2, "limits.motion", "crank turns fully")
 
+    def test_pages_of_answers(self):
+        page, picture = self.scratch / "page.html", self.scratch / "picture.svg"
+        poses = GENERATORS / "five-poses.toml"
+        for arguments, words in (([], "5 wanted poses"), (["--cognate", 1], "5 wanted places of P"),
+                                 (["--copy-rotation", 20, "--answer", 1], "5 wanted poses")):
+            run = kempe("path", poses, "--animate", page, "--animate", picture, *arguments)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn(words, page.read_text())
+            wanted = xml.etree.ElementTree.parse(picture).find(".//*[@id='wanted']")
+            self.assertEqual(sum(element.tag.endswith("circle") for element in wanted), 5)
+            self.assertEqual(sum(element.tag.endswith("path") for element in wanted), 5 if "poses" in words else 0)
+        self.assertRefused(kempe("path", self.LINE, "--animate", "x.gif"), 2, "--animate", ".html or .svg")
+        self.assertRefused(kempe("path", self.LINE, "--answer", "2"), 2, "--answer", "beside -o or --animate")
+        self.assertRefused(kempe("path", poses, "--animate", poses), 2)
+        self.assertRefused(kempe("path", self.LINE, "-o", page, "--animate", page), 2)
+
     def test_the_plagiograph_on_the_coupler_copies_the_curve(self):
         """The general solver on both files: the six-bar's point is where the four-bar's, turned and scaled about the pole, is."""
         four, six = self.scratch / "four.toml", self.scratch / "six.toml"
