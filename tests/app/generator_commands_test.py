@@ -407,6 +407,38 @@ class Calibrate(Case):
             self.assertAlmostEqual(answer["corrections_mm"][scale], -error, delta=1e-6)
         self.assertLess(answer["residual_mm"], 0.001)
 
+    def test_equations_hold_with_the_numbers_printed(self):
+        two = reading(30, 0.10, -0.30) + reading(60, 0.30, -0.50)
+        four = two + reading(45, 0.19, -0.41) + reading(20, 0.09, -0.26).replace("[[reading]]", "[[reading]]\nexchanged = true")
+        turned = {"cos": lambda angle: math.cos(math.radians(angle)), "sin": lambda angle: math.sin(math.radians(angle))}
+        for text in (two, four):
+            arguments = ("calibrate", self.file(INSTRUMENT + text), "--method", "knight", "--equations")
+            answer, run = self.answer(*arguments), kempe(*arguments)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            count, told = len(answer["equations"]["readings"]), {}
+            self.assertEqual(count, text.count("[[reading]]"))
+            for name, words in re.findall(r"^  (\w+) = (.*)$", run.stdout, re.M):
+                *sums, value = words.split(" = ")
+                told[name] = float(value)
+                for one in sums:  # each right side by itself
+                    one = re.sub(r"(?<=[0-9]) (cos|sin)\(", r" * \1(", one).replace("^", "**")
+                    self.assertAlmostEqual(eval(one, turned), told[name], delta=1e-8, msg=f"{name} = {words}")
+            self.assertEqual(len(told), 5 * count + 2 + 2 * count + 8 * count + 8)
+            if count == 4:
+                self.assertAlmostEqual(told["x4"], -0.5 * 0.09)
+                self.assertAlmostEqual(told["y4"], 0.5 * 0.26)
+            # The errors are those of the answer, and what they leave of s and d is neither high nor tilted: least squares.
+            for scale, row in zip(("AC", "CF", "BE", "DE"), answer["equations"]["matrix"], strict=True):
+                self.assertAlmostEqual(told[f"e_{scale}"], answer["errors_mm"][scale], delta=1e-9)
+                self.assertAlmostEqual(told[f"correction_{scale}"], answer["corrections_mm"][scale], delta=1e-6)
+                for entry, name in zip(row, [f"{scale}{axis}{i + 1}" for i in range(count) for axis in "xy"], strict=True):
+                    self.assertAlmostEqual(told[name], entry, delta=1e-8)
+            for letter, height, slope in (("s", "DE", "CF"), ("d", "BE", "AC")):
+                left = [told[f"{letter}{i}"] - told[f"e_{height}"] - told[f"e_{slope}"] * told[f"c{i}"] for i in range(1, count + 1)]
+                self.assertAlmostEqual(sum(left), 0, delta=1e-8)
+                self.assertAlmostEqual(sum(one * told[f"c{i + 1}"] for i, one in enumerate(left)), 0, delta=1e-8)
+        self.assertRefused(kempe("calibrate", CALIBRATION / "plotter.toml", "--equations"), 2, "--equations", "--method knight")
+
     def test_rounds_go_on_until_the_target(self):
         first = reading(30, 0.62, -1.15) + reading(60, 0.85, -2.04)
         second = (reading(30, 0.01, 0.02) + reading(60, -0.02, 0.01)).replace("[[reading]]", "[[reading]]\nround = 2")
