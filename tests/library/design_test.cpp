@@ -187,10 +187,10 @@ TEST(Library, TracesASvgAsItTracesItsLines) {
   ASSERT_TRUE(outcome);
   DrawingOptions options;
   options.at = Point(63, -4);
-  options.step = 0.5;
+  options.step = 0.49;
   options.keep_joints = true;
   const auto found = trace_svg(*outcome, corner_svg, options, "corner.svg");
-  const auto lines = trace(*outcome, {{{63, -4}, {69, -4}, {69, 4}}}, 0.5);
+  const auto lines = trace(*outcome, {{{63, -4}, {69, -4}, {69, 4}}}, 0.49);
   ASSERT_TRUE(std::holds_alternative<TracedDrawing>(found));
   const auto& [copy, json, svg, joints, forces] = std::get<TracedDrawing>(found);
   const auto& expected = std::get<CopiedDrawing>(lines);
