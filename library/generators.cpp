@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/linkages/generated.hpp"
 #include "reports/linkages/generator_answers.hpp"
@@ -17,8 +18,9 @@ namespace {
 std::optional<InputError> fault_in(const PlagiographOptions& copy) {
   if (!(copy.scale >= 0.001 && copy.scale <= 1000))
     return InputError{"", 0, "copy.scale", fmt::format("{}", copy.scale), "0.001 to 1000"};
-  if (!(copy.rotation_deg >= -360 && copy.rotation_deg <= 360))
-    return InputError{"", 0, "copy.rotation_deg", fmt::format("{}", copy.rotation_deg), "-360 to 360"};
+  if (!(std::abs(copy.rotation) <= radians(360)))
+    return InputError{"", 0, "copy.rotation_deg", fmt::format("{:.12g}", degrees(copy.rotation)),
+                      "-360 to 360"};
   if (!copy.pole.empty() && !copy_pole_named(copy.pole))
     return InputError{"", 0, "copy.pole", copy.pole, "crank or rocker"};
   if (copy.cognate < 0 || copy.cognate > 2)
@@ -30,7 +32,7 @@ std::optional<InputError> fault_in(const PlagiographOptions& copy) {
 CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers,
                           const std::optional<PlagiographOptions>& copy) {
   if (!copy) return {};
-  return copies_of(answers, CopyTask{copy->scale, radians(copy->rotation_deg), copy_pole_named(copy->pole)},
+  return copies_of(answers, CopyTask{copy->scale, copy->rotation, copy_pole_named(copy->pole)},
                    copy->cognate);
 }
 

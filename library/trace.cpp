@@ -50,10 +50,11 @@ CopiedDrawing copied(const Trace& found) {
 }
 
 /// A number out of its range.
-std::optional<InputError> out_of_range(const char* key, const std::optional<double>& number, double lowest,
-                                       double highest) {
-  if (!number || (*number >= lowest && *number <= highest)) return std::nullopt;
-  return InputError{"", 0, key, fmt::format("{}", *number), fmt::format("{:g} to {:g}", lowest, highest)};
+std::optional<InputError> out_of_range(const char* key, const std::optional<double>& number,
+                                       const OptionRange& range) {
+  if (!number || (*number >= range.lowest && *number <= range.highest)) return std::nullopt;
+  return InputError{"", 0, key, fmt::format("{}", *number),
+                    fmt::format("{:g} to {:g}", range.lowest, range.highest)};
 }
 
 std::optional<InputError> fault_in(const DrawingOptions& options) {
@@ -62,9 +63,9 @@ std::optional<InputError> fault_in(const DrawingOptions& options) {
   if (options.at && !(options.at->cwiseAbs().maxCoeff() <= largest_coordinate && options.at->allFinite()))
     return InputError{"", 0, "at", fmt::format("({}, {})", options.at->x(), options.at->y()),
                       fmt::format("finite numbers of at most {:g}, mm", largest_coordinate)};
-  if (const auto fault = out_of_range("scale", options.scale, 1e-6, 1e6)) return fault;
-  if (const auto fault = out_of_range("tolerance_mm", options.tolerance, 1e-7, 10)) return fault;
-  return out_of_range("step_mm", options.step, 1e-4, 1e3);
+  if (const auto fault = out_of_range("scale", options.scale, drawing_scales)) return fault;
+  if (const auto fault = out_of_range("tolerance_mm", options.tolerance, drawing_tolerances)) return fault;
+  return out_of_range("step_mm", options.step, drawing_steps);
 }
 
 }  // namespace

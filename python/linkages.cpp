@@ -185,7 +185,7 @@ void add_linkages(py::module_& module) {
       "spec"_a);
   py::class_<PlagiographOptions>(module, "PlagiographOptions")
       .def(py::init([](double scale, double rotation_deg, const std::string& pole, int cognate) {
-             return PlagiographOptions{scale, rotation_deg, pole, cognate};
+             return PlagiographOptions{scale, radians(rotation_deg), pole, cognate};
            }),
            "scale"_a, "rotation_deg"_a, "pole"_a, "cognate"_a);
   module.def(

@@ -100,6 +100,8 @@ int run(const Session& session, TraceArguments arguments) {
                                printable(arguments.copy)));
 }
 
+CLI::Validator number_in(const OptionRange& range) { return number_between(range.lowest, range.highest); }
+
 }  // namespace
 
 void add_trace_command(CLI::App& program, Session& session) {
@@ -125,7 +127,7 @@ void add_trace_command(CLI::App& program, Session& session) {
                  ->expected(2);
   auto* scale =
       command->add_option("--scale", arguments->options.scale, "Enlarge the drawing before it is traced")
-          ->check(number_between(1e-6, 1e6));
+          ->check(number_in(drawing_scales));
   command
       ->add_flag("--fit", arguments->options.fit,
                  "Place the drawing in the middle of the design's region, as large as fits its box")
@@ -137,12 +139,12 @@ void add_trace_command(CLI::App& program, Session& session) {
       ->add_option(
           "--tolerance", arguments->options.tolerance,
           "Curves are followed to this, mm; left out: 0.01, or a thousandth of the region's diagonal if less")
-      ->check(number_between(1e-7, 10));
+      ->check(number_in(drawing_tolerances));
   command
       ->add_option("--step", arguments->options.step,
                    "Poses are at most this far apart, mm; left out: 0.5, or a twentieth of the region's "
                    "diagonal if less")
-      ->check(number_between(1e-4, 1e3));
+      ->check(number_in(drawing_steps));
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -51,15 +51,16 @@ KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inve
 /// Kempe and Sylvester's plagiograph on the coupler: two links more, and a point that draws the coupler curve scaled and turned about a
 /// pivot.
 struct PlagiographOptions {
-  double scale = 1;         ///< 0.001 to 1000
-  double rotation_deg = 0;  ///< -360 to 360
-  std::string pole;         ///< "crank" or "rocker": its fixed pivot; "": the one farther from change points
-  int cognate = 0;          ///< 0: on the answer; 1 or 2: on that cognate of it
+  double scale = 1;     ///< 0.001 to 1000
+  double rotation = 0;  ///< rad, -2 pi to 2 pi
+  std::string pole;     ///< "crank" or "rocker": its fixed pivot; "": the one farther from change points
+  int cognate = 0;      ///< 0: on the answer; 1 or 2: on that cognate of it
 };
 
 /// Four-bars whose coupler follows points or takes poses (TOML, docs/path.md), as `kempe path` designs them: the best first,
-/// each followed by its cognates if it has them, and by its copy ("answer_1_copy") where `copy` asks for one and there is one: the JSON
-/// says why not. A second or so. Errors: those of the file; an option that cannot be (key "copy.scale" and so on).
+/// each followed by its cognates if it has them, and by its copy ("answer_1_copy") where `copy` asks for one and there is one (else
+/// the JSON says why not). A second or so. Errors: those of the file; an option that cannot be (keys "copy.scale", "copy.rotation_deg",
+/// "copy.pole", "copy.cognate").
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_path(
     const std::filesystem::path& file, const std::optional<PlagiographOptions>& copy = {});
 /// The same of a file's text; `name` stands for the file in messages.

@@ -13,6 +13,14 @@
 
 namespace kempe {
 
+/// What an option's number may be.
+struct OptionRange {
+  double lowest, highest;
+};
+inline constexpr OptionRange drawing_scales{1e-6, 1e6};
+inline constexpr OptionRange drawing_tolerances{1e-7, 10};  ///< mm
+inline constexpr OptionRange drawing_steps{1e-4, 1e3};      ///< mm
+
 /// A drawing and what became of it.
 struct DrawingCopy {
   StrokeDrawing drawing;  ///< placed on the table
