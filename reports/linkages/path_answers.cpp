@@ -100,6 +100,26 @@ PoseTask pose_task(const PathSpec& spec) {
   return {spec.poses, spec.longest, spec.transmission, spec.pivots_within, spec.motions};
 }
 
+std::vector<WantedPlace> wanted_places(const PathTask& task, const PathAnswer& answer) {
+  const double first = answer.crank_angles.front(), whole = answer.crank_angles.back() - first;
+  std::vector<WantedPlace> places;
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    places.push_back({task.points[i], answer.reached[i], std::nullopt, std::nullopt,
+                      whole != 0 ? (answer.crank_angles[i] - first) / whole : 0});
+  return places;
+}
+
+std::vector<WantedPlace> wanted_places(const PoseTask& task, const PoseAnswer& answer) {
+  PathTask points;
+  for (const BodyPlacement& pose : task.poses) points.points.push_back(pose.at);
+  std::vector<WantedPlace> places = wanted_places(points, answer.path);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i].angle = task.poses[i].angle;
+    places[i].reached_angle = answer.angles[i];
+  }
+  return places;
+}
+
 bool is_used(const PoseSearch& search, const Dyad& dyad) {
   return std::any_of(search.dyads.begin(), search.dyads.end(), [&](const Dyad& used) {
     return used.centre == dyad.centre && used.circle == dyad.circle;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/linkages/scene_wanted.hpp"
 #include "specs/generator_spec.hpp"
 #include "synthesis/paths/coupler_copy.hpp"
 #include "synthesis/paths/path_generator.hpp"
@@ -21,6 +22,10 @@ inline constexpr const char* no_path_bound =
 PathTask path_task(const PathSpec& spec);
 /// The task of a spec with poses.
 PoseTask pose_task(const PathSpec& spec);
+
+/// The task's points or poses beside those of an answer, for its page; poses are the coupler's, which cognates do not have.
+std::vector<WantedPlace> wanted_places(const PathTask& task, const PathAnswer& answer);
+std::vector<WantedPlace> wanted_places(const PoseTask& task, const PoseAnswer& answer);
 
 /// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
 bool is_used(const PoseSearch& search, const Dyad& dyad);
