@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
@@ -25,30 +26,11 @@ struct PathArguments {
   double copy_scale = 1, copy_rotation_deg = 0;
   std::string copy_pole;
   bool copies = false;
+  std::optional<CopyTask> copy_task() const {
+    if (!copies) return std::nullopt;
+    return CopyTask{copy_scale, radians(copy_rotation_deg), copy_pole_named(copy_pole)};
+  }
 };
-
-CopyTask copy_task(const PathArguments& arguments) {
-  CopyTask task{arguments.copy_scale, radians(arguments.copy_rotation_deg), std::nullopt};
-  if (arguments.copy_pole == "crank") task.pole = CopyPole::crank_pivot;
-  if (arguments.copy_pole == "rocker") task.pole = CopyPole::rocker_pivot;
-  return task;
-}
-
-/// The plagiograph on every answer, or on its cognate, where one is asked for.
-CopiesOfAnswers copies_of(const PathArguments& arguments, const std::vector<PathAnswer>& answers) {
-  CopiesOfAnswers made{copy_task(arguments), {}};
-  if (!arguments.copies) return made;
-  for (const PathAnswer& answer : answers)
-    if (arguments.cognate == 0)
-      made.copies.push_back(copy_on_coupler(answer, std::nullopt, made.task));
-    else if (answer.cognates)
-      made.copies.push_back(
-          copy_on_coupler(answer, static_cast<std::size_t>(arguments.cognate - 1), made.task));
-    else
-      made.copies.push_back(
-          tl::unexpected(std::string("the coupler point lies on a joint: there is no cognate")));
-  return made;
-}
 
 std::string columns_of(const Point& p) {
   return fmt::format("{:>10} {:>10}", fixed_text(p.x(), 4), fixed_text(p.y(), 4));
@@ -216,7 +198,7 @@ int run(const Session& session, const PathArguments& arguments) {
   if (!spec) return fail(session, spec.error());
   const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& wanted_of, const auto& json,
                           const auto& words) {
-    const CopiesOfAnswers copies = copies_of(arguments, answers);
+    const CopiesOfAnswers copies = copies_of(answers, arguments.copy_task(), arguments.cognate);
     if (const int code = write_answer(session, arguments, answers, copies, wanted_of); code != done)
       return code;
     print(session.json ? json(copies) : words(copies));

@@ -165,6 +165,27 @@ std::string path_json(const PathSearch& search, const CopiesOfAnswers& copies) {
   return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+std::optional<CopyPole> copy_pole_named(std::string_view word) {
+  if (word == "crank") return CopyPole::crank_pivot;
+  if (word == "rocker") return CopyPole::rocker_pivot;
+  return std::nullopt;
+}
+
+CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers, const std::optional<CopyTask>& task,
+                          int cognate) {
+  CopiesOfAnswers made{task.value_or(CopyTask{}), {}};
+  if (!task) return made;
+  for (const PathAnswer& answer : answers)
+    if (cognate == 0)
+      made.copies.push_back(copy_on_coupler(answer, std::nullopt, *task));
+    else if (answer.cognates)
+      made.copies.push_back(copy_on_coupler(answer, static_cast<std::size_t>(cognate - 1), *task));
+    else
+      made.copies.push_back(
+          tl::unexpected(std::string("the coupler point lies on a joint: there is no cognate")));
+  return made;
+}
+
 std::string copy_text(const CopyTask& task, const tl::expected<CouplerCopy, std::string>& copy) {
   const std::string what = fmt::format("  copy at {:.6g} times the size, turned by {:.6g} degrees",
                                        task.scale, degrees(task.rotation));

@@ -1,7 +1,9 @@
 #pragma once
 // What `kempe path` asks and answers: the tasks of its spec, and the answers as JSON for programs.
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/linkages/scene_wanted.hpp"
@@ -33,6 +35,12 @@ struct CopiesOfAnswers {
   CopyTask task;
   std::vector<tl::expected<CouplerCopy, std::string>> copies;
 };
+
+/// The pivot that "crank" or "rocker" names; nothing for another word.
+std::optional<CopyPole> copy_pole_named(std::string_view word);
+/// The plagiograph on every answer, or on its cognate 1 or 2; none without a task.
+CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers, const std::optional<CopyTask>& task,
+                          int cognate);
 
 /// One JSON object (docs/path.md): every answer with its cognates, and the copies if there are any; what was searched; of five poses all
 /// dyads too.
