@@ -128,7 +128,7 @@ std::string text_of(const PathTask& task, const PathSearch& search, const Copies
 
 /// Writes the linkage moving, with the places that were asked for.
 int animate(const Session& session, const PathArguments& arguments, const std::string& linkage,
-            const std::vector<WantedPlace>& wanted) {
+            const std::vector<PlaceAskedFor>& wanted) {
   if (arguments.animations.empty()) return done;
   auto file = parse_linkage_file(linkage, arguments.spec_file);
   if (!file) return fail(session, file.error());
@@ -177,9 +177,9 @@ int write_answer(const Session& session, const PathArguments& arguments,
   if (!text) return text.error();
   if (!arguments.linkage_file.empty())
     if (const int code = write_output(session, arguments.linkage_file, *text); code != done) return code;
-  std::vector<WantedPlace> wanted = wanted_of(static_cast<std::size_t>(arguments.answer - 1));
+  std::vector<PlaceAskedFor> wanted = wanted_of(static_cast<std::size_t>(arguments.answer - 1));
   if (arguments.cognate != 0)  // it draws the same curve, but its coupler turns otherwise
-    for (WantedPlace& place : wanted) place.angle = place.reached_angle = std::nullopt;
+    for (PlaceAskedFor& place : wanted) place.angle = place.reached_angle = std::nullopt;
   return animate(session, arguments, *text, wanted);
 }
 

@@ -100,19 +100,19 @@ PoseTask pose_task(const PathSpec& spec) {
   return {spec.poses, spec.longest, spec.transmission, spec.pivots_within, spec.motions};
 }
 
-std::vector<WantedPlace> wanted_places(const PathTask& task, const PathAnswer& answer) {
+std::vector<PlaceAskedFor> wanted_places(const PathTask& task, const PathAnswer& answer) {
   const double first = answer.crank_angles.front(), whole = answer.crank_angles.back() - first;
-  std::vector<WantedPlace> places;
+  std::vector<PlaceAskedFor> places;
   for (std::size_t i = 0; i < task.points.size(); ++i)
     places.push_back({task.points[i], answer.reached[i], std::nullopt, std::nullopt,
                       whole != 0 ? (answer.crank_angles[i] - first) / whole : 0});
   return places;
 }
 
-std::vector<WantedPlace> wanted_places(const PoseTask& task, const PoseAnswer& answer) {
+std::vector<PlaceAskedFor> wanted_places(const PoseTask& task, const PoseAnswer& answer) {
   PathTask points;
   for (const BodyPlacement& pose : task.poses) points.points.push_back(pose.at);
-  std::vector<WantedPlace> places = wanted_places(points, answer.path);
+  std::vector<PlaceAskedFor> places = wanted_places(points, answer.path);
   for (std::size_t i = 0; i < places.size(); ++i) {
     places[i].angle = task.poses[i].angle;
     places[i].reached_angle = answer.angles[i];

@@ -24,8 +24,8 @@ PathTask path_task(const PathSpec& spec);
 PoseTask pose_task(const PathSpec& spec);
 
 /// The task's points or poses beside those of an answer, for its page; poses are the coupler's, which cognates do not have.
-std::vector<WantedPlace> wanted_places(const PathTask& task, const PathAnswer& answer);
-std::vector<WantedPlace> wanted_places(const PoseTask& task, const PoseAnswer& answer);
+std::vector<PlaceAskedFor> wanted_places(const PathTask& task, const PathAnswer& answer);
+std::vector<PlaceAskedFor> wanted_places(const PoseTask& task, const PoseAnswer& answer);
 
 /// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
 bool is_used(const PoseSearch& search, const Dyad& dyad);

@@ -63,7 +63,7 @@ double turned_by(const SceneWanted& wanted) {
 
 }  // namespace
 
-void add_wanted_places(const LinkageFile& file, const std::vector<WantedPlace>& places,
+void add_wanted_places(const LinkageFile& file, const std::vector<PlaceAskedFor>& places,
                        const std::string& point, LinkageScene& scene) {
   const auto on_page = [&](const Point& p) -> Point { return Point(p.x(), -p.y()) / file.unit.in_mm; };
   const auto turned = [](const std::optional<double>& angle) {
@@ -71,7 +71,7 @@ void add_wanted_places(const LinkageFile& file, const std::vector<WantedPlace>& 
   };
   scene.wanted_of = point;
   const double last = static_cast<double>(scene.moments.size() - 1);
-  for (const WantedPlace& place : places) {
+  for (const PlaceAskedFor& place : places) {
     scene.wanted.push_back({on_page(place.at), on_page(place.reached), turned(place.angle),
                             turned(place.reached_angle), std::clamp(place.share, 0.0, 1.0) * last});
     scene.lower = scene.lower.cwiseMin(scene.wanted.back().at);

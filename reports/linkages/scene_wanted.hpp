@@ -11,7 +11,7 @@
 namespace kempe {
 
 /// A place asked for, and the one that the linkage reaches. mm, rad, y upward.
-struct WantedPlace {
+struct PlaceAskedFor {
   Point at = Point::Zero(), reached = Point::Zero();
   std::optional<double> angle,
       reached_angle;  ///< both or none: directions of the body that carries the point, for poses
@@ -19,7 +19,7 @@ struct WantedPlace {
 };
 
 /// Adds them to a scene and widens its box by them; `point` is the name of the point that shall take them.
-void add_wanted_places(const LinkageFile& file, const std::vector<WantedPlace>& places,
+void add_wanted_places(const LinkageFile& file, const std::vector<PlaceAskedFor>& places,
                        const std::string& point, LinkageScene& scene);
 
 /// The numbered rings, a pose's with the axes of its frame, as SVG elements; empty where nothing was asked for.
