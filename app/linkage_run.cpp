@@ -1,9 +1,11 @@
 #include "app/linkage_run.hpp"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "app/interrupt.hpp"
 #include "reports/data/atomic_file.hpp"
+#include "reports/linkages/animation.hpp"
 
 namespace kempe::app {
 namespace {
@@ -66,6 +68,24 @@ tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage
 ExitCode code_of(const PlanarRun& run) {
   if (!run.stop) return done;
   return run.stop->end == PathEnd::gave_up ? stopped : no_design;
+}
+
+std::optional<InputError> wrong_animation(const std::string& option, const std::vector<std::string>& files) {
+  for (const std::string& file : files)
+    if (const auto kind = std::filesystem::path(file).extension(); kind != ".html" && kind != ".svg")
+      return InputError{"", 0, option, file, "a file that ends in .html or .svg"};
+  return std::nullopt;
+}
+
+int write_animations(const Session& session, const LinkageScene& scene,
+                     const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    const bool page = std::filesystem::path(file).extension() == ".html";
+    if (const int code = write_output(session, file, page ? animation_html(scene) : animation_svg(scene));
+        code != done)
+      return code;
+  }
+  return done;
 }
 
 int write_output(const Session& session, const std::string& path, const std::string& contents) {

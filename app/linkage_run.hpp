@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
 #include "app/command.hpp"
 #include "reports/linkages/running.hpp"
+#include "reports/linkages/scene.hpp"
 
 namespace kempe::app {
 
@@ -41,6 +43,13 @@ tl::expected<RunFrame, int> frame_at(const Session& session, const LoadedLinkage
 
 /// Of a motion that ended early: `no_design` where the linkage cannot go on, `stopped` where the work allowed was spent.
 ExitCode code_of(const PlanarRun& run);
+
+/// What is wrong with the names of animations: `option` takes pages and pictures that move.
+std::optional<InputError> wrong_animation(const std::string& option, const std::vector<std::string>& files);
+
+/// Writes a scene as pages (.html) and pictures that move; as write_output.
+int write_animations(const Session& session, const LinkageScene& scene,
+                     const std::vector<std::string>& files);
 
 /// Writes an output file; on failure tells why and returns cannot_write.
 int write_output(const Session& session, const std::string& path, const std::string& contents);

@@ -52,10 +52,12 @@ std::variant<CalibratedInstrument, InputError> calibrate_with(const CalibrationO
   const auto record = run_calibration(*measurements, *design, name);
   if (!record) return record.error();
   std::optional<SimulationRecord> simulation;
-  const std::atomic<bool> never = false;
+  std::atomic<bool> stopped = false;
+  const auto look = [&](double) {
+    if (options.stop && options.stop()) stopped = true;
+  };
   if (measurements->simulation)
-    simulation = simulate_calibration(
-        *measurements, *design, options.seed, [](double) {}, never);
+    simulation = simulate_calibration(*measurements, *design, options.seed, look, stopped);
   const CalibrationPage page{KEMPE_VERSION, std::filesystem::path(name).filename().string(),
                              std::string(text)};
   return CalibratedInstrument{calibration_json(*record, simulation),

@@ -2,7 +2,10 @@
 
 #include "kempe/generators.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "reports/linkages/generated.hpp"
 #include "reports/linkages/generator_answers.hpp"
@@ -12,15 +15,39 @@
 namespace kempe {
 namespace {
 
-/// Each answer's linkage file, followed by those of its cognates.
-std::vector<GeneratedLinkage> linkages_of(const std::vector<PathAnswer>& answers) {
+std::optional<InputError> fault_in(const PlagiographOptions& copy) {
+  if (!(copy.scale >= 0.001 && copy.scale <= 1000))
+    return InputError{"", 0, "copy.scale", fmt::format("{}", copy.scale), "0.001 to 1000"};
+  if (!(std::abs(copy.rotation) <= radians(360)))
+    return InputError{"", 0, "copy.rotation_deg", fmt::format("{:.12g}", degrees(copy.rotation)),
+                      "-360 to 360"};
+  if (!copy.pole.empty() && !copy_pole_named(copy.pole))
+    return InputError{"", 0, "copy.pole", copy.pole, "crank or rocker"};
+  if (copy.cognate < 0 || copy.cognate > 2)
+    return InputError{"", 0, "copy.cognate", fmt::format("{}", copy.cognate), "0 to 2"};
+  return std::nullopt;
+}
+
+/// The plagiographs asked for.
+CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers,
+                          const std::optional<PlagiographOptions>& copy) {
+  if (!copy) return {};
+  return copies_of(answers, CopyTask{copy->scale, copy->rotation, copy_pole_named(copy->pole)},
+                   copy->cognate);
+}
+
+/// Each answer's linkage file, followed by those of its cognates and of its copy.
+std::vector<GeneratedLinkage> linkages_of(const std::vector<PathAnswer>& answers,
+                                          const CopiesOfAnswers& copies) {
   std::vector<GeneratedLinkage> linkages;
   for (const PathAnswer& answer : answers) {
     const std::string kind = "answer_" + std::to_string(&answer - answers.data() + 1);
     linkages.push_back({kind, path_linkage(answer)});
-    if (!answer.cognates) continue;
-    for (std::size_t cognate = 0; cognate < 2; ++cognate)
+    for (std::size_t cognate = 0; answer.cognates && cognate < 2; ++cognate)
       linkages.push_back({kind + "_cognate_" + std::to_string(cognate + 1), path_linkage(answer, cognate)});
+    const auto index = static_cast<std::size_t>(&answer - answers.data());
+    if (index < copies.copies.size() && copies.copies[index])
+      linkages.push_back({kind + "_copy", copy_linkage(answer, copies.task, *copies.copies[index])});
   }
   return linkages;
 }
@@ -59,27 +86,32 @@ std::variant<Generated, InputError, NothingGenerated> generate_inversor_text(std
   return found;
 }
 
-std::variant<Generated, InputError, NothingGenerated> generate_path_text(std::string_view text,
-                                                                         const std::string& name) {
+std::variant<Generated, InputError, NothingGenerated> generate_path_text(
+    std::string_view text, const std::string& name, const std::optional<PlagiographOptions>& copy) {
   const auto spec = read_path_spec(text, name);
   if (!spec) return spec.error();
+  if (copy)
+    if (const auto fault = fault_in(*copy)) return *fault;
   if (spec->poses.empty()) {
     const auto search = generate_path(path_task(*spec));
     if (!search) return NothingGenerated{search.error(), false};
-    return Generated{path_json(*search, {}), linkages_of(search->answers), {}};
+    const CopiesOfAnswers copies = copies_of(search->answers, copy);
+    return Generated{path_json(*search, copies), linkages_of(search->answers, copies), {}};
   }
   const PoseTask task = pose_task(*spec);
   const auto search = guide_poses(task);
   if (!search) return NothingGenerated{search.error(), false};
   std::vector<PathAnswer> answers;
   for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
-  return Generated{path_json(task, *search, {}), linkages_of(answers), {}};
+  const CopiesOfAnswers copies = copies_of(answers, copy);
+  return Generated{path_json(task, *search, copies), linkages_of(answers, copies), {}};
 }
 
-std::variant<Generated, InputError, NothingGenerated> generate_path(const std::filesystem::path& file) {
+std::variant<Generated, InputError, NothingGenerated> generate_path(
+    const std::filesystem::path& file, const std::optional<PlagiographOptions>& copy) {
   const auto text = read_text_file(file);
   if (!text) return text.error();
-  return generate_path_text(*text, file.string());
+  return generate_path_text(*text, file.string(), copy);
 }
 
 std::variant<Generated, InputError, NothingGenerated> generate_function(const std::filesystem::path& file) {

@@ -173,17 +173,34 @@ py::list list_of(const std::vector<CopiedLine>& lines) {
   return list;
 }
 
+py::dict dict_of(const CopiedDrawing& copy) {
+  return py::dict("drawn"_a = list_of(copy.drawn), "missing"_a = list_of(copy.missing),
+                  "drawn_length_mm"_a = copy.drawn_length, "missing_length_mm"_a = copy.missing_length,
+                  "poses"_a = copy.poses, "poses_missed"_a = copy.poses_missed,
+                  "departure_mm"_a = copy.departure);
+}
+
 py::object traced(const FinishedDesign& design, const std::vector<Numbers>& lines, double step) {
   std::vector<Polyline> originals;
   originals.reserve(lines.size());
   for (const Numbers& line : lines) originals.push_back(points_of(line));
   const auto found = at_work(py::none(), [&](Hooks&) { return trace(design, originals, step); });
   if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
-  const auto& copy = std::get<CopiedDrawing>(found);
-  return py::dict("drawn"_a = list_of(copy.drawn), "missing"_a = list_of(copy.missing),
-                  "drawn_length_mm"_a = copy.drawn_length, "missing_length_mm"_a = copy.missing_length,
-                  "poses"_a = copy.poses, "poses_missed"_a = copy.poses_missed,
-                  "departure_mm"_a = copy.departure);
+  return dict_of(std::get<CopiedDrawing>(found));
+}
+
+/// As traced(), with what the command writes; or faults.
+template <typename Copy>
+py::object drawing_traced(const Copy& copy) {
+  const auto found = at_work(py::none(), [&](Hooks&) { return copy(); });
+  if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
+  const auto& traced = std::get<TracedDrawing>(found);
+  py::dict told = dict_of(traced.copy);
+  told["json"] = traced.json;
+  told["svg"] = text_of(traced.svg);
+  told["joints_csv"] = traced.joints_csv;
+  told["forces_csv"] = traced.forces_csv;
+  return told;
 }
 
 /// (files, what is left out, why nothing was written).
@@ -259,6 +276,16 @@ void add_designs(py::module_& module) {
       .def("largest_sheets", &sheets_of)
       .def("at", &verdict_at, "x"_a, "y"_a)
       .def("are_free", &are_free, "tracers"_a);
+  py::class_<DrawingOptions>(module, "DrawingOptions")
+      .def(py::init([](const std::optional<std::array<double, 2>>& at, std::optional<double> scale, bool fit,
+                       std::optional<double> tolerance, std::optional<double> step,
+                       std::optional<std::uint64_t> instrument, bool load, bool joints, bool forces) {
+             std::optional<Point> place;
+             if (at) place = Point((*at)[0], (*at)[1]);
+             return DrawingOptions{place, scale, fit, tolerance, step, instrument, load, joints, forces};
+           }),
+           "at"_a, "scale"_a, "fit"_a, "tolerance"_a, "step"_a, "instrument"_a, "load"_a, "joints"_a,
+           "forces"_a);
   py::class_<FinishedDesign>(module, "Design")
       .def_property_readonly("copy", [](const FinishedDesign& design) { return design.copy().k(); })
       .def_property_readonly("scale", [](const FinishedDesign& design) { return design.copy().scale(); })
@@ -308,6 +335,19 @@ void add_designs(py::module_& module) {
       .def("joints", &joints, "tracers"_a)
       .def("verify", &verified)
       .def("trace", &traced, "lines"_a, "step"_a)
+      .def(
+          "trace_svg",
+          [](const FinishedDesign& design, const std::string& drawing, const DrawingOptions& options) {
+            return drawing_traced([&] { return trace_svg(design, drawing, options); });
+          },
+          "drawing"_a, "options"_a)
+      .def(
+          "trace_svg_file",
+          [](const FinishedDesign& design, const std::filesystem::path& drawing,
+             const DrawingOptions& options) {
+            return drawing_traced([&] { return trace_svg_file(design, drawing, options); });
+          },
+          "drawing"_a, "options"_a)
       .def("write", &written, "folder"_a, "title"_a)
       .def("report", &report, "title"_a, py::call_guard<py::gil_scoped_release>())
       .def("drawing", &drawing, py::call_guard<py::gil_scoped_release>());
@@ -319,6 +359,12 @@ void add_designs(py::module_& module) {
       },
       "json"_a, "name"_a, "is_own"_a);
   module.def("verify", &audited, "file"_a);
+}
+
+/// The options, ended by Ctrl-C.
+CalibrationOptions stopping(CalibrationOptions options, Hooks& hooks) {
+  options.stop = [&hooks] { return hooks.stopped(); };
+  return options;
 }
 
 void add_calibration(py::module_& module) {
@@ -337,7 +383,7 @@ void add_calibration(py::module_& module) {
       .def(py::init([](std::optional<double> target, const std::string& method,
                        const std::vector<std::string>& ratios, bool plan, std::optional<int> plan_readings,
                        bool simulate, std::uint64_t seed) {
-             return CalibrationOptions{target, method, ratios, plan, plan_readings, simulate, seed};
+             return CalibrationOptions{target, method, ratios, plan, plan_readings, simulate, seed, {}};
            }),
            "target"_a, "method"_a, "ratios"_a, "plan"_a, "plan_readings"_a, "simulate"_a, "seed"_a);
   py::class_<CalibratedInstrument>(module, "CalibratedInstrument")
@@ -349,13 +395,14 @@ void add_calibration(py::module_& module) {
       "calibrate_with",
       [answer](const CalibrationOptions& options, const std::string& text,
                const std::filesystem::path& folder) {
-        return answer([&](Hooks&) { return calibrate_with(options, text, "", folder); });
+        return answer(
+            [&](Hooks& hooks) { return calibrate_with(stopping(options, hooks), text, "", folder); });
       },
       "options"_a, "text"_a, "folder"_a);
   module.def(
       "calibrate_file_with",
       [answer](const CalibrationOptions& options, const std::filesystem::path& file) {
-        return answer([&](Hooks&) { return calibrate_file_with(options, file); });
+        return answer([&](Hooks& hooks) { return calibrate_file_with(stopping(options, hooks), file); });
       },
       "options"_a, "file"_a);
 }

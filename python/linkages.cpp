@@ -183,13 +183,23 @@ void add_linkages(py::module_& module) {
       "generate_inversor_text",
       [](const std::string& spec) { return generated([&] { return generate_inversor_text(spec); }); },
       "spec"_a);
+  py::class_<PlagiographOptions>(module, "PlagiographOptions")
+      .def(py::init([](double scale, double rotation_deg, const std::string& pole, int cognate) {
+             return PlagiographOptions{scale, radians(rotation_deg), pole, cognate};
+           }),
+           "scale"_a, "rotation_deg"_a, "pole"_a, "cognate"_a);
   module.def(
       "generate_path",
-      [](const std::filesystem::path& file) { return generated([&] { return generate_path(file); }); },
-      "file"_a);
+      [](const std::filesystem::path& file, const std::optional<PlagiographOptions>& copy) {
+        return generated([&] { return generate_path(file, copy); });
+      },
+      "file"_a, "copy"_a);
   module.def(
       "generate_path_text",
-      [](const std::string& spec) { return generated([&] { return generate_path_text(spec); }); }, "spec"_a);
+      [](const std::string& spec, const std::optional<PlagiographOptions>& copy) {
+        return generated([&] { return generate_path_text(spec, "", copy); });
+      },
+      "spec"_a, "copy"_a);
 }
 
 }  // namespace kempe::python

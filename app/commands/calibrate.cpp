@@ -8,6 +8,7 @@
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
 #include "reports/calibration/choices.hpp"
+#include "reports/calibration/knight_equations.hpp"
 #include "reports/calibration/named_design.hpp"
 #include "reports/calibration/report.hpp"
 #include "reports/data/atomic_file.hpp"
@@ -19,6 +20,7 @@ struct CalibrateArguments {
   std::string file, folder, method;
   CalibrationChoices choices;
   std::uint64_t seed = 1;
+  bool equations = false;
 };
 
 int write_report(const Session& session, const CalibrateArguments& arguments, const CalibrationRecord& record,
@@ -50,6 +52,10 @@ int run(const Session& session, CalibrateArguments arguments) {
   if (!design) return fail(session, design.error());
   const auto record = run_calibration(*measurements, *design, arguments.file);
   if (!record) return fail(session, record.error());
+  if (arguments.equations && !has_knight_equations(*record))
+    return fail(session, {"", 0, "--equations",
+                          record->rounds.empty() ? "a file without readings" : "the method least_squares",
+                          "Knight's method and its readings (--method knight)"});
   std::optional<SimulationRecord> simulation;
   if (measurements->simulation) {
     const Interrupt interrupt;
@@ -59,13 +65,13 @@ int run(const Session& session, CalibrateArguments arguments) {
         interrupt.requested());
     if (!simulation) return fail(session, interrupted, "stopped; nothing is written");
   }
-  const std::string json = calibration_json(*record, simulation);
+  const std::string json = calibration_json(*record, simulation, arguments.equations);
   if (!arguments.folder.empty())
     if (const int code =
             write_report(session, arguments, *record, simulation, json, *text, measurements->design);
         code != done)
       return code;
-  answer(session, calibration_text(*record, simulation), json);
+  answer(session, calibration_text(*record, simulation, arguments.equations), json);
   return done;
 }
 
@@ -87,6 +93,8 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->add_option("--method", arguments->method,
                    "knight or least_squares; left out: knight for two readings a round, else least_squares")
       ->check(CLI::IsMember({"knight", "least_squares"}));
+  command->add_flag("--equations", arguments->equations,
+                    "Write out Knight's equations of the last round, and their matrix, with their numbers");
   command
       ->add_option("--ratios", arguments->choices.ratios,
                    "Setting table for these ratios, such as 1:2,1:3,0.4")

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
@@ -19,34 +21,16 @@ namespace {
 
 struct PathArguments {
   std::string spec_file, linkage_file;
+  std::vector<std::string> animations;
   int answer = 1, cognate = 0;
   double copy_scale = 1, copy_rotation_deg = 0;
   std::string copy_pole;
   bool copies = false;
+  std::optional<CopyTask> copy_task() const {
+    if (!copies) return std::nullopt;
+    return CopyTask{copy_scale, radians(copy_rotation_deg), copy_pole_named(copy_pole)};
+  }
 };
-
-CopyTask copy_task(const PathArguments& arguments) {
-  CopyTask task{arguments.copy_scale, radians(arguments.copy_rotation_deg), std::nullopt};
-  if (arguments.copy_pole == "crank") task.pole = CopyPole::crank_pivot;
-  if (arguments.copy_pole == "rocker") task.pole = CopyPole::rocker_pivot;
-  return task;
-}
-
-/// The plagiograph on every answer, or on its cognate, where one is asked for.
-CopiesOfAnswers copies_of(const PathArguments& arguments, const std::vector<PathAnswer>& answers) {
-  CopiesOfAnswers made{copy_task(arguments), {}};
-  if (!arguments.copies) return made;
-  for (const PathAnswer& answer : answers)
-    if (arguments.cognate == 0)
-      made.copies.push_back(copy_on_coupler(answer, std::nullopt, made.task));
-    else if (answer.cognates)
-      made.copies.push_back(
-          copy_on_coupler(answer, static_cast<std::size_t>(arguments.cognate - 1), made.task));
-    else
-      made.copies.push_back(
-          tl::unexpected(std::string("the coupler point lies on a joint: there is no cognate")));
-  return made;
-}
 
 std::string columns_of(const Point& p) {
   return fmt::format("{:>10} {:>10}", fixed_text(p.x(), 4), fixed_text(p.y(), 4));
@@ -142,39 +126,81 @@ std::string text_of(const PathTask& task, const PathSearch& search, const Copies
   return text;
 }
 
-/// Writes the linkage file asked for; the code of why not.
-int write_linkage(const Session& session, const PathArguments& arguments,
-                  const std::vector<PathAnswer>& answers, const CopiesOfAnswers& copies) {
-  if (arguments.linkage_file.empty()) return done;
-  if (arguments.answer > std::ssize(answers))
-    return fail(session, bad_input,
-                fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
+/// Writes the linkage moving, with the places that were asked for.
+int animate(const Session& session, const PathArguments& arguments, const std::string& linkage,
+            const std::vector<WantedPlace>& wanted) {
+  if (arguments.animations.empty()) return done;
+  auto file = parse_linkage_file(linkage, arguments.spec_file);
+  if (!file) return fail(session, file.error());
+  const auto loaded = loaded_linkage(std::move(*file));
+  if (!loaded) return fail(session, loaded.error());
+  const auto assembly_modes = assemble_linkage(session, *loaded, 1);
+  if (!assembly_modes) return assembly_modes.error();
+  const auto run =
+      drive_linkage(session, *loaded, assembly_modes->front(), animated_steps(loaded->file.steps));
+  if (!run) return run.error();
+  LinkageScene scene = linkage_scene(loaded->file, loaded->model, *run, loaded->file.steps);
+  add_wanted_places(loaded->file, wanted, "P", scene);
+  return write_animations(session, scene, arguments.animations);
+}
+
+/// The linkage file asked for, or the code of why there is none.
+tl::expected<std::string, int> linkage_text(const Session& session, const PathArguments& arguments,
+                                            const std::vector<PathAnswer>& answers,
+                                            const CopiesOfAnswers& copies) {
   const PathAnswer& answer = answers[static_cast<std::size_t>(arguments.answer - 1)];
   if (arguments.copies) {
     const auto& copy = copies.copies[static_cast<std::size_t>(arguments.answer - 1)];
     if (!copy)
-      return fail_unproven(session,
-                           "no copy of answer " + std::to_string(arguments.answer) + ": " + copy.error());
-    return write_output(session, arguments.linkage_file, copy_linkage(answer, copies.task, *copy));
+      return tl::unexpected(fail_unproven(
+          session, "no copy of answer " + std::to_string(arguments.answer) + ": " + copy.error()));
+    return copy_linkage(answer, copies.task, *copy);
   }
-  if (arguments.cognate == 0) return write_output(session, arguments.linkage_file, path_linkage(answer));
+  if (arguments.cognate == 0) return path_linkage(answer);
   if (!answer.cognates)
+    return tl::unexpected(
+        fail(session, bad_input,
+             "--cognate: the coupler point lies on a joint, so a cognate has a link without length"));
+  return path_linkage(answer, static_cast<std::size_t>(arguments.cognate - 1));
+}
+
+/// Writes linkage file and animations, as far as they are asked for; `wanted_of` has the wanted places of an answer by its number.
+template <class WantedOf>
+int write_answer(const Session& session, const PathArguments& arguments,
+                 const std::vector<PathAnswer>& answers, const CopiesOfAnswers& copies,
+                 const WantedOf& wanted_of) {
+  if (arguments.linkage_file.empty() && arguments.animations.empty()) return done;
+  if (arguments.answer > std::ssize(answers))
     return fail(session, bad_input,
-                "--cognate: the coupler point lies on a joint, so a cognate has a link without length");
-  return write_output(session, arguments.linkage_file,
-                      path_linkage(answer, static_cast<std::size_t>(arguments.cognate - 1)));
+                fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
+  const auto text = linkage_text(session, arguments, answers, copies);
+  if (!text) return text.error();
+  if (!arguments.linkage_file.empty())
+    if (const int code = write_output(session, arguments.linkage_file, *text); code != done) return code;
+  std::vector<WantedPlace> wanted = wanted_of(static_cast<std::size_t>(arguments.answer - 1));
+  if (arguments.cognate != 0)  // it draws the same curve, but its coupler turns otherwise
+    for (WantedPlace& place : wanted) place.angle = place.reached_angle = std::nullopt;
+  return animate(session, arguments, *text, wanted);
 }
 
 int run(const Session& session, const PathArguments& arguments) {
-  if (const auto clash = output_clash({arguments.spec_file}, {arguments.linkage_file}))
-    return fail(session, *clash);
+  if (arguments.linkage_file.empty() && arguments.animations.empty() &&
+      (arguments.answer > 1 || arguments.cognate > 0))
+    return fail(session, {"", 0, arguments.answer > 1 ? "--answer" : "--cognate", "nothing to write it to",
+                          "beside -o or --animate"});
+  if (const auto wrong = wrong_animation("--animate", arguments.animations)) return fail(session, *wrong);
+  std::vector<std::filesystem::path> outputs{arguments.linkage_file};
+  outputs.insert(outputs.end(), arguments.animations.begin(), arguments.animations.end());
+  if (const auto clash = output_clash({arguments.spec_file}, outputs)) return fail(session, *clash);
   const auto text = read_text_file(arguments.spec_file);
   if (!text) return fail(session, text.error());
   const auto spec = read_path_spec(*text, arguments.spec_file);
   if (!spec) return fail(session, spec.error());
-  const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& json, const auto& words) {
-    const CopiesOfAnswers copies = copies_of(arguments, answers);
-    if (const int code = write_linkage(session, arguments, answers, copies); code != done) return code;
+  const auto finish = [&](const std::vector<PathAnswer>& answers, const auto& wanted_of, const auto& json,
+                          const auto& words) {
+    const CopiesOfAnswers copies = copies_of(answers, arguments.copy_task(), arguments.cognate);
+    if (const int code = write_answer(session, arguments, answers, copies, wanted_of); code != done)
+      return code;
     print(session.json ? json(copies) : words(copies));
     if (!session.json && !arguments.linkage_file.empty())
       print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
@@ -188,14 +214,16 @@ int run(const Session& session, const PathArguments& arguments) {
     std::vector<PathAnswer> answers;
     for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
     return finish(
-        answers, [&](const auto& copies) { return path_json(task, *search, copies); },
+        answers, [&](std::size_t k) { return wanted_places(task, search->answers[k]); },
+        [&](const auto& copies) { return path_json(task, *search, copies); },
         [&](const auto& copies) { return text_of(task, *search, copies); });
   }
   const PathTask task = path_task(*spec);
   const auto search = generate_path(task);
   if (!search) return fail_unproven(session, search.error());
   return finish(
-      search->answers, [&](const auto& copies) { return path_json(*search, copies); },
+      search->answers, [&](std::size_t k) { return wanted_places(task, search->answers[k]); },
+      [&](const auto& copies) { return path_json(*search, copies); },
       [&](const auto& copies) { return text_of(task, *search, copies); });
 }
 
@@ -208,14 +236,15 @@ void add_path_command(CLI::App& program, Session& session) {
   auto arguments = std::make_shared<PathArguments>();
   command->add_option("SPEC", arguments->spec_file, "Points or poses, and limits (TOML; see docs/path.md)")
       ->required();
-  auto* linkage = command->add_option("-o,--linkage", arguments->linkage_file,
-                                      "Write an answer as a linkage file, for solve, mobility and centres");
+  command->add_option("-o,--linkage", arguments->linkage_file,
+                      "Write an answer as a linkage file, for solve, mobility and centres");
+  command->add_option("--animate", arguments->animations,
+                      "The answer moving, with the wanted points or poses and its deviations: FILE.html or "
+                      "FILE.svg; may be given twice");
   command->add_option("--answer", arguments->answer, "Write this answer instead of the best")
-      ->check(CLI::Range(1, 6))
-      ->needs(linkage);
+      ->check(CLI::Range(1, 6));
   command->add_option("--cognate", arguments->cognate, "Write this cognate of the answer instead of itself")
-      ->check(CLI::Range(1, 2))
-      ->needs(linkage);
+      ->check(CLI::Range(1, 2));
   auto* scale = command
                     ->add_option("--copy-scale", arguments->copy_scale,
                                  "Add the plagiograph that draws the coupler curve so many times as large")

@@ -11,7 +11,6 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
-#include "reports/linkages/animation.hpp"
 #include "reports/linkages/forces.hpp"
 #include "reports/linkages/loop_equations.hpp"
 #include "reports/linkages/solve_table.hpp"
@@ -88,14 +87,7 @@ int write_animations(const Session& session, const LoadedLinkage& loaded, const 
                      const std::vector<std::string>& files) {
   const auto run = drive_linkage(session, loaded, start, animated_steps(loaded.file.steps));
   if (!run) return run.error();
-  LinkageScene scene = linkage_scene(loaded.file, loaded.model, *run, loaded.file.steps);
-  for (const std::string& file : files) {
-    const bool page = std::filesystem::path(file).extension() == ".html";
-    if (const int code = write_output(session, file, page ? animation_html(scene) : animation_svg(scene));
-        code != done)
-      return code;
-  }
-  return done;
+  return write_animations(session, linkage_scene(loaded.file, loaded.model, *run, loaded.file.steps), files);
 }
 
 int show_equations(const Session& session, const LoadedLinkage& loaded, const PlanarPosition& start,
@@ -140,9 +132,7 @@ void tell(const Session& session, const SolveArguments& arguments, const LoadedL
 }
 
 int run(const Session& session, const SolveArguments& arguments) {
-  for (const std::string& file : arguments.animations)
-    if (const auto kind = std::filesystem::path(file).extension(); kind != ".html" && kind != ".svg")
-      return fail(session, {"", 0, "--animate", file, "a file that ends in .html or .svg"});
+  if (const auto wrong = wrong_animation("--animate", arguments.animations)) return fail(session, *wrong);
   std::vector<std::filesystem::path> outputs{arguments.table_file};
   outputs.insert(outputs.end(), arguments.animations.begin(), arguments.animations.end());
   if (const auto clash = output_clash({arguments.linkage}, outputs)) return fail(session, *clash);

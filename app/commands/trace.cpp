@@ -2,25 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <vector>
 
 #include "app/all_commands.hpp"
 #include "app/output_check.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "reports/data/atomic_file.hpp"
-#include "reports/data/design_json.hpp"
+#include "reports/drawings/copied_drawing.hpp"
 #include "reports/drawings/trace_files.hpp"
 #include "reports/drawings/trace_forces.hpp"
-#include "specs/drawings/svg_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
-#include "synthesis/loads/layer_offsets.hpp"
-#include "synthesis/loads/pin_compliance.hpp"
-#include "synthesis/loads/sag.hpp"
-#include "synthesis/verification/drawing_trace.hpp"
 
 namespace kempe::app {
 namespace {
@@ -28,109 +21,11 @@ namespace {
 struct TraceArguments {
   std::string design, drawing, copy, csv, forces;
   std::vector<double> at;
-  double scale = 1;
-  std::optional<double> tolerance, step;  // mm
-  bool fit = false;
-  std::optional<std::uint64_t> instrument;
-  bool load = false;
-  /// True if the design's [load] is asked for.
-  bool needs_load() const { return load || !forces.empty(); }
+  DrawingOptions options;
 };
 
 tl::expected<StoredDesign, InputError> load_design(const std::string& file) {
   return read_text_file(file).and_then([&](const std::string& text) { return read_design(text, file); });
-}
-
-Box box_of(const std::vector<DrawnStroke>& strokes) {
-  Box box{strokes.front().points.front(), strokes.front().points.front()};
-  for (const DrawnStroke& stroke : strokes)
-    for (const Point& point : stroke.points) {
-      box.lower = box.lower.cwiseMin(point);
-      box.upper = box.upper.cwiseMax(point);
-    }
-  return box;
-}
-
-/// By how much the drawing is enlarged to fill the region's box as far as it can.
-double fitting_scale(const std::vector<DrawnStroke>& strokes, const Region& region) {
-  const Box drawing = box_of(strokes), room = bounding_box(region);
-  const Point size = (drawing.upper - drawing.lower).cwiseMax(1e-9);
-  return (room.upper - room.lower).cwiseQuotient(size).minCoeff();
-}
-
-/// What is left out of the arguments: a hundredth and half a millimetre, or shares of a small region.
-void fill_in(TraceArguments& arguments, const StoredDesign& design, const CopyingLinkage& linkage) {
-  double size = linkage.size();
-  if (!design.region.empty()) {
-    const Box box = bounding_box(design.region);
-    size = std::min(size, (box.upper - box.lower).norm());
-  }
-  if (!arguments.tolerance) arguments.tolerance = std::min(0.01, 1e-3 * size);
-  if (!arguments.step) arguments.step = std::min(0.5, 0.05 * size);
-}
-
-/// The drawing as its file has it. Curves are followed so closely that the tolerance holds on the table, after
-/// the drawing has been enlarged.
-tl::expected<StrokeDrawing, InputError> load_drawing(const TraceArguments& arguments, const Region& region) {
-  const auto text = read_text_file(arguments.drawing);
-  if (!text) return tl::unexpected(text.error());
-  const auto read = [&](double scale) {
-    return read_svg(*text, arguments.drawing, {.tolerance = *arguments.tolerance / std::max(1.0, scale)});
-  };
-  auto drawing = read(arguments.scale);
-  if (!drawing || !arguments.fit || drawing->strokes.empty() || region.empty()) return drawing;
-  const double scale = fitting_scale(drawing->strokes, region);
-  return scale > 1 ? read(scale) : drawing;
-}
-
-void place(std::vector<DrawnStroke>& strokes, double scale, const Point& move) {
-  for (DrawnStroke& stroke : strokes)
-    for (Point& point : stroke.points) point = scale * point + move;
-}
-
-/// The drawing on the table: where the arguments put its page, or in the middle of the region's box, as large
-/// as fits.
-void place_on_table(std::vector<DrawnStroke>& strokes, const TraceArguments& arguments,
-                    const Region& region) {
-  if (strokes.empty()) return;
-  if (!arguments.fit || region.empty())
-    return place(strokes, arguments.scale,
-                 arguments.at.size() == 2 ? Point(arguments.at[0], arguments.at[1]) : Point(0, 0));
-  const Box drawing = box_of(strokes), room = bounding_box(region);
-  const double scale = fitting_scale(strokes, region);
-  place(strokes, scale, 0.5 * (room.lower + room.upper) - 0.5 * scale * (drawing.lower + drawing.upper));
-}
-
-/// What the hand feels, or why the file cannot tell.
-tl::expected<HandWork, InputError> hand_work_of(const StoredDesign& design, const CopyingLinkage& linkage,
-                                                const std::string& file) {
-  if (design.material && design.load) {
-    Spec spec;
-    spec.links.style = design.style;
-    spec.links.hardware = design.hardware;
-    spec.material = design.material;
-    spec.load = design.load;
-    spec.tolerance = design.tolerance;
-    return HandWork(linkage, design.style, design.hardware, *design.material, *design.load,
-                    pin_compliance(linkage.grounding(), design.layers, design.style, design.hardware),
-                    LayeredErrorProfile(linkage.k(), linkage.grounding(), sag_conditions(spec, design.layers),
-                                        design.load->pen_force));
-  }
-  return tl::unexpected(InputError{file, 0, design.material ? "load" : "material", "a design without it",
-                                   "one of a spec with [material] and [load]"});
-}
-
-TraceTask task_of(const StoredDesign& design, const CopyingLinkage& linkage) {
-  return {map_task(design, linkage), design.mechanism.opening};
-}
-
-std::string causes(const Trace& trace) {
-  std::string text;
-  for (std::size_t i = 0; i < all_not_reached.size(); ++i)
-    if (trace.missed_by_cause[i] > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", trace.missed_by_cause[i],
-                          name(all_not_reached[i]));
-  return text;
 }
 
 /// "1 line", "2 lines"
@@ -148,14 +43,15 @@ std::string hand_lines(const Trace& trace) {
   return text;
 }
 
-std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
+std::string summary_text(const DrawingCopy& copy, const TraceArguments& arguments) {
+  const auto& [drawing, trace, work] = copy;
   std::string text =
       fmt::format("drawn        {}, from {} in the drawing: {:.1f} mm of the original\n",
                   lines(trace.drawn.size()), lines(drawing.strokes.size()), trace.drawn_length);
   text += fmt::format("poses        {}, the pen at most {:.2g} mm from the exact image{}\n",
                       trace.poses_tried - trace.poses_missed, trace.departure,
-                      arguments.load ? " under the load" : "");
-  if (arguments.load && trace.without_layers > 0)
+                      arguments.options.load ? " under the load" : "");
+  if (arguments.options.load && trace.without_layers > 0)
     text += fmt::format("layers       not counted at {} places, where their equations lose their digits\n",
                         trace.without_layers);
   if (trace.poses_missed > 0)
@@ -168,45 +64,15 @@ std::string summary_text(const Trace& trace, const StrokeDrawing& drawing, const
          (arguments.forces.empty() ? "" : ", " + printable(arguments.forces)) + "\n";
 }
 
-std::string summary_json(const Trace& trace, const StrokeDrawing& drawing, const TraceArguments& arguments) {
-  nlohmann::ordered_json by_cause = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < all_not_reached.size(); ++i)
-    if (trace.missed_by_cause[i] > 0)
-      by_cause[std::string(name(all_not_reached[i]))] = trace.missed_by_cause[i];
-  nlohmann::ordered_json object{{"copy", arguments.copy},
-                                {"strokes", drawing.strokes.size()},
-                                {"lines_drawn", trace.drawn.size()},
-                                {"poses", trace.poses_tried},
-                                {"drawn_mm", trace.drawn_length},
-                                {"departure_max_mm", trace.departure},
-                                {"left_out", trace.poses_missed},
-                                {"left_out_lines", trace.missing.size()},
-                                {"left_out_mm", trace.missing_length},
-                                {"left_out_by_cause", by_cause},
-                                {"texts", drawing.texts},
-                                {"images", drawing.images},
-                                {"references", drawing.references}};
-  if (arguments.load) object["without_layers"] = trace.without_layers;
-  const HandForces forces = hand_forces(trace);
-  if (forces.any()) {
-    object["hand_min_N"] = forces.least;
-    object["hand_max_N"] = forces.most;
-  }
-  if (forces.dead_points > 0) object["dead_points"] = forces.dead_points;
-  return json_text(object);
-}
-
-tl::expected<void, std::string> write(const Trace& trace, const TraceArguments& arguments,
-                                      const std::optional<HandWork>& work) {
-  const std::string title = std::filesystem::path(arguments.drawing).filename().string() + ", copied";
-  return write_whole(arguments.copy, copy_svg(trace, title))
+tl::expected<void, std::string> write(const DrawingCopy& copy, const TraceArguments& arguments) {
+  return write_whole(arguments.copy, copy_svg(copy.trace, copy_title(arguments.drawing)))
       .and_then([&]() -> tl::expected<void, std::string> {
         if (arguments.csv.empty()) return {};
-        return write_whole(arguments.csv, poses_csv(trace));
+        return write_whole(arguments.csv, poses_csv(copy.trace));
       })
       .and_then([&]() -> tl::expected<void, std::string> {
         if (arguments.forces.empty()) return {};
-        return write_whole(arguments.forces, forces_csv(trace, *work));
+        return write_whole(arguments.forces, forces_csv(copy.trace, *copy.work));
       });
 }
 
@@ -216,38 +82,25 @@ int run(const Session& session, TraceArguments arguments) {
     return fail(session, *clash);
   const auto design = load_design(arguments.design);
   if (!design) return fail(session, design.error());
-  const auto linkage = linkage_of(*design, arguments.design);
-  if (!linkage) return fail(session, linkage.error());
-  fill_in(arguments, *design, *linkage);
-  auto drawing = load_drawing(arguments, design->region);
-  if (!drawing) return fail(session, drawing.error());
-  if (drawing->strokes.empty())
-    return fail(session,
-                {arguments.drawing, 0, "", "a drawing without lines",
-                 "paths, lines or shapes" + (drawing->remark().empty() ? "" : "; " + drawing->remark())});
-  place_on_table(drawing->strokes, arguments, design->region);
-  TraceOptions options;
-  options.step = *arguments.step;
-  options.keep_poses = !arguments.csv.empty() || !arguments.forces.empty();
-  if (arguments.needs_load()) {
-    auto work = hand_work_of(*design, *linkage, arguments.design);
-    if (!work) return fail(session, work.error());
-    options.work = std::move(*work);
-    options.keep_hand = !arguments.forces.empty();
-    options.gives_way = arguments.load;
-  }
-  if (arguments.instrument)
-    options.made = TraceOptions::Made{*arguments.instrument, design->tolerance.value_or(Tolerance{})};
-  const Trace trace = trace_drawing(task_of(*design, *linkage), drawing->strokes, options);
-  if (const auto written = write(trace, arguments, options.work); !written)
+  const auto svg = read_text_file(arguments.drawing);
+  if (!svg) return fail(session, svg.error());
+  DrawingOptions& options = arguments.options;
+  if (arguments.at.size() == 2) options.at = Point(arguments.at[0], arguments.at[1]);
+  options.keep_joints = !arguments.csv.empty();
+  options.keep_forces = !arguments.forces.empty();
+  const auto copy = copy_drawing(*design, arguments.design, *svg, arguments.drawing, options);
+  if (!copy) return fail(session, copy.error());
+  if (const auto written = write(*copy, arguments); !written)
     return fail(session, cannot_write, written.error());
-  answer(session, summary_text(trace, *drawing, arguments), summary_json(trace, *drawing, arguments));
-  if (trace.poses_missed == 0) return done;
+  answer(session, summary_text(*copy, arguments), drawing_copy_json(*copy, options, arguments.copy));
+  if (copy->trace.poses_missed == 0) return done;
   return fail_told(verification_failed,
                    fmt::format("{}: {} positions cannot be reached and are left out ({}); they are red in {}",
-                               printable(arguments.drawing), trace.poses_missed, causes(trace),
+                               printable(arguments.drawing), copy->trace.poses_missed, causes(copy->trace),
                                printable(arguments.copy)));
 }
+
+CLI::Validator number_in(const OptionRange& range) { return number_between(range.lowest, range.highest); }
 
 }  // namespace
 
@@ -267,30 +120,31 @@ void add_trace_command(CLI::App& program, Session& session) {
       "--forces", arguments->forces,
       "Also write what the hand feels at every pose, and colour the copy by it; needs a design "
       "with [load]");
-  command->add_flag("--load", arguments->load,
+  command->add_flag("--load", arguments->options.load,
                     "Draw as the loaded instrument would, whose pen gives way; needs a design with [load]");
   auto* at = command->add_option("--at", arguments->at, "Where the page's lower left corner lies instead, mm")
                  ->check(number_between(-largest_coordinate, largest_coordinate))
                  ->expected(2);
-  auto* scale = command->add_option("--scale", arguments->scale, "Enlarge the drawing before it is traced")
-                    ->check(number_between(1e-6, 1e6));
+  auto* scale =
+      command->add_option("--scale", arguments->options.scale, "Enlarge the drawing before it is traced")
+          ->check(number_in(drawing_scales));
   command
-      ->add_flag("--fit", arguments->fit,
+      ->add_flag("--fit", arguments->options.fit,
                  "Place the drawing in the middle of the design's region, as large as fits its box")
       ->excludes(at)
       ->excludes(scale);
-  command->add_option("--instrument", arguments->instrument,
+  command->add_option("--instrument", arguments->options.instrument,
                       "Draw with an instrument made within the design's tolerances, chosen by this seed");
   command
       ->add_option(
-          "--tolerance", arguments->tolerance,
+          "--tolerance", arguments->options.tolerance,
           "Curves are followed to this, mm; left out: 0.01, or a thousandth of the region's diagonal if less")
-      ->check(number_between(1e-7, 10));
+      ->check(number_in(drawing_tolerances));
   command
-      ->add_option("--step", arguments->step,
+      ->add_option("--step", arguments->options.step,
                    "Poses are at most this far apart, mm; left out: 0.5, or a twentieth of the region's "
                    "diagonal if less")
-      ->check(number_between(1e-4, 1e3));
+      ->check(number_in(drawing_steps));
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ struct CalibrationOptions {
   std::optional<int> plan_readings;  ///< how many, 1 to 100
   bool simulate = false;             ///< simulate instruments with hidden errors
   std::uint64_t seed = 1;            ///< of the simulation
+  /// Asked often; once true the simulation ends, and is left out of what comes back.
+  std::function<bool()> stop{};
 };
 
 /// A calibration with its page.

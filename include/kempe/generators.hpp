@@ -2,6 +2,7 @@
 // Function generators, inversors and path generators: linkages designed for a task, each with its linkage file.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,7 +16,7 @@ namespace kempe {
 /// A linkage that was designed, as text of a linkage file (kempe/linkage.hpp).
 struct GeneratedLinkage {
   std::string
-      kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"; "answer_1", "answer_1_cognate_1", ...
+      kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"; "answer_1", "answer_1_cognate_1", "answer_1_copy", ...
   std::string text;  ///< TOML
 };
 
@@ -47,12 +48,23 @@ KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inve
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inversor_text(
     std::string_view spec, const std::string& name = "");
 
+/// Kempe and Sylvester's plagiograph on the coupler: two links more, and a point that draws the coupler curve scaled and turned about a
+/// pivot.
+struct PlagiographOptions {
+  double scale = 1;     ///< 0.001 to 1000
+  double rotation = 0;  ///< rad, -2 pi to 2 pi
+  std::string pole;     ///< "crank" or "rocker": its fixed pivot; "": the one farther from change points
+  int cognate = 0;      ///< 0: on the answer; 1 or 2: on that cognate of it
+};
+
 /// Four-bars whose coupler follows points or takes poses (TOML, docs/path.md), as `kempe path` designs them: the best first,
-/// each followed by its cognates if it has them. A second or so.
+/// each followed by its cognates if it has them, and by its copy ("answer_1_copy") where `copy` asks for one and there is one (else
+/// the JSON says why not). A second or so. Errors: those of the file; an option that cannot be (keys "copy.scale", "copy.rotation_deg",
+/// "copy.pole", "copy.cognate").
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_path(
-    const std::filesystem::path& file);
+    const std::filesystem::path& file, const std::optional<PlagiographOptions>& copy = {});
 /// The same of a file's text; `name` stands for the file in messages.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_path_text(
-    std::string_view spec, const std::string& name = "");
+    std::string_view spec, const std::string& name = "", const std::optional<PlagiographOptions>& copy = {});
 
 }  // namespace kempe

@@ -2,10 +2,14 @@
 // A drawing copied through a design's mechanism, pose by pose.
 
 #include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "kempe/design.hpp"
+#include "kempe/drawing_options.hpp"
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
 #include "kempe/region.hpp"
@@ -37,5 +41,31 @@ struct CopiedDrawing {
 KEMPE_EXPORT std::variant<CopiedDrawing, InputError> trace(const FinishedDesign& design,
                                                            const std::vector<Polyline>& lines,
                                                            double step = 0.5);
+
+/// A drawing's file copied, with what `kempe trace` writes of it.
+struct TracedDrawing {
+  CopiedDrawing copy;  ///< `original`: which line of the drawing, from 0; closed lines end where they begin
+  std::string json;    ///< what `kempe trace --json` prints, without the name of the copy's file
+  std::string
+      svg;  ///< the copy, 1:1, what is missing in red; with DrawingOptions::keep_forces coloured by them
+  /// CSV, a row for each pose: stroke, reached, tracer's place, opening, the six joints' places (mm, degrees); empty without
+  /// DrawingOptions::keep_joints.
+  std::string joints_csv;
+  /// CSV, a row for each pose reached: what the hand and the pins feel, N (docs/loads.md); empty without DrawingOptions::keep_forces.
+  std::string forces_csv;
+};
+
+/// Copies a drawing (the text of an SVG file, docs/drawings-in.md) as `kempe trace` does with the file of the design; `name` stands for the
+/// drawing's file in messages and in the copy's title. Errors: what is no SVG, or has no lines; an option that cannot be, its key the
+/// member's name ("tolerance_mm" and "step_mm" for `tolerance` and `step`); `load` or `keep_forces` with a design without material or load
+/// (key "material" or "load").
+KEMPE_EXPORT std::variant<TracedDrawing, InputError> trace_svg(const FinishedDesign& design,
+                                                               std::string_view drawing,
+                                                               const DrawingOptions& options = {},
+                                                               const std::string& name = "");
+/// The same of a file.
+KEMPE_EXPORT std::variant<TracedDrawing, InputError> trace_svg_file(const FinishedDesign& design,
+                                                                    const std::filesystem::path& drawing,
+                                                                    const DrawingOptions& options = {});
 
 }  // namespace kempe

@@ -11,12 +11,12 @@
 Lengths are millimetres, angles degrees where a name ends in _deg, places (x, y) in the table's frame. docs/python.md tells more.
 """
 from ._answers import (Audit, Broken, Change, CopiedDrawing, CopiedLine, Error, Fault, Loss, NoDesign, NoMotion, NotWritten,
-                       Sheet, SpecError, Stopped, Verdict, Verification)
+                       Sheet, SpecError, Stopped, TracedDrawing, Verdict, Verification)
 from ._calibration import Calibration, calibrate, calibration
 from ._core import version as __version__
 from ._design import Design, Map, verify
-from ._generators import (Cognate, FunctionGenerator, Inversor, InversorLength, PathGenerator, PathGenerators, function_generator,
-                          inversor, path_generator)
+from ._generators import (Cognate, FunctionGenerator, Inversor, InversorLength, PathGenerator, PathGenerators, Plagiograph,
+                          function_generator, inversor, path_generator)
 from ._geometry import Region
 from ._linkage import Centre, Centres, Linkage, Mobility, Motion, MotionEnd, number_synthesis
 from ._spec import Spec, load
@@ -25,8 +25,8 @@ from ._work import pareto, sweep, synthesize, workspace
 __all__ = [
     "Audit", "Broken", "Calibration", "Centre", "Centres", "Change", "Cognate", "CopiedDrawing", "CopiedLine", "Design", "Error",
     "Fault", "FunctionGenerator", "Inversor", "InversorLength", "Linkage", "Loss", "Map", "Mobility", "Motion", "MotionEnd",
-    "NoDesign", "NoMotion", "NotWritten", "PathGenerator", "PathGenerators", "Region", "Sheet", "Spec", "SpecError", "Stopped",
-    "Verdict", "Verification", "__version__", "calibrate", "calibration", "function_generator", "inversor", "load",
+    "NoDesign", "NoMotion", "NotWritten", "PathGenerator", "PathGenerators", "Plagiograph", "Region", "Sheet", "Spec", "SpecError",
+    "Stopped", "TracedDrawing", "Verdict", "Verification", "__version__", "calibrate", "calibration", "function_generator", "inversor", "load",
     "number_synthesis", "pareto", "path_generator", "sweep", "synthesize", "verify", "workspace",
 ]
 

@@ -1,8 +1,9 @@
 """What comes back beside designs: faults, reasons, verdicts, checks."""
 from __future__ import annotations
 
+import csv
 from dataclasses import dataclass, field
-from typing import Any, Optional, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -186,6 +187,43 @@ class CopiedDrawing:
 
     def __bool__(self) -> bool:
         return self.poses_missed == 0
+
+
+@dataclass(frozen=True)
+class TracedDrawing(CopiedDrawing):
+    """A drawing's file copied, with what `kempe trace` writes of it; shows the copy in a notebook."""
+
+    answer: Mapping[str, Any] = field(repr=False)  #: what `kempe trace --json` prints, without the copy's file (docs/commands.md)
+    svg: str = field(repr=False)  #: the copy, the text of an SVG file at 1:1; what is missing in red
+    joints_csv: str = field(repr=False)  #: what `kempe trace --csv` writes; "" unless asked for
+    forces_csv: str = field(repr=False)  #: what `kempe trace --forces` writes; "" unless asked for
+
+    @property
+    def joints(self) -> dict[str, Array]:
+        """The joints' places as columns, n poses each: stroke, reached (0 or 1), tracer_x_mm, ..., Y_y_mm; NaN where not reached.
+
+        Empty unless asked for. pandas.DataFrame(copy.joints) is a table.
+        """
+        return _columns_of(self.joints_csv)
+
+    @property
+    def forces(self) -> dict[str, Array]:
+        """What the hand feels as columns, one entry for each pose reached: hand_N, pin_A_N, ...; NaN at a dead point.
+
+        Empty unless asked for. Newtons, mm and kg as the names end (docs/loads.md).
+        """
+        return _columns_of(self.forces_csv)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+def _columns_of(text: str) -> dict[str, Array]:
+    """A table of numbers, its first row their names; what is empty is NaN."""
+    rows = list(csv.reader(text.splitlines()))
+    if not rows:
+        return {}
+    return {name: np.array([float(row[i] or "nan") for row in rows[1:]]) for i, name in enumerate(rows[0])}
 
 
 def broken_of(rows: Sequence[tuple[Any, ...]]) -> tuple[Broken, ...]:

@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._answers import (Audit, CopiedDrawing, CopiedLine, Loss, NotWritten, Point, Sheet, Verdict, Verification,
-                       broken_of, error_of)
+from ._answers import (Audit, CopiedDrawing, CopiedLine, Loss, NotWritten, Point, Sheet, TracedDrawing, Verdict,
+                       Verification, broken_of, error_of)
 from ._geometry import Array, Region
 from ._spec import Path
 
@@ -330,8 +330,47 @@ class Design:
         found = self._inside.trace([points_of(line) for line in lines], float(step))
         if isinstance(found, list):
             raise error_of(found)
-        drawn, missing = ([CopiedLine(*line) for line in found.pop(key)] for key in ("drawn", "missing"))
-        return CopiedDrawing(drawn=drawn, missing=missing, **found)
+        return CopiedDrawing(**_with_lines(found))
+
+    def trace_drawing(self, drawing: Optional[Path] = None, *, svg: Optional[str] = None, at: Optional[Sequence[float]] = None,
+                      scale: Optional[float] = None, fit: bool = False, tolerance_mm: Optional[float] = None,
+                      step_mm: Optional[float] = None, instrument: Optional[int] = None, load: bool = False, joints: bool = False,
+                      forces: bool = False) -> TracedDrawing:
+        """Copies an SVG pose by pose, as `kempe trace` does: a file, or its text as `svg`.
+
+        at            (x, y), mm: where the lower left corner of its page lies; None: (0, 0)
+        scale         it is enlarged so many times, 1e-6 to 1e6
+        fit           instead of both: in the middle of the region's box, as large as fits
+        tolerance_mm  curves are followed to this, 1e-7 to 10 mm; None: 0.01, or a thousandth of the region's diagonal if less
+        step_mm       poses are at most this far apart, 1e-4 to 1e3 mm; None: 0.5, or a twentieth of the region's diagonal if less
+        instrument    the seed of an instrument made within the design's tolerances, which draws instead
+        load          the pen gives way under the design's load
+        joints        make the table of the joints' places (.joints)
+        forces        make the table of what the hand feels (.forces), and colour the copy by it
+
+        Raises SpecError for what is no SVG or has no lines, for options out of range, and for `load` and `forces` with a spec that has no
+        material or load. A place beyond reach is told in .missing.
+
+        >>> from kempe import Spec, synthesize
+        >>> task = Spec(copy=1.4j, region={"rectangle_mm": [62, -5, 8, 10]}, links={"width_mm": 6, "pin_diameter_mm": 3})
+        >>> line = '<svg xmlns="http://www.w3.org/2000/svg" width="8mm" height="6mm" viewBox="0 0 8 6"><path d="M0 6L8 0"/></svg>'
+        >>> copy = synthesize(task).trace_drawing(svg=line, at=(62, -3), joints=True)
+        >>> bool(copy), copy.drawn[0].points[[0, -1]].round(6).tolist(), round(copy.drawn_length_mm, 6)
+        (True, [[4.2, 86.8], [-4.2, 98.0]], 10.0)
+        >>> len(copy.joints["Y_x_mm"]) == copy.poses
+        True
+        """
+        place = None if at is None else [float(number) for number in at]
+        options = _core.DrawingOptions(place, scale, fit, tolerance_mm, step_mm, instrument, load, joints, forces)
+        if svg is not None and drawing is None:
+            found = self._inside.trace_svg(svg, options)
+        elif drawing is not None and svg is None:
+            found = self._inside.trace_svg_file(drawing, options)
+        else:
+            raise TypeError("a file, or a text as svg=: one of them")
+        if isinstance(found, list):
+            raise error_of(found)
+        return TracedDrawing(answer=json.loads(found.pop("json")), **_with_lines(found))
 
     def save(self, folder: Path, title: str = "design") -> list[str]:
         """Writes what `kempe synthesize` writes, all files or none, and returns their names; `title` heads the report.
@@ -394,6 +433,10 @@ class Design:
 
 _FIGURES = ("size_mm", "transmission_min_deg", "clearance_min_mm", "footprint_mm2", "copy_error_worst_mm", "load_error_max_mm",
             "sag_max_mm", "mass_kg", "robust_clearance_mm", "objective", "value", "lower_bound", "complete")
+
+
+def _with_lines(copy: dict[str, Any]) -> dict[str, Any]:
+    return copy | {key: [CopiedLine(*line) for line in copy[key]] for key in ("drawn", "missing")}
 
 
 def _own_design(text: str) -> Design:

@@ -91,6 +91,25 @@ class Cognate:
 
 
 @dataclass(frozen=True)
+class Plagiograph:
+    """Two links more on a four-bar's coupler: a point that draws the coupler curve scaled and turned about a pivot. mm, degrees."""
+
+    scale: float
+    rotation_deg: float
+    pole: str  #: "crank_pivot" or "rocker_pivot": about which it is scaled and turned
+    pole_mm: Point
+    four_bar: Mapping[str, Any] = field(repr=False)  #: on which it stands, the answer or its cognate, as `kempe path --json` has it
+    coupler_joint_mm: Point  #: along the coupler from the crank's joint, and to the left of it
+    arm_mm: float
+    link_mm: float
+    copy_point_mm: Point  #: on the link, in its frame
+    copied_mm: Array = field(repr=False, compare=False)  #: (n, 2): where the copying point is at each point of the path
+    error_max_mm: float  #: from the exact image
+    parallelogram_min_deg: float  #: how near to flat its parallelogram comes
+    linkage: Linkage = field(repr=False)  #: the six-bar; Y draws the copy
+
+
+@dataclass(frozen=True)
 class PathGenerator:
     """A four-bar whose coupler point follows a path, or whose coupler takes poses. Lengths mm, angles degrees."""
 
@@ -111,6 +130,8 @@ class PathGenerator:
     linkage: Linkage = field(repr=False)  #: O, A, B, D and the coupler point P, its crank driven
     reached_deg: tuple[float, ...] = ()  #: of poses: how far the coupler has turned at each
     error_angle_max_deg: Optional[float] = None  #: of poses
+    copy: Optional[Plagiograph] = None  #: where one was asked for, and there is one
+    why_no_copy: str = ""  #: where one was asked for, and there is none
 
 
 @dataclass(frozen=True)
@@ -137,8 +158,13 @@ class PathGenerators:
         return self.answers[index]
 
 
-def path_generator(spec: Optional[_Spec] = None, **tables: Any) -> PathGenerators:
+def path_generator(spec: Optional[_Spec] = None, *, copy_scale: Optional[float] = None, copy_rotation_deg: Optional[float] = None,
+                   copy_pole: Optional[str] = None, copy_cognate: int = 0, **tables: Any) -> PathGenerators:
     """Four-bars whose coupler follows points or takes poses (docs/path.md): from a TOML file, from its tables as a dict, or keywords.
+
+    copy_scale, copy_rotation_deg   add to each answer the plagiograph that draws its curve scaled and turned: 0.001 to 1000, -360 to 360
+    copy_pole                       about this pivot, "crank" or "rocker"; None: the one farther from change points
+    copy_cognate                    0: on the answer; 1 or 2: on that cognate of it
 
     Raises SpecError with all faults, and NoDesign where none is found.
 
@@ -146,16 +172,36 @@ def path_generator(spec: Optional[_Spec] = None, **tables: Any) -> PathGenerator
     >>> found = path_generator(path={"points_mm": line}, limits={"longest_mm": 60, "transmission_deg": 20})
     >>> found.best.error_max_mm < 1e-9, found.best.reached_mm.shape, len(found.best.cognates)
     (True, (6, 2), 2)
+    >>> copy = path_generator(path={"points_mm": line}, limits={"longest_mm": 60, "transmission_deg": 20}, copy_scale=2).best.copy
+    >>> copy.copied_mm.shape, copy.linkage.points
+    ((6, 2), ['O', 'D', 'A', 'B', 'P', 'C', 'Q', 'Y'])
     """
-    found, linkages, _ = _generated(_core.generate_path, _core.generate_path_text, spec, tables)
+    copy = None
+    if copy_scale is not None or copy_rotation_deg is not None or copy_pole is not None:
+        copy = _core.PlagiographOptions(1 if copy_scale is None else copy_scale, 0 if copy_rotation_deg is None else copy_rotation_deg,
+                                        copy_pole or "", copy_cognate)
+    elif copy_cognate:
+        raise TypeError("copy_cognate: there is no copy without copy_scale, copy_rotation_deg or copy_pole")
+    found, linkages, _ = _generated(lambda file: _core.generate_path(file, copy), lambda text: _core.generate_path_text(text, copy),
+                                    spec, tables)
     answers = []
     for number, row in enumerate(found["answers"], 1):
         row.pop("lower_bound_mm", None)  # none is known
         cognates = tuple(Cognate(**_tuples(one), linkage=linkages[f"answer_{number}_cognate_{which}"])
                          for which, one in enumerate(row.pop("cognates"), 1))
         reached = np.array(row.pop("reached_mm"))
-        answers.append(PathGenerator(**_tuples(row), reached_mm=reached, cognates=cognates, linkage=linkages[f"answer_{number}"]))
+        made = row.pop("copy", {})
+        answers.append(PathGenerator(**_tuples(row), reached_mm=reached, cognates=cognates, linkage=linkages[f"answer_{number}"],
+                                     copy=_plagiograph_of(made, linkages.get(f"answer_{number}_copy")),
+                                     why_no_copy=made.get("why_not", "")))
     return PathGenerators(tuple(answers), found["bound"], found["searched"], tuple(found.get("dyads", ())))
+
+
+def _plagiograph_of(row: Mapping[str, Any], linkage: Optional[Linkage]) -> Optional[Plagiograph]:
+    if linkage is None:
+        return None
+    copied = np.array(row["copied_mm"])
+    return Plagiograph(**_tuples({key: value for key, value in row.items() if key != "copied_mm"}), copied_mm=copied, linkage=linkage)
 
 
 def _tuples(row: Mapping[str, Any]) -> dict[str, Any]:

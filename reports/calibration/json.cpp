@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "reports/calibration/knight_equations.hpp"
 #include "reports/calibration/report.hpp"
 
 namespace kempe {
@@ -281,11 +282,12 @@ void put_calibration(const CalibrationRecord& record, Json& object) {
 }  // namespace
 
 std::string calibration_json(const CalibrationRecord& record,
-                             const std::optional<SimulationRecord>& simulation) {
+                             const std::optional<SimulationRecord>& simulation, bool equations) {
   Json object{{"format", "kempe-calibration/1"},
               {"method", std::string(name(record.method))},
               {"instrument", instrument(record)}};
   if (!record.rounds.empty()) put_calibration(record, object);
+  if (equations) object["equations"] = knight_equations_json(record);
   if (!record.settings.empty()) object["settings"] = settings(record);
   if (record.plan) object["plan"] = plan(*record.plan);
   if (simulation) object["simulation"] = simulation_json(*simulation);

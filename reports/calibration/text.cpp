@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/fixed_text.hpp"
+#include "reports/calibration/knight_equations.hpp"
 #include "reports/calibration/report.hpp"
 #include "reports/calibration/sections.hpp"
 
@@ -159,11 +160,12 @@ std::string simulation_lines(const SimulationRecord& simulation) {
 }  // namespace
 
 std::string calibration_text(const CalibrationRecord& record,
-                             const std::optional<SimulationRecord>& simulation) {
+                             const std::optional<SimulationRecord>& simulation, bool equations) {
   std::string text = instrument_line(record);
   if (!record.rounds.empty())
     text += method_line(record) + departure_lines(record) + quantity_lines(record) +
             undetermined_lines(record) + fit_lines(record);
+  if (equations) text += knight_equations_text(record);
   text += setting_lines(record);
   if (record.plan) text += plan_lines(*record.plan);
   if (simulation) text += simulation_lines(*simulation);

@@ -8,6 +8,7 @@
 
 #include "reports/linkages/scene_forces.hpp"
 #include "reports/linkages/scene_motion.hpp"
+#include "reports/linkages/scene_wanted.hpp"
 #include "reports/linkages/traced_curves.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/web_assets.hpp"
@@ -53,6 +54,7 @@ std::string static_layers(const LinkageScene& scene, const PictureScale& scale) 
   std::string text = ghosts(scene, scale);
   for (const std::size_t traced : scene.traced)
     text += trace_curve(scene, traced, scale) + "\n" + trace_beats(scene, traced, scale) + "\n";
+  text += wanted_marks(scene, scale);
   text += ground_group(scene, scale).line();
   for (const ScenePoint& point : scene.points)
     if (point.fixed) text += ground_sign(point, scale) + "\n";
@@ -100,6 +102,7 @@ std::string moving_bodies(const LinkageScene& scene, const PictureScale& scale, 
                 .with("transform", placement(scene.moments[0], body, scale))
                 .holding(SvgElement("title").saying(scene.bodies[body].name).text())
                 .holding(body_shape(scene.bodies[body], number, scale))
+                .holding(carried_axes(scene, body, scale))
                 .holding(motion)
                 .line();
   }
@@ -187,7 +190,8 @@ std::string beats_sentence(const LinkageScene& scene) {
 
 /// Beside the picture: the polygons, what is plotted over what, three plots, the marks. The script fills them.
 std::string figures_panel(const LinkageScene& scene) {
-  std::string text = "<aside class=\"figures\" aria-label=\"Plots\">\n<div id=\"polygons\" hidden>";
+  std::string text = "<aside class=\"figures\" aria-label=\"Plots\">\n" + wanted_table(scene) +
+                     "<div id=\"polygons\" hidden>";
   for (const char* kind : {"velocities", "accelerations"})
     text += fmt::format(
         "<figure id=\"polygon-{0}\" hidden><figcaption>polygon of {0}</figcaption><svg viewBox=\"0 0 200 "
@@ -242,9 +246,9 @@ std::string animation_html(const LinkageScene& scene) {
       "<body>\n";
   page += fmt::format(
       "<header>\n<p class=\"brand\">Kempe · linkage</p>\n<h1>{}</h1>\n<p class=\"lead\">Lengths in "
-      "{}.{}{}{}</p>\n</header>\n<main class=\"motion\">",
-      title, scene.unit == "in" ? "inches" : scene.unit, beats_sentence(scene), arrows_sentence(scene),
-      ending);
+      "{}.{}{}{}{}</p>\n</header>\n<main class=\"motion\">",
+      title, scene.unit == "in" ? "inches" : scene.unit, wanted_sentence(scene), beats_sentence(scene),
+      arrows_sentence(scene), ending);
   page += SvgElement("svg")
               .with("id", "picture")
               .with("viewBox", scale.view_box())

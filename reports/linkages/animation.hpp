@@ -9,7 +9,8 @@ namespace kempe {
 
 /// A self-contained page (no network): the linkage on its traced curves with dots equal in time, play button, slider over the
 /// steps, speed, names on and off, and the coordinates of the traced points; arrows and polygons of velocities and accelerations,
-/// reactions where there are loads; plots of any point, link or reaction over the driver; marks where the motion stands out. A
+/// reactions where there are loads; plots of any point, link or reaction over the driver; marks where the motion stands out; wanted
+/// places with their deviations. A
 /// point may be taken by hand. Works from the keyboard: space, left, right, N, V, A, R.
 std::string animation_html(const LinkageScene& scene);
 

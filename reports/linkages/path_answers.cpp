@@ -100,6 +100,26 @@ PoseTask pose_task(const PathSpec& spec) {
   return {spec.poses, spec.longest, spec.transmission, spec.pivots_within, spec.motions};
 }
 
+std::vector<WantedPlace> wanted_places(const PathTask& task, const PathAnswer& answer) {
+  const double first = answer.crank_angles.front(), whole = answer.crank_angles.back() - first;
+  std::vector<WantedPlace> places;
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    places.push_back({task.points[i], answer.reached[i], std::nullopt, std::nullopt,
+                      whole != 0 ? (answer.crank_angles[i] - first) / whole : 0});
+  return places;
+}
+
+std::vector<WantedPlace> wanted_places(const PoseTask& task, const PoseAnswer& answer) {
+  PathTask points;
+  for (const BodyPlacement& pose : task.poses) points.points.push_back(pose.at);
+  std::vector<WantedPlace> places = wanted_places(points, answer.path);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i].angle = task.poses[i].angle;
+    places[i].reached_angle = answer.angles[i];
+  }
+  return places;
+}
+
 bool is_used(const PoseSearch& search, const Dyad& dyad) {
   return std::any_of(search.dyads.begin(), search.dyads.end(), [&](const Dyad& used) {
     return used.centre == dyad.centre && used.circle == dyad.circle;
@@ -143,6 +163,27 @@ std::string path_json(const PathSearch& search, const CopiesOfAnswers& copies) {
                         {"evaluations", search.effort.evaluations},
                         {"rejected", search.effort.rejected}};
   return object.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::optional<CopyPole> copy_pole_named(std::string_view word) {
+  if (word == "crank") return CopyPole::crank_pivot;
+  if (word == "rocker") return CopyPole::rocker_pivot;
+  return std::nullopt;
+}
+
+CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers, const std::optional<CopyTask>& task,
+                          int cognate) {
+  CopiesOfAnswers made{task.value_or(CopyTask{}), {}};
+  if (!task) return made;
+  for (const PathAnswer& answer : answers)
+    if (cognate == 0)
+      made.copies.push_back(copy_on_coupler(answer, std::nullopt, *task));
+    else if (answer.cognates)
+      made.copies.push_back(copy_on_coupler(answer, static_cast<std::size_t>(cognate - 1), *task));
+    else
+      made.copies.push_back(
+          tl::unexpected(std::string("the coupler point lies on a joint: there is no cognate")));
+  return made;
 }
 
 std::string copy_text(const CopyTask& task, const tl::expected<CouplerCopy, std::string>& copy) {

@@ -1,9 +1,12 @@
 #pragma once
 // What `kempe path` asks and answers: the tasks of its spec, and the answers as JSON for programs.
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "reports/linkages/scene_wanted.hpp"
 #include "specs/generator_spec.hpp"
 #include "synthesis/paths/coupler_copy.hpp"
 #include "synthesis/paths/path_generator.hpp"
@@ -20,6 +23,10 @@ PathTask path_task(const PathSpec& spec);
 /// The task of a spec with poses.
 PoseTask pose_task(const PathSpec& spec);
 
+/// The task's points or poses beside those of an answer, for its page; poses are the coupler's, which cognates do not have.
+std::vector<WantedPlace> wanted_places(const PathTask& task, const PathAnswer& answer);
+std::vector<WantedPlace> wanted_places(const PoseTask& task, const PoseAnswer& answer);
+
 /// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
 bool is_used(const PoseSearch& search, const Dyad& dyad);
 
@@ -28,6 +35,12 @@ struct CopiesOfAnswers {
   CopyTask task;
   std::vector<tl::expected<CouplerCopy, std::string>> copies;
 };
+
+/// The pivot that "crank" or "rocker" names; nothing for another word.
+std::optional<CopyPole> copy_pole_named(std::string_view word);
+/// The plagiograph on every answer, or on its cognate 1 or 2; none without a task.
+CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers, const std::optional<CopyTask>& task,
+                          int cognate);
 
 /// One JSON object (docs/path.md): every answer with its cognates, and the copies if there are any; what was searched; of five poses all
 /// dyads too.

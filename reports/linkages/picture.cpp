@@ -21,7 +21,7 @@ struct Look {
   double width, dash;
   std::array<std::array<const char*, 2>, 3> further;  ///< attributes; null: none
 };
-constexpr std::array<Look, 11> looks{{
+constexpr std::array<Look, 13> looks{{
     {"link",
      "currentColor",
      "currentColor",
@@ -36,6 +36,13 @@ constexpr std::array<Look, 11> looks{{
     {"ground", "#fff", "#555", 1.2, 0, {}},
     {"hatch", "none", "#555", 1, 0, {}},
     {"force", "none", "#a4262c", 2.2, 0, {{{"stroke-linecap", "round"}, {"stroke-linejoin", "round"}}}},
+    {"wanted", "none", "#0b7a3b", 1.6, 0, {{{"stroke-linecap", "round"}, {"stroke-linejoin", "round"}}}},
+    {"order",
+     "#0b7a3b",
+     "#fff",
+     2.5,
+     0,
+     {{{"text-anchor", "middle"}, {"dominant-baseline", "central"}, {"paint-order", "stroke"}}}},
     {"trace", "none", nullptr, 0, 0, {{{"stroke-opacity", ".75"}, {"stroke-linejoin", "round"}}}},
     {"name",
      "#222",
@@ -150,6 +157,8 @@ SvgElement drawn(std::string_view element, std::string_view kind, const PictureS
   if (found->dash > 0)
     result.with("stroke-dasharray", scale.number(found->dash * scale.stroke) + " " +
                                         scale.number(0.8 * found->dash * scale.stroke));
+  if (kind == "order")
+    result.with("font-size", scale.number(0.75 * scale.letter)).with("font-family", "sans-serif");
   if (kind == "name") result.with("font-size", scale.number(scale.letter));
   for (const auto& [key, value] : found->further)
     if (key != nullptr) result.with(key, value);

@@ -40,7 +40,7 @@ std::string placement(const LinkageScene::Moment& moment, std::size_t body, cons
 /// The sign of a fixed pivot, or of a mere mark, in the table's frame.
 std::string ground_sign(const ScenePoint& point, const PictureScale& scale);
 
-/// An element that looks like its kind (link, pin, block, guide, wheel, spoke, ground, hatch, force, trace, name): its class and
+/// An element that looks like its kind (link, pin, block, guide, wheel, spoke, ground, hatch, force, trace, wanted, order, name): its class and
 /// attributes say how, so that a page needs no style sheet for it, which its security policy would have to allow.
 SvgElement drawn(std::string_view element, std::string_view kind, const PictureScale& scale);
 

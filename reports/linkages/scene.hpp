@@ -48,6 +48,13 @@ struct SceneMark {
       words;  ///< empty where another mark of the same place says it: the link is drawn, the mark not listed
 };
 
+/// A place that the linkage was asked for, and the one that it reaches; y and angles as on the page.
+struct SceneWanted {
+  Point at, reached;
+  std::optional<double> angle, reached_angle;  ///< rad; of poses
+  double moment;                               ///< as in SceneMark
+};
+
 struct LinkageScene {
   std::string title, unit;
   std::vector<SceneBody> bodies;  ///< the ground first, the links, then a block for each slider
@@ -73,6 +80,8 @@ struct LinkageScene {
   double arrow_scale = 0;              ///< the file's unit a newton
   std::vector<Driver> driven;          ///< all drivers, with the units of their values
   std::vector<SceneMark> marks;
+  std::vector<SceneWanted> wanted;  ///< in their order; empty unless add_wanted_places put them there
+  std::string wanted_of;            ///< the point that shall take them
   std::size_t links =
       0;  ///< bodies that are links or points, the ground included; the rest are sliders' blocks
   double seconds_a_step = 0;  ///< how long a step of the motion takes

@@ -277,6 +277,22 @@ class Path(Case):
             self.assertLess(shortest + rest[2], rest[0] + rest[1])
         self.assertRefused(kempe("path", self.file(line + 'motion = "all"\n')), 2, "limits.motion", "crank turns fully")
 
+    def test_pages_of_answers(self):
+        page, picture = self.scratch / "page.html", self.scratch / "picture.svg"
+        poses = GENERATORS / "five-poses.toml"
+        for arguments, words in (([], "5 wanted poses"), (["--cognate", 1], "5 wanted places of P"),
+                                 (["--copy-rotation", 20, "--answer", 1], "5 wanted poses")):
+            run = kempe("path", poses, "--animate", page, "--animate", picture, *arguments)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn(words, page.read_text())
+            wanted = xml.etree.ElementTree.parse(picture).find(".//*[@id='wanted']")
+            self.assertEqual(sum(element.tag.endswith("circle") for element in wanted), 5)
+            self.assertEqual(sum(element.tag.endswith("path") for element in wanted), 5 if "poses" in words else 0)
+        self.assertRefused(kempe("path", self.LINE, "--animate", "x.gif"), 2, "--animate", ".html or .svg")
+        self.assertRefused(kempe("path", self.LINE, "--answer", "2"), 2, "--answer", "beside -o or --animate")
+        self.assertRefused(kempe("path", poses, "--animate", poses), 2)
+        self.assertRefused(kempe("path", self.LINE, "-o", page, "--animate", page), 2)
+
     def test_the_plagiograph_on_the_coupler_copies_the_curve(self):
         """The general solver on both files: the six-bar's point is where the four-bar's, turned and scaled about the pole, is."""
         four, six = self.scratch / "four.toml", self.scratch / "six.toml"
@@ -390,6 +406,38 @@ class Calibrate(Case):
             self.assertAlmostEqual(answer["errors_mm"][scale], error, places=9)
             self.assertAlmostEqual(answer["corrections_mm"][scale], -error, delta=1e-6)
         self.assertLess(answer["residual_mm"], 0.001)
+
+    def test_equations_hold_with_the_numbers_printed(self):
+        two = reading(30, 0.10, -0.30) + reading(60, 0.30, -0.50)
+        four = two + reading(45, 0.19, -0.41) + reading(20, 0.09, -0.26).replace("[[reading]]", "[[reading]]\nexchanged = true")
+        turned = {"cos": lambda angle: math.cos(math.radians(angle)), "sin": lambda angle: math.sin(math.radians(angle))}
+        for text in (two, four):
+            arguments = ("calibrate", self.file(INSTRUMENT + text), "--method", "knight", "--equations")
+            answer, run = self.answer(*arguments), kempe(*arguments)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            count, told = len(answer["equations"]["readings"]), {}
+            self.assertEqual(count, text.count("[[reading]]"))
+            for name, words in re.findall(r"^  (\w+) = (.*)$", run.stdout, re.M):
+                *sums, value = words.split(" = ")
+                told[name] = float(value)
+                for one in sums:  # each right side by itself
+                    one = re.sub(r"(?<=[0-9]) (cos|sin)\(", r" * \1(", one).replace("^", "**")
+                    self.assertAlmostEqual(eval(one, turned), told[name], delta=1e-8, msg=f"{name} = {words}")
+            self.assertEqual(len(told), 5 * count + 2 + 2 * count + 8 * count + 8)
+            if count == 4:
+                self.assertAlmostEqual(told["x4"], -0.5 * 0.09)
+                self.assertAlmostEqual(told["y4"], 0.5 * 0.26)
+            # The errors are those of the answer, and what they leave of s and d is neither high nor tilted: least squares.
+            for scale, row in zip(("AC", "CF", "BE", "DE"), answer["equations"]["matrix"], strict=True):
+                self.assertAlmostEqual(told[f"e_{scale}"], answer["errors_mm"][scale], delta=1e-9)
+                self.assertAlmostEqual(told[f"correction_{scale}"], answer["corrections_mm"][scale], delta=1e-6)
+                for entry, name in zip(row, [f"{scale}{axis}{i + 1}" for i in range(count) for axis in "xy"], strict=True):
+                    self.assertAlmostEqual(told[name], entry, delta=1e-8)
+            for letter, height, slope in (("s", "DE", "CF"), ("d", "BE", "AC")):
+                left = [told[f"{letter}{i}"] - told[f"e_{height}"] - told[f"e_{slope}"] * told[f"c{i}"] for i in range(1, count + 1)]
+                self.assertAlmostEqual(sum(left), 0, delta=1e-8)
+                self.assertAlmostEqual(sum(one * told[f"c{i + 1}"] for i, one in enumerate(left)), 0, delta=1e-8)
+        self.assertRefused(kempe("calibrate", CALIBRATION / "plotter.toml", "--equations"), 2, "--equations", "--method knight")
 
     def test_rounds_go_on_until_the_target(self):
         first = reading(30, 0.62, -1.15) + reading(60, 0.85, -2.04)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <utility>
@@ -178,6 +179,65 @@ TEST(Library, TracesADrawing) {
   EXPECT_NEAR((copy.drawn[0].points.front() - Point(5.6, 88.2)).norm(), 0, 1e-9);
 }
 
+constexpr const char* corner_svg =
+    R"(<svg xmlns="http://www.w3.org/2000/svg" width="6mm" height="8mm" viewBox="0 0 6 8"><path d="M0 8H6V0"/></svg>)";
+
+TEST(Library, TracesASvgAsItTracesItsLines) {
+  const Outcome outcome = map(given_mechanism());
+  ASSERT_TRUE(outcome);
+  DrawingOptions options;
+  options.at = Point(63, -4);
+  options.step = 0.49;
+  options.keep_joints = true;
+  const auto found = trace_svg(*outcome, corner_svg, options, "corner.svg");
+  const auto lines = trace(*outcome, {{{63, -4}, {69, -4}, {69, 4}}}, 0.49);
+  ASSERT_TRUE(std::holds_alternative<TracedDrawing>(found));
+  const auto& [copy, json, svg, joints, forces] = std::get<TracedDrawing>(found);
+  const auto& expected = std::get<CopiedDrawing>(lines);
+  ASSERT_EQ(copy.drawn.size(), 1u);
+  ASSERT_EQ(copy.drawn[0].points.size(), expected.drawn[0].points.size());
+  for (std::size_t i = 0; i < copy.drawn[0].points.size(); ++i)
+    EXPECT_NEAR((copy.drawn[0].points[i] - expected.drawn[0].points[i]).norm(), 0, 1e-9);
+  EXPECT_EQ(copy.poses, expected.poses);
+  EXPECT_NE(svg.find("corner.svg, copied"), std::string::npos);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(joints.begin(), joints.end(), '\n')), copy.poses + 1);
+  EXPECT_EQ(forces, "");
+  EXPECT_EQ(json.find("\"copy\""), std::string::npos);
+}
+
+TEST(Library, RefusesDrawingsAndOptionsThatCannotBe) {
+  const Outcome outcome = map(given_mechanism());
+  ASSERT_TRUE(outcome);
+  const auto key = [&](const DrawingOptions& options, const char* svg = corner_svg) -> std::string {
+    const auto found = trace_svg(*outcome, svg, options, "corner.svg");
+    const auto* fault = std::get_if<InputError>(&found);
+    return fault ? fault->key + fault->file : "none";
+  };
+  DrawingOptions options;
+  EXPECT_EQ(key(options), "none");
+  EXPECT_EQ(key(options, "no SVG"), "corner.svg");
+  options.fit = true;
+  options.scale = 2;
+  EXPECT_EQ(key(options), "fit");
+  options = {};
+  options.keep_forces = true;
+  EXPECT_EQ(key(options), "material");
+  for (const double bad : {0.0, -1.0, 1e9, std::nan("")}) {
+    options = {};
+    options.scale = bad;
+    EXPECT_EQ(key(options), "scale");
+    options = {};
+    options.tolerance = bad;
+    EXPECT_EQ(key(options), "tolerance_mm");
+    options = {};
+    options.step = bad;
+    EXPECT_EQ(key(options), "step_mm");
+  }
+  options = {};
+  options.at = Point(0, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(key(options), "at");
+}
+
 TEST(Library, TracesNothingThatIsNoNumberAndSaysSo) {
   const Outcome outcome = map(given_mechanism());
   ASSERT_TRUE(outcome);
@@ -193,6 +253,20 @@ TEST(Library, TracesNothingThatIsNoNumberAndSaysSo) {
     EXPECT_EQ(refused({good}, step), "step") << step;
   EXPECT_EQ(refused({good, {{std::nan(""), 0}, {1, 1}}}, 0.5), "lines[1]");
   EXPECT_EQ(refused({{{0, 0}, {1, infinity}}, good}, 0.5), "lines[0]");
+}
+
+TEST(Library, AStopEndsTheSimulationOfACalibration) {
+  const auto file =
+      std::filesystem::path(KEMPE_SOURCE_DIR) / "specs" / "examples" / "calibration" / "simulate.toml";
+  int asked = 0;
+  CalibrationOptions options;
+  options.simulate = true;
+  options.stop = [&asked] { return ++asked >= 3; };
+  const auto found = calibrate_file_with(options, file);
+  ASSERT_TRUE(std::holds_alternative<CalibratedInstrument>(found));
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(std::get<CalibratedInstrument>(found).simulated, "");
+  EXPECT_NE(std::get<CalibratedInstrument>(found).json, "");
 }
 
 TEST(Library, RegionsAreWhatTheySay) {

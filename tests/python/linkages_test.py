@@ -200,6 +200,65 @@ class LikeTheProgram(unittest.TestCase):
                 self.assertEqual(found, kempe.path_generator(**tomllib.loads(file.read_text(encoding="utf-8"))))
                 self.assertEqual(found, pickle.loads(pickle.dumps(found)))
 
+    def test_copies_of_coupler_curves(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            for name, options, keywords in (
+                    ("straight-line", ["--copy-scale", 2, "--copy-rotation", -30], {"copy_scale": 2, "copy_rotation_deg": -30}),
+                    ("five-poses", ["--copy-rotation", 40, "--copy-pole", "rocker", "--cognate", 2],
+                     {"copy_rotation_deg": 40, "copy_pole": "rocker", "copy_cognate": 2})):
+                file, linkage, made = GENERATORS / f"{name}.toml", pathlib.Path(scratch) / "copy.toml", 0
+                expected = [row["copy"] for row in told("path", file, "--linkage", linkage, *options)["answers"]]
+                found = kempe.path_generator(file, **keywords)
+                self.assertEqual(found[0].copy.linkage.to_toml(), linkage.read_text(encoding="utf-8"))
+                for one, row in zip(found, expected, strict=True):
+                    self.assertEqual((one.copy is None, one.why_no_copy), ("why_not" in row, row.get("why_not", "")))
+                    if one.copy is None:
+                        continue
+                    made += 1
+                    np.testing.assert_array_equal(one.copy.copied_mm, row.pop("copied_mm"))
+                    for key, value in row.items():
+                        self.assertEqual(json.loads(json.dumps(getattr(one.copy, key))), value, key)
+                    ratio = row["scale"] * np.exp(1j * np.radians(row["rotation_deg"]))
+                    turned = (one.reached_mm - row["pole_mm"]) @ [1, 1j] * ratio
+                    np.testing.assert_allclose((one.copy.copied_mm - row["pole_mm"]) @ [1, 1j], turned, atol=1e-6)
+                self.assertGreater(made, 0)
+                self.assertEqual(found, pickle.loads(pickle.dumps(found)))
+            self.assertIsNone(kempe.path_generator(file)[0].copy)
+
+    def test_traced_drawings(self):
+        """What `kempe trace` writes, byte for byte: exact, made within the tolerances, under the load, partly out of reach."""
+        design = kempe.synthesize(kempe.Spec(
+            copy=1.4j, region={"rectangle_mm": [62, -5, 8, 10]}, links={"width_mm": 6, "thickness_mm": 3, "pin_diameter_mm": 3},
+            material="PLA", load={"pen_N": 5}, tolerance={"length_mm": 0.05, "play_mm": 0.02}), largest_sheets=False)
+        drawing = SOURCE / "docs" / "pictures" / "letter.svg"
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            design.save(folder / "design")
+            copy, joints, forces = folder / "copy.svg", folder / "joints.csv", folder / "forces.csv"
+            for options, keywords, code in (
+                    (["--fit"], {"fit": True}, 0),
+                    (["--fit", "--instrument", 3, "--csv", joints, "--tolerance", 0.05, "--step", 1],
+                     {"fit": True, "instrument": 3, "joints": True, "tolerance_mm": 0.05, "step_mm": 1}, 0),
+                    (["--fit", "--load", "--forces", forces], {"fit": True, "load": True, "forces": True}, 0),
+                    (["--at", 60, -6, "--scale", 0.2, "--csv", joints], {"at": (60, -6), "scale": 0.2, "joints": True}, 4)):
+                with self.subTest(options=options):
+                    expected = told("trace", folder / "design" / "design.json", drawing, "-o", copy, *options, code=code)
+                    expected.pop("copy")
+                    found = design.trace_drawing(drawing, **keywords)
+                    self.assertEqual((found.answer, bool(found)), (expected, code == 0))
+                    self.assertEqual(found.svg, copy.read_text(encoding="utf-8"))
+                    self.assertEqual(found.joints_csv, joints.read_text() if "joints" in keywords else "")
+                    self.assertEqual(found.forces_csv, forces.read_text() if "forces" in keywords else "")
+                    self.assertEqual(found.poses, expected["poses"])
+                    if "joints" in keywords:
+                        self.assertEqual(len(found.joints["reached"]), found.poses)
+                        self.assertEqual(np.isnan(found.joints["Y_y_mm"]).sum(), found.poses_missed)
+                    if "forces" in keywords:
+                        self.assertEqual((found.forces["hand_N"].shape[0], found.joints), (found.poses, {}))
+                    self.assertEqual(found, pickle.loads(pickle.dumps(found)))
+                    text = design.trace_drawing(svg=drawing.read_text(encoding="utf-8"), **keywords)
+                    self.assertEqual((text.answer, text.joints_csv, text.forces_csv), (found.answer, found.joints_csv, found.forces_csv))
+
     def test_calibration(self):
         folder = SOURCE / "specs" / "examples" / "calibration"
         for name, options, keywords in (
@@ -420,6 +479,12 @@ class Faults(unittest.TestCase):
             self.assertEqual([one.key for one in self.faults(lambda: kempe.calibration(knight, **{key: value}))], [key])
         self.faults(lambda: kempe.calibration("no such file.toml"))
         self.faults(lambda: kempe.path_generator(path={"points_mm": [[0, 0]]}))
+        line = GENERATORS / "straight-line.toml"
+        for key, value in (("scale", 0), ("scale", float("nan")), ("rotation_deg", 361), ("pole", "here")):
+            self.assertEqual([one.key for one in self.faults(lambda: kempe.path_generator(line, **{f"copy_{key}": value}))], [f"copy.{key}"])
+        self.assertEqual([one.key for one in self.faults(lambda: kempe.path_generator(line, copy_scale=2, copy_cognate=3))], ["copy.cognate"])
+        with self.assertRaises(TypeError):
+            kempe.path_generator(line, copy_cognate=1)
 
     def test_where_there_is_no_motion(self):
         bars = {"crank": {"joints": ["O", "A"], "O-A": 10}, "rod": {"joints": ["A", "B"], "A-B": 30}, "rocker": {"joints": ["D", "B"], "D-B": 15}}

@@ -292,6 +292,24 @@ class Designs(InAFolder):
         with self.assertRaisesRegex(kempe.SpecError, "step"):
             DESIGN.trace([], step=0)
 
+    def test_drawings_that_cannot_be_traced(self):
+        line = '<svg xmlns="http://www.w3.org/2000/svg" width="8mm" height="6mm" viewBox="0 0 8 6"><path d="M0 6L8 0"/></svg>'
+        for key, options in (("material", {"load": True}), ("material", {"forces": True}), ("fit", {"fit": True, "scale": 2}),
+                             ("fit", {"fit": True, "at": (1, 2)}), ("scale", {"scale": 0}), ("step_mm", {"step_mm": np.nan}),
+                             ("tolerance_mm", {"tolerance_mm": 11}), ("at", {"at": (np.inf, 0)})):
+            with self.assertRaises(kempe.SpecError) as raised:
+                DESIGN.trace_drawing(svg=line, **options)
+            self.assertEqual([fault.key for fault in raised.exception.faults], [key])
+        pathlib.Path("empty.svg").write_text(line.replace('<path d="M0 6L8 0"/>', "<text>A</text>"))
+        with self.assertRaisesRegex(kempe.SpecError, "empty.svg.*without lines.*1 text"):
+            DESIGN.trace_drawing("empty.svg")
+        for file in ("nothing.svg", SOURCE / "README.md"):
+            with self.assertRaisesRegex(kempe.SpecError, pathlib.Path(file).name):
+                DESIGN.trace_drawing(file)
+        for wrong in ({}, {"drawing": "empty.svg", "svg": line}, {"svg": line, "instrument": -1}, {"svg": line, "at": (1, 2, 3)}):
+            with self.assertRaises(TypeError):
+                DESIGN.trace_drawing(**wrong)
+
     def test_in_a_notebook(self):
         self.assertTrue(DESIGN._repr_svg_().startswith("<?xml") or DESIGN._repr_svg_().startswith("<svg"))
         self.assertRegex(DESIGN._repr_html_(), r'^<iframe srcdoc="&lt;!DOCTYPE html')

@@ -29,7 +29,7 @@ wrong: str = design.size_mm
 '''
 # What no stub says: the class of pybind11's classes, and that they have no __init__ of their own.
 ALLOWED = "".join(f"kempe\\._core\\.{name}\nkempe\\._core\\.{name}\\.__init__\n" for name in
-                  ("CalibratedInstrument", "CalibrationOptions", "Design", "Linkage", "Map", "NoMotion", "NothingGenerated", "Outcome", "Spec", "Wishes"))
+                  ("CalibratedInstrument", "CalibrationOptions", "Design", "DrawingOptions", "Linkage", "Map", "NoMotion", "NothingGenerated", "Outcome", "PlagiographOptions", "Spec", "Wishes"))
 
 
 def run(*command, folder):

@@ -31,8 +31,8 @@ function tableOf(name, steps) {
 }
 
 /** Opens the page at its first moment, standing still. */
-async function on(name, body, arguments_ = [example(name), "-o", path.join(folder, "unused.csv")], code = 0) {
-  const made = spawnSync(kempe, ["solve", ...arguments_, "--animate", pageOf(name)], { encoding: "utf8" });
+async function on(name, body, arguments_ = [example(name), "-o", path.join(folder, "unused.csv")], code = 0, command = "solve") {
+  const made = spawnSync(kempe, [command, ...arguments_, "--animate", pageOf(name)], { encoding: "utf8" });
   assert.equal(made.status, code, made.stderr);
   const { page, context, faults } = await newPage(browser, { viewport: { width: 1400, height: 900 } });
   try {
@@ -178,6 +178,80 @@ guess = { A = [20, 35], B = [120, 35] }
     const words = await page.locator("#marks li").allTextContents();
     assert.ok(words.filter((text) => /rocker.* turns? back/.test(text)).length >= 2, `${words}`);
     assert.ok(words.every((text) => /step [\d.]+ \S/.test(text)), `${words}`);
+  });
+});
+
+/** The wanted places of a generator's page: where their rings stand, and what the table says; y upward. */
+const wantedOn = (page) => page.evaluate(() => {
+  const numbers = (text) => text.match(/-?\d+(\.\d+)?/g).map(Number);
+  const ends = (path) => path.getAttribute("d").match(/-?\d+(\.\d+)?/g).map(Number);
+  return {
+    rings: [...document.querySelectorAll("#wanted circle")].map((ring) => [Number(ring.getAttribute("cx")), -Number(ring.getAttribute("cy"))]),
+    order: [...document.querySelectorAll("#wanted text")].map((text) => text.textContent),
+    axes: [...document.querySelectorAll("#wanted path")].map(ends).map(([x, y, u, v]) => (Math.atan2(v - y, x - u) * 180) / Math.PI),
+    rows: [...document.querySelectorAll("#wantedbox tbody tr")].map((row) => [...row.cells].map((cell) => cell.textContent)),
+    places: [...document.querySelectorAll("#wantedbox tbody td:nth-child(2)")].map((cell) => numbers(cell.textContent)),
+  };
+});
+
+/** The page of `kempe path` for a spec of the examples, and the same linkage moved by `kempe solve` in so many steps. */
+async function onPath(name, steps, body) {
+  const file = path.join(folder, `${name}-path.toml`), table = path.join(folder, `${name}-path.csv`);
+  await on(`${name}-path`, async (page) => {
+    execFileSync(kempe, ["solve", file, "-o", table, "--steps", `${steps}`]);
+    const [head, ...rows] = readFileSync(table, "utf8").trim().split("\n").map((line) => line.split(","));
+    const of = (name_) => rows.map((row) => Number(row[head.indexOf(name_)]));
+    await body(page, of, readFileSync(path.join(linkages, "..", "generators", `${name}.toml`), "utf8"));
+  }, [path.join(linkages, "..", "generators", `${name}.toml`), "-o", file], 0, "path");
+}
+
+test("The page of a path generator shows the wanted places in order, and how far the curve passes each", async () => {
+  await onPath("loop", 17, async (page, of, spec) => {
+    const asked = [...spec.split("driver_deg")[0].matchAll(/\[([-\d.]+), ([-\d.]+)\]/g)].map((m) => [Number(m[1]), Number(m[2])]);
+    const { rings, order, rows, axes, places } = await wantedOn(page), x = of("P_x_mm"), y = of("P_y_mm");
+    assert.equal(asked.length, 18);
+    assert.equal(rings.length, 18);
+    assert.deepEqual(order, asked.map((_, i) => `${i + 1}`));
+    assert.deepEqual(axes, []);
+    let most = 0;
+    for (const [i, [wantedX, wantedY]] of asked.entries()) {
+      assert.ok(Math.hypot(rings[i][0] - wantedX, rings[i][1] - wantedY) < 1e-4, `ring ${i + 1} at ${rings[i]}`);
+      assert.ok(Math.hypot(places[i][0] - wantedX, places[i][1] - wantedY) < 1e-3, `row ${i + 1}: ${places[i]}`);
+      const off = Math.hypot(x[i] - wantedX, y[i] - wantedY);
+      assert.ok(Math.abs(Number(rows[i][3]) - off) < 0.006 * off, `row ${i + 1}: ${rows[i][3]} is not ${off}`);
+      most = Math.max(most, off);
+      // Its button brings P there, as near as the moments lie.
+      await page.locator("#wantedbox button").nth(i).click();
+      const shown = (await page.locator("[id^=place]:not(#places)").first().textContent()).match(/-?\d+\.\d+/g).map(Number);
+      assert.ok(Math.hypot(shown[0] - x[i], shown[1] - y[i]) < 0.02, `button ${i + 1}: ${shown}`);
+    }
+    const told = Number((await page.locator("header").textContent()).match(/18 wanted places of P: off by at most ([\d.]+) mm/)[1]);
+    assert.ok(Math.abs(told - most) < 0.006 * most, `${told} is not ${most}`);
+  });
+});
+
+test("The page of poses shows each as a frame, and the coupler carries its own over them", async () => {
+  await onPath("five-poses", 60, async (page, of, spec) => {
+    const asked = [...spec.matchAll(/\[(-?\d+), (-?\d+), (-?\d+)\]/g)].map((m) => m.slice(1).map(Number));
+    const { rings, rows, axes } = await wantedOn(page);
+    assert.equal(asked.length, 5);
+    assert.equal(rings.length, 5);
+    for (const [i, [x, y, turned]] of asked.entries()) {
+      assert.ok(Math.hypot(rings[i][0] - x, rings[i][1] - y) < 0.01, `ring ${i + 1} at ${rings[i]}`);
+      assert.ok(Math.abs(axes[i] - turned) < 0.1, `frame ${i + 1} turned by ${axes[i]}`);
+      assert.deepEqual(rows[i].slice(2), [`${turned}°`, "<\u00a01e-9", "<\u00a01e-9"]);
+    }
+    assert.match(await page.locator("header").textContent(), /5 wanted poses: off by less than 1e-9 mm and less than 1e-9 degrees/);
+    // At the last pose, which is the last moment, the carried frame lies on the wanted one.
+    await page.locator("#wantedbox button").last().click();
+    const gap = await page.evaluate(() => {
+      const end = (path) => { const [x, y] = path.getAttribute("d").match(/-?\d+(\.\d+)?/g).map(Number); return new DOMPoint(x, y).matrixTransform(path.getScreenCTM()); };
+      const wanted = end([...document.querySelectorAll("#wanted path")].at(-1)), carried = end(document.querySelector("[id^=body] .spoke"));
+      return Math.hypot(wanted.x - carried.x, wanted.y - carried.y);
+    });
+    assert.ok(gap < 0.5, `${gap} pixels apart`);
+    assert.equal(of("P_x_mm").length, 61);
+    assert.ok(Math.hypot(of("P_x_mm")[60] - 88, of("P_y_mm")[60] - 20) < 1e-6);
   });
 });
 

@@ -51,6 +51,9 @@
     return item;
   }));
 
+  // Places that were asked for, to go there.
+  for (const button of document.querySelectorAll("#wantedbox button")) button.onclick = () => player.stopAt(Math.round(button.dataset.moment));
+
   // An address that ends in #40 opens the page at that moment, standing still.
   const asked = /^#(\d+)$/.exec(location.hash);
   player.show(asked ? Math.min(+asked[1], motion.last) : 0);
