@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/problem/local_frame.hpp"
@@ -23,18 +24,19 @@ DesignPoint point_of(const CopyingLinkage& linkage) {
   return {{std::log(linkage.VA()), std::log(linkage.VB())}, linkage.pole()};
 }
 
-/// The design that one choice has near a point.
-std::optional<FoundDesign> design_near(const SearchTask& task, Subproblem& sub, const DesignPoint& point) {
+/// The design that one choice has near a point; nothing if its local solution is no better than `known`.
+std::optional<FoundDesign> design_near(const SearchTask& task, Subproblem& sub, const DesignPoint& point,
+                                       const std::optional<FoundDesign>& known = {}) {
   const ChoiceResult local = refine(*sub.problem, point, task.budgets().local, task.stop());
+  if (known && local.cost >= (is_maximized(task.goal) ? -known->value : known->value)) return std::nullopt;
   const ChoiceResult kept = certified(task, sub, local);
   if (!kept.feasible) return std::nullopt;
   return design_of(task, sub, kept);
 }
 
 /// The same, from anywhere.
-std::optional<FoundDesign> looked_for(const SearchTask& task, Subproblem& sub, const SketchBudget& budget) {
-  const ChoiceResult kept =
-      certified(task, sub, search_choice(*sub.problem, choice_options(task, budget.look)));
+std::optional<FoundDesign> looked_for(const SearchTask& task, Subproblem& sub, const ChoiceBudget& budget) {
+  const ChoiceResult kept = certified(task, sub, search_choice(*sub.problem, choice_options(task, budget)));
   if (!kept.feasible) return std::nullopt;
   return design_of(task, sub, kept);
 }
@@ -57,6 +59,24 @@ std::vector<Subproblem> in_order(const SearchTask& task, const FoundDesign& last
   std::stable_sort(all.begin(), all.end(),
                    [&](const Subproblem& a, const Subproblem& b) { return strangeness(a) < strangeness(b); });
   return all;
+}
+
+/// Of choices that differ in their layers alone those that a sketch solves near a point: the ones that promise most there, and
+/// some in turn.
+std::vector<Subproblem*> promising(const SearchTask& task, const std::vector<Subproblem*>& alike,
+                                   const DesignPoint& point, std::size_t turn, const SketchBudget& budget) {
+  if (alike.size() <= budget.promising + budget.in_turn) return alike;
+  std::vector<std::pair<double, Subproblem*>> ranked;
+  for (Subproblem* sub : alike)
+    ranked.emplace_back(merit_at(*sub->problem, point, task.budgets().local), sub);
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Subproblem*> chosen;
+  const std::size_t others = ranked.size() - budget.promising;
+  for (std::size_t i = 0; i < budget.promising; ++i) chosen.push_back(ranked[i].second);
+  for (std::size_t i = 0; i < budget.in_turn; ++i)
+    chosen.push_back(ranked[budget.promising + (turn * budget.in_turn + i) % others].second);
+  return chosen;
 }
 
 /// How far every design is from the best of all, as far as few boxes tell. Obstacles would take many.
@@ -107,9 +127,20 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, Sket
                            std::size_t count, const SketchBudget& budget) {
   std::vector<Subproblem> choices = in_order(task, last);
   const DesignPoint from = point_of(last.linkage);
-  std::size_t next = 0;
-  for (; next < choices.size() && is_of(choices[next], last.linkage) && !result.design; ++next)
-    result.design = design_near(task, choices[next], from);
+  const bool are_many = choices.size() > budget.choices;
+  const auto solved_of = [&](const std::vector<Subproblem*>& alike, const DesignPoint& point) {
+    return are_many ? promising(task, alike, point, count, budget) : alike;
+  };
+  std::vector<Subproblem*> other_layers;
+  for (Subproblem& sub : choices) {
+    if (is_choice(sub, last) && !result.design)
+      result.design = design_near(task, sub, from);
+    else if (is_of(sub, last.linkage))
+      other_layers.push_back(&sub);
+  }
+  if (!result.design)
+    for (Subproblem* sub : solved_of(other_layers, from))
+      if (!result.design && !task.stopped()) result.design = design_near(task, *sub, from);
   const auto bound = compared(task, result.design, budget);
   if (bound && bound->no_design) {
     result.proven_none = true;
@@ -121,24 +152,32 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, Sket
            std::abs(result.design->value - bound->value) <= budget.near * std::abs(bound->value);
   };
   // Places without contact that are better; then all choices in turn, a sketch each.
-  for (const RelaxedDesign& start : bound ? starts_of(*bound) : std::vector<RelaxedDesign>{}) {
+  const bool switches = !are_many || count % 2 == 0;
+  std::vector<RelaxedDesign> starts;
+  if (bound && switches) starts = starts_of(*bound);
+  for (const RelaxedDesign& start : starts) {
     if (is_near() || task.stopped()) break;
+    std::vector<Subproblem*> alike;
     for (Subproblem& sub : choices) {
       const Choice& choice = sub.choice->choice;
-      if (choice.grounding != start.grounding || choice.assembly_mode != start.assembly_mode) continue;
-      keep_better(task.goal, design_near(task, sub, {{std::log(start.VA), std::log(start.VB)}, start.pole}),
-                  result.design);
+      if (choice.grounding == start.grounding && choice.assembly_mode == start.assembly_mode)
+        alike.push_back(&sub);
     }
+    const DesignPoint there{{std::log(start.VA), std::log(start.VB)}, start.pole};
+    for (Subproblem* sub : solved_of(alike, there))
+      keep_better(task.goal, design_near(task, *sub, there, result.design), result.design);
   }
-  if (is_near() || task.stopped()) return result;
+  if (is_near() || task.stopped() || (are_many && switches)) return result;
   const std::vector<Subproblem*> open = worth_a_look(choices, task.goal, bound, result.design);
   std::optional<FoundDesign> other;
-  if (result.design && count % 2 == 1 && !result.others.empty()) {
-    const FoundDesign known = result.others[count / 2 % result.others.size()];
+  const std::size_t looks = are_many ? count / 2 : count;  // so far
+  if (result.design && looks % 2 == 1 && !result.others.empty()) {
+    const FoundDesign known = result.others[looks / 2 % result.others.size()];
     for (Subproblem& sub : choices)
       if (is_choice(sub, known)) other = design_near(task, sub, point_of(known.linkage));
   } else if (!open.empty()) {
-    other = looked_for(task, *open[(result.design ? count / 2 : count) % open.size()], budget);
+    other = looked_for(task, *open[(result.design ? looks / 2 : looks) % open.size()],
+                       are_many ? budget.brief_look : budget.look);
   }
   remember(other, task.goal, result);
   return result;

@@ -7,6 +7,9 @@
 //   look      where that leaves it open, in turn: one of the last designs of other choices is followed too, or one choice is
 //             looked at as a search does
 //
+// Bodies and many layers make some hundred choices. Then of those that differ in their layers alone a sketch solves the few that
+// promise most and some in turn, and it either switches or looks: a frame is over before all have been solved.
+//
 // A sketch keeps every limit, as a search's design does. What it lacks is the search: another design may be better, by no more
 // than the distance from the bound.
 
@@ -25,6 +28,10 @@ struct SketchBudget {
   double near = 0.01;       ///< share of the bound: a design so near to it is not compared with others
   /// Of one choice a sketch, in turn, looked at as a search does, while the design is not near its bound.
   ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 5};
+  /// With more choices than these, of those that differ in their layers alone a sketch solves so many that promise most, and so
+  /// many in turn; and what it looks at costs less.
+  std::size_t choices = 24, promising = 2, in_turn = 2;
+  ChoiceBudget brief_look{.poles = 3, .lattice = 5, .evaluations = 20, .starts = 1, .starts_if_none = 2};
 };
 
 /// A sketch, and what the next one begins with.
