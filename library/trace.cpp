@@ -63,8 +63,8 @@ std::optional<InputError> fault_in(const DrawingOptions& options) {
   if (options.at && !(options.at->cwiseAbs().maxCoeff() <= largest_coordinate && options.at->allFinite()))
     return InputError{"", 0, "at", fmt::format("({}, {})", options.at->x(), options.at->y()),
                       fmt::format("finite numbers of at most {:g}, mm", largest_coordinate)};
-  if (const auto fault = out_of_range("scale", options.scale, drawing_scales)) return fault;
-  if (const auto fault = out_of_range("tolerance_mm", options.tolerance, drawing_tolerances)) return fault;
+  if (auto fault = out_of_range("scale", options.scale, drawing_scales)) return fault;
+  if (auto fault = out_of_range("tolerance_mm", options.tolerance, drawing_tolerances)) return fault;
   return out_of_range("step_mm", options.step, drawing_steps);
 }
 
