@@ -1,7 +1,8 @@
 // The tree: the most promising box of designs is looked at first, split across its widest coordinate, and
 // each half is shrunk by reach and length limits, bounded, and dropped if the gap between original and copy
-// (pole_places.hpp), contact (contact_cuts.hpp, obstacles.hpp) or, where asked for, the limit on the load error (load_floor.hpp) rules it out. Designs met on the way
-// (relaxed_designs.hpp) say how good a box must be.
+// (pole_places.hpp), contact (contact_cuts.hpp, obstacles.hpp) or, where asked for, the limit on the load
+// error (load_floor.hpp) rules it out. Designs met on the way (relaxed_designs.hpp) say how good a box must
+// be.
 
 #include "synthesis/bound/proven_bound.hpp"
 

@@ -103,7 +103,7 @@ struct CertifyBudget {
 
 /// Of the search around a design that is farther from its bound than `near`.
 struct ImproveBudget {
-  double near = 0.004;  ///< share of the bound; the bound's own tolerance is a quarter of it
+  double near = 0.004;  ///< share of the bound
   /// Boxes of the tree that keeps the limit on the load error, a few milliseconds: it closes soon or, with a free pole, not for long.
   std::size_t boxes_under_load = 1000;
   int hops = 24;         ///< random places around the design (basin hopping)

@@ -49,11 +49,6 @@ void relax_one(const SearchTask& task, Prospect& prospect, const std::vector<Des
   prospect.relaxed = search_choice(problem, options);
 }
 
-void sort_stably(std::span<Prospect> prospects) {
-  std::stable_sort(prospects.begin(), prospects.end(),
-                   [](const Prospect& a, const Prospect& b) { return better(a.relaxed, b.relaxed); });
-}
-
 /// With the limit on the load error, for all that differ from the first in their layers alone.
 void relax_first_under_load(const SearchTask& task, std::span<Prospect> order) {
   Prospect& first = order.front();
@@ -86,7 +81,10 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
   return prospects;
 }
 
-void sort_by_promise(std::vector<Prospect>& prospects) { sort_stably(prospects); }
+void sort_by_promise(std::span<Prospect> prospects) {
+  std::stable_sort(prospects.begin(), prospects.end(),
+                   [](const Prospect& a, const Prospect& b) { return better(a.relaxed, b.relaxed); });
+}
 
 std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDesign>& known) {
   std::vector<Prospect> prospects = prospects_of(task, task.subproblems(), known);
@@ -114,7 +112,7 @@ std::uint64_t relax_under_load(const SearchTask& task, std::span<Prospect> order
          !task.stopped()) {
     relax_first_under_load(task, order);
     evaluations += order.front().relaxed.evaluations;
-    sort_stably(order);
+    sort_by_promise(order);
   }
   return evaluations;
 }

@@ -26,7 +26,7 @@ std::vector<Prospect> prospects_of(const SearchTask& task, std::vector<Subproble
                                    const std::vector<RelaxedDesign>& known);
 
 /// The best first.
-void sort_by_promise(std::vector<Prospect>& prospects);
+void sort_by_promise(std::span<Prospect> prospects);
 
 /// All choices of the task, in the order of what they can be at best.
 std::vector<Prospect> relax(const SearchTask& task, const std::vector<RelaxedDesign>& known);
