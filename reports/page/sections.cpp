@@ -227,7 +227,7 @@ std::string swatch(const MapLayer& layer) {
 std::string map(const MapPicture& picture, bool live) {
   static constexpr std::array<std::array<std::string_view, 2>, 3> groups{
       {{"things", "Shown"}, {"map", "Where the tracer can be"}, {"lost", "Lost, and why"}}};
-  std::string legend;
+  std::string things, areas;  // beside the picture, and below it where the page is wide
   for (const auto& [group, heading] : groups) {
     std::string entries;
     for (const MapLayer& layer : picture.layers)
@@ -236,14 +236,17 @@ std::string map(const MapPicture& picture, bool live) {
             "<li><label><input type=\"checkbox\" id=\"layer-{}\"{}>{}<span>{}</span><span "
             "class=\"figure\">{}</span></label></li>\n",
             layer.id, layer.shown ? " checked" : "", swatch(layer), html_escaped(layer.label), layer.figure);
-    if (!entries.empty()) legend += fmt::format("<h3>{}</h3>\n<ul>\n{}</ul>\n", heading, entries);
+    if (!entries.empty())
+      (group == "things" ? things : areas) +=
+          fmt::format("<section>\n<h3>{}</h3>\n<ul>\n{}</ul>\n</section>\n", heading, entries);
   }
   const std::string board = "<div class=\"board\" id=\"board\">\n" + picture.svg +
                             (live ? "<div id=\"tip\" class=\"tip\" hidden></div>\n" : "") + "</div>\n";
   return fmt::format(
       "<figure class=\"map-figure\" id=\"map-figure\">\n<div class=\"stage\">\n{}{}{}</div>\n"
-      "<aside class=\"legend\" aria-label=\"Legend\">\n{}{}</aside>\n</figure>\n",
-      live ? controls : "", board, live ? help : "", live ? readings : "", legend);
+      "<aside class=\"legend\" aria-label=\"Legend\">\n<div class=\"things\">\n{}{}</div>\n"
+      "<div class=\"areas\">\n{}</div>\n</aside>\n</figure>\n",
+      live ? controls : "", board, live ? help : "", live ? readings : "", things, areas);
 }
 
 std::string footer(const ReportExtras& extras, bool live) {
