@@ -50,10 +50,23 @@ function(kempe_whole_folders target)
   target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
 endfunction()
 
-# kempe_lightly_optimised(TARGET): with KEMPE_UNITY a target that only reads options and writes files is compiled with -O1,
-# which takes a third less time. No number changes: these options leave floating-point arithmetic alone.
+# kempe_lightly_optimised(TARGET): with KEMPE_UNITY a target that only reads options and writes files, or only asks others (a
+# test), is compiled with -O1, which takes a third less time. No number changes: these options leave floating-point arithmetic
+# alone.
 function(kempe_lightly_optimised target)
   target_compile_options(${target} PRIVATE $<$<BOOL:${KEMPE_UNITY}>:-O1>)
+endfunction()
+
+# kempe_common_headers(TARGET): with KEMPE_UNITY the headers that nearly every test includes are compiled once for all tests of
+# the target: two thirds of a small test's time. Each test still names what it uses; a build without KEMPE_UNITY tells who does not.
+function(kempe_common_headers target)
+  if(KEMPE_UNITY)
+    target_precompile_headers(${target} PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <algorithm> <cmath> <complex>
+      <filesystem> <fstream> <functional> <random> <string> <vector>)
+    # So that ccache takes them: it looks at the header's contents, and clang writes no time into it.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+      "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+  endif()
 endfunction()
 
 function(kempe_warnings target)
@@ -75,5 +88,7 @@ function(kempe_tests name)
   target_compile_definitions(kempe_${name}_tests PRIVATE
     KEMPE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" KEMPE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   kempe_warnings(kempe_${name}_tests)
+  kempe_common_headers(kempe_${name}_tests)
+  kempe_lightly_optimised(kempe_${name}_tests)
   gtest_discover_tests(kempe_${name}_tests NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900)
 endfunction()
