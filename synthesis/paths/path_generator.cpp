@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/convex_hull.hpp"
 #include "synthesis/paths/path_program.hpp"
 #include "synthesis/paths/slack.hpp"
 #include "synthesis/solvers/van_der_corput.hpp"
@@ -56,7 +57,7 @@ std::vector<PathStart> scattered_starts(const PathTask& task, PathEffort& effort
     x[6] = between(3, -longest, longest);
     x[7] = between(5, -longest, longest);
     x[8] = between(7, -longest, longest);
-    const double first = between(11, -pi, pi);
+    const double first = task.first_angle ? *task.first_angle : between(11, -pi, pi);
     x[PathProgram::angles_at] = first;
     if (!program.timed()) {
       const double span = (rising ? 1 : -1) * between(13, 0.3, 6.2);
@@ -128,6 +129,18 @@ bool alike(const PathAnswer& a, const PathAnswer& b) {
   return alike(a.linkage, b.linkage) || (b.cognates && alike(a.linkage, (*b.cognates)[1].linkage));
 }
 
+/// Whether the crank's pivot, the ground link's direction and the crank's first angle are those that the task gives, to rounding.
+bool as_given(const PathTask& task, const CouplerFourBar& linkage, double first_angle) {
+  const double longest = linkage.longest();
+  const double ground = std::arg(as_complex(linkage.rocker_pivot - linkage.crank_pivot));
+  const auto differs = [](double angle, const std::optional<double>& given) {
+    return given && std::abs(std::remainder(angle - *given, 2 * pi)) > slack::path_given;
+  };
+  const bool moved =
+      task.crank_pivot && (linkage.crank_pivot - *task.crank_pivot).norm() > slack::path_given * longest;
+  return !moved && !differs(ground, task.ground_angle) && !differs(first_angle - ground, task.first_angle);
+}
+
 double size_of(const std::vector<Point>& points) {
   double size = 0;
   for (const Point& p : points) size = std::max(size, (p - points.front()).norm());
@@ -144,7 +157,8 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
                                       const std::vector<double>& crank_angles) {
   const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
   if (!finite || linkage.longest() > task.longest || !lies_within(task.pivots_within, linkage.crank_pivot) ||
-      !lies_within(task.pivots_within, linkage.rocker_pivot))
+      !lies_within(task.pivots_within, linkage.rocker_pivot) ||
+      !as_given(task, linkage, crank_angles.front()))
     return std::nullopt;
   const CrankMotion moves = linkage.links().motion();
   if (!task.motions.empty() &&

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/convex_hull.hpp"
 #include "synthesis/paths/slack.hpp"
 
 namespace kempe {

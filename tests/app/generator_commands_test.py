@@ -346,6 +346,13 @@ class Path(Case):
             self.assertRefused(kempe("path", self.file(good.replace(old, new, 1))), 2, *words)
         for points in ["[[1, 1], [1, 1], [1, 1]]", "[[1, 1], [2, 1]]", "[]", "3"]:
             self.assertRefused(kempe("path", self.file(f"[path]\npoints_mm = {points}\n")), 2, "path.points_mm", ":2:")
+        for given, words in [("crank_pivot_mm = [60, 0]", ["limits.crank_pivot_mm", ":13:", "within limits.pivots_within_mm"]),
+                             ("crank_pivot_mm = [0]", ["limits.crank_pivot_mm", ":13:", "[x, y]"]),
+                             ("ground_deg = 400", ["limits.ground_deg", ":13:", "-360 to 360"]),
+                             ("first_angle_deg = 'up'", ["limits.first_angle_deg", ":13:"])]:
+            self.assertRefused(kempe("path", self.file(good + given + "\n")), 2, *words)
+        poses = (GENERATORS / "five-poses.toml").read_text()
+        self.assertRefused(kempe("path", self.file(poses + "\nground_deg = 3\n")), 2, "limits.ground_deg", "poses_mm")
         self.assertRefused(kempe("path", self.LINE, "--cognate", "1"), 2)
 
     def test_nothing_found_is_not_said_to_be_nothing_there(self):
