@@ -193,8 +193,12 @@ bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
 
 int PathProgram::limit_count() const {
   const int order = timed_ ? 0 : count();
-  return 2 * (count() + static_cast<int>(in_line_.size())) + 6 + 2 * static_cast<int>(pivots_.size()) +
-         order + (motion_ ? 3 : 0);
+  return transmission_rows() + 6 + 2 * static_cast<int>(pivots_.size()) + order + (motion_ ? 3 : 0);
+}
+
+bool PathProgram::has_families() const {
+  const auto free = std::count_if(given_.begin(), given_.end(), [](const auto& value) { return !value; });
+  return free > 2 * count();
 }
 
 void PathProgram::watch_extremes(const Eigen::VectorXd& x) {

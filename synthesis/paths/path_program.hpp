@@ -49,6 +49,10 @@ class PathProgram {
   /// The limits, each kept where not positive: transmission at every point and where it is least between them, lengths, pivots, order, and the motion.
   void limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const;
   int limit_count() const;
+  /// How many of the limits, the first ones, are of the transmission angle: its cosine, of either sign, less that of the limit.
+  int transmission_rows() const { return 2 * (count() + static_cast<int>(in_line_.size())); }
+  /// Whether there are more unknowns than conditions where every point is met: a family of linkages may then meet them.
+  bool has_families() const;
 
   /// Adds those of the crank's two places in line with the ground link that lie between the points: the limit holds at these too.
   void watch_extremes(const Eigen::VectorXd& x);
@@ -91,5 +95,10 @@ class PathProgram {
 /// NLopt (SLSQP) from x, and a Gauss-Newton end where the points are met. Counts what it evaluated.
 void refine_path(const PathProgram& program, PathAim aim, int most_evaluations, Eigen::VectorXd& x,
                  std::size_t& evaluations);
+
+/// From x that meets the points to one that does too with a larger least transmission angle: NLopt (SLSQP), the errors kept nil, no unknown u moved by
+/// more than reach (1 + |u|). Counts what it evaluated.
+void raise_path_transmission(const PathProgram& program, double reach, int most_evaluations,
+                             Eigen::VectorXd& x, std::size_t& evaluations);
 
 }  // namespace kempe

@@ -122,10 +122,30 @@ TEST(PathGenerator, MeetsSixPointsOfALine) {
   ASSERT_TRUE(search) << search.error();
   EXPECT_GE(search->answers.size(), 2u);
   EXPECT_LT(search->answers.front().error_max, 1e-9);
+  EXPECT_GT(search->answers.front().transmission_min, radians(70));  // 64.5 degrees before it is led on
   for (const PathAnswer& answer : search->answers) {
     expect_reached(task, answer);
     expect_cognates(answer);
   }
+}
+
+/// Places scattered on the coupler curve of a known four-bar: what comes back meets them, and moves better than it.
+TEST(PathGenerator, LeadsWhatMeetsThePointsOnToALargerTransmissionAngle) {
+  PathTask task = line_of_six();
+  CouplerFourBar known;
+  known.rocker_pivot = {30, 5};
+  known.crank = 8;
+  known.coupler = 26;
+  known.rocker = 24;
+  known.coupler_point = {12, 15};
+  task.points.clear();
+  for (const double angle : {0.2, 0.7, 1.0, 1.6, 2.3}) task.points.push_back(known.at(angle).value().P);
+  const auto search = generate_path(task, 1);
+  ASSERT_TRUE(search) << search.error();
+  const PathAnswer& best = search->answers.front();
+  expect_reached(task, best);
+  EXPECT_LT(best.error_max, 1e-8);
+  EXPECT_GT(best.transmission_min, known.least_transmission_angle(0.2, 2.3).value());
 }
 
 TEST(PathGenerator, MeetsFivePointsWithTiming) {
