@@ -17,4 +17,12 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   return hull;
 }
 
+bool lies_within(const std::vector<Point>& polygon, const Point& place) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
+    if (cross(to - from, place - from) < 0) return false;
+  }
+  return true;
+}
+
 }  // namespace kempe

@@ -1,5 +1,5 @@
 #pragma once
-// Convex hulls by Andrew's monotone chain: A. M. Andrew, Inf. Proc. Letters 9 (1979).
+// Convex polygons, and hulls by Andrew's monotone chain: A. M. Andrew, Inf. Proc. Letters 9 (1979).
 
 #include <cstddef>
 #include <span>
@@ -8,6 +8,9 @@
 #include "geometry/point.hpp"
 
 namespace kempe {
+
+/// Whether a place lies in a convex polygon, given counter-clockwise, or on its edge; everywhere if it has no corner.
+bool lies_within(const std::vector<Point>& polygon, const Point& place);
 
 /// Corners of the convex hull, counter-clockwise from the leftmost (of several the lowest), none between two others on a
 /// line. Fewer than three if all points lie on one line. Exact: decided by orientation().

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/convex_hull.hpp"
 #include "geometry/point.hpp"
 #include "specs/file_kind.hpp"
 #include "specs/key_checks.hpp"
@@ -242,7 +243,8 @@ void read_poses(const Reader& reader, PathSpec& spec, Complaints& complaints) {
         return refuse(one);
     spec.poses.push_back(placement);
   }
-  for (const std::string_view key : {"path.driver_deg", "path.minimize"})
+  for (const std::string_view key : {"path.driver_deg", "path.minimize", "limits.crank_pivot_mm",
+                                     "limits.ground_deg", "limits.first_angle_deg"})
     if (reader.has(key))
       complaints.add(reader.line(key), std::string(key), "a key beside poses_mm",
                      "points_mm with it: poses are taken exactly, their timing is free");
@@ -270,6 +272,23 @@ double read_size(const Reader& reader, std::string_view key, const std::vector<P
     complaints.add(reader.line(key), std::string(key), fmt::format("places {} mm apart", size),
                    "places at least 0.001 mm apart");
   return size;
+}
+
+/// What the file gives of the crank's pivot, the ground link's direction and the crank's first angle.
+void read_given(Reader& reader, PathSpec& spec, Complaints& complaints) {
+  reader.angle("limits", "ground_deg", spec.ground_angle);
+  reader.angle("limits", "first_angle_deg", spec.first_angle);
+  const toml::node* node = reader.find("limits", "crank_pivot_mm");
+  if (node == nullptr) return;
+  const auto place = finite_point(*node);
+  if (!place || place->cwiseAbs().maxCoeff() > farthest_path_mm)
+    return complaints.add(
+        line_of(*node), "limits.crank_pivot_mm", describe(*node),
+        fmt::format("[x, y], numbers from {} to {} mm", -farthest_path_mm, farthest_path_mm));
+  if (!lies_within(spec.pivots_within, *place))
+    return complaints.add(line_of(*node), "limits.crank_pivot_mm", describe(*node),
+                          "a place within limits.pivots_within_mm");
+  spec.crank_pivot = *place;
 }
 
 /// The polygon counter-clockwise; nothing where it is not convex.
@@ -358,7 +377,8 @@ tl::expected<PathSpec, InputError> read_path_spec(std::string_view text, const s
   Reader reader(*parsed, complaints);
   PathSpec spec;
   reader.only({"path.points_mm", "path.poses_mm", "path.driver_deg", "path.minimize", "limits.longest_mm",
-               "limits.transmission_deg", "limits.pivots_within_mm", "limits.motion"});
+               "limits.transmission_deg", "limits.pivots_within_mm", "limits.motion", "limits.crank_pivot_mm",
+               "limits.ground_deg", "limits.first_angle_deg"});
   constexpr std::size_t most_points = 60, most_corners = 50;
   double size = 0;
   const bool points = reader.has("path.points_mm"), poses = reader.has("path.poses_mm");
@@ -392,6 +412,7 @@ tl::expected<PathSpec, InputError> read_path_spec(std::string_view text, const s
       complaints.add(reader.line("limits.pivots_within_mm"), "limits.pivots_within_mm",
                      "a polygon that is not convex", "the corners of a convex polygon, in order");
   }
+  read_given(reader, spec, complaints);
   if (!complaints.none()) return tl::unexpected(or_other_kind(complaints.all(), text, FileKind::path));
   return spec;
 }

@@ -44,11 +44,15 @@ struct PathSpec {
       poses;  ///< mm, rad: 3 to 5, all different, not all in one place; empty where points are given
   std::vector<double>
       turns;  ///< rad, from the first point on: 0, then rising or falling, less than a turn; empty: free
-  bool largest_distance = false;     ///< what is made small: the largest distance, not the mean square
-  double longest = 0;                ///< mm; of ten times the path's size where the file says nothing
-  double transmission = 0;           ///< rad
-  std::vector<Point> pivots_within;  ///< mm, a convex polygon, counter-clockwise; empty: anywhere
-  std::vector<CrankMotion> motions;  ///< one of these; empty: any
+  bool largest_distance = false;       ///< what is made small: the largest distance, not the mean square
+  double longest = 0;                  ///< mm; of ten times the path's size where the file says nothing
+  double transmission = 0;             ///< rad
+  std::vector<Point> pivots_within;    ///< mm, a convex polygon, counter-clockwise; empty: anywhere
+  std::vector<CrankMotion> motions;    ///< one of these; empty: any
+  std::optional<Point> crank_pivot;    ///< mm, within pivots_within; nothing: free
+  std::optional<double> ground_angle;  ///< rad, from the crank's pivot to the rocker's; nothing: free
+  std::optional<double>
+      first_angle;  ///< rad, of the crank from the ground link at the first point; nothing: free
 };
 
 /// Reads and checks; the error names file, line, key, what stands there and what is allowed.

@@ -93,6 +93,9 @@ PathTask path_task(const PathSpec& spec) {
   task.transmission = spec.transmission;
   task.pivots_within = spec.pivots_within;
   task.motions = spec.motions;
+  task.crank_pivot = spec.crank_pivot;
+  task.ground_angle = spec.ground_angle;
+  task.first_angle = spec.first_angle;
   return task;
 }
 

@@ -29,7 +29,8 @@ void add_pivots(const PathTask& task, const CouplerFourBar& bar, std::vector<Act
     }
     return false;
   };
-  if (on_edge(bar.crank_pivot)) active.push_back({"limits.pivots_within_mm", "crank pivot"});
+  if (!task.crank_pivot && on_edge(bar.crank_pivot))
+    active.push_back({"limits.pivots_within_mm", "crank pivot"});
   if (on_edge(bar.rocker_pivot)) active.push_back({"limits.pivots_within_mm", "rocker pivot"});
 }
 
@@ -82,6 +83,9 @@ std::vector<ActiveLimit> active_limits(const PathTask& task, const PathAnswer& a
   if (answer.transmission_min - kept <= slack::path_at_limit)
     active.push_back({kept == task.transmission ? "limits.transmission_deg" : "dead point", ""});
   add_pivots(task, bar, active);
+  if (task.crank_pivot) active.push_back({"limits.crank_pivot_mm", ""});
+  if (task.ground_angle) active.push_back({"limits.ground_deg", ""});
+  if (task.first_angle) active.push_back({"limits.first_angle_deg", ""});
   if (!task.motions.empty()) {
     std::array<double, 4> links{bar.ground(), bar.crank, bar.coupler, bar.rocker};
     std::sort(links.begin(), links.end());

@@ -29,14 +29,6 @@ CouplerFourBar four_bar_at(const Point& A0, const Point& A, const Point& B, cons
 
 }  // namespace
 
-bool lies_within(const std::vector<Point>& polygon, const Point& place) {
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
-    if (cross(to - from, place - from) < 0) return false;
-  }
-  return true;
-}
-
 std::optional<CouplerFourBar::Place> CouplerFourBar::at(double crank_angle) const {
   const double base = direction_of(rocker_pivot - crank_pivot);
   const auto output = links().output_angle(crank_angle - base);

@@ -12,9 +12,6 @@
 
 namespace kempe {
 
-/// Whether a place lies in a convex polygon, given counter-clockwise, or on its edge; everywhere if it has no corner.
-bool lies_within(const std::vector<Point>& polygon, const Point& place);
-
 /// Lengths mm, > 0; the assembly mode is FourBar's, seen from A0 towards B0.
 struct CouplerFourBar {
   Point crank_pivot = Point::Zero(), rocker_pivot = Point::Zero();  ///< A0 and B0, mm

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/convex_hull.hpp"
 #include "synthesis/paths/path_program.hpp"
 #include "synthesis/paths/slack.hpp"
 #include "synthesis/solvers/van_der_corput.hpp"
@@ -15,7 +16,7 @@
 namespace kempe {
 namespace {
 
-constexpr std::size_t scattered_linkages = 20000, finished_linkages = 40;
+constexpr std::size_t scattered_linkages = 20000, finished_linkages = 40, raised_linkages = 12;
 
 struct PathStart {
   Eigen::VectorXd x;
@@ -56,7 +57,7 @@ std::vector<PathStart> scattered_starts(const PathTask& task, PathEffort& effort
     x[6] = between(3, -longest, longest);
     x[7] = between(5, -longest, longest);
     x[8] = between(7, -longest, longest);
-    const double first = between(11, -pi, pi);
+    const double first = task.first_angle ? *task.first_angle : between(11, -pi, pi);
     x[PathProgram::angles_at] = first;
     if (!program.timed()) {
       const double span = (rising ? 1 : -1) * between(13, 0.3, 6.2);
@@ -113,6 +114,43 @@ std::optional<PathStart> refined_start(const PathTask& task, PathStart start, Pa
   return start;
 }
 
+/// Whether x meets the points within the limits, with a larger least transmission angle than y has.
+bool moves_better(const PathProgram& program, const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  Eigen::VectorXd value, errors;
+  if (!program.errors(x, errors, nullptr) || errors.norm() > slack::path_met ||
+      broken_by(program, x) > slack::path_limit_broken)
+    return false;
+  program.limits(x, value, nullptr);
+  const double now = value.head(program.transmission_rows()).maxCoeff();
+  program.limits(y, value, nullptr);
+  return now < value.head(program.transmission_rows()).maxCoeff() - slack::path_limit_broken;
+}
+
+/// Of the linkages that meet their points those that move best, led on within the family that meets them to a larger transmission angle.
+std::vector<PathAnswer> raised_answers(const PathTask& task, const std::vector<PathStart>& ends,
+                                       PathEffort& effort) {
+  std::vector<PathAnswer> raised;
+  for (PathStart end : ends) {
+    PathProgram program(task, end.branch, end.rising);
+    if (!program.has_families()) break;
+    program.watch_extremes(end.x);
+    program.choose_motion(end.x);
+    double reach = 0.2;
+    for (int round = 0; round < 12 && reach > 1e-3; ++round) {
+      PathStart trial = end;
+      raise_path_transmission(program, reach, 80, trial.x, effort.evaluations);
+      program.watch_extremes(trial.x);
+      if (moves_better(program, trial.x, end.x))
+        end = std::move(trial);
+      else
+        reach /= 4;
+    }
+    auto answer = judged_path(task, program.linkage(end.x), program.crank_angles(end.x));
+    if (answer && meets_points(task, *answer)) raised.push_back(std::move(*answer));
+  }
+  return raised;
+}
+
 double aimed_error(const PathTask& task, const PathAnswer& answer) {
   return task.aim == PathAim::mean_square ? answer.error_rms : answer.error_max;
 }
@@ -126,6 +164,18 @@ bool alike(const CouplerFourBar& a, const CouplerFourBar& b) {
 /// One linkage, or the other's cognate that is driven by its crank.
 bool alike(const PathAnswer& a, const PathAnswer& b) {
   return alike(a.linkage, b.linkage) || (b.cognates && alike(a.linkage, (*b.cognates)[1].linkage));
+}
+
+/// Whether the crank's pivot, the ground link's direction and the crank's first angle are those that the task gives, to rounding.
+bool as_given(const PathTask& task, const CouplerFourBar& linkage, double first_angle) {
+  const double longest = linkage.longest();
+  const double ground = std::arg(as_complex(linkage.rocker_pivot - linkage.crank_pivot));
+  const auto differs = [](double angle, const std::optional<double>& given) {
+    return given && std::abs(std::remainder(angle - *given, 2 * pi)) > slack::path_given;
+  };
+  const bool moved =
+      task.crank_pivot && (linkage.crank_pivot - *task.crank_pivot).norm() > slack::path_given * longest;
+  return !moved && !differs(ground, task.ground_angle) && !differs(first_angle - ground, task.first_angle);
 }
 
 double size_of(const std::vector<Point>& points) {
@@ -144,7 +194,8 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
                                       const std::vector<double>& crank_angles) {
   const bool finite = std::isfinite(linkage.longest()) && linkage.crank_pivot.allFinite();
   if (!finite || linkage.longest() > task.longest || !lies_within(task.pivots_within, linkage.crank_pivot) ||
-      !lies_within(task.pivots_within, linkage.rocker_pivot))
+      !lies_within(task.pivots_within, linkage.rocker_pivot) ||
+      !as_given(task, linkage, crank_angles.front()))
     return std::nullopt;
   const CrankMotion moves = linkage.links().motion();
   if (!task.motions.empty() &&
@@ -194,6 +245,7 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
   std::stable_sort(ends.begin(), ends.end(),
                    [](const PathStart& a, const PathStart& b) { return a.cost < b.cost; });
   std::vector<PathAnswer> answers;
+  std::vector<std::pair<double, PathStart>> meeting;  // with the transmission angle
   for (PathStart& end : different(ends, finished_linkages, slack::path_answers_apart)) {
     const std::size_t before = answers.size();
     for (int round = 0; round < 2; ++round) {
@@ -201,11 +253,20 @@ tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::s
       if (!further) break;
       end = std::move(*further);
       const PathProgram program(task, end.branch, end.rising);
-      if (auto answer = judged_path(task, program.linkage(end.x), program.crank_angles(end.x)))
+      if (auto answer = judged_path(task, program.linkage(end.x), program.crank_angles(end.x))) {
+        if (round == 1 && meets_points(task, *answer)) meeting.emplace_back(answer->transmission_min, end);
         answers.push_back(std::move(*answer));
+      }
     }
     if (answers.size() == before) ++search.effort.rejected;
   }
+  std::stable_sort(meeting.begin(), meeting.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<PathStart> best_moving;
+  for (std::size_t k = 0; k < std::min(meeting.size(), raised_linkages); ++k)
+    best_moving.push_back(meeting[k].second);
+  for (PathAnswer& answer : raised_answers(task, best_moving, search.effort))
+    answers.push_back(std::move(answer));
   // Where several meet their points, the one that moves best comes first.
   const double met = slack::path_met * size_of(task.points);
   const auto rank = [&](const PathAnswer& answer) { return std::max(met, aimed_error(task, answer)); };

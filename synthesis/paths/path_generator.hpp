@@ -32,8 +32,11 @@ struct PathTask {
   double longest = 0;  ///< of CouplerFourBar::longest, > 0
   double transmission =
       0;  ///< rad, < pi/2: least angle from the first point to the last; 0.02 are always kept
-  std::vector<Point> pivots_within;  ///< corners of a convex polygon, counter-clockwise; empty: anywhere
-  std::vector<CrankMotion> motions;  ///< by Grashof's rule, one of these; no change point; empty: any
+  std::vector<Point> pivots_within;    ///< corners of a convex polygon, counter-clockwise; empty: anywhere
+  std::vector<CrankMotion> motions;    ///< by Grashof's rule, one of these; no change point; empty: any
+  std::optional<Point> crank_pivot;    ///< where A0 stands, within pivots_within; nothing: free
+  std::optional<double> ground_angle;  ///< rad: the direction from A0 to B0; nothing: free
+  std::optional<double> first_angle;  ///< rad: the crank's angle from A0-B0 at the first point; nothing: free
 };
 
 /// A limit that an answer stands at: without it, another might come nearer to the points.

@@ -68,8 +68,16 @@ PathProgram::PathProgram(const PathTask& task, FourBarBranch branch, bool rising
   for (const Point& p : task.points) centre_ += as_complex(p) / static_cast<double>(task.points.size());
   unit_ = 0;
   for (const Point& p : task.points) unit_ = std::max(unit_, std::abs(as_complex(p) - centre_));
-  for (const Point& p : task.points) points_.push_back((as_complex(p) - centre_) / unit_);
-  for (const Point& p : task.pivots_within) pivots_.push_back(as_point((as_complex(p) - centre_) / unit_));
+  if (task.ground_angle) frame_ = std::polar(1.0, *task.ground_angle);
+  for (const Point& p : task.points) points_.push_back(inside(p));
+  for (const Point& p : task.pivots_within) pivots_.push_back(as_point(inside(p)));
+  given_.resize(static_cast<std::size_t>(size()));
+  if (task.crank_pivot) {
+    given_[0] = inside(*task.crank_pivot).real();
+    given_[1] = inside(*task.crank_pivot).imag();
+  }
+  if (task.ground_angle) given_[3] = 0;  // z1 = alpha (B0 - A0)
+  if (task.first_angle) given_[angles_at] = *task.first_angle;
   longest_ = task.longest / unit_ * (1 - slack::path_inside_limit);
   cos_limit_ =
       std::cos(std::max(task.transmission, slack::path_from_dead_points) + slack::path_inside_transmission);
@@ -93,6 +101,8 @@ PathProgram::Coupler PathProgram::coupler(const Eigen::VectorXd& x, double angle
 }
 
 bool PathProgram::project(Eigen::VectorXd& x) const {
+  for (int i = 0; i < size(); ++i)
+    if (is_given(i)) x[i] = *given_[static_cast<std::size_t>(i)];
   Eigen::Matrix3cd normal = Eigen::Matrix3cd::Zero();
   Eigen::Vector3cd right = Eigen::Vector3cd::Zero();
   for (int i = 0; i < count(); ++i) {
@@ -102,6 +112,7 @@ bool PathProgram::project(Eigen::VectorXd& x) const {
     normal += row.conjugate() * row.transpose();
     right += row.conjugate() * points_[static_cast<std::size_t>(i)];
   }
+  if (is_given(0) || is_given(3)) return project_the_rest(normal, right, x);
   const Eigen::LDLT<Eigen::Matrix3cd> factors(normal);
   const Eigen::Vector3cd z = factors.solve(right);
   for (int k = 0; k < 3; ++k) {
@@ -109,6 +120,33 @@ bool PathProgram::project(Eigen::VectorXd& x) const {
     x[2 * k + 1] = z[k].imag();
   }
   return z.allFinite() && std::abs(z[1]) > 1e-6;
+}
+
+bool PathProgram::project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::Vector3cd& right,
+                                   Eigen::VectorXd& x) const {
+  Eigen::Matrix<double, 6, 6> rows;  // the same equations of the real and imaginary parts
+  Eigen::Matrix<double, 6, 1> wanted;
+  for (int i = 0; i < 3; ++i) {
+    wanted.segment<2>(2 * i) << right[i].real(), right[i].imag();
+    for (int k = 0; k < 3; ++k) {
+      const Complex n = normal(i, k);
+      rows.block<2, 2>(2 * i, 2 * k) << n.real(), -n.imag(), n.imag(), n.real();
+    }
+  }
+  for (int i = 0; i < 6; ++i) {
+    if (!is_given(i)) continue;
+    wanted -= rows.col(i) * x[i];
+    rows.row(i).setZero();
+    rows.col(i).setZero();
+    rows(i, i) = 1;
+  }
+  for (int i = 0; i < 6; ++i)
+    if (is_given(i)) wanted[i] = x[i];
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factors(rows);
+  const Eigen::Matrix<double, 6, 1> z = factors.solve(wanted);
+  for (int i = 0; i < 6; ++i)
+    if (!is_given(i)) x[i] = z[i];
+  return z.allFinite() && (is_given(3) ? x[2] : std::hypot(x[2], x[3])) > 1e-6;
 }
 
 bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const {
@@ -148,13 +186,19 @@ bool PathProgram::errors(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
     set(timed_ ? angles_at : angles_at + i,
         z1 * i1 * at.crank + turn * (-alpha * (i1 * at.crank * back).real()));
   }
+  for (int i = 0; slope && i < size(); ++i)
+    if (is_given(i)) slope->col(i).setZero();
   return closes;
 }
 
 int PathProgram::limit_count() const {
   const int order = timed_ ? 0 : count();
-  return 2 * (count() + static_cast<int>(in_line_.size())) + 6 + 2 * static_cast<int>(pivots_.size()) +
-         order + (motion_ ? 3 : 0);
+  return transmission_rows() + 6 + 2 * static_cast<int>(pivots_.size()) + order + (motion_ ? 3 : 0);
+}
+
+bool PathProgram::has_families() const {
+  const auto free = std::count_if(given_.begin(), given_.end(), [](const auto& value) { return !value; });
+  return free > 2 * count();
 }
 
 void PathProgram::watch_extremes(const Eigen::VectorXd& x) {
@@ -229,10 +273,11 @@ void PathProgram::limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen
     const auto outside = [&](Complex p) {
       return -cross(along, as_point(p) - from) + slack::path_inside_limit;
     };
-    value[row] = outside(z0);
+    value[row] = is_given(0) ? -1 : outside(z0);  // one that is given lies within
     value[row + 1] = outside(z0 + z1 / alpha);
     if (slope)
       for (int pivot = 0; pivot < 2; ++pivot) {
+        if (pivot == 0 && is_given(0)) continue;
         (*slope)(row + pivot, 0) = along.y();
         (*slope)(row + pivot, 1) = -along.x();
         if (pivot == 0) continue;
@@ -272,8 +317,8 @@ CouplerFourBar PathProgram::linkage(const Eigen::VectorXd& x) const {
   const double alpha = std::exp(x[6]), beta = std::exp(x[7]), gamma = std::exp(x[8]);
   const Complex z0(x[0], x[1]), z1(x[2], x[3]), z2(x[4], x[5]), ground = z1 / alpha;
   CouplerFourBar bar;
-  bar.crank_pivot = as_point(centre_ + unit_ * z0);
-  bar.rocker_pivot = as_point(centre_ + unit_ * (z0 + ground));
+  bar.crank_pivot = as_point(centre_ + unit_ * frame_ * z0);
+  bar.rocker_pivot = as_point(centre_ + unit_ * frame_ * (z0 + ground));
   const double length = unit_ * std::abs(ground);
   bar.crank = alpha * length;
   bar.coupler = beta * length;
@@ -284,7 +329,7 @@ CouplerFourBar PathProgram::linkage(const Eigen::VectorXd& x) const {
 }
 
 std::vector<double> PathProgram::crank_angles(const Eigen::VectorXd& x) const {
-  const double base = std::arg(Complex(x[2], x[3]));
+  const double base = std::arg(Complex(x[2], x[3])) + std::arg(frame_);
   const double whole = 2 * pi * std::floor((angle(x, 0) + base) / (2 * pi));
   std::vector<double> angles;
   for (int i = 0; i < count(); ++i) angles.push_back(angle(x, i) + base - whole);
@@ -294,9 +339,20 @@ std::vector<double> PathProgram::crank_angles(const Eigen::VectorXd& x) const {
 Eigen::VectorXd PathProgram::lowest() const {
   Eigen::VectorXd bound = Eigen::VectorXd::Constant(size(), -100);
   bound.segment<3>(ratios_at).setConstant(-std::log(slack::path_largest_ratio));
-  return bound;
+  if (is_given(3)) bound[2] = 0;  // the ground link points the way given
+  return kept_as_given(std::move(bound));
 }
 
-Eigen::VectorXd PathProgram::highest() const { return -lowest(); }
+Eigen::VectorXd PathProgram::highest() const {
+  Eigen::VectorXd bound = Eigen::VectorXd::Constant(size(), 100);
+  bound.segment<3>(ratios_at).setConstant(std::log(slack::path_largest_ratio));
+  return kept_as_given(std::move(bound));
+}
+
+Eigen::VectorXd PathProgram::kept_as_given(Eigen::VectorXd bound) const {
+  for (int i = 0; i < size(); ++i)
+    if (is_given(i)) bound[i] = *given_[static_cast<std::size_t>(i)];
+  return bound;
+}
 
 }  // namespace kempe

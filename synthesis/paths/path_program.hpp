@@ -18,7 +18,7 @@ struct GrashofRows {
 /// The rows of which one set is enough for one of these motions; none for a change point.
 std::vector<GrashofRows> grashof_choices(const std::vector<CrankMotion>& motions);
 
-/// A path moved to its centroid and scaled to size 1, with the way of turning and the assembly mode that a start has.
+/// A path moved to its centroid and scaled to size 1, turned so that a ground link whose direction is given lies along x, with the way of turning and the assembly mode that a start has.
 ///
 /// Unknowns: z0, z1, z2 (two each), the logarithms of alpha, beta, gamma, and the crank's angles from the ground link: the first where
 /// there is timing, else all.
@@ -36,7 +36,11 @@ class PathProgram {
     return timed_ ? x[angles_at] + turns_[static_cast<std::size_t>(i)] : x[angles_at + i];
   }
 
-  /// Sets z0, z1, z2 to the best for the ratios and angles; false where the loop does not close at every point.
+  /// Whether the task gives this unknown: it keeps its value, and the errors' slope along it counts as nil.
+  bool is_given(int unknown) const { return given_[static_cast<std::size_t>(unknown)].has_value(); }
+
+  /// Sets what the task gives, and z0, z1, z2 to the best for the ratios and angles; false where the loop does not close at every
+  /// point, or only a negative size would bring the ground link into the direction given.
   bool project(Eigen::VectorXd& x) const;
 
   /// The 2 n differences of the coupler point from the points, and their slopes (2 n rows) unless null; false where the loop does not close.
@@ -45,6 +49,10 @@ class PathProgram {
   /// The limits, each kept where not positive: transmission at every point and where it is least between them, lengths, pivots, order, and the motion.
   void limits(const Eigen::VectorXd& x, Eigen::VectorXd& value, Eigen::MatrixXd* slope) const;
   int limit_count() const;
+  /// How many of the limits, the first ones, are of the transmission angle: its cosine, of either sign, less that of the limit.
+  int transmission_rows() const { return 2 * (count() + static_cast<int>(in_line_.size())); }
+  /// Whether there are more unknowns than conditions where every point is met: a family of linkages may then meet them.
+  bool has_families() const;
 
   /// Adds those of the crank's two places in line with the ground link that lie between the points: the limit holds at these too.
   void watch_extremes(const Eigen::VectorXd& x);
@@ -59,7 +67,15 @@ class PathProgram {
   Eigen::VectorXd lowest() const, highest() const;
 
  private:
+  /// The best of z0, z1, z2 where some of them are given, by the normal equations of all.
+  bool project_the_rest(const Eigen::Matrix3cd& normal, const Eigen::Vector3cd& right,
+                        Eigen::VectorXd& x) const;
+  Eigen::VectorXd kept_as_given(Eigen::VectorXd bound) const;
+
   struct Coupler;
+  Complex inside(const Point& on_table) const {
+    return (as_complex(on_table) - centre_) / unit_ * std::conj(frame_);
+  }
   Coupler coupler(const Eigen::VectorXd& x, double angle) const;
 
   std::vector<Complex> points_;
@@ -68,9 +84,10 @@ class PathProgram {
   std::vector<double> in_line_;  ///< crank angles, 0 and pi
   std::vector<GrashofRows> motions_;
   std::optional<GrashofRows> motion_;
+  std::vector<std::optional<double>> given_;  ///< for each unknown
   FourBarBranch branch_;
-  double way_;  ///< +1 or -1
-  Complex centre_;
+  double way_;                  ///< +1 or -1
+  Complex centre_, frame_ = 1;  ///< frame_: where the x axis of the unknowns points on the table
   double unit_ = 1, longest_ = 0, cos_limit_ = 1;
   bool timed_;
 };
@@ -78,5 +95,10 @@ class PathProgram {
 /// NLopt (SLSQP) from x, and a Gauss-Newton end where the points are met. Counts what it evaluated.
 void refine_path(const PathProgram& program, PathAim aim, int most_evaluations, Eigen::VectorXd& x,
                  std::size_t& evaluations);
+
+/// From x that meets the points to one that does too with a larger least transmission angle: NLopt (SLSQP), the errors kept nil, no unknown u moved by
+/// more than reach (1 + |u|). Counts what it evaluated.
+void raise_path_transmission(const PathProgram& program, double reach, int most_evaluations,
+                             Eigen::VectorXd& x, std::size_t& evaluations);
 
 }  // namespace kempe

@@ -1,5 +1,5 @@
 // Steps: the poses moved to their centroid and scaled; the null space of their rows; two conics met by their resultant; Newton's method on
-// the circles themselves; pairs of dyads judged.
+// the circles themselves; pairs of dyads judged; of three and four poses the best pairs led to larger transmission angles.
 
 #include "synthesis/paths/pose_guidance.hpp"
 
@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/convex_hull.hpp"
 #include "synthesis/paths/slack.hpp"
+#include "synthesis/solvers/van_der_corput.hpp"
 
 namespace kempe {
 namespace {
@@ -166,6 +168,20 @@ void add_dyads(const ScaledPoses& scaled, const Point* across, std::vector<Dyad>
   }
 }
 
+/// A circle point of three poses (in units of their size) with the centre of the circle through its places; nothing where these lie on a line.
+std::optional<Dyad> dyad_of_three(const ScaledPoses& scaled, const Point& w) {
+  std::array<Point, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double c = std::cos(scaled.poses[k].angle), s = std::sin(scaled.poses[k].angle);
+    at[k] = scaled.poses[k].at + Point(c * w.x() - s * w.y(), s * w.x() + c * w.y());
+  }
+  const Point one = at[1] - at[0], other = at[2] - at[0];
+  const double twice = 2 * cross(one, other);
+  if (std::abs(twice) < slack::path_met) return std::nullopt;
+  const Point Z = at[0] + left_of(one * other.squaredNorm() - other * one.squaredNorm()) / twice;
+  return scaled.dyad({w.x(), w.y(), Z.x(), Z.y()});
+}
+
 /// A grid of circle points, each with the centre of the circle through its three places.
 std::vector<Dyad> dyads_of_three(const ScaledPoses& scaled, double longest) {
   constexpr int places = 16;
@@ -174,16 +190,7 @@ std::vector<Dyad> dyads_of_three(const ScaledPoses& scaled, double longest) {
   for (int i = 0; i <= places; ++i)
     for (int j = 0; j <= places; ++j) {
       const Point w(half * (2.0 * i / places - 1), half * (2.0 * j / places - 1));
-      std::array<Point, 3> at;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double c = std::cos(scaled.poses[k].angle), s = std::sin(scaled.poses[k].angle);
-        at[k] = scaled.poses[k].at + Point(c * w.x() - s * w.y(), s * w.x() + c * w.y());
-      }
-      const Point one = at[1] - at[0], other = at[2] - at[0];
-      const double twice = 2 * cross(one, other);
-      if (std::abs(twice) < slack::path_met) continue;  // on a straight line
-      const Point Z = at[0] + left_of(one * other.squaredNorm() - other * one.squaredNorm()) / twice;
-      dyads.push_back(scaled.dyad({w.x(), w.y(), Z.x(), Z.y()}));
+      if (const auto dyad = dyad_of_three(scaled, w)) dyads.push_back(*dyad);
     }
   return dyads;
 }
@@ -207,6 +214,7 @@ std::optional<std::vector<double>> one_way(const std::vector<double>& angles) {
 }
 
 struct PairOfDyads {
+  Dyad crank, rocker;
   CouplerFourBar linkage;
   std::vector<double> crank_angles;
   double body_from_coupler;  // rad: the body's angle less the coupler's
@@ -217,6 +225,8 @@ struct PairOfDyads {
 std::optional<PairOfDyads> paired(const PoseTask& task, const Dyad& crank, const Dyad& rocker) {
   const Point across = rocker.circle - crank.circle;
   PairOfDyads pair;
+  pair.crank = crank;
+  pair.rocker = rocker;
   CouplerFourBar& bar = pair.linkage;
   bar.crank_pivot = crank.centre;
   bar.rocker_pivot = rocker.centre;
@@ -245,6 +255,83 @@ std::optional<PairOfDyads> paired(const PoseTask& task, const Dyad& crank, const
   if (!transmission) return std::nullopt;
   pair.transmission = *transmission;
   return pair;
+}
+
+bool breaks_limits(const PoseTask& task, const Dyad& dyad) {
+  return !(dyad.length > 0) || dyad.length > task.longest || dyad.circle.norm() > task.longest ||
+         !lies_within(task.pivots_within, dyad.centre);
+}
+
+bool joints_fall_together(const Dyad& crank, const Dyad& rocker) {
+  const double near = slack::on_a_joint * crank.length;
+  return (rocker.circle - crank.circle).norm() <= near || (rocker.centre - crank.centre).norm() <= near;
+}
+
+/// The dyad beside another in the family of three or four poses: its circle point moved by `step` (in units of the poses' size), or, of
+/// four, turned about the body's origin by its first number (rad).
+std::optional<Dyad> dyad_beside(const ScaledPoses& scaled, const Dyad& from, const Point& step) {
+  const Point w = from.circle / scaled.unit;
+  if (scaled.poses.size() == 3) return dyad_of_three(scaled, w + step);
+  const Point turned = as_point(as_complex(w) * std::polar(1.0, step.x()));
+  const Point across = left_of(turned.normalized());
+  Eigen::Vector4d wz;
+  wz << turned, (from.centre - scaled.centre) / scaled.unit;
+  if (!across.allFinite() || !met_exactly(scaled.poses, &across, wz)) return std::nullopt;
+  return scaled.dyad(wz);
+}
+
+/// Leads a pair to a larger transmission angle within its family: steps in scattered directions, halved where none helps. An end where no
+/// nearby pair is better, no proof that it is the best of all.
+void raise_transmission(const PoseTask& task, const ScaledPoses& scaled, PairOfDyads& pair) {
+  constexpr double first_step = 0.1, last_step = 1e-7;
+  constexpr std::size_t directions = 24, most_tries = 4000;
+  std::size_t tries = 0;
+  for (double step = first_step; step > last_step; step /= 2)
+    for (std::size_t failed = 0; failed < directions && tries < most_tries;) {
+      ++tries;
+      const auto part = [&](unsigned base) { return step * (2 * van_der_corput(tries, base) - 1); };
+      const auto crank = dyad_beside(scaled, pair.crank, {part(2), part(3)}),
+                 rocker = dyad_beside(scaled, pair.rocker, {part(5), part(7)});
+      ++failed;
+      if (!crank || !rocker || breaks_limits(task, *crank) || breaks_limits(task, *rocker) ||
+          joints_fall_together(*crank, *rocker))
+        continue;
+      auto beside = paired(task, *crank, *rocker);
+      if (!beside || beside->transmission <= pair.transmission || beside->linkage.longest() > task.longest)
+        continue;
+      const CrankMotion motion = beside->linkage.links().motion();
+      if (!task.motions.empty() &&
+          std::find(task.motions.begin(), task.motions.end(), motion) == task.motions.end())
+        continue;
+      pair = std::move(*beside);
+      failed = 0;
+    }
+}
+
+bool alike(const PairOfDyads& one, const PairOfDyads& other, double near) {
+  return (one.crank.circle - other.crank.circle).norm() <= near &&
+         (one.rocker.circle - other.rocker.circle).norm() <= near;
+}
+
+/// The best pairs that differ, each led to a larger transmission angle; those that end at one place are one.
+std::vector<PairOfDyads> raised_pairs(const PoseTask& task, const std::vector<PairOfDyads>& ranked) {
+  constexpr std::size_t most = 12;
+  constexpr double starts_apart = 0.3, ends_apart = 0.01;  // of the poses' size
+  const ScaledPoses scaled(task.poses);
+  std::vector<PairOfDyads> starts, ends;
+  for (const PairOfDyads& pair : ranked) {
+    if (starts.size() == most) break;
+    const auto near = [&](const PairOfDyads& other) {
+      return alike(pair, other, starts_apart * scaled.unit);
+    };
+    if (std::none_of(starts.begin(), starts.end(), near)) starts.push_back(pair);
+  }
+  for (PairOfDyads pair : starts) {
+    raise_transmission(task, scaled, pair);
+    const auto near = [&](const PairOfDyads& other) { return alike(pair, other, ends_apart * scaled.unit); };
+    if (std::none_of(ends.begin(), ends.end(), near)) ends.push_back(std::move(pair));
+  }
+  return ends;
 }
 
 std::optional<PoseAnswer> judged_poses(const PoseTask& task, const PathTask& path, const PairOfDyads& pair) {
@@ -280,10 +367,7 @@ std::vector<Dyad> dyads_of(const PoseTask& task) {
     const Point across(std::sin(direction), -std::cos(direction));
     add_dyads(scaled, &across, dyads);
   }
-  std::erase_if(dyads, [&](const Dyad& dyad) {
-    return !(dyad.length > 0) || dyad.length > task.longest || dyad.circle.norm() > task.longest ||
-           !lies_within(task.pivots_within, dyad.centre);
-  });
+  std::erase_if(dyads, [&](const Dyad& dyad) { return breaks_limits(task, dyad); });
   return dyads;
 }
 
@@ -300,9 +384,7 @@ tl::expected<PoseSearch, std::string> guide_poses(const PoseTask& task, std::siz
   std::vector<PairOfDyads> pairs;
   for (const Dyad& crank : search.dyads)
     for (const Dyad& rocker : search.dyads) {
-      if (&crank == &rocker || (rocker.circle - crank.circle).norm() <= slack::on_a_joint * crank.length ||
-          (rocker.centre - crank.centre).norm() <= slack::on_a_joint * crank.length)
-        continue;
+      if (&crank == &rocker || joints_fall_together(crank, rocker)) continue;
       ++search.linkages;
       auto pair = paired(task, crank, rocker);
       if (!pair)
@@ -312,9 +394,15 @@ tl::expected<PoseSearch, std::string> guide_poses(const PoseTask& task, std::siz
       else
         pairs.push_back(std::move(*pair));
     }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const PairOfDyads& a, const PairOfDyads& b) {
+  const auto moves_better = [](const PairOfDyads& a, const PairOfDyads& b) {
     return a.transmission > b.transmission;
-  });
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), moves_better);
+  if (task.poses.size() < 5) {
+    const std::vector<PairOfDyads> raised = raised_pairs(task, pairs);
+    pairs.insert(pairs.begin(), raised.begin(), raised.end());
+    std::stable_sort(pairs.begin(), pairs.end(), moves_better);
+  }
   for (const PairOfDyads& pair : pairs) {
     if (search.answers.size() == most) break;
     if (auto answer = judged_poses(task, path, pair))

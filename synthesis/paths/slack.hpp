@@ -11,6 +11,8 @@ inline constexpr double path_from_dead_points = 0.02, path_inside_transmission =
 inline constexpr double path_inside_limit = 1e-9;
 /// rad: the crank turns on at least so far from one point to the next, where the timing is free.
 inline constexpr double least_turn = 1e-3;
+/// Share of the longest link, and rad: an answer's pivot and angles that the task gives may be off by so much.
+inline constexpr double path_given = 1e-9;
 /// None (ground links): how far a motion by Grashof's rule is kept from a change point, so that rounding does not make it one.
 inline constexpr double path_from_change_point = 1e-6;
 /// Share of the path's size: an error below it is rounding, and the point counts as met.

@@ -296,11 +296,12 @@ class Path(Case):
     def test_the_plagiograph_on_the_coupler_copies_the_curve(self):
         """The general solver on both files: the six-bar's point is where the four-bar's, turned and scaled about the pole, is."""
         four, six = self.scratch / "four.toml", self.scratch / "six.toml"
-        for cognate, pole, rotation in (([], ["--copy-pole", "crank"], -30), ([], [], 60), (["--cognate", 1], [], -30),
-                                        (["--cognate", 2], ["--copy-pole", "rocker"], -30)):
-            with self.subTest(cognate=cognate, pole=pole, rotation=rotation):
-                self.answer("path", self.LINE, "-o", four, *cognate)
-                copy = self.answer("path", self.LINE, "-o", six, "--copy-scale", 2, "--copy-rotation", rotation, *pole, *cognate)["answers"][0]["copy"]
+        for number, cognate, pole, rotation in ((2, [], ["--copy-pole", "crank"], -30), (1, [], [], 60), (2, ["--cognate", 1], [], -30),
+                                                (1, ["--cognate", 2], ["--copy-pole", "rocker"], -30)):
+            with self.subTest(number=number, cognate=cognate, pole=pole, rotation=rotation):
+                self.answer("path", self.LINE, "-o", four, "--answer", number, *cognate)
+                found = self.answer("path", self.LINE, "-o", six, "--answer", number, "--copy-scale", 2, "--copy-rotation", rotation, *pole, *cognate)
+                copy = found["answers"][number - 1]["copy"]
                 x, y = copy["pole_mm"]
                 self.assertIn(copy["pole_mm"], copy["four_bar"]["pivots_mm"])
                 self.assertEqual(copy["pole"] == "crank_pivot", copy["pole_mm"] == copy["four_bar"]["pivots_mm"][0])
@@ -346,6 +347,13 @@ class Path(Case):
             self.assertRefused(kempe("path", self.file(good.replace(old, new, 1))), 2, *words)
         for points in ["[[1, 1], [1, 1], [1, 1]]", "[[1, 1], [2, 1]]", "[]", "3"]:
             self.assertRefused(kempe("path", self.file(f"[path]\npoints_mm = {points}\n")), 2, "path.points_mm", ":2:")
+        for given, words in [("crank_pivot_mm = [60, 0]", ["limits.crank_pivot_mm", ":13:", "within limits.pivots_within_mm"]),
+                             ("crank_pivot_mm = [0]", ["limits.crank_pivot_mm", ":13:", "[x, y]"]),
+                             ("ground_deg = 400", ["limits.ground_deg", ":13:", "-360 to 360"]),
+                             ("first_angle_deg = 'up'", ["limits.first_angle_deg", ":13:"])]:
+            self.assertRefused(kempe("path", self.file(good + given + "\n")), 2, *words)
+        poses = (GENERATORS / "five-poses.toml").read_text()
+        self.assertRefused(kempe("path", self.file(poses + "\nground_deg = 3\n")), 2, "limits.ground_deg", "poses_mm")
         self.assertRefused(kempe("path", self.LINE, "--cognate", "1"), 2)
 
     def test_nothing_found_is_not_said_to_be_nothing_there(self):

@@ -122,10 +122,30 @@ TEST(PathGenerator, MeetsSixPointsOfALine) {
   ASSERT_TRUE(search) << search.error();
   EXPECT_GE(search->answers.size(), 2u);
   EXPECT_LT(search->answers.front().error_max, 1e-9);
+  EXPECT_GT(search->answers.front().transmission_min, radians(70));  // 64.5 degrees before it is led on
   for (const PathAnswer& answer : search->answers) {
     expect_reached(task, answer);
     expect_cognates(answer);
   }
+}
+
+/// Places scattered on the coupler curve of a known four-bar: what comes back meets them, and moves better than it.
+TEST(PathGenerator, LeadsWhatMeetsThePointsOnToALargerTransmissionAngle) {
+  PathTask task = line_of_six();
+  CouplerFourBar known;
+  known.rocker_pivot = {30, 5};
+  known.crank = 8;
+  known.coupler = 26;
+  known.rocker = 24;
+  known.coupler_point = {12, 15};
+  task.points.clear();
+  for (const double angle : {0.2, 0.7, 1.0, 1.6, 2.3}) task.points.push_back(known.at(angle).value().P);
+  const auto search = generate_path(task, 1);
+  ASSERT_TRUE(search) << search.error();
+  const PathAnswer& best = search->answers.front();
+  expect_reached(task, best);
+  EXPECT_LT(best.error_max, 1e-8);
+  EXPECT_GT(best.transmission_min, known.least_transmission_angle(0.2, 2.3).value());
 }
 
 TEST(PathGenerator, MeetsFivePointsWithTiming) {
@@ -322,6 +342,96 @@ TEST(PathGenerator, CurvesOfCognatesAreOne) {
   EXPECT_GT(curves_apart(answer, other, 0.004), 1e9);
 }
 
+/// The second case as it was published: the crank's pivot, the ground link's direction and the first angle are given too.
+PathTask five_timed_as_published() {
+  PathTask task = five_timed();
+  task.crank_pivot = {0, 0};
+  task.ground_angle = 0;
+  task.first_angle = pi / 6;
+  return task;
+}
+
+TEST(PathGenerator, KeepsThePivotTheDirectionAndTheFirstAngleThatAreGiven) {
+  PathTask task = five_timed_as_published();
+  task.motions = {CrankMotion::crank_rocker};
+  const auto search = generate_path(task);
+  ASSERT_TRUE(search) << search.error();
+  const PathAnswer& best = search->answers.front();
+  EXPECT_LT(5 * best.error_rms * best.error_rms, 1.0e-6);  // the best published: 1.28e-6
+  for (const PathAnswer& answer : search->answers) {
+    expect_reached(task, answer);
+    EXPECT_LT(answer.linkage.crank_pivot.norm(), 1e-12);
+    EXPECT_LT(std::abs(answer.linkage.rocker_pivot.y()), 1e-12);
+    EXPECT_GT(answer.linkage.rocker_pivot.x(), 0);
+    EXPECT_NEAR(answer.crank_angles[0], pi / 6, 1e-12);
+    EXPECT_TRUE(std::any_of(answer.active.begin(), answer.active.end(),
+                            [](const ActiveLimit& limit) { return limit.key == "limits.first_angle_deg"; }));
+  }
+  PathTask moved = task;
+  moved.crank_pivot = {1e-3, 0};
+  EXPECT_FALSE(judged_path(moved, best.linkage, best.crank_angles));
+  moved = task;
+  moved.ground_angle = 1e-3;
+  EXPECT_FALSE(judged_path(moved, best.linkage, best.crank_angles));
+  moved = task;
+  moved.first_angle = pi / 6 + 1e-3;
+  EXPECT_FALSE(judged_path(moved, best.linkage, best.crank_angles));
+}
+
+/// A task turned about a point as a whole, with free timing: the same four-bars, turned.
+TEST(PathGenerator, WhatIsGivenTurnsWithTheTask) {
+  PathTask task = line_of_six();
+  task.pivots_within.clear();
+  task.points.push_back({30, 50});
+  task.points.push_back({50, 45});
+  task.crank_pivot = {5, 10};
+  task.ground_angle = 0.3;
+  PathTask turned = task;
+  const auto turn = [](const Point& p) { return as_point(as_complex(p) * std::polar(1.0, 2.0)); };
+  for (Point& p : turned.points) p = turn(p);
+  turned.crank_pivot = turn(*task.crank_pivot);
+  turned.ground_angle = 2.3;
+  const auto one = generate_path(task, 1), other = generate_path(turned, 1);
+  ASSERT_TRUE(one) << one.error();
+  ASSERT_TRUE(other) << other.error();
+  const PathAnswer &first = one->answers.front(), &second = other->answers.front();
+  EXPECT_NEAR(second.error_rms, first.error_rms, 1e-6 * (1 + first.error_rms));
+  EXPECT_LT((turn(first.linkage.crank_pivot) - second.linkage.crank_pivot).norm(), 1e-9);
+  const Point ground = second.linkage.rocker_pivot - second.linkage.crank_pivot;
+  EXPECT_NEAR(std::atan2(ground.y(), ground.x()), 2.3, 1e-9);
+}
+
+/// No step away from it lessens the squares, along any unknown that is not given.
+TEST(PathGenerator, ProjectsOntoTheBestOfWhatIsNotGiven) {
+  PathTask task = five_timed();
+  for (int given = 0; given < 4; ++given) {
+    if (given & 1) task.crank_pivot = {0.5, -1};
+    task.ground_angle = given & 2 ? std::optional(2.4) : std::nullopt;
+    const PathProgram program(task, FourBarBranch::first, true);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(program.size()), value, near;
+    x.segment<4>(6) << -0.9, 0.1, 0.2, 0.4;
+    const bool found = program.project(x);
+    ASSERT_TRUE(found || given >= 2) << given;
+    ASSERT_TRUE(program.errors(x, value, nullptr));
+    for (int k = 0; k < 6; ++k)
+      for (const double step : {1e-3, -1e-3}) {
+        if (program.is_given(k)) continue;
+        Eigen::VectorXd beside = x;
+        beside[k] += step;
+        program.errors(beside, near, nullptr);
+        EXPECT_GT(near.squaredNorm(), value.squaredNorm()) << given << " " << k;
+      }
+    const CouplerFourBar bar = program.linkage(x);
+    if (task.crank_pivot) {
+      EXPECT_LT((bar.crank_pivot - *task.crank_pivot).norm(), 1e-12);
+    }
+    if (task.ground_angle) {
+      EXPECT_EQ(x[3], 0);
+    }
+    task.crank_pivot.reset();
+  }
+}
+
 void expect_slopes(const PathTask& task) {
   PathProgram program(task, FourBarBranch::second, true);
   Eigen::VectorXd x(program.size());
@@ -339,6 +449,10 @@ void expect_slopes(const PathTask& task) {
     less[k] -= 1e-6;
     program.errors(more, above, nullptr);
     program.errors(less, below, nullptr);
+    if (program.is_given(static_cast<int>(k))) {
+      EXPECT_EQ(errors.col(k).norm(), 0) << k;
+      continue;
+    }
     EXPECT_LT((errors.col(k) - (above - below) / 2e-6).lpNorm<Eigen::Infinity>(), 1e-7) << k;
     program.limits(more, above, nullptr);
     program.limits(less, below, nullptr);
@@ -349,6 +463,7 @@ void expect_slopes(const PathTask& task) {
 TEST(PathGenerator, SlopesAreThoseOfTheErrorsAndLimits) {
   expect_slopes(line_of_six());
   expect_slopes(loop_of_eighteen());
+  expect_slopes(five_timed_as_published());
   for (const CrankMotion motion : {CrankMotion::crank_rocker, CrankMotion::double_crank,
                                    CrankMotion::rocker_crank, CrankMotion::double_rocker}) {
     PathTask task = loop_of_eighteen();

@@ -132,6 +132,65 @@ TEST(PoseGuidance, FourAndThreePosesGiveFamilies) {
   }
 }
 
+/// Where circles about three places meet, seen from them at one distance.
+Point centre_of(const Point& a, const Point& b, const Point& c) {
+  Eigen::Matrix2d rows;
+  rows << (b - a).transpose(), (c - a).transpose();
+  return rows.partialPivLu().solve(
+      Eigen::Vector2d(b.squaredNorm() - a.squaredNorm(), c.squaredNorm() - a.squaredNorm()) / 2);
+}
+
+/// The least angle at B over the motion, by the law of cosines at 400 places; nil where the loop opens.
+double least_angle(const Point& A0, const Point& B0, double a, double b, double c, double from, double to) {
+  double least = pi;
+  for (int i = 0; i <= 400; ++i) {
+    const double angle = from + (to - from) * i / 400;
+    const double square = (A0 + a * Point(std::cos(angle), std::sin(angle)) - B0).squaredNorm();
+    const double cosine = (b * b + c * c - square) / (2 * b * c);
+    if (std::abs(cosine) > 1) return 0;
+    least = std::min({least, std::acos(cosine), pi - std::acos(cosine)});
+  }
+  return least;
+}
+
+/// The oracle: circle points scattered about those of the answer, each with its centre by two lines.
+TEST(PoseGuidance, NoFourBarNearbyInTheFamilyOfThreePosesMovesBetter) {
+  PoseTask task = task_of_known(3);
+  task.longest = 1e4;
+  const auto search = guide_poses(task, 1);
+  ASSERT_TRUE(search) << search.error();
+  const PathAnswer& best = search->answers.front().path;
+  const CouplerFourBar& bar = best.linkage;
+  const Point A = bar.crank_pivot +
+                  bar.crank * Point(std::cos(best.crank_angles[0]), std::sin(best.crank_angles[0])),
+              B = bar.at(best.crank_angles[0]).value().B;
+  const auto in_body = [&](const Point& p) {
+    return as_point(as_complex(p - task.poses[0].at) * std::polar(1.0, -task.poses[0].angle));
+  };
+  const auto at_pose = [&](std::size_t k, const Point& w) {
+    return Point(task.poses[k].at + as_point(as_complex(w) * std::polar(1.0, task.poses[k].angle)));
+  };
+  double largest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto shift = [&](double root) {
+      return 0.02 * (2 * std::fmod(i * std::sqrt(root), 1) - 1);  // mm
+    };
+    const Point wa = in_body(A) + Point(shift(2), shift(3)), wb = in_body(B) + Point(shift(5), shift(7));
+    const Point A0 = centre_of(at_pose(0, wa), at_pose(1, wa), at_pose(2, wa)),
+                B0 = centre_of(at_pose(0, wb), at_pose(1, wb), at_pose(2, wb));
+    const auto angle_at = [&](std::size_t k, double near) {
+      const double angle = std::arg(as_complex(at_pose(k, wa) - A0));
+      return angle + 2 * pi * std::round((near - angle) / (2 * pi));
+    };
+    largest =
+        std::max(largest, least_angle(A0, B0, (at_pose(0, wa) - A0).norm(), (wb - wa).norm(),
+                                      (at_pose(0, wb) - B0).norm(), angle_at(0, best.crank_angles.front()),
+                                      angle_at(2, best.crank_angles.back())));
+  }
+  EXPECT_GT(largest, best.transmission_min - 0.01);
+  EXPECT_LT(largest, best.transmission_min + 1e-4);
+}
+
 TEST(PoseGuidance, PosesThatOnlyShiftAreToldToHaveNothing) {
   PoseTask task;
   task.longest = 100;
