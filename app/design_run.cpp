@@ -365,7 +365,7 @@ CLI::Option* add_paper_option(CLI::App& command, Paper& paper) {
 
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
                    const std::filesystem::path& folder, const TimeToFinish& time,
-                   const std::string& studio_page, Paper paper, BoundFrom bound) {
+                   const std::string& studio_page, Paper paper) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
@@ -373,7 +373,7 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   extras.paper = paper;
   if (!studio_page.empty()) extras.studio_page = studio_page_name;
   FolderDraft draft(folder);
-  const auto drafted = draft_design(design, extras, draft, time, bound);
+  const auto drafted = draft_design(design, extras, draft, time);
   if (!drafted)
     return fail(session, drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
                 drafted.error().sentence);

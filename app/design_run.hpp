@@ -37,8 +37,7 @@ inline constexpr const char* studio_page_name = "studio.html";
 /// `cannot_write`, or done.
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
                    const std::filesystem::path& folder, const TimeToFinish& time = {},
-                   const std::string& studio_page = {}, Paper paper = Paper::A4,
-                   BoundFrom bound = BoundFrom::search);
+                   const std::string& studio_page = {}, Paper paper = Paper::A4);
 
 /// The option --paper, of workshop.pdf.
 CLI::Option* add_paper_option(CLI::App& command, Paper& paper);

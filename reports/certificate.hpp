@@ -16,7 +16,7 @@ inline const std::string certificate_name = "certificate.jsonl";
 bool has_rules(const Design& design);
 
 /// The log that no design is better than the design's bound, of a design that has rules; else why there is none. A bound that
-/// touches the best design, or whose proof is long, is made looser by a millionth to a hundredth of itself, in the design too:
+/// touches the best design, or whose proof is long, is made looser by a millionth of itself or more, in the design too:
 /// then what its file says is what the log proves.
 tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, const StopFlag& stop = {});
 

@@ -28,7 +28,7 @@ tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) 
 }  // namespace
 
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
-                                                 const TimeToFinish& time, BoundFrom bound) {
+                                                 const TimeToFinish& time) {
   using enum NotPublished::By;
   const VerificationRun run = run_verification(verification_task(design), {.stop = time.enough});
   design.verification = run.found;
@@ -40,7 +40,7 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
       certificate_of(design, time.enough);  // before design.json, which states the bound proven
   if (certificate) extras.proof_log = certificate_name;
   const bool had_rules = has_rules(design), unproven = !certificate && design.quality.proven_bound;
-  if (unproven && bound == BoundFrom::file) design.quality.proven_bound.reset();
+  if (unproven) design.quality.proven_bound.reset();
   give_memory_back();
   auto left_out = make_design_package(
       design, design.cutting, extras, [&](const OutputFile& file) { return draft.add(file); }, time);
@@ -49,8 +49,7 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
     if (const auto added = draft.add({certificate_name, *certificate}); !added)
       return refused(writing, added.error());
   if (!certificate && had_rules) left_out->push_back(left_out_sentence(certificate.error()));
-  if (unproven && bound == BoundFrom::file)
-    left_out->push_back("The bound that the file states is left out: it is not proven anew.");
+  if (unproven) left_out->push_back("The bound is left out: no log proves it.");
   if (!run.complete) left_out->push_back("The verification was stopped early: it is of fewer positions.");
   give_memory_back();
   if (time.over())

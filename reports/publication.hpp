@@ -12,12 +12,6 @@
 
 namespace kempe {
 
-/// Whose word a design's bound is.
-enum class BoundFrom {
-  search,  ///< the bound's own tree, whether its log closes in time or not
-  file     ///< somebody's: kept only where the log of a proof is made anew
-};
-
 /// Why a design is not published.
 struct NotPublished {
   enum class By { verification, rereading, writing } by;
@@ -31,12 +25,11 @@ struct Drafted {
 
 /// Fills in the design's verification, and gives all its files (design_package.hpp) to the draft.
 ///  1. Nothing is drafted of a design that fails its verification.
-///     Its bound comes with the log of its proof (certificate.hpp), if that closes before there is `enough`; from then on it is
-///     verified at few places.
+///     Its bound comes with the log of its proof (certificate.hpp): where that does not close before there is `enough`, no bound is
+///     stated. From then on the design is verified at few places.
 ///  2. The drawings are read again from the draft; where they are not the design, the error says so. Once the time is over, they are not read.
 /// Putting the draft in place is the caller's.
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
-                                                 const TimeToFinish& time = {},
-                                                 BoundFrom bound = BoundFrom::search);
+                                                 const TimeToFinish& time = {});
 
 }  // namespace kempe

@@ -47,8 +47,7 @@ int run(const Session& session, const ReportArguments& arguments) {
   const auto studio = studio_page_if(arguments.studio, spec);
   if (!studio) return fail(session, failed, studio.error());
   const TimeToFinish time{to_map, stopping.flag(time_to_write(stopping.limit()))};
-  const int code = publish_design(session, *design, spec, arguments.folder, time, *studio, arguments.paper,
-                                  BoundFrom::file);
+  const int code = publish_design(session, *design, spec, arguments.folder, time, *studio, arguments.paper);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

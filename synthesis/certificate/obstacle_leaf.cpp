@@ -94,11 +94,14 @@ bounding::MaterialPoint ObstacleLeaves::origin_of(const Target& target) const {
   return bounding::material_point(target.seen_from.value_or(pole), task_.root.mode.s);
 }
 
+bounding::MaterialPoint ObstacleLeaves::pole_point() const {
+  return bounding::material_point(roles_of(task_.root.mode.grounding).pole, task_.root.mode.s);
+}
+
 ObstacleLeaves::ObstacleLeaves(const RootTask& task)
     : task_(task), targets_(targets_of(task.spec, roles_of(task.root.mode.grounding))) {
   const Complex shape = task.root.mode.s;
-  const bounding::MaterialPoint pole =
-      bounding::material_point(roles_of(task.root.mode.grounding).pole, shape);
+  const bounding::MaterialPoint pole = pole_point();
   for (std::uint8_t part = 0; part < part_count; ++part) {
     steadiest_[part] = infinity;
     for (const PartPoint& point : points_along({part}, task.spec.links.style.plate)) {
@@ -121,14 +124,31 @@ std::optional<Step> ObstacleLeaves::step(const Node& node) const {
     const auto middle = middle_at(node.cell, place.at);
     if (!middle) continue;
     for (const auto& [part, obstacle] : meetings) {
-      const auto guess = deepest(part, obstacle, place, *middle);
-      if (!guess) continue;
-      auto step = leaf_for(node, *guess);
+      const auto found = deepest(part, obstacle, place, *middle);
+      if (!found) continue;
+      auto step = leaf_for(node, found->guess);
       if (step && step->children.empty()) return step;
       if (step && !best) best = std::move(step);
     }
   }
   return best;
+}
+
+std::optional<KnownPlace> ObstacleLeaves::place_met(const Node& node) const {
+  if (targets_.empty()) return std::nullopt;
+  const std::vector<Meeting> meetings = meetings_in(node.assignments);
+  std::optional<KnownPlace> found;
+  double most = 0;
+  for (const KnownPlace& place : task_.places.many()) {
+    const auto middle = middle_at(node.cell, place.at);
+    if (!middle) continue;
+    for (const auto& [part, obstacle] : meetings)
+      if (const auto here = deepest(part, obstacle, place, *middle); here && here->depth > most) {
+        most = here->depth;
+        found = place;
+      }
+  }
+  return found;
 }
 
 std::vector<ObstacleLeaves::Meeting> ObstacleLeaves::meetings_in(const Assignments& assignments) const {
@@ -193,8 +213,7 @@ std::optional<ObstacleLeaves::Middle> ObstacleLeaves::middle_at(const DesignCell
   const double h = std::sqrt(h2);
   const Complex p = w * (r + a * a - b * b - Complex(0, task_.root.mode.bend * h)) / (2 * r);
   Middle middle;
-  const bounding::MaterialPoint pole =
-      bounding::material_point(roles_of(task_.root.mode.grounding).pole, task_.root.mode.s);
+  const bounding::MaterialPoint pole = pole_point();
   for (const Joint joint : all_joints) {
     const bounding::MaterialPoint m = bounding::material_point(joint, task_.root.mode.s);
     middle.joints[static_cast<std::size_t>(joint)] =
@@ -217,31 +236,66 @@ bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Mid
          need + target.radius;
 }
 
+/// On each bar of a part's axis the points nearest to an outline's corners, centre and, where it crosses them, edges. Points spread
+/// along a long bar may all lie too far from a small obstacle.
+std::vector<PartPoint> ObstacleLeaves::nearest_points(
+    PartName part, const Target& target, const std::function<Point(const PartPoint&)>& place_of) const {
+  std::vector<PartPoint> points;
+  for (const auto& side : sides_of(part, task_.spec.links.style.plate)) {
+    const Point from = place_of(side[0]), to = place_of(side[1]);
+    points.push_back(on_side(side, nearest_share(target.centre, from, to)));
+    Point nearest = target.centre;
+    for (std::size_t i = 0; i < target.corners.size(); ++i) {
+      const Point corner = as_point(target.corners[i]),
+                  next = as_point(target.corners[(i + 1) % target.corners.size()]);
+      if (squared_distance(corner, from, to) < squared_distance(nearest, from, to) || i == 0)
+        nearest = corner;
+      if (properly_cross(from, to, corner, next))
+        points.push_back(
+            on_side(side, cross(corner - from, next - corner) / cross(to - from, next - corner)));
+    }
+    points.push_back(on_side(side, nearest_share(nearest, from, to)));
+  }
+  return points;
+}
+
 /// The point that is deepest beyond what it strays.
-std::optional<ObstacleGuess> ObstacleLeaves::deepest(PartName part, std::size_t obstacle,
-                                                     const KnownPlace& place, const Middle& middle) const {
+std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std::size_t obstacle,
+                                                             const KnownPlace& place,
+                                                             const Middle& middle) const {
   if (out_of_reach(part, obstacle, middle)) return std::nullopt;
   const double need = needed(part, obstacle);
   const Target& target = targets_[obstacle];
-  const bounding::MaterialPoint from = origin_of(target);
+  const bounding::MaterialPoint from = origin_of(target), pole = pole_point();
   ObstacleGuess best;
   double most = 0;
   const auto joint = [&](Joint name) { return as_complex(middle.joints[static_cast<std::size_t>(name)]); };
   const Complex V = joint(Joint::V), p = joint(Joint::A) - V,
                 q = joint(Joint::X) - joint(Joint::A);  // q: q/s
   const Complex origin = target.seen_from ? joint(*target.seen_from) : 0;
-  for (const auto& [point, m, strays] : points_[part.number]) {
-    const Point at = as_point(V + m.of_a * p + m.of_b * q - origin);
+  const auto seen = [&](const bounding::MaterialPoint& m) {
+    return as_point(V + m.of_a * p + m.of_b * q - origin);
+  };
+  const auto look_at = [&](const PartPoint& point, const bounding::MaterialPoint& m, double strays) {
+    const Point at = seen(m);
     const double share = target.seen_from ? std::abs((m.of_a - from.of_a) - (m.of_b - from.of_b)) : strays;
     const double least = of_the_way * share * middle.unsteady;
-    if (!(circle_depth(at, obstacle, need) > most + least)) continue;
+    if (!(circle_depth(at, obstacle, need) > most + least)) return;
     for (const auto& edge : target.edges)
       if (const double here = depth(at, obstacle, edge, need) - least; here > most) {
         most = here;
         best = {{obstacle, edge, place.place, point}, place.at};
       }
+  };
+  for (const auto& [point, m, strays] : points_[part.number]) look_at(point, m, strays);
+  if (most > 0) return Depth{best, most};
+  const Complex shape = task_.root.mode.s;
+  const auto place_of = [&](const PartPoint& point) { return seen(material_point(point, shape)); };
+  for (const PartPoint& point : nearest_points(part, target, place_of)) {
+    const bounding::MaterialPoint m = material_point(point, shape);
+    look_at(point, m, std::abs((m.of_a - pole.of_a) - (m.of_b - pole.of_b)));
   }
-  if (most > 0) return best;
+  if (most > 0) return Depth{best, most};
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 // A body is looked at from the joint that carries it, where it is at rest.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ class ObstacleLeaves {
 
   /// A leaf if an obstacle refutes the node; a parting of its layer assignments if it refutes some of them; or nothing.
   std::optional<Step> step(const Node& node) const;
+  /// Where the middle design of a node meets an obstacle most deeply, looked at from many places of the tracer.
+  std::optional<KnownPlace> place_met(const Node& node) const;
 
  private:
   double depth(const Point& at, std::size_t obstacle, const std::optional<std::size_t>& edge,
@@ -42,8 +45,13 @@ class ObstacleLeaves {
   };
   std::vector<Meeting> meetings_in(const Assignments& assignments) const;
   bool out_of_reach(PartName part, std::size_t obstacle, const Middle& middle) const;
-  std::optional<ObstacleGuess> deepest(PartName part, std::size_t obstacle, const KnownPlace& place,
-                                       const Middle& middle) const;
+  /// A point of a part in an obstacle, and how much deeper than it strays, mm.
+  struct Depth {
+    ObstacleGuess guess;
+    double depth = 0;
+  };
+  std::optional<Depth> deepest(PartName part, std::size_t obstacle, const KnownPlace& place,
+                               const Middle& middle) const;
 
   /// An outline as it is met.
   struct Target {
@@ -55,6 +63,8 @@ class ObstacleLeaves {
     double beyond = 0;                 ///< mm: the outline is grown by this
     std::optional<Joint> seen_from{};  ///< the joint that carries it; absent: it rests on the table
   };
+  std::vector<PartPoint> nearest_points(PartName part, const Target& target,
+                                        const std::function<Point(const PartPoint&)>& place_of) const;
   static Target target_of(const Ring& outline, bool by_edges_alone);
   static std::vector<Target> targets_of(const Spec& spec, const JointRoles& roles);
   bool may_meet(PartName part, const Target& target) const;
@@ -63,6 +73,7 @@ class ObstacleLeaves {
   }
   /// The joint from which a target is seen, as a material point: the pole's for what rests on the table.
   bounding::MaterialPoint origin_of(const Target& target) const;
+  bounding::MaterialPoint pole_point() const;
   /// A point of a part, and the share of Middle::unsteady that it strays at least.
   struct AxisPoint {
     PartPoint point;

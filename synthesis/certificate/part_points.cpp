@@ -104,6 +104,22 @@ bounding::MaterialPoint material_point(const PartPoint& point, Complex shape) {
   return bounding::material_point(part_of(part).joint, shape);
 }
 
+std::vector<std::array<PartPoint, 2>> sides_of(PartName part, PlateStyle plate) {
+  if (!is_link(part)) return {};
+  const PartPoint corner{part, 0, 0}, one{part, 1, 0}, other{part, 0, 1};
+  std::vector<std::array<PartPoint, 2>> sides{{corner, one}};
+  if (is_plate(part)) sides.push_back({corner, other});
+  if (is_plate(part) && plate == PlateStyle::triangle) sides.push_back({one, other});
+  return sides;
+}
+
+PartPoint on_side(const std::array<PartPoint, 2>& side, double share) {
+  const bool between_tips = side[0].t + side[0].u > 0;
+  const double whole = between_tips ? slack::inside_plate : 1;
+  return {side[0].part, whole * ((1 - share) * side[0].t + share * side[1].t),
+          whole * ((1 - share) * side[0].u + share * side[1].u)};
+}
+
 std::vector<PartPoint> points_along(PartName part, PlateStyle plate) {
   if (!is_link(part)) return {{part, 0, 0}};
   constexpr int pieces = 8;

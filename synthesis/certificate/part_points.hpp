@@ -32,6 +32,12 @@ PartPoint part_point(PartName part, const bounding::MaterialPoint& at, Complex s
 /// The material point of a part's point.
 bounding::MaterialPoint material_point(const PartPoint& point, Complex shape);
 
+/// The bars of a part's axis, each from one point to another: a link's or plate's, none of a pin or post.
+std::vector<std::array<PartPoint, 2>> sides_of(PartName part, PlateStyle plate);
+
+/// The point at a share of the way along a side.
+PartPoint on_side(const std::array<PartPoint, 2>& side, double share);
+
 /// Points spread along the part's axis.
 std::vector<PartPoint> points_along(PartName part, PlateStyle plate);
 

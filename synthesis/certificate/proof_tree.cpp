@@ -21,7 +21,10 @@ class Loosening {
       : given_(bound), direction_(is_maximized(objective) ? 1 : -1) {}
 
   std::optional<double> bound() const {
-    return given_ ? std::optional(*given_ * (1 + direction_ * slack::given_way[step_])) : std::nullopt;
+    if (!given_) return std::nullopt;
+    const double share = slack::given_way[step_];
+    if (direction_ < 0) return *given_ * (1 - share);
+    return share < 1 ? std::min(*given_ * (1 + share), pi / 2) : pi / 2;  // no transmission angle is larger
   }
   double given_way() const { return slack::given_way[step_]; }
   bool loosen() {
@@ -37,11 +40,12 @@ class Loosening {
 };
 
 /// One root's tree, depth first. A bound of size stands in sums only, and what refutes a node with one refutes it with a looser one,
-/// too: where no box is small enough, the tree goes on with the looser one from the largest box that this refutes.
+/// too: where no box is small enough and no place of the tracer shows an obstacle that is met, the tree goes on with the looser one
+/// from the largest box that this refutes.
 class Growth {
  public:
-  Growth(RootProof& proof, Loosening& bound, std::vector<Line>& lines)
-      : proof_(proof), bound_(bound), lines_(lines) {
+  Growth(RootProof& proof, Loosening& bound, RegionPlaces& places, std::vector<Line>& lines)
+      : proof_(proof), bound_(bound), places_(places), lines_(lines), first_line_(lines.size()) {
     open_.push_back({proof.whole(), 0});
   }
 
@@ -56,7 +60,7 @@ class Growth {
       auto step = proof_.step(node);
       path_.push_back({std::move(node), lines_.size(), open_.size()});
       if (!step) {
-        if (!go_back()) return tl::unexpected(NoLog::too_tight);
+        if (!begin_anew() && !go_back()) return tl::unexpected(NoLog::too_tight);
         continue;
       }
       lines_.push_back(std::move(step->line));
@@ -77,6 +81,20 @@ class Growth {
     std::size_t lines = 0, open = 0;
   };
 
+  /// Begins anew with one place more at which obstacles are looked at; false if the last node shows none where one is met.
+  bool begin_anew() {
+    constexpr int most_added = 20;
+    if (added_ == most_added) return false;
+    const auto place = proof_.place_met(path_.back().node);
+    if (!place) return false;
+    ++added_;
+    places_.add(*place);
+    lines_.resize(first_line_);
+    path_.clear();
+    open_.assign(1, {proof_.whole(), 0});
+    return true;
+  }
+
   /// Loosens the bound until it refutes a node on the way down; false if none does.
   bool go_back() {
     while (proof_.bounds_size() && bound_.loosen()) {
@@ -95,7 +113,10 @@ class Growth {
 
   RootProof& proof_;
   Loosening& bound_;
+  RegionPlaces& places_;
   std::vector<Line>& lines_;
+  std::size_t first_line_ = 0;
+  int added_ = 0;
   std::vector<Waiting> open_;
   std::vector<Visit> path_;
 };
@@ -109,7 +130,7 @@ bool copy_gap_decides_poles(const Spec& spec) {
   return spec.limits.copy_gap && std::holds_alternative<Region>(spec.pole.place);
 }
 
-tl::expected<ProofLog, NoLog> log_of(const Spec& spec, const RegionPlaces& places, Objective objective,
+tl::expected<ProofLog, NoLog> log_of(const Spec& spec, RegionPlaces& places, Objective objective,
                                      Loosening& bound, const ProofOptions& options, CutOrder order) {
   const bool by_size = objective == Objective::size;
   const double transmission =
@@ -121,7 +142,8 @@ tl::expected<ProofLog, NoLog> log_of(const Spec& spec, const RegionPlaces& place
     for (const AssemblyMode& mode : assembly_modes(shape_of(spec.copy.k(), grounding))) {
       RootProof proof(spec, places, grounding, mode, by_size ? bound.bound() : std::nullopt, transmission,
                       order);
-      if (const auto grown = Growth(proof, bound, log.lines).run(options.lines, options.stop); !grown)
+      Growth growth(proof, bound, places, log.lines);
+      if (const auto grown = growth.run(options.lines, options.stop); !grown)
         return tl::unexpected(grown.error());
     }
   }
@@ -151,7 +173,7 @@ tl::expected<ProofLog, NoLog> prove(const Spec& spec, Objective objective, const
   if ((objective != Objective::size && objective != Objective::transmission) || spec.region.empty())
     return tl::unexpected(NoLog::no_rules);
   if (options.stop()) return tl::unexpected(NoLog::stopped);
-  const RegionPlaces places(spec.region);
+  RegionPlaces places(spec.region);
   Loosening loosening(objective, bound);
   while (true) {
     auto log = log_of(spec, places, objective, loosening, options, CutOrder::by_sum);

@@ -30,7 +30,7 @@ std::string reason(NoLog why, const ProofOptions& options = {});
 
 /// The log that no design of the spec is better than `bound` (mm of size, rad of transmission) or, without a bound, that none
 /// exists. A bound that touches the best design is too tight for boxes of doubles, or takes too many of them: then the log is of
-/// one that is looser by a millionth of itself (or, at worst, a hundredth), and says which. Deterministic unless stopped.
+/// one that is looser by a millionth of itself (or more, up to one that is trivial), and says which. Deterministic unless stopped.
 tl::expected<ProofLog, NoLog> prove(const Spec& spec, Objective objective, const std::optional<double>& bound,
                                     const ProofOptions& options = {});
 

@@ -19,7 +19,7 @@ void append_starts(std::size_t polygon, std::size_t ring, std::size_t corners,
 
 }  // namespace
 
-RegionPlaces::RegionPlaces(const Region& region) : reach_(region) {
+RegionPlaces::RegionPlaces(const Region& region) : region_(region), reach_(region) {
   for (std::size_t i = 0; i < region.polygons.size(); ++i) {  // in the order of RegionReach::edges()
     append_starts(i, 0, region.polygons[i].outer.size(), start_of_);
     for (std::size_t j = 0; j < region.polygons[i].holes.size(); ++j)
@@ -52,6 +52,13 @@ KnownPlace RegionPlaces::nearest(const Point& to) const {
 KnownPlace RegionPlaces::farthest(const Point& from) const {
   const std::size_t corner = reach_.farthest(from).corner;
   return {edge_place(corner_of_[corner], 0), reach_.hull()[corner]};
+}
+
+std::vector<KnownPlace> RegionPlaces::many() const {
+  constexpr int about = 2000;
+  std::vector<KnownPlace> places;
+  for (const Point& place : tracer_places(region_, about)) places.push_back(nearest(place));
+  return places;
 }
 
 void RegionPlaces::spread_out(const Region& region, int about) {

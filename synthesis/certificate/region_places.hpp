@@ -15,6 +15,7 @@ struct KnownPlace {
 
 class RegionPlaces {
  public:
+  /// Keeps a reference to the region.
   explicit RegionPlaces(const Region& region);
 
   /// The place of the region nearest to a point: the point itself inside, else a point of the boundary.
@@ -23,11 +24,16 @@ class RegionPlaces {
   KnownPlace farthest(const Point& from) const;
   /// About `about` places, spread over boundary and inside; the same every time.
   const std::vector<KnownPlace>& spread() const { return spread_; }
+  /// One more of them.
+  void add(const KnownPlace& place) { spread_.push_back(place); }
+  /// Some two thousand more closely spread, for a look at single designs.
+  std::vector<KnownPlace> many() const;
 
  private:
   EdgePlace edge_place(std::size_t edge, double share) const;
   void spread_out(const Region& region, int about);
 
+  const Region& region_;
   RegionReach reach_;
   std::vector<EdgePlace> start_of_;     // of the edges of reach_
   std::vector<std::size_t> corner_of_;  // of the hull's corners: an edge that begins there

@@ -30,6 +30,8 @@ class RootProof {
 
   /// Nothing if the cell is too narrow to cut.
   std::optional<Step> step(const Node& node) const;
+  /// Where the middle design of a node meets an obstacle.
+  std::optional<KnownPlace> place_met(const Node& node) const { return obstacles_.place_met(node); }
 
  private:
   void put_whole(double transmission);

@@ -20,8 +20,10 @@ inline constexpr double most_uneven = 2;
 inline constexpr double most_uneven_of_poles = 256;
 /// rad: of a cell as wide as its middle, the narrowest range of openings that a contact cuts. In narrower cells it falls with their width.
 inline constexpr double narrowest_passed = 1e-2;
-/// Shares by which the bound is given way, tried in this order until a proof comes out.
-inline constexpr double given_way[] = {0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+/// Shares by which the bound is given way, tried in this order until a proof comes out. At the last every tree has a few lines a root: no
+/// design has the size 0, none a transmission angle of 90 degrees.
+inline constexpr double given_way[] = {0.0,  1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.02,
+                                       0.05, 0.1,  0.2,  0.3,  0.5,  1.0};
 /// The least of these shares that is worth another try where a proof was too long.
 inline constexpr double much_shorter = 1e-3;
 /// Sine: the sides of a plate nearer to one line than this span no triangle.

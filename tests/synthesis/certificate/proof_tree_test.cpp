@@ -1,0 +1,33 @@
+// How the bound of a proof log gives way. That the logs are proofs is shown by the checker: tests/proof.
+
+#include "synthesis/certificate/proof_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include "specs/spec_reader.hpp"
+
+namespace kempe::certificate {
+namespace {
+
+Spec example(const std::string& name) {
+  return read_spec_file(std::string(KEMPE_SOURCE_DIR "/specs/examples/") + name + ".toml").value();
+}
+
+TEST(ProofTree, ABoundThatIsFalseGivesWayUntilItHasALog) {
+  const Spec spec = example("plagiograph");
+  const auto size = prove(spec, Objective::size, 1e6, {.lines = 20});
+  ASSERT_TRUE(size);
+  EXPECT_LT(*size->bound, 1e6);
+  const auto angle = prove(spec, Objective::transmission, radians(1), {.lines = 500});
+  ASSERT_TRUE(angle);
+  EXPECT_GT(*angle->bound, radians(1));
+  EXPECT_LE(*angle->bound, pi / 2);
+}
+
+TEST(ProofTree, AVerdictThatIsFalseHasNone) {
+  const auto log = prove(example("plagiograph"), Objective::size, std::nullopt, {.lines = 100});
+  EXPECT_FALSE(log);
+}
+
+}  // namespace
+}  // namespace kempe::certificate
