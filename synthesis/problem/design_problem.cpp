@@ -109,15 +109,43 @@ double DesignProblem::smallest_gap(const LogLengths& lengths, double from, doubl
   return smallest;
 }
 
-double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double enough) const {
+double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double enough,
+                                            SmallestGaps* shared) const {
   double smallest = enough;
-  for (const Point& place : places_) {
-    const PlacedJoints joints(reach_, roles_, point.lengths, point.pole, place);
+  std::size_t known = 0;  // places
+  if (shared != nullptr && shared->up_to() >= enough) {
+    for (const ObstacleTerm& term : terms_.obstacles) smallest = std::min(smallest, shared->of(term));
+    known = shared->places();
+  }
+  for (std::size_t i = known; i < places_.size(); ++i) {
+    const PlacedJoints joints(reach_, roles_, point.lengths, point.pole, places_[i]);
     for (const ObstacleTerm& term : terms_.obstacles)
       smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest,
                                                  Beyond::anything));
   }
   return smallest;
+}
+
+SmallestGaps DesignProblem::gaps_at(const DesignPoint& point) const {
+  return {reach_,           roles_, point.lengths, point.pole, space_.tracer_places(), space_.obstacles(),
+          limits_.clearance};
+}
+
+bool DesignProblem::is_in_the_way_of_the_copy(SmallestGaps& shared) const {
+  if (layout_.pole_is_free || goal_ == Goal::clearance) return false;
+  const auto is_copied = [&](Joint joint) {
+    return joint == roles_.pole || joint == roles_.tracer || joint == roles_.pen;
+  };
+  return std::any_of(terms_.obstacles.begin(), terms_.obstacles.end(), [&](const ObstacleTerm& term) {
+    const JointHull& hull = term.piece.hull;
+    if (term.beside || term.turns_with || (term.seen_from && !is_copied(*term.seen_from)) ||
+        !std::all_of(hull.joints.begin(), hull.joints.begin() + hull.count, is_copied))
+      return false;
+    const ObstacleShape& obstacle = space_.obstacles()[term.obstacle];
+    const double rounding =
+        slack::copied_gap_rounding * (layout_.unit + std::abs(obstacle.centre) + obstacle.radius);
+    return shared.of(term) < std::min(limits_.clearance, shared.up_to()) - rounding;
+  });
 }
 
 double DesignProblem::footprint_at(const DesignPoint& point) const {
@@ -178,7 +206,8 @@ double DesignProblem::violation_of(const Attained& has) const {
   return sum;
 }
 
-Assessment DesignProblem::assess(const DesignPoint& point, int openings, LoadLimit load) const {
+Assessment DesignProblem::assess(const DesignPoint& point, int openings, LoadLimit load,
+                                 SmallestGaps* shared) const {
   Assessment result;
   Attained& has = result.attained;
   const LogLengths& lengths = point.lengths;
@@ -197,7 +226,7 @@ Assessment DesignProblem::assess(const DesignPoint& point, int openings, LoadLim
   const double enough =
       goal_ == Goal::clearance ? far : std::min(far, limits_.clearance);  // more counts for nothing
   has.clearance = smallest_gap(lengths, result.near_opening, result.far_opening, openings, enough);
-  if (!terms_.obstacles.empty()) has.clearance = smallest_obstacle_gap(point, has.clearance);
+  if (!terms_.obstacles.empty()) has.clearance = smallest_obstacle_gap(point, has.clearance, shared);
   if (goal_ == Goal::footprint || limits_.footprint) has.footprint = footprint_at(point);
   if (limits_.copy_gap || goal_ == Goal::copy_gap)
     has.copy_gap = space_.smallest_copy_gap(point.pole).distance;

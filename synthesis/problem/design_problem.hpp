@@ -118,7 +118,9 @@ class DesignProblem {
   /// Every requirement at a point; contact looked at in `openings` places between the region's two openings. A limit on the load
   /// error that is `left_out` counts as kept: nothing then seems worse than it is. count_load_error() adds it.
   enum class LoadLimit { counted, left_out };
-  Assessment assess(const DesignPoint& point, int openings, LoadLimit load = LoadLimit::counted) const;
+  /// `shared`: the gaps at this point, of a problem that differs in its layers alone, or none; they only save work.
+  Assessment assess(const DesignPoint& point, int openings, LoadLimit load = LoadLimit::counted,
+                    SmallestGaps* shared = nullptr) const;
   Assessment count_load_error(Assessment seen, const DesignPoint& point) const;
 
   /// True with a limit on the load error, under another goal.
@@ -149,6 +151,11 @@ class DesignProblem {
   bool add_violated(std::vector<Row>& rows, const DesignVector& x, double tolerance) const;
   void set_room(const Point& pole);
   /// One more place of the tracer at which obstacles are looked at.
+  /// What problems that differ in their layers alone share at a point. This problem must outlive it.
+  SmallestGaps gaps_at(const DesignPoint& point) const;
+  /// True if no lengths whatsoever keep the clearance from obstacles, because with a fixed pole the copy decides where tracer and
+  /// pen are, and there something is in the way of them or of what they carry. `shared`: the gaps at any point.
+  bool is_in_the_way_of_the_copy(SmallestGaps& shared) const;
   void add_place(const Point& tracer) { places_.push_back(tracer); }
   /// All of them: those of the space, then those added.
   const std::vector<Point>& places() const { return places_; }
@@ -193,7 +200,7 @@ class DesignProblem {
   void add_copy_errors(std::vector<Row>& rows, const DesignVector& x) const;
   void add_load_errors(std::vector<Row>& rows, const DesignVector& x, double least_share) const;
   void add_sags(std::vector<Row>& rows, const DesignVector& x) const;
-  double smallest_obstacle_gap(const DesignPoint& point, double enough) const;
+  double smallest_obstacle_gap(const DesignPoint& point, double enough, SmallestGaps* shared) const;
   RowJet half_plane_row(std::size_t plane, const DesignVector& x) const;
   RowJet pole_margin_row(const DesignVector& x) const;
   RowJet end_row(bool near, const DesignVector& x) const;

@@ -259,6 +259,32 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
   return jet;
 }
 
+SmallestGaps::SmallestGaps(const Reach& reach, const JointRoles& roles, const LogLengths& lengths,
+                           const Point& pole, std::span<const Point> places,
+                           const std::vector<ObstacleShape>& obstacles, double up_to)
+    : obstacles_(obstacles), up_to_(up_to) {
+  joints_.reserve(places.size());
+  for (const Point& place : places) joints_.emplace_back(reach, roles, lengths, pole, place);
+}
+
+double SmallestGaps::smallest(const ObstacleTerm& term) const {
+  double least = up_to_;
+  for (const PlacedJoints& joints : joints_)
+    least = std::min(least, obstacle_gap(term, obstacles_[term.obstacle], joints, least, Beyond::anything));
+  return least;
+}
+
+double SmallestGaps::of(const ObstacleTerm& term) {
+  if (term.beside) return smallest(term);  // told apart by its corners as well
+  const AxisPiece& piece = term.piece;
+  std::array<Joint, 3> joints{};
+  std::copy_n(piece.hull.joints.begin(), piece.hull.count, joints.begin());
+  const auto [at, is_new] = known_.try_emplace(
+      {term.obstacle, piece.half_width, piece.hull.count, joints, term.seen_from, term.turns_with});
+  if (is_new) at->second = smallest(term);
+  return at->second;
+}
+
 std::vector<Point> tracer_places(const Region& region, int about) {
   double outline = 0;
   for (const Polygon& polygon : region.polygons) {

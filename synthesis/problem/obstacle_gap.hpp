@@ -13,7 +13,10 @@
 // The gap is that of convex_distance.hpp; with its features held, its derivative is that of the features' places.
 
 #include <array>
+#include <map>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "geometry/regions/convex_parts.hpp"
@@ -106,6 +109,29 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
                     double enough, Beyond beyond = Beyond::near_it);
 PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
                            const PlacedJoints& joints);
+
+/// The smallest gaps of one design over places of the tracer. Assignments of layers share most of their terms: each is worked
+/// out once, whichever of them asks first.
+class SmallestGaps {
+ public:
+  /// Gaps larger than `up_to` (mm) count as `up_to`. What is referred to must outlive this.
+  SmallestGaps(const Reach& reach, const JointRoles& roles, const LogLengths& lengths, const Point& pole,
+               std::span<const Point> places, const std::vector<ObstacleShape>& obstacles, double up_to);
+
+  double up_to() const { return up_to_; }
+  std::size_t places() const { return joints_.size(); }
+  double of(const ObstacleTerm& term);
+
+ private:
+  using Key =
+      std::tuple<std::size_t, double, int, std::array<Joint, 3>, std::optional<Joint>, std::optional<Link>>;
+  double smallest(const ObstacleTerm& term) const;
+
+  std::vector<PlacedJoints> joints_;  ///< with the tracer at each place
+  const std::vector<ObstacleShape>& obstacles_;
+  double up_to_;
+  std::map<Key, double> known_;
+};
 
 /// Places of the tracer at which obstacles are looked at: along the region's outline and inside, about `about` of them.
 std::vector<Point> tracer_places(const Region& region, int about);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "synthesis/bound/proven_bound.hpp"
@@ -28,8 +30,11 @@ DesignPoint point_of(const CopyingLinkage& linkage) {
 std::optional<FoundDesign> design_near(const SearchTask& task, Subproblem& sub, const DesignPoint& point,
                                        const std::optional<FoundDesign>& known = {}) {
   const ChoiceResult local = refine(*sub.problem, point, task.budgets().local, task.stop());
-  if (known && local.cost >= (is_maximized(task.goal) ? -known->value : known->value)) return std::nullopt;
-  const ChoiceResult kept = certified(task, sub, local);
+  const double too_much = !known                    ? std::numeric_limits<double>::infinity()
+                          : is_maximized(task.goal) ? -known->value
+                                                    : known->value;
+  if (local.cost >= too_much) return std::nullopt;
+  const ChoiceResult kept = certified(task, sub, local, too_much);
   if (!kept.feasible) return std::nullopt;
   return design_of(task, sub, kept);
 }
@@ -67,8 +72,9 @@ std::vector<Subproblem*> promising(const SearchTask& task, const std::vector<Sub
                                    const DesignPoint& point, std::size_t turn, const SketchBudget& budget) {
   if (alike.size() <= budget.promising + budget.in_turn) return alike;
   std::vector<std::pair<double, Subproblem*>> ranked;
+  SmallestGaps shared = alike.front()->problem->gaps_at(point);
   for (Subproblem* sub : alike)
-    ranked.emplace_back(merit_at(*sub->problem, point, task.budgets().local), sub);
+    ranked.emplace_back(merit_at(*sub->problem, point, task.budgets().local, &shared), sub);
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Subproblem*> chosen;
@@ -77,6 +83,24 @@ std::vector<Subproblem*> promising(const SearchTask& task, const std::vector<Sub
   for (std::size_t i = 0; i < budget.in_turn; ++i)
     chosen.push_back(ranked[budget.promising + (turn * budget.in_turn + i) % others].second);
   return chosen;
+}
+
+/// Leaves out the choices in which an obstacle or a body stands where the copy itself needs room, whatever the lengths are.
+void leave_out_hopeless(std::vector<Subproblem>& choices, const LogLengths& any) {
+  std::map<Grounding, SmallestGaps> shared;  // tracer and pen are at the same places in every assembly mode
+  std::vector<bool> hopeless;
+  for (const Subproblem& sub : choices) {
+    const DesignProblem& problem = *sub.problem;
+    auto at = shared.find(sub.choice->choice.grounding);
+    if (at == shared.end())
+      at =
+          shared.emplace(sub.choice->choice.grounding, problem.gaps_at({any, problem.layout().origin})).first;
+    hopeless.push_back(problem.is_in_the_way_of_the_copy(at->second));
+  }
+  std::vector<Subproblem> left;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (!hopeless[i]) left.push_back(std::move(choices[i]));
+  choices = std::move(left);
 }
 
 /// How far every design is from the best of all, as far as few boxes tell. Obstacles would take many.
@@ -126,6 +150,13 @@ void remember(std::optional<FoundDesign> other, Goal goal, SketchedDesign& resul
 SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, SketchedDesign result,
                            std::size_t count, const SketchBudget& budget) {
   std::vector<Subproblem> choices = in_order(task, last);
+  const bool any_possible = !choices.empty();
+  if (any_possible && choices.front().problem->has_obstacles())
+    leave_out_hopeless(choices, point_of(last.linkage).lengths);
+  if (any_possible && choices.empty()) {
+    result.proven_none = true;
+    return result;
+  }
   const DesignPoint from = point_of(last.linkage);
   const bool are_many = choices.size() > budget.choices;
   const auto solved_of = [&](const std::vector<Subproblem*>& alike, const DesignPoint& point) {
@@ -201,6 +232,7 @@ SketchedDesign sketched(const Spec& spec, const SketchedDesign& previous, const 
   const Spec here = shifted(spec, -origin);
   SearchOptions options;
   options.stop = stop;
+  options.measure_gaps = false;
   SketchedDesign start;
   for (const FoundDesign& other : previous.others) start.others.push_back(shifted(other, -origin));
   SketchedDesign result = sketch_here(pose(here, SearchControl(options)), shifted(*previous.last, -origin),

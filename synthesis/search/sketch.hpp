@@ -10,7 +10,8 @@
 // Bodies and many layers make some hundred choices. Then of those that differ in their layers alone a sketch solves the few that
 // promise most and some in turn, and it either switches or looks: a frame is over before all have been solved.
 //
-// A sketch keeps every limit, as a search's design does. What it lacks is the search: another design may be better, by no more
+// A sketch keeps every limit, as a search's design does; of the gap to obstacles it says no more than that it is at least the
+// clearance limit. What it lacks is the search: another design may be better, by no more
 // than the distance from the bound.
 
 #include <cstddef>

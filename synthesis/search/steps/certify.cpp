@@ -52,8 +52,10 @@ bool demand_more(Subproblem& sub, const Requirements& limits, const DesignCheck&
 
 ObstacleCheck checked_obstacles(const SearchTask& task, const Subproblem& sub, const CopyingLinkage& linkage,
                                 const OpeningInterval& certified_opening) {
-  return check_obstacles(task.space().spec(), task.limits, linkage, sub.choice->choice.layers,
-                         certified_opening, task.stop());
+  return check_obstacles(
+      task.space().spec(), task.limits, linkage, sub.choice->choice.layers, certified_opening, task.stop(),
+      task.control.options().measure_gaps || task.goal == Goal::clearance ? SmallestGap::measured
+                                                                          : SmallestGap::as_limit);
 }
 
 /// The subproblem with what the finished design misses; false if it misses nothing, or nothing that can be added. Tells in
@@ -76,11 +78,13 @@ bool learn(const SearchTask& task, Subproblem& sub, ChoiceResult& found, bool ma
 
 }  // namespace
 
-ChoiceResult certified(const SearchTask& task, Subproblem& subproblem, ChoiceResult candidate) {
+ChoiceResult certified(const SearchTask& task, Subproblem& subproblem, ChoiceResult candidate,
+                       double too_much) {
   const int most = task.budgets().certify.repairs;
   for (int repairs = 0; candidate.feasible; ++repairs) {
     if (!learn(task, subproblem, candidate, repairs < most)) break;
     candidate = solved_again(task, subproblem, candidate);
+    if (candidate.cost >= too_much) candidate.feasible = false;
   }
   return candidate;
 }

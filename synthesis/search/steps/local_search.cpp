@@ -17,8 +17,9 @@ double merit_of(const DesignProblem& problem, const Assessment& seen) {
          (seen.feasible ? 0 : slack::infeasible_weight);
 }
 
-double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local) {
-  return merit_of(problem, problem.assess(point, local.openings));
+double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local,
+                SmallestGaps* shared) {
+  return merit_of(problem, problem.assess(point, local.openings, DesignProblem::LoadLimit::counted, shared));
 }
 
 ChoiceResult no_result() {

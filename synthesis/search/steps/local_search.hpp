@@ -31,7 +31,8 @@ bool better(const ChoiceResult& a, const ChoiceResult& b);
 /// (slack::missing_weight).
 double merit_of(const DesignProblem& problem, const Assessment& seen);
 /// The same of a point, seen at `local.openings` openings.
-double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);
+double merit_at(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local,
+                SmallestGaps* shared = nullptr);
 
 /// A point's figures, seen at `local.final_openings` openings.
 ChoiceResult judged(const DesignProblem& problem, const DesignPoint& point, const LocalBudget& local);

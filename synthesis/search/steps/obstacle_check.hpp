@@ -14,10 +14,14 @@ namespace kempe {
 struct ObstacleCheck {
   bool clear = false;
   std::optional<Point> witness{};
-  double clearance = 0;  ///< mm, smallest gap of any parts or obstacle over the region
+  double clearance =
+      0;  ///< mm, smallest gap of any parts or obstacle over the region, or the limit that it keeps
 };
+/// Whether the smallest gap of a design that is clear is measured, which takes several times as long, or told as the limit that
+/// it keeps.
+enum class SmallestGap { measured, as_limit };
 ObstacleCheck check_obstacles(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                               const LayerAssignment& layers, const OpeningInterval& certified_opening,
-                              const StopFlag& stop = {});
+                              const StopFlag& stop = {}, SmallestGap gap = SmallestGap::measured);
 
 }  // namespace kempe

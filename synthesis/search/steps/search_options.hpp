@@ -19,6 +19,8 @@ struct SearchOptions {
   /// Share of the work done, 0..1, and what is being done; called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
   bool diagnose = true;  ///< look for the least relaxations where there is no design
+  /// False: the gap to obstacles of a design that keeps its clearance limit is told as that limit, unless it is the objective.
+  bool measure_gaps = true;
   SearchBudgets budgets{};
 };
 

@@ -9,6 +9,8 @@
 #include "specs/spec_reader.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
+#include "synthesis/search/steps/local_search.hpp"
+#include "synthesis/search/steps/search_task.hpp"
 #include "tests/random.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/kept_limits.hpp"
@@ -143,6 +145,41 @@ TEST(Sketch, FindsItsWayBack) {
   last = sketched(spec, last);
   ASSERT_TRUE(last.design);
   EXPECT_NEAR(last.design->value, size, 1e-6 * size);
+}
+
+// The follower's holder, which the tracer carries, would run into the template's holder: the copy decides that, no length does.
+TEST(Sketch, ProvesThatACarriedBodyLeavesNoDesign) {
+  const Spec spec = example("pantorouter");
+  SketchedDesign last = sketch_of(*searched(spec));
+  Spec blocked = spec;
+  shift(blocked.region.polygons.front().outer, {-8, 0});
+  last = sketched(blocked, last);
+  EXPECT_FALSE(last.design);
+  EXPECT_TRUE(last.proven_none);
+  EXPECT_FALSE(searched(blocked));
+  last = sketched(spec, last);
+  ASSERT_TRUE(last.design);
+  EXPECT_FALSE(last.proven_none);
+}
+
+// What layers share at a point saves work and changes no figure.
+TEST(Sketch, SharedGapsChangeNoMerit) {
+  const Spec spec = example("pantorouter");
+  SearchOptions options;
+  const SearchTask task = pose(spec, SearchControl(options));
+  const std::vector<Subproblem> choices = task.subproblems();
+  const auto start = searched(spec);
+  const DesignPoint point{{std::log(start->linkage.VA()), std::log(start->linkage.VB())},
+                          start->linkage.pole()};
+  std::optional<SmallestGaps> shared;
+  const Subproblem* first = nullptr;
+  for (const Subproblem& sub : choices) {
+    if (first == nullptr || !are_alike(*first, sub))
+      shared.emplace(sub.problem->gaps_at(point)), first = &sub;
+    EXPECT_EQ(merit_at(*sub.problem, point, task.budgets().local, &*shared),
+              merit_at(*sub.problem, point, task.budgets().local));
+  }
+  EXPECT_GT(choices.size(), 100U);
 }
 
 TEST(Sketch, LeavesStockLengthsToTheSearch) {
