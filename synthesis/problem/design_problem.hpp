@@ -150,12 +150,12 @@ class DesignProblem {
   /// Adds rows that x violates by more than `tolerance`; true if there was one.
   bool add_violated(std::vector<Row>& rows, const DesignVector& x, double tolerance) const;
   void set_room(const Point& pole);
-  /// One more place of the tracer at which obstacles are looked at.
   /// What problems that differ in their layers alone share at a point. This problem must outlive it.
   SmallestGaps gaps_at(const DesignPoint& point) const;
   /// True if no lengths whatsoever keep the clearance from obstacles, because with a fixed pole the copy decides where tracer and
   /// pen are, and there something is in the way of them or of what they carry. `shared`: the gaps at any point.
   bool is_in_the_way_of_the_copy(SmallestGaps& shared) const;
+  /// One more place of the tracer at which obstacles are looked at.
   void add_place(const Point& tracer) { places_.push_back(tracer); }
   /// All of them: those of the space, then those added.
   const std::vector<Point>& places() const { return places_; }

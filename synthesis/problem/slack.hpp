@@ -31,8 +31,8 @@ inline constexpr double point_like = 1e-20;
 /// mm^2, or none: put in place of zero under a square root or a logarithm. Far below every length.
 inline constexpr double above_zero = 1e-300;
 
-/// Share of the coordinates: a gap of tracer or pen to an obstacle that is too small by more than this is so for certain.
-/// Thousands of times what its few operations can be off by.
+/// Share of the coordinates: a gap of tracer or pen to an obstacle that is too small by more than this is taken to be so; thousands of
+/// times what its few operations can be off by.
 inline constexpr double copied_gap_rounding = 1e-9;
 
 // Inward

@@ -153,10 +153,7 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, Sket
   const bool any_possible = !choices.empty();
   if (any_possible && choices.front().problem->has_obstacles())
     leave_out_hopeless(choices, point_of(last.linkage).lengths);
-  if (any_possible && choices.empty()) {
-    result.proven_none = true;
-    return result;
-  }
+  if (any_possible && choices.empty()) return result;  // no proof: these gaps are doubles
   const DesignPoint from = point_of(last.linkage);
   const bool are_many = choices.size() > budget.choices;
   const auto solved_of = [&](const std::vector<Subproblem*>& alike, const DesignPoint& point) {
