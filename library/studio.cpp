@@ -14,7 +14,8 @@ std::variant<std::string, InputError> studio_page(const std::string& page, std::
   const auto inside = studio_spec(name, std::string(spec), folder);
   if (!inside) return inside.error();
   if (auto filled = studio_page_with(page, *inside)) return std::move(*filled);
-  return InputError{"", 0, "page", "no page of the studio", "one that scripts/studio of this version has built"};
+  return InputError{"", 0, "page", "no page of the studio",
+                    "one that scripts/studio of this version has built"};
 }
 
 }  // namespace kempe

@@ -34,16 +34,12 @@ std::string csv_row(const ParetoRow& row, const Design& design, bool with_sectio
 
 FrontFolder::FrontFolder(std::filesystem::path folder, Objective first, Objective second, std::size_t points,
                          ReportExtras extras)
-    : folder_(std::move(folder)),
-      first_(first),
-      second_(second),
-      middle_(points / 2),
-      extras_(std::move(extras)),
-      chart_{std::string(name(first)),
-             std::string(unit_of(first)),
-             std::string(name(second)),
-             std::string(unit_of(second)),
-             {}} {}
+    : folder_(std::move(folder)), first_(first), second_(second), middle_(points / 2),
+      extras_(std::move(extras)), chart_{std::string(name(first)),
+                                         std::string(unit_of(first)),
+                                         std::string(name(second)),
+                                         std::string(unit_of(second)),
+                                         {}} {}
 
 tl::expected<void, std::string> FrontFolder::add(Design design, double first, double second,
                                                  const TimeToFinish& time) {

@@ -44,6 +44,9 @@ def main() -> NoReturn:
     """`python -m kempe COMMAND ...`: the program takes the place of Python, with the same words, streams and exit code."""
     try:
         found = program()
-        os.execv(found, [str(found), *sys.argv[1:]])
-    except (Error, OSError) as fault:
+    except Error as fault:
         sys.exit(f"kempe: {fault}")
+    try:
+        os.execv(found, [str(found), *sys.argv[1:]])
+    except OSError as fault:
+        sys.exit(f"kempe: {found}: {fault.strerror}")
