@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output_check.hpp"
+#include "app/own_files.hpp"
 #include "app/weight_lines.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/certificate.hpp"
@@ -14,6 +15,7 @@
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/step_assembly.hpp"
 #include "reports/drawings/tool_words.hpp"
+#include "reports/page/studio_page.hpp"
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
@@ -226,7 +228,7 @@ std::string tool_lines(const std::optional<ToolAdvice>& tool) {
 /// The command that checks the proof's log, with the design or alone.
 std::string how_to_check(const std::filesystem::path& folder, bool with_design) {
   const auto path = [&](std::string_view name) { return " " + printable((folder / name).string()); };
-  return "check it with: python3 proof/kempe_check.py" + (with_design ? path("design.json") : "") +
+  return "check it with: " + checker_command() + (with_design ? path("design.json") : "") +
          path(certificate_name);
 }
 

@@ -29,9 +29,6 @@ tl::expected<LoadedSpec, InputError> spec_of_text(std::string text, const std::s
 /// The file's name as a report may show it: bytes that are no UTF-8 become U+FFFD.
 std::string shown_name(const std::string& file);
 
-/// The file of a design's folder that holds the studio's page with the spec inside.
-inline constexpr const char* studio_page_name = "studio.html";
-
 /// Verifies the design, writes its folder and prints the summary. `studio_page` is the text of the studio's page to be written
 /// beside the report, which then leads to it; empty: none. `paper` is that of workshop.pdf. Returns the exit code: `verification_failed` (and nothing written),
 /// `cannot_write`, or done.

@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "app/own_files.hpp"
 #include "reports/page/studio_page.hpp"
-#include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
 
@@ -16,17 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the page may be, from the program's own place: KEMPE_INSTALLED_STUDIO and KEMPE_BUILT_STUDIO are relative to its folder, so
-/// that an installation can be moved.
+/// Where the page may be.
 std::vector<fs::path> places() {
   if (const char* named = std::getenv("KEMPE_STUDIO"); named != nullptr && *named != '\0') return {named};
-  std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  if (error) return {};
-  std::vector<fs::path> all{(folder / KEMPE_INSTALLED_STUDIO).lexically_normal()};
-  // Only of a build's own tree: the same steps from elsewhere lead to folders that have nothing to do with Kempe.
-  if (fs::exists(folder / ".." / "CMakeCache.txt", error))
-    all.push_back((folder / KEMPE_BUILT_STUDIO).lexically_normal());
+  const auto own = own_places(KEMPE_INSTALLED_STUDIO, KEMPE_BUILT_STUDIO);
+  if (!own) return {};
+  std::vector<fs::path> all{own->installed};
+  if (own->built) all.push_back(*own->built);
   return all;
 }
 
@@ -55,13 +51,10 @@ tl::expected<BuiltStudio, std::string> find_studio() {
 }
 
 tl::expected<std::string, std::string> studio_page(const BuiltStudio& studio, const LoadedSpec& spec) {
-  StudioSpec inside{fs::path(shown_name(spec.file)).stem().string(), spec.text, std::nullopt};
-  if (const auto drawing = region_file_of(spec.text)) {
-    auto text = read_text_file(fs::path(spec.file).parent_path() / *drawing);
-    if (!text) return tl::unexpected(text.error().message());
-    inside.drawing = {shown_name(drawing->string()), std::move(*text)};
-  }
-  if (auto page = studio_page_with(studio.page, inside)) return std::move(*page);
+  const auto inside =
+      studio_spec(fs::path(spec.file).stem().string(), spec.text, fs::path(spec.file).parent_path());
+  if (!inside) return tl::unexpected(inside.error().message());
+  if (auto page = studio_page_with(studio.page, *inside)) return std::move(*page);
   return tl::unexpected(fmt::format(
       "{}: found no page of the studio; allowed: one that scripts/studio of this version has built",
       printable(studio.file.string())));

@@ -18,8 +18,7 @@ if(TARGET kempe_program)
     install(DIRECTORY ${PROJECT_BINARY_DIR}/app/share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
   endif()
   install(FILES out/studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/kempe OPTIONAL)  # if scripts/studio has built it
-  install(FILES proof/kempe_check.py proof/bodies_check.py proof/tolerance_check.py
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/kempe/proof)
+  install(FILES ${KEMPE_CHECKER} DESTINATION ${CMAKE_INSTALL_DATADIR}/kempe/proof)
 endif()
 if(TARGET kempe_step)
   install(TARGETS kempe_step LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kempe)

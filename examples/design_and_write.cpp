@@ -26,7 +26,7 @@ int main(int count, char** arguments) {
   if (const auto bound = outcome->proven_bound()) std::cout << ", none below " << *bound << " mm";
   std::cout << '\n';
 
-  const kempe::Written written = kempe::write(*outcome, arguments[1], "design_and_write");
+  const kempe::Written written = kempe::write(*outcome, arguments[1], {.title = "design_and_write"});
   if (!written) {
     std::cerr << written.reason << '\n';
     return 1;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "reports/calibration/choices.hpp"
+#include "reports/calibration/knight_equations.hpp"
 #include "reports/calibration/named_design.hpp"
 #include "reports/calibration/report.hpp"
 #include "specs/text/text_file.hpp"
@@ -51,6 +52,7 @@ std::variant<CalibratedInstrument, InputError> calibrate_with(const CalibrationO
   if (!design) return design.error();
   const auto record = run_calibration(*measurements, *design, name);
   if (!record) return record.error();
+  if (options.equations && !has_knight_equations(*record)) return no_knight_equations(*record, "equations");
   std::optional<SimulationRecord> simulation;
   std::atomic<bool> stopped = false;
   const auto look = [&](double) {
@@ -60,7 +62,8 @@ std::variant<CalibratedInstrument, InputError> calibrate_with(const CalibrationO
     simulation = simulate_calibration(*measurements, *design, options.seed, look, stopped);
   const CalibrationPage page{KEMPE_VERSION, std::filesystem::path(name).filename().string(),
                              std::string(text)};
-  return CalibratedInstrument{calibration_json(*record, simulation),
+  return CalibratedInstrument{calibration_json(*record, simulation, options.equations),
+                              calibration_text(*record, simulation, options.equations),
                               calibration_html(*record, simulation, page),
                               simulation ? simulated_measurements(*record, *simulation) : ""};
 }

@@ -100,7 +100,7 @@ std::variant<Front, Outcome> front(const Spec& spec, Objective first, Objective 
   if (found->empty()) return Workings::uncertified("no design was found");
   const StopFlag to_map = deadline.flag(wish_to_stop(options), 1, time_to_map(deadline.limit()));
   const std::string text = toml_text(*checked);
-  Front front{.points = {}, .complete = !stopped};
+  Front front{.points = {}, .complete = !stopped, .first = first, .second = second};
   for (const ParetoPoint& point : *found) {
     Design design = assemble_design(*checked, point.design, map_options(options, to_map));
     design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's

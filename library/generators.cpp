@@ -36,18 +36,23 @@ CopiesOfAnswers copies_of(const std::vector<PathAnswer>& answers,
                    copy->cognate);
 }
 
-/// Each answer's linkage file, followed by those of its cognates and of its copy.
+/// Each answer's linkage file, followed by those of its cognates and of its copy, which may stand on a cognate; `wanted` has what each answer
+/// was asked for.
 std::vector<GeneratedLinkage> linkages_of(const std::vector<PathAnswer>& answers,
-                                          const CopiesOfAnswers& copies) {
+                                          const std::vector<std::vector<PlaceAskedFor>>& wanted,
+                                          const CopiesOfAnswers& copies, bool copies_of_cognates) {
   std::vector<GeneratedLinkage> linkages;
-  for (const PathAnswer& answer : answers) {
-    const std::string kind = "answer_" + std::to_string(&answer - answers.data() + 1);
-    linkages.push_back({kind, path_linkage(answer)});
+  for (std::size_t index = 0; index < answers.size(); ++index) {
+    const PathAnswer& answer = answers[index];
+    const std::string kind = "answer_" + std::to_string(index + 1);
+    const std::vector<PlaceAskedFor> points = of_a_cognate(wanted[index]);
+    linkages.push_back({kind, path_linkage(answer), wanted[index]});
     for (std::size_t cognate = 0; answer.cognates && cognate < 2; ++cognate)
-      linkages.push_back({kind + "_cognate_" + std::to_string(cognate + 1), path_linkage(answer, cognate)});
-    const auto index = static_cast<std::size_t>(&answer - answers.data());
+      linkages.push_back(
+          {kind + "_cognate_" + std::to_string(cognate + 1), path_linkage(answer, cognate), points});
     if (index < copies.copies.size() && copies.copies[index])
-      linkages.push_back({kind + "_copy", copy_linkage(answer, copies.task, *copies.copies[index])});
+      linkages.push_back({kind + "_copy", copy_linkage(answer, copies.task, *copies.copies[index]),
+                          copies_of_cognates ? points : wanted[index]});
   }
   return linkages;
 }
@@ -64,7 +69,7 @@ std::variant<Generated, InputError, NothingGenerated> generate_function_text(std
   if (!design) return NothingGenerated{design.error().sentence, design.error().proven};
   const std::string wanted = wanted_text(*spec);
   return Generated{function_json(*task, *design, true),
-                   {{"four_bar", function_linkage(*task, *design, wanted)}},
+                   {{"four_bar", function_linkage(*task, *design, wanted), {}}},
                    function_plot(*design, wanted)};
 }
 
@@ -82,7 +87,7 @@ std::variant<Generated, InputError, NothingGenerated> generate_inversor_text(std
                    [](const InversorDesign& a, const InversorDesign& b) { return a.size < b.size; });
   Generated found{inversor_json(task, answers), {}, {}};
   for (const InversorDesign& design : designs)
-    found.linkages.push_back({std::string(kempe::name(design.kind)), inversor_linkage(task, design)});
+    found.linkages.push_back({std::string(kempe::name(design.kind)), inversor_linkage(task, design), {}});
   return found;
 }
 
@@ -92,19 +97,28 @@ std::variant<Generated, InputError, NothingGenerated> generate_path_text(
   if (!spec) return spec.error();
   if (copy)
     if (const auto fault = fault_in(*copy)) return *fault;
+  const bool on_cognates = copy && copy->cognate != 0;
   if (spec->poses.empty()) {
-    const auto search = generate_path(path_task(*spec));
+    const PathTask task = path_task(*spec);
+    const auto search = generate_path(task);
     if (!search) return NothingGenerated{search.error(), false};
     const CopiesOfAnswers copies = copies_of(search->answers, copy);
-    return Generated{path_json(*search, copies), linkages_of(search->answers, copies), {}};
+    std::vector<std::vector<PlaceAskedFor>> wanted;
+    for (const PathAnswer& answer : search->answers) wanted.push_back(wanted_places(task, answer));
+    return Generated{
+        path_json(*search, copies), linkages_of(search->answers, wanted, copies, on_cognates), {}};
   }
   const PoseTask task = pose_task(*spec);
   const auto search = guide_poses(task);
   if (!search) return NothingGenerated{search.error(), false};
   std::vector<PathAnswer> answers;
-  for (const PoseAnswer& answer : search->answers) answers.push_back(answer.path);
+  std::vector<std::vector<PlaceAskedFor>> wanted;
+  for (const PoseAnswer& answer : search->answers) {
+    answers.push_back(answer.path);
+    wanted.push_back(wanted_places(task, answer));
+  }
   const CopiesOfAnswers copies = copies_of(answers, copy);
-  return Generated{path_json(task, *search, copies), linkages_of(answers, copies), {}};
+  return Generated{path_json(task, *search, copies), linkages_of(answers, wanted, copies, on_cognates), {}};
 }
 
 std::variant<Generated, InputError, NothingGenerated> generate_path(

@@ -12,9 +12,11 @@
 #include "reports/linkages/centres_page.hpp"
 #include "reports/linkages/centres_picture.hpp"
 #include "reports/linkages/forces.hpp"
+#include "reports/linkages/generated.hpp"
 #include "reports/linkages/json.hpp"
 #include "reports/linkages/loop_equations.hpp"
 #include "reports/linkages/running.hpp"
+#include "reports/linkages/scene_wanted.hpp"
 #include "reports/linkages/solve_table.hpp"
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
@@ -250,10 +252,12 @@ LinkageAnswer<std::string> Linkage::equations(double step, const AssemblyChoice&
 }
 
 LinkageAnswer<std::string> Linkage::animation(Film film, std::optional<int> steps,
-                                              const AssemblyChoice& choice) const {
+                                              const AssemblyChoice& choice,
+                                              const std::vector<PlaceAskedFor>& wanted) const {
   return of_run<std::string>(
-      *inside_, steps, choice, animated_steps, [film](const LoadedLinkage& loaded, const PlanarRun& run) {
-        const LinkageScene scene = linkage_scene(loaded.file, loaded.model, run, loaded.file.steps);
+      *inside_, steps, choice, animated_steps, [&](const LoadedLinkage& loaded, const PlanarRun& run) {
+        LinkageScene scene = linkage_scene(loaded.file, loaded.model, run, loaded.file.steps);
+        if (!wanted.empty()) add_wanted_places(loaded.file, wanted, coupler_point_name, scene);
         return film == Film::page ? animation_html(scene) : animation_svg(scene);
       });
 }

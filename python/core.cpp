@@ -5,11 +5,13 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -56,20 +58,16 @@ Outcome outcome_of(Search search, const Spec& spec, const Wishes& wishes, const 
   return at_work(progress, [&](Hooks& hooks) { return search(spec, options_of(wishes, hooks)); });
 }
 
-constexpr std::array all_objectives{Objective::size,      Objective::transmission, Objective::copy_error,
-                                    Objective::footprint, Objective::load_error,   Objective::mass};
-
-Objective objective_named(const std::string& word) {
-  for (const Objective one : all_objectives)
-    if (word == name(one)) return one;
+Objective objective_of(const std::string& word) {
+  if (const auto known = objective_named(word)) return *known;
   throw py::value_error(
       "an objective is one of size, transmission, copy_error, footprint, load_error, mass; found " + word);
 }
 
-/// (complete, list of (first, second, design)), or an Outcome.
+/// (complete, list of (first, second, design, first, second)), or an Outcome; the values as files have them, then as the library has.
 py::object front_of(const Spec& spec, const std::string& first, const std::string& second, int points,
                     const Wishes& wishes, const py::object& progress) {
-  const Objective one = objective_named(first), other = objective_named(second);
+  const Objective one = objective_of(first), other = objective_of(second);
   const auto found = at_work(
       progress, [&](Hooks& hooks) { return front(spec, one, other, points, options_of(wishes, hooks)); });
   if (const auto* outcome = std::get_if<Outcome>(&found)) return py::cast(*outcome);
@@ -78,8 +76,8 @@ py::object front_of(const Spec& spec, const std::string& first, const std::strin
   };
   py::list list;
   for (const FrontPoint& point : std::get<Front>(found).points)
-    list.append(
-        py::make_tuple(in_file_unit(one, point.first), in_file_unit(other, point.second), point.design));
+    list.append(py::make_tuple(in_file_unit(one, point.first), in_file_unit(other, point.second),
+                               point.design, point.first, point.second));
   return py::make_tuple(std::get<Front>(found).complete, list);
 }
 
@@ -203,11 +201,59 @@ py::object drawing_traced(const Copy& copy) {
   return told;
 }
 
+Paper paper_named(const std::string& word) {
+  if (word == "A4") return Paper::A4;
+  if (word == "A3") return Paper::A3;
+  throw py::value_error("paper is A4 or A3; found " + word);
+}
+
 /// (files, what is left out, why nothing was written).
-py::tuple written(const FinishedDesign& design, const std::filesystem::path& folder,
-                  const std::string& title) {
-  const Written found = at_work(py::none(), [&](Hooks&) { return write(design, folder, title); });
-  return py::make_tuple(found.files, found.left_out, found.reason);
+template <typename Write>
+py::tuple written(const Write& work) {
+  const Written found = at_work(py::none(), [&](Hooks&) { return work(); });
+  py::list left_out;
+  for (const std::string& sentence : found.left_out) left_out.append(text_of(sentence));
+  return py::make_tuple(found.files, left_out, text_of(found.reason));
+}
+
+py::tuple design_written(const FinishedDesign& design, const std::filesystem::path& folder,
+                         const std::string& title, const std::string& paper, const std::string& studio) {
+  const WriteOptions options{title, paper_named(paper), studio};
+  return written([&] { return write(design, folder, options); });
+}
+
+/// Of points as front() has them.
+py::tuple front_written(const std::string& first, const std::string& second,
+                        const std::vector<std::tuple<double, double, FinishedDesign>>& points,
+                        const std::filesystem::path& folder, const std::string& title,
+                        const std::string& paper) {
+  Front front{{}, true, objective_of(first), objective_of(second)};
+  for (const auto& [a, b, design] : points) front.points.push_back({a, b, design});
+  const WriteOptions options{title, paper_named(paper), {}};
+  return written([&] { return write(front, folder, options); });
+}
+
+/// The log, or faults, or the sentence why there is none as a tuple of one.
+py::object log_of_none(const Spec& spec) {
+  const auto found = at_work(
+      py::none(), [&](Hooks& hooks) { return proof_of_none(spec, [&hooks] { return hooks.stopped(); }); });
+  if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
+  if (const auto* none = std::get_if<NoProof>(&found)) return py::make_tuple(none->sentence);
+  return py::str(std::get<std::string>(found));
+}
+
+/// A design from its text, computed anew; coarser where `time_limit` (s) is over.
+py::object restored(const std::string& json, const std::string& name, bool is_own,
+                    std::optional<double> time_limit) {
+  using Clock = std::chrono::steady_clock;
+  const ClaimedBound bound = is_own ? ClaimedBound::keep : ClaimedBound::prove;
+  const Clock::time_point start = Clock::now();
+  const auto is_over = [&] {
+    return time_limit && std::chrono::duration<double>(Clock::now() - start).count() >= *time_limit;
+  };
+  return value_or_faults(at_work(py::none(), [&](Hooks& hooks) {
+    return restore(json, name, bound, [&] { return hooks.stopped() || is_over(); });
+  }));
 }
 
 py::array_t<bool> are_free(const Map& map, const Numbers& tracers) {
@@ -254,6 +300,19 @@ void add_specs(py::module_& module) {
       "text"_a, "name"_a, "folder"_a);
   module.def(
       "load", [](const std::filesystem::path& file) { return value_or_faults(load(file)); }, "file"_a);
+  module.def("templates", [] {
+    py::list all;
+    for (const SpecTemplate& one : spec_templates())
+      all.append(py::make_tuple(one.name, one.purpose, one.spec));
+    return all;
+  });
+  module.def(
+      "studio_page",
+      [](const std::string& page, const std::string& spec, const std::string& name,
+         const std::filesystem::path& folder) {
+        return value_or_faults(studio_page(page, spec, name, folder));
+      },
+      "page"_a, "spec"_a, "name"_a, "folder"_a);
 }
 
 void add_designs(py::module_& module) {
@@ -348,16 +407,13 @@ void add_designs(py::module_& module) {
             return drawing_traced([&] { return trace_svg_file(design, drawing, options); });
           },
           "drawing"_a, "options"_a)
-      .def("write", &written, "folder"_a, "title"_a)
+      .def("write", &design_written, "folder"_a, "title"_a, "paper"_a, "studio"_a)
       .def("report", &report, "title"_a, py::call_guard<py::gil_scoped_release>())
       .def("drawing", &drawing, py::call_guard<py::gil_scoped_release>());
-  module.def(
-      "restore",
-      [](const std::string& json, const std::string& name, bool is_own) {
-        const ClaimedBound bound = is_own ? ClaimedBound::keep : ClaimedBound::prove;
-        return value_or_faults(at_work(py::none(), [&](Hooks&) { return restore(json, name, bound); }));
-      },
-      "json"_a, "name"_a, "is_own"_a);
+  module.def("restore", &restored, "json"_a, "name"_a, "is_own"_a, "time_limit"_a);
+  module.def("write_front", &front_written, "first"_a, "second"_a, "points"_a, "folder"_a, "title"_a,
+             "paper"_a);
+  module.def("proof_of_none", &log_of_none, "spec"_a);
   module.def("verify", &audited, "file"_a);
 }
 
@@ -382,15 +438,25 @@ void add_calibration(py::module_& module) {
   py::class_<CalibrationOptions>(module, "CalibrationOptions")
       .def(py::init([](std::optional<double> target, const std::string& method,
                        const std::vector<std::string>& ratios, bool plan, std::optional<int> plan_readings,
-                       bool simulate, std::uint64_t seed) {
-             return CalibrationOptions{target, method, ratios, plan, plan_readings, simulate, seed, {}};
+                       bool simulate, std::uint64_t seed, bool equations) {
+             return CalibrationOptions{target,   method, ratios,    plan, plan_readings,
+                                       simulate, seed,   equations, {}};
            }),
-           "target"_a, "method"_a, "ratios"_a, "plan"_a, "plan_readings"_a, "simulate"_a, "seed"_a);
+           "target"_a, "method"_a, "ratios"_a, "plan"_a, "plan_readings"_a, "simulate"_a, "seed"_a,
+           "equations"_a);
   py::class_<CalibratedInstrument>(module, "CalibratedInstrument")
       .def_property_readonly("json", [](const CalibratedInstrument& found) { return text_of(found.json); })
+      .def_property_readonly("text", [](const CalibratedInstrument& found) { return text_of(found.text); })
       .def_property_readonly("page", [](const CalibratedInstrument& found) { return text_of(found.page); })
       .def_property_readonly("simulated",
                              [](const CalibratedInstrument& found) { return text_of(found.simulated); });
+  module.def(
+      "write_calibration",
+      [](const std::string& json, const std::string& page, const std::string& simulated,
+         const std::filesystem::path& folder) {
+        return written([&] { return write(CalibratedInstrument{json, {}, page, simulated}, folder); });
+      },
+      "json"_a, "page"_a, "simulated"_a, "folder"_a);
   module.def(
       "calibrate_with",
       [answer](const CalibrationOptions& options, const std::string& text,

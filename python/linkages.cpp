@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "kempe/generators.hpp"
@@ -86,7 +87,28 @@ py::object dict_of(const DrivenMotion& motion) {
                   "undetermined"_a = motion.undetermined, "end"_a = end);
 }
 
-/// (json, [(kind, linkage file)], plot); or a NothingGenerated; or faults.
+/// (x, y, x reached, y reached, direction or None, direction reached or None, share of the motion) of each; mm, rad.
+py::tuple tuples_of(const std::vector<PlaceAskedFor>& places) {
+  py::tuple all(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PlaceAskedFor& one = places[i];
+    all[i] = py::make_tuple(one.at.x(), one.at.y(), one.reached.x(), one.reached.y(), one.angle,
+                            one.reached_angle, one.share);
+  }
+  return all;
+}
+
+using PlaceTuple =
+    std::tuple<double, double, double, double, std::optional<double>, std::optional<double>, double>;
+
+std::vector<PlaceAskedFor> places_of(const std::vector<PlaceTuple>& tuples) {
+  std::vector<PlaceAskedFor> places;
+  for (const auto& [x, y, x_reached, y_reached, angle, reached_angle, share] : tuples)
+    places.push_back({Point(x, y), Point(x_reached, y_reached), angle, reached_angle, share});
+  return places;
+}
+
+/// (json, [(kind, linkage file, places asked for)], plot); or a NothingGenerated; or faults.
 template <typename Generate>
 py::object generated(const Generate& generate) {
   const auto found = at_work(py::none(), [&](Hooks&) { return generate(); });
@@ -95,7 +117,7 @@ py::object generated(const Generate& generate) {
   const auto& answer = std::get<Generated>(found);
   py::list linkages;
   for (const GeneratedLinkage& linkage : answer.linkages)
-    linkages.append(py::make_tuple(linkage.kind, linkage.text));
+    linkages.append(py::make_tuple(linkage.kind, linkage.text, tuples_of(linkage.wanted)));
   return py::make_tuple(answer.json, linkages, answer.plot);
 }
 
@@ -144,14 +166,15 @@ void add_linkages(py::module_& module) {
       .def("equations", at_step(&Linkage::equations), "step"_a, "assembly"_a, "seed"_a)
       .def(
           "animation",
-          [](const Linkage& linkage, bool is_page, std::optional<int> steps, int assembly,
-             std::uint64_t seed) {
+          [](const Linkage& linkage, bool is_page, std::optional<int> steps, int assembly, std::uint64_t seed,
+             const std::vector<PlaceTuple>& wanted) {
             const Linkage::Film film = is_page ? Linkage::Film::page : Linkage::Film::drawing;
+            const std::vector<PlaceAskedFor> places = places_of(wanted);
             return text_answered(seed, assembly, [&](const AssemblyChoice& choice) {
-              return linkage.animation(film, steps, choice);
+              return linkage.animation(film, steps, choice, places);
             });
           },
-          "is_page"_a, "steps"_a, "assembly"_a, "seed"_a);
+          "is_page"_a, "steps"_a, "assembly"_a, "seed"_a, "wanted"_a);
   module.def(
       "parse_linkage",
       [](const std::string& text, const std::string& name) {

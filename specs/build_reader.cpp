@@ -179,14 +179,6 @@ std::optional<Process> process_named(std::string_view word) {
 /// A word that names none is complained about with its key.
 Grounding grounding_or_last(std::string_view word) { return grounding_named(word).value_or(Grounding::pen); }
 
-Objective objective_named(std::string_view word) {
-  for (const Objective objective : {Objective::transmission, Objective::copy_error, Objective::footprint,
-                                    Objective::load_error, Objective::mass}) {
-    if (name(objective) == word) return objective;
-  }
-  return Objective::size;
-}
-
 /// Links that share a joint must lie in different layers: all pairs but the opposite ones, VA-BCY and VB-ACX.
 bool joined_links_share_a_layer(const std::array<int, 4>& of) {
   return of[0] == of[1] || of[0] == of[2] || of[1] == of[3] || of[2] == of[3];
@@ -275,7 +267,7 @@ ObjectiveSpec read_objective(const TableView& table, Complaints& complaints) {
   std::string word = "size";
   table.set("minimize", word);
   table.set("maximize", word);
-  objective.objective = objective_named(word);
+  objective.objective = objective_named(word).value_or(Objective::size);  // the keys' table says which words
   const toml::node* groundings = table.find("groundings");
   if (!groundings || !groundings->is_array()) return objective;
   objective.groundings.clear();

@@ -41,6 +41,13 @@ std::string_view name(Objective objective) {
   return "";
 }
 
+std::optional<Objective> objective_named(std::string_view word) {
+  for (const Objective one : {Objective::size, Objective::transmission, Objective::copy_error,
+                              Objective::footprint, Objective::load_error, Objective::mass})
+    if (name(one) == word) return one;
+  return std::nullopt;
+}
+
 bool is_maximized(Objective objective) { return objective == Objective::transmission; }
 
 std::string_view name(Process process) {

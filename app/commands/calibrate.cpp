@@ -53,9 +53,7 @@ int run(const Session& session, CalibrateArguments arguments) {
   const auto record = run_calibration(*measurements, *design, arguments.file);
   if (!record) return fail(session, record.error());
   if (arguments.equations && !has_knight_equations(*record))
-    return fail(session, {"", 0, "--equations",
-                          record->rounds.empty() ? "a file without readings" : "the method least_squares",
-                          "Knight's method and its readings (--method knight)"});
+    return fail(session, no_knight_equations(*record, "--equations"));
   std::optional<SimulationRecord> simulation;
   if (measurements->simulation) {
     const Interrupt interrupt;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/all_commands.hpp"
-#include "app/templates.hpp"
+#include "kempe/templates.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/text/printable.hpp"
@@ -22,29 +22,29 @@ struct InitArguments {
 
 std::string list_text() {
   std::size_t longest = 0;
-  for (const Template& one : spec_templates()) longest = std::max(longest, one.name.size());
+  for (const SpecTemplate& one : spec_templates()) longest = std::max(longest, one.name.size());
   std::string text;
-  for (const Template& one : spec_templates())
-    text += fmt::format("{:{}}  {}\n", one.name, longest, purpose(one));
+  for (const SpecTemplate& one : spec_templates())
+    text += fmt::format("{:{}}  {}\n", one.name, longest, one.purpose);
   return text + "\nStart with one of them: kempe init TEMPLATE -o job.toml\n";
 }
 
 std::string list_json() {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Template& one : spec_templates())
-    list.push_back({{"name", one.name}, {"purpose", purpose(one)}});
+  for (const SpecTemplate& one : spec_templates())
+    list.push_back({{"name", one.name}, {"purpose", one.purpose}});
   return json_text({{"templates", list}});
 }
 
 InputError no_such(const std::string& name) {
   constexpr std::size_t longest = 60;
   std::vector<std::string_view> names;
-  for (const Template& one : spec_templates()) names.push_back(one.name);
+  for (const SpecTemplate& one : spec_templates()) names.push_back(one.name);
   return {"", 0, "TEMPLATE", printable(name, longest),
           known_instead(std::string_view(name).substr(0, longest), names, "template")};
 }
 
-int write_spec(const Session& session, const Template& chosen, const std::string& file) {
+int write_spec(const Session& session, const SpecTemplate& chosen, const std::string& file) {
   std::error_code unknown;
   if (std::filesystem::exists(file, unknown))
     return fail(session, {file, 0, "", "a file that is there already", "a name that is free"});
@@ -52,7 +52,7 @@ int write_spec(const Session& session, const Template& chosen, const std::string
     return fail(session, cannot_write, written.error());
   const std::string next = fmt::format("kempe synthesize {} -o {}", file, chosen.name);
   print(session.json ? json_text({{"name", chosen.name}, {"file", file}, {"next", next}})
-                     : fmt::format("{}\nwritten  {}\nnext     {}\n", purpose(chosen), file, next));
+                     : fmt::format("{}\nwritten  {}\nnext     {}\n", chosen.purpose, file, next));
   return done;
 }
 
@@ -62,8 +62,8 @@ int run(const Session& session, const InitArguments& arguments) {
     return done;
   }
   const auto all = spec_templates();
-  const auto chosen =
-      std::find_if(all.begin(), all.end(), [&](const Template& one) { return one.name == arguments.name; });
+  const auto chosen = std::find_if(all.begin(), all.end(),
+                                   [&](const SpecTemplate& one) { return one.name == arguments.name; });
   if (chosen == all.end()) return fail(session, no_such(arguments.name));
   if (!arguments.file.empty()) return write_spec(session, *chosen, arguments.file);
   print(session.json ? json_text({{"name", chosen->name}, {"spec", chosen->spec}})

@@ -16,16 +16,13 @@
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
 #include "app/stopping.hpp"
-#include "reports/publication.hpp"
-#include "specs/objective_unit.hpp"
+#include "reports/front_folder.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/front_fault.hpp"
 
 namespace kempe::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct ParetoArguments {
   std::string spec_file, folder;
@@ -36,28 +33,6 @@ struct ParetoArguments {
   double time_limit = Deadline::unlimited;
 };
 
-constexpr std::array objectives{Objective::size,      Objective::transmission, Objective::copy_error,
-                                Objective::footprint, Objective::load_error,   Objective::mass};
-
-std::optional<Objective> objective_named(const std::string& word) {
-  for (const Objective one : objectives)
-    if (word == name(one)) return one;
-  return std::nullopt;
-}
-
-/// For the table: a millionth of a micrometre is nothing (design.json has every digit).
-double coordinate(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
-/// A front's files, written beside their places: a folder a point with all that a design has, and the front's own.
-struct FrontDraft {
-  std::vector<FolderDraft> points;
-  std::vector<std::string> names;  ///< of all files of the points, below the front's folder
-  std::vector<OutputFile> own;
-  ParetoFront chart;
-  std::vector<std::string> left_out;  ///< sentences, each with its point
-  bool complete = true;               ///< false: stopped early, maps and verification are coarse
-};
-
 ReportExtras extras_of(const LoadedSpec& loaded) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
@@ -66,73 +41,20 @@ ReportExtras extras_of(const LoadedSpec& loaded) {
   return extras;
 }
 
-/// One point's design, its folder drafted. The error names the point.
-tl::expected<Design, std::string> draft_point(const ParetoPoint& point, const std::string& number,
-                                              const LoadedSpec& loaded, const fs::path& folder,
-                                              const TimeToFinish& time, FrontDraft& front) {
-  Design design = assemble_design(loaded.spec, point.design, {.largest_sheets = false, .stop = time.enough});
-  design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's
-  FolderDraft& draft = front.points.emplace_back(folder / number);
-  const auto drafted = draft_design(design, extras_of(loaded), draft, time);
-  if (!drafted) return tl::unexpected("point " + number + ": " + drafted.error().sentence);
-  for (const std::string& name : draft.names()) front.names.push_back(number + "/" + name);
-  for (const std::string& sentence : drafted->left_out)
-    front.left_out.push_back("point " + number + ": " + sentence);
-  front.complete = front.complete && design.map.complete;
-  return design;
-}
-
-bool has_choice_of_sections(const Spec& spec) { return spec.links.sections.size() > 1; }
-
-std::string csv_head(Objective first, Objective second, bool with_section) {
-  return fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm{}\n", name(first),
-                     unit_of(first), name(second), unit_of(second),
-                     with_section ? ",width_mm,thickness_mm" : "");
-}
-
-std::string csv_row(const ParetoRow& row, const Design& design, bool with_section) {
-  const CopyingLinkage& l = design.linkage;
-  return fmt::format("{},{},{},{},{},{},{},{},{}{}\n", row.name, row.first, row.second, name(l.grounding()),
-                     l.assembly_mode().number, l.VA(), l.VB(), coordinate(l.pole().x()),
-                     coordinate(l.pole().y()),
-                     with_section ? fmt::format(",{},{}", design.style.width, design.style.thickness) : "");
-}
-
 /// Assembles, verifies and drafts every point; the error names the point that failed.
-tl::expected<FrontDraft, std::string> draft_front(const std::vector<ParetoPoint>& points,
-                                                  const LoadedSpec& loaded, const fs::path& folder,
-                                                  Objective first, Objective second,
-                                                  const TimeToFinish& time) {
-  FrontDraft front;
-  front.chart = {std::string(name(first)),
-                 std::string(unit_of(first)),
-                 std::string(name(second)),
-                 std::string(unit_of(second)),
-                 {}};
-  const bool with_section = has_choice_of_sections(loaded.spec);
-  std::string csv = csv_head(first, second, with_section);
-  std::optional<Design> middle;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string number = fmt::format("{:02}", i + 1);
-    auto design = draft_point(points[i], number, loaded, folder, time, front);
-    if (!design) return tl::unexpected(design.error());
-    const bool is_middle = i == points.size() / 2;
-    front.chart.rows.push_back(
-        {number, in_file_unit(first, points[i].a), in_file_unit(second, points[i].b), is_middle});
-    csv += csv_row(front.chart.rows.back(), *design, with_section);
-    if (is_middle) middle = std::move(*design);
+tl::expected<FrontFolder, std::string> draft_front(const std::vector<ParetoPoint>& points,
+                                                   const LoadedSpec& loaded,
+                                                   const std::filesystem::path& folder, Objective first,
+                                                   Objective second, const TimeToFinish& time) {
+  FrontFolder front(folder, first, second, points.size(), extras_of(loaded));
+  for (const ParetoPoint& point : points) {
+    Design design =
+        assemble_design(loaded.spec, point.design, {.largest_sheets = false, .stop = time.enough});
+    design.quality.proven_bound.reset();  // a bound of the spec's objective, not of this point's
+    if (const auto added = front.add(std::move(design), point.a, point.b, time); !added)
+      return tl::unexpected(added.error());
   }
-  ReportExtras extras = extras_of(loaded);
-  extras.pareto = front.chart;
-  front.own = {{"report.html", html_report(*middle, extras)}, {"front.csv", csv}};
   return front;
-}
-
-/// The points' folders first: the front's page leads to them.
-tl::expected<void, std::string> put_in_place(FrontDraft& front, const fs::path& folder) {
-  for (FolderDraft& point : front.points)
-    if (auto placed = point.put_in_place(); !placed) return placed;
-  return write_whole(folder, front.own);
 }
 
 /// Why a front has fewer points than were asked for; empty where it has all, or was stopped.
@@ -191,22 +113,20 @@ int run(const Session& session, const ParetoArguments& arguments) {
                           stopping.flag(time_to_write(stopping.limit()))};
   auto files = draft_front(*front, *loaded, arguments.folder, *first, *second, time);
   if (!files) return fail(session, verification_failed, files.error());
-  complete = complete && files->complete;
-  std::vector<std::string> names = files->names;
-  for (const OutputFile& file : files->own) names.push_back(file.name.string());
-  if (const auto clash = output_clash(loaded->inputs(), arguments.folder, names))
+  complete = complete && files->complete();
+  if (const auto clash = output_clash(loaded->inputs(), arguments.folder, files->names()))
     return fail(session, *clash);
-  if (const auto written = put_in_place(*files, arguments.folder); !written)
+  if (const auto written = files->put_in_place(); !written)
     return fail(session, cannot_write, written.error());
   const int sections = std::max(1, static_cast<int>(loaded->spec.links.sections.size()));
   nlohmann::ordered_json object{{"points", front->size()},
                                 {"asked", arguments.points},
                                 {"folder", arguments.folder},
                                 {"complete", complete},
-                                {"left_out", files->left_out}};
+                                {"left_out", files->left_out()}};
   print(session.json ? json_text(object)
-                     : summary_text(files->chart, arguments.points * sections, complete, arguments.folder));
-  for (const std::string& sentence : files->left_out) say(sentence);
+                     : summary_text(files->chart(), arguments.points * sections, complete, arguments.folder));
+  for (const std::string& sentence : files->left_out()) say(sentence);
   return stopping.interrupted() ? interrupted : done;
 }
 

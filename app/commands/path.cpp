@@ -140,7 +140,7 @@ int animate(const Session& session, const PathArguments& arguments, const std::s
       drive_linkage(session, *loaded, assembly_modes->front(), animated_steps(loaded->file.steps));
   if (!run) return run.error();
   LinkageScene scene = linkage_scene(loaded->file, loaded->model, *run, loaded->file.steps);
-  add_wanted_places(loaded->file, wanted, "P", scene);
+  add_wanted_places(loaded->file, wanted, coupler_point_name, scene);
   return write_animations(session, scene, arguments.animations);
 }
 
@@ -178,9 +178,8 @@ int write_answer(const Session& session, const PathArguments& arguments,
   if (!arguments.linkage_file.empty())
     if (const int code = write_output(session, arguments.linkage_file, *text); code != done) return code;
   std::vector<PlaceAskedFor> wanted = wanted_of(static_cast<std::size_t>(arguments.answer - 1));
-  if (arguments.cognate != 0)  // it draws the same curve, but its coupler turns otherwise
-    for (PlaceAskedFor& place : wanted) place.angle = place.reached_angle = std::nullopt;
-  return animate(session, arguments, *text, wanted);
+  return animate(session, arguments, *text,
+                 arguments.cognate == 0 ? std::move(wanted) : of_a_cognate(std::move(wanted)));
 }
 
 int run(const Session& session, const PathArguments& arguments) {

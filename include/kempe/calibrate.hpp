@@ -33,6 +33,8 @@ struct CalibrationOptions {
   std::optional<int> plan_readings;  ///< how many, 1 to 100
   bool simulate = false;             ///< simulate instruments with hidden errors
   std::uint64_t seed = 1;            ///< of the simulation
+  bool equations =
+      false;  ///< write out Knight's equations of the last round, and their matrix, with their numbers, into the JSON
   /// Asked often; once true the simulation ends, and is left out of what comes back.
   std::function<bool()> stop{};
 };
@@ -40,6 +42,7 @@ struct CalibrationOptions {
 /// A calibration with its page.
 struct CalibratedInstrument {
   std::string json;       ///< what `kempe calibrate --json` prints
+  std::string text;       ///< what it prints for a person
   std::string page;       ///< HTML, loads nothing
   std::string simulated;  ///< the first simulated instrument's readings as a file of measurements; else ""
 };

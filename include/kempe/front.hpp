@@ -18,8 +18,10 @@ struct FrontPoint {
 
 /// A front, from the best in the first objective to the best in the second.
 struct Front {
-  std::vector<FrontPoint> points;  ///< in that order
-  bool complete = true;            ///< false: stopped early, points are missing
+  std::vector<FrontPoint> points;              ///< in that order
+  bool complete = true;                        ///< false: stopped early, points are missing
+  Objective first = Objective::size;           ///< of FrontPoint::first
+  Objective second = Objective::transmission;  ///< of FrontPoint::second
 };
 
 /// The front between two objectives by the epsilon constraint method (docs/search.md): about `points` designs, at least 2; fewer where

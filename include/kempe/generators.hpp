@@ -10,6 +10,7 @@
 
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
+#include "kempe/place_asked_for.hpp"
 
 namespace kempe {
 
@@ -18,6 +19,8 @@ struct GeneratedLinkage {
   std::string
       kind;  ///< "four_bar"; "peaucellier", "hart" or "right_angle"; "answer_1", "answer_1_cognate_1", "answer_1_copy", ...
   std::string text;  ///< TOML
+  /// Of a path generator: what its point P was asked for, in the order of the task; Linkage::animation() shows it.
+  std::vector<PlaceAskedFor> wanted{};
 };
 
 /// What came out.

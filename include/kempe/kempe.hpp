@@ -11,6 +11,8 @@
 #include "kempe/generators.hpp"
 #include "kempe/linkage.hpp"
 #include "kempe/sketch.hpp"
+#include "kempe/studio.hpp"
+#include "kempe/templates.hpp"
 #include "kempe/trace.hpp"
 #include "kempe/units.hpp"
 #include "kempe/validate.hpp"

@@ -13,6 +13,7 @@
 
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
+#include "kempe/place_asked_for.hpp"
 #include "kempe/point.hpp"
 
 namespace kempe {
@@ -139,9 +140,11 @@ class KEMPE_EXPORT Linkage {
     page,    ///< HTML with a slider
     drawing  ///< SVG that plays by itself
   };
-  /// The linkage moving, one file without a network.
+  /// The linkage moving, one file without a network. `wanted`: places that its point P was asked for (GeneratedLinkage::wanted), shown
+  /// with the deviations from them; the linkage must then have a point of that name.
   LinkageAnswer<std::string> animation(Film film, std::optional<int> steps = std::nullopt,
-                                       const AssemblyChoice& choice = {}) const;
+                                       const AssemblyChoice& choice = {},
+                                       const std::vector<PlaceAskedFor>& wanted = {}) const;
 
  private:
   Linkage(std::shared_ptr<const LoadedLinkage> inside, std::string text);

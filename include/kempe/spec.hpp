@@ -69,6 +69,8 @@ enum class Objective {
 };
 /// "size", "transmission", "copy_error", "footprint", "load_error" or "mass".
 KEMPE_EXPORT std::string_view name(Objective objective);
+/// The objective of such a word; nothing for another one.
+KEMPE_EXPORT std::optional<Objective> objective_named(std::string_view word);
 /// True for transmission only: larger is better.
 KEMPE_EXPORT bool is_maximized(Objective objective);
 

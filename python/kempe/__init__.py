@@ -19,15 +19,18 @@ from ._generators import (Cognate, FunctionGenerator, Inversor, InversorLength, 
                           function_generator, inversor, path_generator)
 from ._geometry import Region
 from ._linkage import Centre, Centres, Linkage, Mobility, Motion, MotionEnd, number_synthesis
+from ._program import program
 from ._spec import Spec, load
-from ._work import pareto, sweep, synthesize, workspace
+from ._start import Template, studio_page, templates
+from ._work import Front, pareto, proof_of_none, sweep, synthesize, workspace
 
 __all__ = [
     "Audit", "Broken", "Calibration", "Centre", "Centres", "Change", "Cognate", "CopiedDrawing", "CopiedLine", "Design", "Error",
-    "Fault", "FunctionGenerator", "Inversor", "InversorLength", "Linkage", "Loss", "Map", "Mobility", "Motion", "MotionEnd",
+    "Fault", "Front", "FunctionGenerator", "Inversor", "InversorLength", "Linkage", "Loss", "Map", "Mobility", "Motion", "MotionEnd",
     "NoDesign", "NoMotion", "NotWritten", "PathGenerator", "PathGenerators", "Plagiograph", "Region", "Sheet", "Spec", "SpecError",
-    "Stopped", "TracedDrawing", "Verdict", "Verification", "__version__", "calibrate", "calibration", "function_generator", "inversor", "load",
-    "number_synthesis", "pareto", "path_generator", "sweep", "synthesize", "verify", "workspace",
+    "Stopped", "Template", "TracedDrawing", "Verdict", "Verification", "__version__", "calibrate", "calibration", "function_generator",
+    "inversor", "load", "number_synthesis", "pareto", "path_generator", "program", "proof_of_none", "studio_page", "sweep", "synthesize",
+    "templates", "verify", "workspace",
 ]
 
 for _name in __all__:  # a reader of a traceback or a pickle finds everything under kempe

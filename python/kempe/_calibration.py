@@ -9,6 +9,7 @@ from typing import Any, Mapping, Optional, Sequence
 
 from . import _core
 from ._answers import error_of
+from ._design import names_of
 from ._spec import Path, text_of
 
 
@@ -42,6 +43,18 @@ class Calibration:
     answer: Mapping[str, Any]  #: what `kempe calibrate --json` prints (docs/calibration.md); mm, degrees
     page_html: str = field(repr=False)  #: report.html, the text of a page that needs no other file
     simulated_toml: str = field(repr=False)  #: the first simulated instrument's readings as a file of measurements; "" without any
+    text: str = field(repr=False)  #: what `kempe calibrate` prints for a person
+    json: str = field(repr=False)  #: calibration.json
+
+    def save(self, folder: Path) -> list[str]:
+        """Writes what `kempe calibrate` writes: calibration.json, report.html and, of a simulation, simulated.toml. Returns their names.
+
+        All or none: raises NotWritten where the folder cannot be written.
+        """
+        return names_of(_core.write_calibration(self.json, self.page_html, self.simulated_toml, folder))
+
+    def __str__(self) -> str:
+        return self.text
 
     def _repr_html_(self) -> str:
         page = html.escape(self.page_html, quote=True)
@@ -50,7 +63,7 @@ class Calibration:
 
 def calibration(measurements: Path | Mapping[str, Any], *, target_mm: Optional[float] = None, method: Optional[str] = None,
                 ratios: Sequence[str | float] = (), plan: bool = False, plan_readings: Optional[int] = None, simulate: bool = False,
-                seed: int = 1) -> Calibration:
+                seed: int = 1, equations: bool = False) -> Calibration:
     """The calibration of an instrument with all that `kempe calibrate` can be asked for, and with its page.
 
     measurements   a TOML file of readings, or its tables as a dict
@@ -59,6 +72,7 @@ def calibration(measurements: Path | Mapping[str, Any], *, target_mm: Optional[f
     ratios         a table of settings for each: "1:3" or 0.4; 0.01 to 100
     plan           propose the readings that determine most; plan_readings: how many, 1 to 100
     simulate       simulate instruments with hidden errors (the table `simulate`), drawn by `seed`
+    equations      write out Knight's equations of the last round, and the matrix that turns its readings into errors
 
     Raises SpecError with all faults, those of the options too.
 
@@ -66,9 +80,11 @@ def calibration(measurements: Path | Mapping[str, Any], *, target_mm: Optional[f
     ...           "reading": [{"arm_angle_deg": 30, "error_mm": [0.1, -0.3]}, {"arm_angle_deg": 60, "error_mm": [0.3, -0.5]}]}
     >>> len(calibration(knight, plan=True, plan_readings=4).answer["plan"]["readings"])
     4
+    >>> [len(row) for row in calibration(knight, equations=True).answer["equations"]["matrix"]]  # AC, CF, BE, DE by four departures
+    [4, 4, 4, 4]
     """
     is_file = not isinstance(measurements, Mapping)
-    options = _core.CalibrationOptions(target_mm, method or "", [str(ratio) for ratio in ratios], plan, plan_readings, simulate, seed)
+    options = _core.CalibrationOptions(target_mm, method or "", [str(ratio) for ratio in ratios], plan, plan_readings, simulate, seed, equations)
     if isinstance(measurements, Mapping):
         found = _core.calibrate_with(options, text_of(measurements), os.getcwd())
     else:
@@ -76,7 +92,7 @@ def calibration(measurements: Path | Mapping[str, Any], *, target_mm: Optional[f
     if isinstance(found, list):
         raise error_of(found, lines=is_file)
     answer = json.loads(found.json)
-    return Calibration(answer if is_file else _without_lines(answer), found.page, found.simulated)
+    return Calibration(answer if is_file else _without_lines(answer), found.page, found.simulated, found.text, found.json)
 
 
 def _without_lines(value: Any) -> Any:

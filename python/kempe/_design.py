@@ -14,6 +14,7 @@ from . import _core
 from ._answers import (Audit, CopiedDrawing, CopiedLine, Loss, NotWritten, Point, Sheet, TracedDrawing, Verdict,
                        Verification, broken_of, error_of)
 from ._geometry import Array, Region
+from ._program import studio_file
 from ._spec import Path
 
 if TYPE_CHECKING:
@@ -152,13 +153,14 @@ class Design:
         return design
 
     @classmethod
-    def load(cls, file: Path) -> Design:
+    def load(cls, file: Path, *, time_limit: Optional[float] = None) -> Design:
         """The design of a design.json, of whatever origin: verified first, map and figures computed anew.
 
-        Its bound is kept where its proof is found again. Raises SpecError for a file that cannot be read or does not hold.
+        Its bound is kept where its proof is found again. `time_limit`: seconds; then a coarser map, .map.complete being False.
+        Raises SpecError for a file that cannot be read or does not hold.
         """
         with open(file, "rb") as stream:
-            return cls._restored(stream.read(), os.fspath(file), False)
+            return cls._restored(stream.read(), os.fspath(file), False, time_limit)
 
     @classmethod
     def from_json(cls, text: str, name: str = "") -> Design:
@@ -166,8 +168,8 @@ class Design:
         return cls._restored(text, name, False)
 
     @classmethod
-    def _restored(cls, text: str | bytes, name: str, is_own: bool) -> Design:
-        found = _core.restore(text, name, is_own)
+    def _restored(cls, text: str | bytes, name: str, is_own: bool, time_limit: Optional[float] = None) -> Design:
+        found = _core.restore(text, name, is_own, time_limit)
         if isinstance(found, list):
             raise error_of(found)
         return cls._of(found)
@@ -372,15 +374,17 @@ class Design:
             raise error_of(found)
         return TracedDrawing(answer=json.loads(found.pop("json")), **_with_lines(found))
 
-    def save(self, folder: Path, title: str = "design") -> list[str]:
+    def save(self, folder: Path, title: str = "design", *, paper: str = "A4", studio: bool = False) -> list[str]:
         """Writes what `kempe synthesize` writes, all files or none, and returns their names; `title` heads the report.
 
-        Raises NotWritten, with the reason, for a design that fails its verification and a folder that cannot be written.
+        paper   of workshop.pdf: "A4" or "A3"
+        studio  also write studio.html, the browser page with this spec inside
+
+        Raises NotWritten, with the reason, for a design that fails its verification and a folder that cannot be written, Error where
+        there is no page of the studio.
         """
-        files, _, reason = self._inside.write(folder, title)
-        if reason:
-            raise NotWritten(reason)
-        return files
+        page = studio_file().read_text(encoding="utf-8") if studio else ""
+        return names_of(self._inside.write(folder, title, paper, page))
 
     def to_json(self) -> str:
         """The text of design.json (docs/design-file.md), verified. A file of save() may state its bound a little looser."""
@@ -437,6 +441,14 @@ _FIGURES = ("size_mm", "transmission_min_deg", "clearance_min_mm", "footprint_mm
 
 def _with_lines(copy: dict[str, Any]) -> dict[str, Any]:
     return copy | {key: [CopiedLine(*line) for line in copy[key]] for key in ("drawn", "missing")}
+
+
+def names_of(written: tuple[list[str], list[str], str]) -> list[str]:
+    """The files written, or the error that says why there are none."""
+    files, _, reason = written
+    if reason:
+        raise NotWritten(reason)
+    return files
 
 
 def _own_design(text: str) -> Design:

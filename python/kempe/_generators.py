@@ -10,11 +10,11 @@ import numpy as np
 from . import _core
 from ._answers import NoDesign, Point, error_of
 from ._geometry import Array
-from ._linkage import Linkage
+from ._linkage import Linkage, Wanted
 from ._spec import Path, text_of
 
 _Spec = Union[Path, Mapping[str, Any]]
-_Found = Union[tuple[str, list[tuple[str, str]], str], list[tuple[str, int, str, str, str]], _core.NothingGenerated]
+_Found = Union[tuple[str, list[tuple[str, str, tuple[Wanted, ...]]], str], list[tuple[str, int, str, str, str]], _core.NothingGenerated]
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,11 @@ class Cognate:
     driver: str  #: "crank" or "coupler": which link turns as the crank of the first four-bar
     driver_deg: tuple[float, ...]  #: its angle at each point
     linkage: Linkage = field(repr=False)
+    _wanted: tuple[Wanted, ...] = field(default=(), repr=False, compare=False)
+
+    def animation(self, kind: str = "html") -> str:
+        """Its linkage moving, with the points or poses asked for and the deviations from them: "html" has a slider, "svg" plays by itself."""
+        return self.linkage._animation(kind, self._wanted)
 
 
 @dataclass(frozen=True)
@@ -107,6 +112,11 @@ class Plagiograph:
     error_max_mm: float  #: from the exact image
     parallelogram_min_deg: float  #: how near to flat its parallelogram comes
     linkage: Linkage = field(repr=False)  #: the six-bar; Y draws the copy
+    _wanted: tuple[Wanted, ...] = field(default=(), repr=False, compare=False)
+
+    def animation(self, kind: str = "html") -> str:
+        """Its linkage moving, with the points or poses asked for and the deviations from them: "html" has a slider, "svg" plays by itself."""
+        return self.linkage._animation(kind, self._wanted)
 
 
 @dataclass(frozen=True)
@@ -132,6 +142,11 @@ class PathGenerator:
     error_angle_max_deg: Optional[float] = None  #: of poses
     copy: Optional[Plagiograph] = None  #: where one was asked for, and there is one
     why_no_copy: str = ""  #: where one was asked for, and there is none
+    _wanted: tuple[Wanted, ...] = field(default=(), repr=False, compare=False)
+
+    def animation(self, kind: str = "html") -> str:
+        """Its linkage moving, with the points or poses asked for and the deviations from them: "html" has a slider, "svg" plays by itself."""
+        return self.linkage._animation(kind, self._wanted)
 
 
 @dataclass(frozen=True)
@@ -173,6 +188,8 @@ def path_generator(spec: Optional[_Spec] = None, *, copy_scale: Optional[float] 
     >>> found.best.error_max_mm < 1e-9, found.best.reached_mm.shape, len(found.best.cognates)
     (True, (6, 2), 2)
     >>> copy = path_generator(path={"points_mm": line}, limits={"longest_mm": 60, "transmission_deg": 20}, copy_scale=2).best.copy
+    >>> "wanted" in found.best.animation("svg")  # the points asked for, as rings
+    True
     >>> copy.copied_mm.shape, copy.linkage.points
     ((6, 2), ['O', 'D', 'A', 'B', 'P', 'C', 'Q', 'Y'])
     """
@@ -182,26 +199,28 @@ def path_generator(spec: Optional[_Spec] = None, *, copy_scale: Optional[float] 
                                         copy_pole or "", copy_cognate)
     elif copy_cognate:
         raise TypeError("copy_cognate: there is no copy without copy_scale, copy_rotation_deg or copy_pole")
-    found, linkages, _ = _generated(lambda file: _core.generate_path(file, copy), lambda text: _core.generate_path_text(text, copy),
-                                    spec, tables)
+    found, linkages, wanted, _ = _generated(lambda file: _core.generate_path(file, copy), lambda text: _core.generate_path_text(text, copy),
+                                            spec, tables)
     answers = []
     for number, row in enumerate(found["answers"], 1):
         row.pop("lower_bound_mm", None)  # none is known
-        cognates = tuple(Cognate(**_tuples(one), linkage=linkages[f"answer_{number}_cognate_{which}"])
+        name = f"answer_{number}"
+        cognates = tuple(Cognate(**_tuples(one), linkage=linkages[f"{name}_cognate_{which}"], _wanted=wanted[f"{name}_cognate_{which}"])
                          for which, one in enumerate(row.pop("cognates"), 1))
         reached = np.array(row.pop("reached_mm"))
         made = row.pop("copy", {})
-        answers.append(PathGenerator(**_tuples(row), reached_mm=reached, cognates=cognates, linkage=linkages[f"answer_{number}"],
-                                     copy=_plagiograph_of(made, linkages.get(f"answer_{number}_copy")),
-                                     why_no_copy=made.get("why_not", "")))
+        answers.append(PathGenerator(**_tuples(row), reached_mm=reached, cognates=cognates, linkage=linkages[name],
+                                     copy=_plagiograph_of(made, linkages.get(f"{name}_copy"), wanted.get(f"{name}_copy", ())),
+                                     why_no_copy=made.get("why_not", ""), _wanted=wanted[name]))
     return PathGenerators(tuple(answers), found["bound"], found["searched"], tuple(found.get("dyads", ())))
 
 
-def _plagiograph_of(row: Mapping[str, Any], linkage: Optional[Linkage]) -> Optional[Plagiograph]:
+def _plagiograph_of(row: Mapping[str, Any], linkage: Optional[Linkage], wanted: tuple[Wanted, ...]) -> Optional[Plagiograph]:
     if linkage is None:
         return None
     copied = np.array(row["copied_mm"])
-    return Plagiograph(**_tuples({key: value for key, value in row.items() if key != "copied_mm"}), copied_mm=copied, linkage=linkage)
+    return Plagiograph(**_tuples({key: value for key, value in row.items() if key != "copied_mm"}), copied_mm=copied, linkage=linkage,
+                       _wanted=wanted)
 
 
 def _tuples(row: Mapping[str, Any]) -> dict[str, Any]:
@@ -219,7 +238,7 @@ def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionG
     >>> len(dial.precision_points), dial.linkage.links
     (3, ['input', 'coupler', 'output'])
     """
-    found, linkages, plot = _generated(_core.generate_function, _core.generate_function_text, spec, tables)
+    found, linkages, _, plot = _generated(_core.generate_function, _core.generate_function_text, spec, tables)
     return FunctionGenerator(
         method=found["method"], lengths_mm=found["lengths_mm"], branch=found["branch"], motion=found["motion"],
         input_start_deg=found["input"]["start_deg"], input_range_deg=found["input"]["range_deg"],
@@ -241,7 +260,7 @@ def inversor(spec: Optional[_Spec] = None, **tables: Any) -> Inversor:
     >>> best.kind, [other.kind for other in best.others], list(best.why_not)
     ('right_angle', ['hart'], ['peaucellier'])
     """
-    found, linkages, _ = _generated(_core.generate_inversor, _core.generate_inversor_text, spec, tables)
+    found, linkages, _, _ = _generated(_core.generate_inversor, _core.generate_inversor_text, spec, tables)
     rows = {row["kind"]: row for row in found["inversors"]}
     why_not = {kind: row["why_not"] for kind, row in rows.items() if "why_not" in row}
     best, *others = [_inversor_of(rows[kind], linkage) for kind, linkage in linkages.items()]
@@ -256,8 +275,8 @@ def _inversor_of(row: dict[str, Any], linkage: Linkage) -> Inversor:
 
 
 def _generated(of_file: Callable[[Path], _Found], of_text: Callable[[str], _Found], spec: Optional[_Spec],
-               tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Linkage], str]:
-    """The command's JSON, the linkages by kind, the plot; or the error that says why not."""
+               tables: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Linkage], dict[str, tuple[Wanted, ...]], str]:
+    """The command's JSON, the linkages by kind, what each was asked for, the plot; or the error that says why not."""
     if spec is not None and tables:
         raise TypeError("a file, a dict or keywords: one of them")
     is_file = spec is not None and not isinstance(spec, Mapping)
@@ -270,4 +289,5 @@ def _generated(of_file: Callable[[Path], _Found], of_text: Callable[[str], _Foun
     if isinstance(answer, _core.NothingGenerated):
         raise NoDesign(answer.sentence, proven=answer.proven)
     text, linkages, plot = answer
-    return json.loads(text), {kind: Linkage.from_toml(linkage) for kind, linkage in linkages}, plot
+    by_kind = {kind: Linkage.from_toml(linkage) for kind, linkage, _ in linkages}
+    return json.loads(text), by_kind, {kind: wanted for kind, _, wanted in linkages}, plot

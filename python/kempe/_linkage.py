@@ -4,7 +4,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, field, fields
-from typing import Any, Iterator, Mapping, Optional, TypeVar, Union
+from typing import Any, Iterator, Mapping, Optional, Sequence, TypeVar, Union
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from ._geometry import Array
 from ._spec import Path, text_of
 
 _Answer = TypeVar("_Answer")
+#: A place asked for: x, y, x and y reached, direction and direction reached (poses only), share of the motion; mm, rad.
+Wanted = tuple[float, float, float, float, Optional[float], Optional[float], float]
 _MM = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 
 
@@ -306,9 +308,13 @@ class Linkage:
 
     def animation(self, kind: str = "html", *, steps: Optional[int] = None, assembly: int = 0, seed: int = 1) -> str:
         """The linkage moving, the text of one file without a network: "html" has a slider, "svg" plays by itself."""
+        return self._animation(kind, (), steps, assembly, seed)
+
+    def _animation(self, kind: str, wanted: Sequence[Wanted] = (), steps: Optional[int] = None, assembly: int = 0, seed: int = 1) -> str:
+        """The same with the places that its point P was asked for."""
         if kind not in ("html", "svg"):
             raise ValueError(f"an animation is \"html\" or \"svg\"; found {kind!r}")
-        return _answer(self._inside.animation(kind == "html", steps, assembly, seed))
+        return _answer(self._inside.animation(kind == "html", steps, assembly, seed, wanted))
 
     def _repr_svg_(self) -> Optional[str]:
         try:

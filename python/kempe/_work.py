@@ -8,11 +8,26 @@ from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 from . import _core
 from ._answers import Change, Error, NoDesign, Stopped, error_of
-from ._design import Design
-from ._spec import Spec
+from ._design import Design, names_of
+from ._spec import Path, Spec
 
 #: Told the share of the work done, 0..1, and what is being done.
 Progress = Callable[[float, str], object]
+
+
+class Front(dict[str, list[Any]]):
+    """A front as columns: the two objectives, `design`, and each figure. pandas.DataFrame(front) is a table."""
+
+    _values: list[tuple[float, float]]  # of the objectives as the library has them: mm, rad, mm^2, kg
+
+    def save(self, folder: Path, title: str = "design", *, paper: str = "A4") -> list[str]:
+        """Writes what `kempe pareto` writes: report.html, front.csv, and a folder a point with all files of its design. Returns their names.
+
+        Raises NotWritten, with the reason, where a design fails its verification or a folder cannot be written.
+        """
+        first, second = list(self)[:2]
+        points = [(*values, design._inside) for values, design in zip(self._values, self["design"])]
+        return names_of(_core.write_front(first, second, points, folder, title, paper))
 
 
 def synthesize(spec: Spec, *, seed: int = 1, threads: Optional[int] = None, time_limit: Optional[float] = None,
@@ -57,7 +72,7 @@ def workspace(spec: Spec, *, time_limit: Optional[float] = None, progress: Optio
 
 def pareto(spec: Spec, between: Sequence[str], *, points: int = 15, seed: int = 1, threads: Optional[int] = None,
            time_limit: Optional[float] = None, progress: Optional[Progress] = None,
-           map_tolerance: float = 0.005) -> dict[str, list[Any]]:
+           map_tolerance: float = 0.005) -> Front:
     """The front between two objectives, as columns: the two, `design`, and each figure; the best in the first stands first.
 
     between   two of "size" (mm), "transmission" (degrees), "copy_error" (mm), "footprint" (mm^2), "load_error" (mm), "mass" (kg)
@@ -78,8 +93,27 @@ def pareto(spec: Spec, between: Sequence[str], *, points: int = 15, seed: int = 
     complete, rows = found
     if not complete:
         warnings.warn("stopped by the time limit: points of the front are missing", RuntimeWarning, stacklevel=2)
-    designs = [Design._of(inside) for _, _, inside in rows]
-    return columns_of({first: [row[0] for row in rows], second: [row[1] for row in rows], "design": designs}, designs)
+    designs = [Design._of(row[2]) for row in rows]
+    front = Front(columns_of({first: [row[0] for row in rows], second: [row[1] for row in rows], "design": designs}, designs))
+    front._values = [row[3:] for row in rows]
+    return front
+
+
+def proof_of_none(spec: Spec) -> str:
+    """The log of the proof that a spec has no design, where NoDesign says .proven: the text of certificate.jsonl (docs/proof.md).
+
+    The program proof/kempe_check.py checks it without Kempe. Raises Error where there is none, with the reason.
+
+    >>> task = Spec(copy=1.4j, region={"rectangle_mm": [62, -5, 8, 10]}, links={"width_mm": 6, "longest_mm": 20})
+    >>> proof_of_none(task).count("\\n") > 1
+    True
+    """
+    log = _core.proof_of_none(spec._inside)
+    if isinstance(log, tuple):
+        raise Error(*log)
+    if isinstance(log, list):
+        raise error_of(log)
+    return log
 
 
 def _wishes(spec: Spec, seed: int, threads: Optional[int], time_limit: Optional[float], diagnose: bool, map_tolerance: float,

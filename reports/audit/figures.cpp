@@ -248,8 +248,8 @@ void check_bound(const StoredDesign& design, AuditRecord& record) {
   if (!bound) return;
   record.not_checked(
       "quality.lower_bound",
-      "it is compared with the value, not proven here; its log, if there is one, is checked by "
-      "proof/kempe_check.py");
+      "it is compared with the value, not proven here; its log, if there is one, is checked by the program "
+      "kempe_check.py");
   if (!design.objective || !design.value) return;
   record.checked("quality.lower_bound");
   const double slack = share_of_copy_error * std::abs(*design.value);

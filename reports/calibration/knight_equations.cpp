@@ -119,6 +119,11 @@ bool has_knight_equations(const CalibrationRecord& record) {
          errors_of(used_readings(record)).has_value();
 }
 
+InputError no_knight_equations(const CalibrationRecord& record, const std::string& key) {
+  return {"", 0, key, record.rounds.empty() ? "a file without readings" : "the method least_squares",
+          "Knight's method and its readings (method knight)"};
+}
+
 std::string knight_equations_text(const CalibrationRecord& record) {
   const auto used = used_readings(record);
   const auto found = errors_of(used);

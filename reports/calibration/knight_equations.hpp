@@ -5,12 +5,15 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "kempe/input_error.hpp"
 #include "synthesis/calibration/job.hpp"
 
 namespace kempe {
 
 /// True if the last round was solved by Knight's equations.
 bool has_knight_equations(const CalibrationRecord& record);
+/// The fault of who asks for the equations of a record without them; `key` names the wish.
+InputError no_knight_equations(const CalibrationRecord& record, const std::string& key);
 
 /// The last round's equations for people; every line after the heading "NAME = TERMS = VALUE", mm and degrees, ten digits. Of a
 /// record that has them.

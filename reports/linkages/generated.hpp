@@ -21,6 +21,9 @@ std::string inversor_linkage(const InversorTask& task, const InversorDesign& des
 std::string function_linkage(const FunctionTask& task, const FunctionDesign& design,
                              const std::string& wanted);
 
+/// The name of the coupler point in the linkages of path answers: what was asked for is asked of it.
+inline constexpr const char* coupler_point_name = "P";
+
 /// The four-bar of an answer, crank pivot O, joints A and B, rocker pivot D, coupler point P, its crank driven from the first point to the
 /// last; or one of its cognates (0 or 1, which the answer must have), driven by the link that moves P in the same way. mm, degrees; every
 /// number to its last digit.

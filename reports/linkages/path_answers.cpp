@@ -123,6 +123,11 @@ std::vector<PlaceAskedFor> wanted_places(const PoseTask& task, const PoseAnswer&
   return places;
 }
 
+std::vector<PlaceAskedFor> of_a_cognate(std::vector<PlaceAskedFor> wanted) {
+  for (PlaceAskedFor& place : wanted) place.angle = place.reached_angle = std::nullopt;
+  return wanted;
+}
+
 bool is_used(const PoseSearch& search, const Dyad& dyad) {
   return std::any_of(search.dyads.begin(), search.dyads.end(), [&](const Dyad& used) {
     return used.centre == dyad.centre && used.circle == dyad.circle;

@@ -26,6 +26,8 @@ PoseTask pose_task(const PathSpec& spec);
 /// The task's points or poses beside those of an answer, for its page; poses are the coupler's, which cognates do not have.
 std::vector<PlaceAskedFor> wanted_places(const PathTask& task, const PathAnswer& answer);
 std::vector<PlaceAskedFor> wanted_places(const PoseTask& task, const PoseAnswer& answer);
+/// The same of a cognate, which draws the same curve while its coupler turns otherwise: the points without directions.
+std::vector<PlaceAskedFor> of_a_cognate(std::vector<PlaceAskedFor> wanted);
 
 /// Whether four-bars were made with a dyad: those against a limit are listed, but not used.
 bool is_used(const PoseSearch& search, const Dyad& dyad);

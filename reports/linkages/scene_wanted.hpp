@@ -1,22 +1,14 @@
 #pragma once
 // The places that a generated linkage was asked for, as its page shows them: numbered in the picture, with their deviations beside it.
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "kempe/place_asked_for.hpp"
 #include "reports/linkages/picture.hpp"
 #include "reports/linkages/scene.hpp"
 
 namespace kempe {
-
-/// A place asked for, and the one that the linkage reaches. mm, rad, y upward.
-struct PlaceAskedFor {
-  Point at = Point::Zero(), reached = Point::Zero();
-  std::optional<double> angle,
-      reached_angle;  ///< both or none: directions of the body that carries the point, for poses
-  double share = 0;   ///< of the motion, 0 to 1, after which it is reached
-};
 
 /// Adds them to a scene and widens its box by them; `point` is the name of the point that shall take them.
 void add_wanted_places(const LinkageFile& file, const std::vector<PlaceAskedFor>& places,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/workshop/paper.hpp"
+#include "kempe/paper.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {

@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "reports/pictures/html_text.hpp"
+#include "specs/spec_reader.hpp"
+#include "specs/text/text_file.hpp"
 
 namespace kempe {
 namespace {
@@ -22,6 +24,17 @@ std::string data_of(const StudioSpec& spec) {
 }
 
 }  // namespace
+
+tl::expected<StudioSpec, InputError> studio_spec(std::string name, std::string text,
+                                                 const std::filesystem::path& folder) {
+  StudioSpec spec{std::move(name), std::move(text), std::nullopt};
+  if (const auto drawing = region_file_of(spec.text)) {
+    auto found = read_text_file(folder / *drawing);
+    if (!found) return tl::unexpected(found.error());
+    spec.drawing = {std::filesystem::path(*drawing).filename().string(), std::move(*found)};
+  }
+  return spec;
+}
 
 std::optional<std::string> studio_page_with(const std::string& page, const StudioSpec& spec) {
   const std::size_t found = page.find(opening);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reports/workshop/paper.hpp"
+#include "kempe/paper.hpp"
 #include "reports/workshop/sheet.hpp"
 
 namespace kempe::workshop {

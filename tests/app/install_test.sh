@@ -10,6 +10,14 @@ cached() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
 diff <(cd "$source/include" && find . -type f | sort) <(cd "$scratch/prefix/include" && find . -type f | sort)
 
+# The summary names the checker where it is installed; the command that it says is run as it stands.
+kempe="$scratch/prefix/bin/kempe"
+(cd "$scratch" && "$kempe" synthesize "$source/specs/examples/plagiograph.toml" -o plate --quiet >summary.txt)
+check="$(sed -n 's/^proof  *check it with: //p' "$scratch/summary.txt")"
+grep -qF "python3 $scratch/prefix/share/kempe/proof/kempe_check.py plate/design.json plate/certificate.jsonl" <<<"$check"
+(cd "$scratch" && bash -c "$check" >checked.txt)
+(cd "$scratch" && "$kempe" verify plate/design.json | grep -qF "$scratch/prefix/share/kempe/proof/kempe_check.py")
+
 cp -r "$source/examples" "$scratch/examples"
 for header in "$scratch"/prefix/include/kempe/*.hpp; do
   name="$(basename "$header" .hpp)"

@@ -105,7 +105,7 @@ TEST(Calibrate, SaysTheSameOfAFileAndOfItsText) {
 TEST(Texts, AreThoseOfTheFiles) {
   const Folder folder;
   const Outcome outcome = mapped();
-  ASSERT_TRUE(write(*outcome, folder.path() / "texts", "a title"));
+  ASSERT_TRUE(write(*outcome, folder.path() / "texts", {.title = "a title"}));
   EXPECT_EQ(text_of(folder.path() / "texts" / "report.html"), report(*outcome, "a title"));
   EXPECT_EQ(text_of(folder.path() / "texts" / "drawing.svg"), drawing(*outcome));
   EXPECT_EQ(text_of(folder.path() / "texts" / "design.json"), verified_json(*outcome));

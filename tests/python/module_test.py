@@ -61,7 +61,7 @@ class Page(InAFolder):
         self.assertTrue(pathlib.Path("out/plate/report.html").exists())
 
     def test_docstrings(self):
-        for name in ("", "._spec", "._work", "._design", "._calibration", "._linkage", "._generators", "._geometry", "._answers", "._text"):
+        for name in ("", "._spec", "._work", "._design", "._calibration", "._linkage", "._generators", "._geometry", "._answers", "._text", "._start", "._program"):
             result = doctest.testmod(importlib.import_module("kempe" + name))
             self.assertEqual(result.failed, 0)
 
