@@ -118,6 +118,7 @@ const std::vector<Tool>& all_tools() {
          "The same as a file (TOML; see docs/calibration.md)"},
         {"folder", Kind::output_folder, "--output"},
         {"target_mm", Kind::number, "--target-mm"},
+        {"equations", Kind::truth, "--equations"},
         {"ratios", Kind::words, "--ratios"},
         {"plan", Kind::truth, "--plan"},
         {"plan_readings", Kind::whole_number, "--plan-readings"}},

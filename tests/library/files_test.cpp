@@ -111,6 +111,82 @@ TEST(Texts, AreThoseOfTheFiles) {
   EXPECT_EQ(text_of(folder.path() / "texts" / "design.json"), verified_json(*outcome));
 }
 
+TEST(Studio, HoldsTheSpec) {
+  const std::string page = R"(<p></p><script type="application/json" id="studio-spec">null</script>)";
+  const std::string spec = "[copy]\nscale = 2\n[region]\ncircle_mm = [80, 0, 20]\n";
+  const auto filled = studio_page(page, spec, "plate");
+  ASSERT_TRUE(std::holds_alternative<std::string>(filled)) << std::get<InputError>(filled).messages();
+  EXPECT_NE(std::get<std::string>(filled).find("circle_mm"), std::string::npos);
+  EXPECT_EQ(std::get<InputError>(studio_page(page, "[copy]\nscale = 0\n", "plate")).key, "copy.scale");
+  EXPECT_EQ(std::get<InputError>(studio_page("another page", spec)).key, "page");
+
+  const Folder folder;
+  const Outcome outcome = mapped();
+  const Written written = write(*outcome, folder.path(), {.paper = Paper::A3, .studio = page});
+  ASSERT_TRUE(written) << written.reason;
+  EXPECT_EQ(std::count(written.files.begin(), written.files.end(), "studio.html"), 1);
+  EXPECT_NE(text_of(folder.path() / "report.html").find("<a href=\"studio.html\">"), std::string::npos);
+  EXPECT_FALSE(write(*outcome, folder.path() / "no", {.studio = "another page"}));
+  EXPECT_FALSE(fs::exists(folder.path() / "no"));
+}
+
+TEST(Templates, AreSpecs) {
+  EXPECT_EQ(spec_templates().size(), 10);
+  for (const SpecTemplate& one : spec_templates()) {
+    EXPECT_TRUE(std::holds_alternative<Spec>(parse(one.spec, std::string(one.name)))) << one.name;
+    EXPECT_TRUE(one.spec.starts_with("# " + std::string(one.purpose) + "\n")) << one.name;
+  }
+}
+
+TEST(ProofOfNone, IsThereWhereItIsProven) {
+  const auto spec = [](const std::string& longest) {
+    return std::get<Spec>(
+        parse("[copy]\nscale = 1.4\nrotation_deg = 90\n[region]\nrectangle_mm = [62, -5, 8, 10]\n"
+              "[links]\nwidth_mm = 6\nlongest_mm = " +
+              longest + "\n"));
+  };
+  const auto log = proof_of_none(spec("20"));
+  ASSERT_TRUE(std::holds_alternative<std::string>(log));
+  EXPECT_EQ(std::get<std::string>(log).find("{"), 0);
+  EXPECT_TRUE(std::holds_alternative<NoProof>(proof_of_none(spec("200"))));
+  EXPECT_TRUE(std::holds_alternative<NoProof>(proof_of_none(spec("20"), [] { return true; })));
+  EXPECT_TRUE(std::holds_alternative<InputError>(proof_of_none(Spec{})));
+}
+
+TEST(Calibrate, WritesEquationsAndFiles) {
+  const fs::path file = KEMPE_SOURCE_DIR "/specs/examples/calibration/knight.toml";
+  CalibrationOptions options;
+  options.equations = true;
+  const auto found = calibrate_file_with(options, file);
+  ASSERT_TRUE(std::holds_alternative<CalibratedInstrument>(found)) << std::get<InputError>(found).messages();
+  const auto& instrument = std::get<CalibratedInstrument>(found);
+  EXPECT_NE(instrument.json.find("\"equations\""), std::string::npos);
+  const Folder folder;
+  EXPECT_EQ(write(instrument, folder.path()).files,
+            (std::vector<std::string>{"calibration.json", "report.html"}));
+  EXPECT_EQ(text_of(folder.path() / "calibration.json"), instrument.json);
+  options.method = "least_squares";
+  EXPECT_EQ(std::get<InputError>(calibrate_file_with(options, file)).key, "equations");
+}
+
+TEST(Front, IsWrittenPointByPoint) {
+  const Folder folder;
+  EXPECT_FALSE(write(Front{}, folder.path() / "none"));
+  const Outcome outcome = mapped();
+  const Front front{{{1, 2, *outcome}, {2, 3, *outcome}}, true, Objective::size, Objective::footprint};
+  const Written written = write(front, folder.path());
+  ASSERT_TRUE(written) << written.reason;
+  for (const std::string& name : written.files) EXPECT_TRUE(fs::exists(folder.path() / name)) << name;
+  EXPECT_TRUE(text_of(folder.path() / "front.csv").starts_with("point,size_mm,footprint_mm2,"));
+  EXPECT_TRUE(fs::exists(folder.path() / "02" / "design.json"));
+}
+
+TEST(Restore, StopsWithACoarserMap) {
+  const auto found = restore(verified_json(*mapped()), "", ClaimedBound::prove, [] { return true; });
+  ASSERT_TRUE(std::holds_alternative<FinishedDesign>(found)) << std::get<InputError>(found).messages();
+  EXPECT_FALSE(std::get<FinishedDesign>(found).map().complete());
+}
+
 TEST(Restore, GivesTheSameDesignFromItsText) {
   const std::string text = verified_json(*mapped());
   const auto again = restore(text);

@@ -107,6 +107,20 @@ TEST(Generators, PathGeneratorsComeWithTheirCognates) {
   const auto moved = linkage_of(linkages[0].text).solve(6);
   EXPECT_EQ(std::get<DrivenMotion>(moved).steps.size(), 7U);
   EXPECT_EQ(std::get<InputError>(generate_path_text("", "path.toml")).file, "path.toml");
+  // Five poses, told with what the coupler reaches; of a cognate the points alone.
+  ASSERT_EQ(linkages.front().wanted.size(), 5);
+  for (const PlaceAskedFor& place : linkages.front().wanted) {
+    EXPECT_LT((place.at - place.reached).norm(), 1e-6);
+    ASSERT_TRUE(place.angle && place.reached_angle);
+  }
+  EXPECT_EQ(linkages[1].kind, "answer_1_cognate_1");
+  EXPECT_FALSE(linkages[1].wanted.front().angle);
+  const auto linkage = std::get<Linkage>(Linkage::parse(linkages.front().text));
+  const auto page = linkage.animation(Linkage::Film::page, {}, {}, linkages.front().wanted);
+  ASSERT_TRUE(std::holds_alternative<std::string>(page));
+  EXPECT_NE(std::get<std::string>(page).find("id=\"wanted\""), std::string::npos);
+  EXPECT_EQ(std::get<std::string>(linkage.animation(Linkage::Film::page)).find("id=\"wanted\""),
+            std::string::npos);
 }
 
 }  // namespace
