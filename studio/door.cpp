@@ -276,7 +276,7 @@ Json answer_to_sketch(const Spec& spec, const Json& asked, std::optional<Sketche
 Json answer_to_files(const FinishedDesign& design, const std::string& title) {
   std::error_code ignored;
   std::filesystem::remove_all(files_folder, ignored);
-  const Written written = write(design, files_folder, title);
+  const Written written = write(design, files_folder, {.title = title});
   if (!written) return {{"reason", written.reason}};
   return {{"files", written.files}, {"left_out", written.left_out}};
 }
