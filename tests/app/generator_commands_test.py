@@ -445,7 +445,7 @@ class Calibrate(Case):
                 left = [told[f"{letter}{i}"] - told[f"e_{height}"] - told[f"e_{slope}"] * told[f"c{i}"] for i in range(1, count + 1)]
                 self.assertAlmostEqual(sum(left), 0, delta=1e-8)
                 self.assertAlmostEqual(sum(one * told[f"c{i + 1}"] for i, one in enumerate(left)), 0, delta=1e-8)
-        self.assertRefused(kempe("calibrate", CALIBRATION / "plotter.toml", "--equations"), 2, "--equations", "--method knight")
+        self.assertRefused(kempe("calibrate", CALIBRATION / "plotter.toml", "--equations"), 2, "--equations", "method knight")
 
     def test_rounds_go_on_until_the_target(self):
         first = reading(30, 0.62, -1.15) + reading(60, 0.85, -2.04)
