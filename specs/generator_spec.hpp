@@ -51,8 +51,8 @@ struct PathSpec {
   std::vector<CrankMotion> motions;    ///< one of these; empty: any
   std::optional<Point> crank_pivot;    ///< mm, within pivots_within; nothing: free
   std::optional<double> ground_angle;  ///< rad, from the crank's pivot to the rocker's; nothing: free
-  std::optional<double>
-      first_angle;  ///< rad, of the crank from the ground link at the first point; nothing: free
+  /// rad, of the crank from the ground link at the first point; nothing: free
+  std::optional<double> first_angle;
 };
 
 /// Reads and checks; the error names file, line, key, what stands there and what is allowed.

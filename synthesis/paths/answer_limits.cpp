@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/segment_distance.hpp"
 #include "synthesis/paths/path_generator.hpp"
 #include "synthesis/paths/slack.hpp"
 
@@ -45,20 +46,13 @@ std::vector<Point> curve_of(const PathAnswer& answer, int places) {
   return curve;
 }
 
-double distance_from_line(const Point& place, const Point& from, const Point& to) {
-  const Point along = to - from;
-  const double square = along.squaredNorm();
-  const double share = square > 0 ? std::clamp(along.dot(place - from) / square, 0.0, 1.0) : 0;
-  return (from + share * along - place).norm();
-}
-
 /// The largest distance of a place of `one` from the polyline `other`.
 double farthest_from(const std::vector<Point>& one, const std::vector<Point>& other, double enough) {
   double farthest = 0;
   for (const Point& place : one) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k < other.size(); ++k)
-      nearest = std::min(nearest, distance_from_line(place, other[k - 1], other[k]));
+      nearest = std::min(nearest, distance(place, other[k - 1], other[k]));
     if (nearest > enough) return std::numeric_limits<double>::infinity();
     farthest = std::max(farthest, nearest);
   }

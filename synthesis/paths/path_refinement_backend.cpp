@@ -8,6 +8,7 @@
 #include <nlopt.h>
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -120,37 +121,66 @@ double largest_square(const Eigen::VectorXd& errors) {
   return most;
 }
 
+/// SLSQP on a path's unknowns and, where a largest value is made small, that value behind them.
+class Slsqp {
+ public:
+  Slsqp(PathRun& run, nlopt_func cost, const Eigen::VectorXd& start, const Eigen::VectorXd& lowest,
+        const Eigen::VectorXd& highest)
+      : run_(run), all_(start.data(), start.data() + start.size()), lowest_(lowest), highest_(highest) {
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      all_[i] = std::clamp(all_[i], lowest_[at], highest_[at]);
+    }
+    solver_.reset(nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(all_.size())));
+    nlopt_set_lower_bounds(solver_.get(), lowest_.data());
+    nlopt_set_upper_bounds(solver_.get(), highest_.data());
+    nlopt_set_min_objective(solver_.get(), cost, &run);
+    nlopt_set_xtol_rel(solver_.get(), slack::path_at_rest);
+  }
+
+  /// So many values that are to be at most nil, or nil.
+  void limit(nlopt_mfunc values, int rows) {
+    const std::vector<double> slack(static_cast<std::size_t>(rows), at_nil);
+    nlopt_add_inequality_mconstraint(solver_.get(), static_cast<unsigned>(rows), values, &run_, slack.data());
+  }
+  void equate(nlopt_mfunc values, int rows) {
+    const std::vector<double> slack(static_cast<std::size_t>(rows), at_nil);
+    nlopt_add_equality_mconstraint(solver_.get(), static_cast<unsigned>(rows), values, &run_, slack.data());
+  }
+
+  /// The path's unknowns where it ends.
+  Eigen::VectorXd end(int most_evaluations) {
+    nlopt_set_maxeval(solver_.get(), most_evaluations);
+    double cost = 0;
+    nlopt_optimize(solver_.get(), all_.data(), &cost);
+    return run_.unknowns(all_.data());
+  }
+
+ private:
+  static constexpr double at_nil = 1e-12;
+  PathRun& run_;
+  std::vector<double> all_;
+  Eigen::VectorXd lowest_, highest_;
+  std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> solver_{nullptr, &nlopt_destroy};
+};
+
+Eigen::VectorXd with_last(const Eigen::VectorXd& values, double last) {
+  Eigen::VectorXd all(values.size() + 1);
+  all << values, last;
+  return all;
+}
+
 /// One run of SLSQP; x becomes its end where that is finite.
 void run_slsqp(PathRun& run, int most_evaluations, Eigen::VectorXd& x) {
   const PathProgram& program = run.program;
   program.errors(x, run.value, nullptr);
   const double square = run.largest ? largest_square(run.value) : run.value.squaredNorm() / program.count();
   run.scale = std::max(std::sqrt(square), 1e-12);
-  std::vector<double> all(x.data(), x.data() + x.size());
-  Eigen::VectorXd low = program.lowest(), high = program.highest();
-  std::vector<double> lowest(low.data(), low.data() + low.size()),
-      highest(high.data(), high.data() + high.size());
-  if (run.largest) {
-    all.push_back(1);
-    lowest.push_back(0);
-    highest.push_back(10);
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::clamp(all[i], lowest[i], highest[i]);
-  const auto n = static_cast<unsigned>(all.size());
-  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> solver(nlopt_create(NLOPT_LD_SLSQP, n),
-                                                                      &nlopt_destroy);
-  nlopt_set_lower_bounds(solver.get(), lowest.data());
-  nlopt_set_upper_bounds(solver.get(), highest.data());
-  nlopt_set_min_objective(solver.get(), path_cost, &run);
-  const int rows = program.limit_count() + (run.largest ? program.count() : 0);
-  const std::vector<double> slack(static_cast<std::size_t>(rows), 1e-12);
-  nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(rows), path_limits, &run,
-                                   slack.data());
-  nlopt_set_xtol_rel(solver.get(), slack::path_at_rest);
-  nlopt_set_maxeval(solver.get(), most_evaluations);
-  double cost = 0;
-  nlopt_optimize(solver.get(), all.data(), &cost);
-  const Eigen::VectorXd end = run.unknowns(all.data());
+  const Eigen::VectorXd low = program.lowest(), high = program.highest();
+  Slsqp solver(run, path_cost, run.largest ? with_last(x, 1) : x, run.largest ? with_last(low, 0) : low,
+               run.largest ? with_last(high, 10) : high);
+  solver.limit(path_limits, program.limit_count() + (run.largest ? program.count() : 0));
+  const Eigen::VectorXd end = solver.end(most_evaluations);
   if (end.allFinite()) x = end;
 }
 
@@ -188,32 +218,14 @@ void raise_path_transmission(const PathProgram& program, double reach, int most_
   PathRun run{program, false, 0, 1, {}, {}};
   Eigen::VectorXd kept;
   program.limits(x, kept, nullptr);
-  std::vector<double> all(x.data(), x.data() + x.size());
-  all.push_back(kept.head(program.transmission_rows()).maxCoeff());
   const Eigen::VectorXd most = reach * (1 + x.array().abs());
   const Eigen::VectorXd low = program.lowest().cwiseMax(x - most),
                         high = program.highest().cwiseMin(x + most);
-  std::vector<double> lowest(low.data(), low.data() + low.size()),
-      highest(high.data(), high.data() + high.size());
-  lowest.push_back(-2);
-  highest.push_back(1);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::clamp(all[i], lowest[i], highest[i]);
-  const auto n = static_cast<unsigned>(all.size());
-  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> solver(nlopt_create(NLOPT_LD_SLSQP, n),
-                                                                      &nlopt_destroy);
-  nlopt_set_lower_bounds(solver.get(), lowest.data());
-  nlopt_set_upper_bounds(solver.get(), highest.data());
-  nlopt_set_min_objective(solver.get(), last_unknown, &run);
-  const auto rows = static_cast<unsigned>(program.limit_count()),
-             errors = static_cast<unsigned>(2 * program.count());
-  const std::vector<double> slack(rows + errors, 1e-12);
-  nlopt_add_inequality_mconstraint(solver.get(), rows, transmission_limits, &run, slack.data());
-  nlopt_add_equality_mconstraint(solver.get(), errors, nil_errors, &run, slack.data());
-  nlopt_set_xtol_rel(solver.get(), slack::path_at_rest);
-  nlopt_set_maxeval(solver.get(), most_evaluations);
-  double cost = 0;
-  nlopt_optimize(solver.get(), all.data(), &cost);
-  Eigen::VectorXd end = run.unknowns(all.data());
+  Slsqp solver(run, last_unknown, with_last(x, kept.head(program.transmission_rows()).maxCoeff()),
+               with_last(low, -2), with_last(high, 1));
+  solver.limit(transmission_limits, program.limit_count());
+  solver.equate(nil_errors, 2 * program.count());
+  Eigen::VectorXd end = solver.end(most_evaluations);
   if (end.allFinite() && program.errors(end, run.value, nullptr) && run.value.norm() < 1e-2) {
     meet_points(run, end);
     x = end;

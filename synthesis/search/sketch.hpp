@@ -11,8 +11,7 @@
 // promise most and some in turn, and it either switches or looks: a frame is over before all have been solved.
 //
 // A sketch keeps every limit, as a search's design does; of the gap to obstacles it says no more than that it is at least the
-// clearance limit. What it lacks is the search: another design may be better, by no more
-// than the distance from the bound.
+// clearance limit. What it lacks is the search: another design may be better, by no more than the distance from the bound.
 
 #include <cstddef>
 #include <optional>

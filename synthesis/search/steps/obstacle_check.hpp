@@ -14,8 +14,8 @@ namespace kempe {
 struct ObstacleCheck {
   bool clear = false;
   std::optional<Point> witness{};
-  double clearance =
-      0;  ///< mm, smallest gap of any parts or obstacle over the region, or the limit that it keeps
+  /// mm, the smallest gap of any parts or obstacle over the region, or the limit that it keeps
+  double clearance = 0;
 };
 /// Whether the smallest gap of a design that is clear is measured, which takes several times as long, or told as the limit that
 /// it keeps.
