@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "geometry/convex_hull.hpp"
 #include "synthesis/paths/path_program.hpp"
@@ -16,7 +17,11 @@
 namespace kempe {
 namespace {
 
-constexpr std::size_t scattered_linkages = 20000, finished_linkages = 40, raised_linkages = 12;
+constexpr std::size_t scattered_linkages = 20000, finished_linkages = 40, polished_linkages = 5,
+                      raised_linkages = 12;
+
+/// Unknowns nearer to an end, from x.
+using PathStep = std::function<Eigen::VectorXd(const PathProgram& program, const Eigen::VectorXd& x)>;
 
 struct PathStart {
   Eigen::VectorXd x;
@@ -96,13 +101,12 @@ std::vector<PathStart> different(const std::vector<PathStart>& starts, std::size
 
 /// Refines within the limits, and again where the crank now passes another place in line with the ground link. Nothing if a limit
 /// stays broken.
-std::optional<PathStart> refined_start(const PathTask& task, PathStart start, PathAim aim, int evaluations,
-                                       PathEffort& effort) {
+std::optional<PathStart> refined_start(const PathTask& task, PathStart start, const PathStep& step) {
   PathProgram program(task, start.branch, start.rising);
   program.watch_extremes(start.x);
   program.choose_motion(start.x);
   for (int round = 0; round < 3; ++round) {
-    refine_path(program, aim, evaluations, start.x, effort.evaluations);
+    start.x = step(program, start.x);
     const int watched = program.limit_count();
     program.watch_extremes(start.x);
     if (program.limit_count() == watched) break;
@@ -126,6 +130,11 @@ bool moves_better(const PathProgram& program, const Eigen::VectorXd& x, const Ei
   return now < value.head(program.transmission_rows()).maxCoeff() - slack::path_limit_broken;
 }
 
+std::optional<PathAnswer> judged_end(const PathTask& task, const PathStart& end) {
+  const PathProgram program(task, end.branch, end.rising);
+  return judged_path(task, program.linkage(end.x), program.crank_angles(end.x));
+}
+
 /// Of the linkages that meet their points those that move best, led on within the family that meets them to a larger transmission angle.
 std::vector<PathAnswer> raised_answers(const PathTask& task, const std::vector<PathStart>& ends,
                                        PathEffort& effort) {
@@ -138,14 +147,14 @@ std::vector<PathAnswer> raised_answers(const PathTask& task, const std::vector<P
     double reach = 0.2;
     for (int round = 0; round < 12 && reach > 1e-3; ++round) {
       PathStart trial = end;
-      raise_path_transmission(program, reach, 80, trial.x, effort.evaluations);
+      trial.x = led_to_larger_transmission(program, reach, 80, trial.x, effort.evaluations);
       program.watch_extremes(trial.x);
       if (moves_better(program, trial.x, end.x))
         end = std::move(trial);
       else
         reach /= 4;
     }
-    auto answer = judged_path(task, program.linkage(end.x), program.crank_angles(end.x));
+    auto answer = judged_end(task, end);
     if (answer && meets_points(task, *answer)) raised.push_back(std::move(*answer));
   }
   return raised;
@@ -182,6 +191,96 @@ double size_of(const std::vector<Point>& points) {
   double size = 0;
   for (const Point& p : points) size = std::max(size, (p - points.front()).norm());
   return size;
+}
+
+/// SLSQP as a step.
+PathStep sqp(PathAim aim, int most_evaluations, PathEffort& effort) {
+  return [=, &effort](const PathProgram& program, const Eigen::VectorXd& x) {
+    return refined_path(program, aim, most_evaluations, x, effort.evaluations);
+  };
+}
+
+/// The best starts that differ, refined; the best first.
+std::vector<PathStart> refined_starts(const PathTask& task, const std::vector<PathStart>& starts,
+                                      PathEffort& effort) {
+  // The work of a step grows with the cube of the unknowns.
+  const std::size_t unknowns = 9 + (task.turns.empty() ? task.points.size() : 1);
+  const std::size_t most = std::clamp<std::size_t>(2000000 / (unknowns * unknowns * unknowns), 24, 240);
+  std::vector<PathStart> ends;
+  for (const PathStart& start : different(starts, most, slack::path_starts_apart)) {
+    ++effort.refined;
+    if (auto end = refined_start(task, start, sqp(PathAim::mean_square, 150, effort)))
+      ends.push_back(std::move(*end));
+    else
+      ++effort.rejected;
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const PathStart& a, const PathStart& b) { return a.cost < b.cost; });
+  return ends;
+}
+
+/// The best ends that differ, refined for what is made small and judged. Where some meet their points, those that move best are led on;
+/// where none does, the second solver has its try at the best.
+std::vector<PathAnswer> finished_paths(const PathTask& task, const std::vector<PathStart>& ends,
+                                       PathEffort& effort) {
+  std::vector<PathAnswer> answers;
+  using Valued = std::pair<double, PathStart>;
+  std::vector<Valued> meeting, missing;  // with the transmission angle; with the error
+  for (PathStart& end : different(ends, finished_linkages, slack::path_answers_apart)) {
+    const std::size_t before = answers.size();
+    for (int round = 0; round < 2; ++round) {
+      auto further = refined_start(task, end, sqp(task.aim, 1500, effort));
+      if (!further) break;
+      end = std::move(*further);
+      auto answer = judged_end(task, end);
+      if (!answer) continue;
+      if (round == 1 && meets_points(task, *answer))
+        meeting.emplace_back(answer->transmission_min, end);
+      else if (round == 1)
+        missing.emplace_back(aimed_error(task, *answer), end);
+      answers.push_back(std::move(*answer));
+    }
+    if (answers.size() == before) ++effort.rejected;
+  }
+  std::stable_sort(meeting.begin(), meeting.end(),
+                   [](const Valued& a, const Valued& b) { return a.first > b.first; });
+  std::vector<PathStart> best_moving;
+  for (std::size_t k = 0; k < std::min(meeting.size(), raised_linkages); ++k)
+    best_moving.push_back(meeting[k].second);
+  for (PathAnswer& answer : raised_answers(task, best_moving, effort)) answers.push_back(std::move(answer));
+  if (!meeting.empty()) return answers;
+  std::stable_sort(missing.begin(), missing.end(),
+                   [](const Valued& a, const Valued& b) { return a.first < b.first; });
+  const PathStep second = [&](const PathProgram& program, const Eigen::VectorXd& x) {
+    return polished_path(program, task.aim, x, effort.evaluations);
+  };
+  for (std::size_t k = 0; k < std::min(missing.size(), polished_linkages); ++k)
+    if (const auto end = refined_start(task, missing[k].second, second))
+      if (auto answer = judged_end(task, *end)) answers.push_back(std::move(*answer));
+  return answers;
+}
+
+/// The best that differ. Where several meet their points, the one that moves best comes first.
+std::vector<PathAnswer> best_that_differ(const PathTask& task, std::vector<PathAnswer> answers,
+                                         std::size_t most) {
+  const double met = slack::path_met * size_of(task.points);
+  const auto rank = [&](const PathAnswer& answer) { return std::max(met, aimed_error(task, answer)); };
+  std::vector<PathAnswer*> ranked;
+  for (PathAnswer& answer : answers) ranked.push_back(&answer);
+  std::stable_sort(ranked.begin(), ranked.end(), [&](const PathAnswer* a, const PathAnswer* b) {
+    return rank(*a) != rank(*b) ? rank(*a) < rank(*b) : a->transmission_min > b->transmission_min;
+  });
+  std::vector<PathAnswer> best;
+  for (PathAnswer* next : ranked) {
+    if (best.size() == most) break;
+    PathAnswer& answer = *next;
+    const bool seen = std::any_of(best.begin(), best.end(), [&](const PathAnswer& other) {
+      const double enough = slack::path_one_curve * other.error_max;
+      return alike(answer, other) || (other.error_max > met && curves_apart(answer, other, enough) <= enough);
+    });
+    if (!seen) best.push_back(std::move(answer));
+  }
+  return best;
 }
 
 }  // namespace
@@ -231,59 +330,9 @@ std::optional<PathAnswer> judged_path(const PathTask& task, const CouplerFourBar
 tl::expected<PathSearch, std::string> generate_path(const PathTask& task, std::size_t most) {
   PathSearch search;
   const std::vector<PathStart> starts = scattered_starts(task, search.effort);
-  // The work of a step grows with the cube of the unknowns.
-  const std::size_t unknowns = 9 + (task.turns.empty() ? task.points.size() : 1);
-  const std::size_t refined = std::clamp<std::size_t>(2000000 / (unknowns * unknowns * unknowns), 24, 240);
-  std::vector<PathStart> ends;
-  for (const PathStart& start : different(starts, refined, slack::path_starts_apart)) {
-    ++search.effort.refined;
-    if (auto end = refined_start(task, start, PathAim::mean_square, 150, search.effort))
-      ends.push_back(std::move(*end));
-    else
-      ++search.effort.rejected;
-  }
-  std::stable_sort(ends.begin(), ends.end(),
-                   [](const PathStart& a, const PathStart& b) { return a.cost < b.cost; });
-  std::vector<PathAnswer> answers;
-  std::vector<std::pair<double, PathStart>> meeting;  // with the transmission angle
-  for (PathStart& end : different(ends, finished_linkages, slack::path_answers_apart)) {
-    const std::size_t before = answers.size();
-    for (int round = 0; round < 2; ++round) {
-      auto further = refined_start(task, end, task.aim, 1500, search.effort);
-      if (!further) break;
-      end = std::move(*further);
-      const PathProgram program(task, end.branch, end.rising);
-      if (auto answer = judged_path(task, program.linkage(end.x), program.crank_angles(end.x))) {
-        if (round == 1 && meets_points(task, *answer)) meeting.emplace_back(answer->transmission_min, end);
-        answers.push_back(std::move(*answer));
-      }
-    }
-    if (answers.size() == before) ++search.effort.rejected;
-  }
-  std::stable_sort(meeting.begin(), meeting.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<PathStart> best_moving;
-  for (std::size_t k = 0; k < std::min(meeting.size(), raised_linkages); ++k)
-    best_moving.push_back(meeting[k].second);
-  for (PathAnswer& answer : raised_answers(task, best_moving, search.effort))
-    answers.push_back(std::move(answer));
-  // Where several meet their points, the one that moves best comes first.
-  const double met = slack::path_met * size_of(task.points);
-  const auto rank = [&](const PathAnswer& answer) { return std::max(met, aimed_error(task, answer)); };
-  std::vector<PathAnswer*> ranked;
-  for (PathAnswer& answer : answers) ranked.push_back(&answer);
-  std::stable_sort(ranked.begin(), ranked.end(), [&](const PathAnswer* a, const PathAnswer* b) {
-    return rank(*a) != rank(*b) ? rank(*a) < rank(*b) : a->transmission_min > b->transmission_min;
-  });
-  for (PathAnswer* next : ranked) {
-    if (search.answers.size() == most) break;
-    PathAnswer& answer = *next;
-    const bool seen = std::any_of(search.answers.begin(), search.answers.end(), [&](const PathAnswer& other) {
-      const double enough = slack::path_one_curve * other.error_max;
-      return alike(answer, other) || (other.error_max > met && curves_apart(answer, other, enough) <= enough);
-    });
-    if (!seen) search.answers.push_back(std::move(answer));
-  }
+  std::vector<PathAnswer> answers =
+      finished_paths(task, refined_starts(task, starts, search.effort), search.effort);
+  search.answers = best_that_differ(task, std::move(answers), most);
   if (search.answers.empty())
     return tl::unexpected(
         fmt::format("no four-bar was found that keeps the limits. Searched: {} scattered four-bars, the best "

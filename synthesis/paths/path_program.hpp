@@ -92,13 +92,18 @@ class PathProgram {
   bool timed_;
 };
 
-/// NLopt (SLSQP) from x, and a Gauss-Newton end where the points are met. Counts what it evaluated.
-void refine_path(const PathProgram& program, PathAim aim, int most_evaluations, Eigen::VectorXd& x,
-                 std::size_t& evaluations);
+/// The unknowns that NLopt (SLSQP) reaches from x, brought to meet the points by Newton's steps where they nearly do. Counts what it
+/// evaluated, as do the others.
+Eigen::VectorXd refined_path(const PathProgram& program, PathAim aim, int most_evaluations,
+                             const Eigen::VectorXd& x, std::size_t& evaluations);
+
+/// The same by the second solver (synthesis/solvers/polish.hpp).
+Eigen::VectorXd polished_path(const PathProgram& program, PathAim aim, const Eigen::VectorXd& x,
+                              std::size_t& evaluations);
 
 /// From x that meets the points to one that does too with a larger least transmission angle: NLopt (SLSQP), the errors kept nil, no unknown u moved by
-/// more than reach (1 + |u|). Counts what it evaluated.
-void raise_path_transmission(const PathProgram& program, double reach, int most_evaluations,
-                             Eigen::VectorXd& x, std::size_t& evaluations);
+/// more than reach (1 + |u|).
+Eigen::VectorXd led_to_larger_transmission(const PathProgram& program, double reach, int most_evaluations,
+                                           const Eigen::VectorXd& x, std::size_t& evaluations);
 
 }  // namespace kempe

@@ -1,236 +1,199 @@
-// NLopt on path generators: SLSQP within the limits; then Gauss-Newton with the shortest step, which meets points exactly where
-// they can be met.
+// Local search of path generators: a program for each aim, given to one of the local solvers; then Gauss-Newton with the shortest step,
+// which meets points exactly where they can be met.
 //
 //   mean square        minimise sum |e_i|^2 / n
 //   largest distance   minimise t within |e_i|^2 <= t
 //   transmission       minimise t within |cos mu| - cos(limit) <= t and e_i = 0
-
-#include <nlopt.h>
+//
+// Errors are counted in those of the start, so that the solvers see numbers near 1.
 
 #include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "synthesis/paths/path_program.hpp"
 #include "synthesis/paths/slack.hpp"
+#include "synthesis/solvers/nlopt_backend.hpp"
+#include "synthesis/solvers/polish.hpp"
 
 namespace kempe {
 namespace {
 
-using RowMajorSlopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using LocalSolver = std::function<LongResult(const LongProgram& program, const VectorXd& start)>;
 
-struct PathRun {
-  const PathProgram& program;
-  bool largest;
-  std::size_t evaluations = 0;
-  double scale = 1;  // errors are counted in it, so that the solver sees numbers near 1
-  Eigen::VectorXd value;
-  Eigen::MatrixXd slope;
-
-  Eigen::VectorXd unknowns(const double* u) const {
-    return Eigen::Map<const Eigen::VectorXd>(u, program.size());
-  }
+/// What one evaluation fills.
+struct PathValues {
+  VectorXd value;
+  MatrixXd slope;
 };
 
-double path_cost(unsigned n, const double* u, double* gradient, void* data) {
-  auto& run = *static_cast<PathRun*>(data);
-  ++run.evaluations;
-  if (run.largest) {
-    if (gradient) {
-      std::fill(gradient, gradient + n, 0.0);
-      gradient[n - 1] = 1;
+VectorXd with_last(const VectorXd& values, double last) {
+  VectorXd all(values.size() + 1);
+  all << values, last;
+  return all;
+}
+
+/// Minimises the last unknown.
+double last_unknown(const VectorXd& u, VectorXd* gradient) {
+  if (gradient) *gradient = VectorXd::Unit(u.size(), u.size() - 1);
+  return u[u.size() - 1];
+}
+
+/// The path's limits, in the first rows; the slopes along what lies behind its unknowns are nil.
+void keep_limits(const PathProgram& path, const VectorXd& x, PathValues& scratch, ConstraintValues& values,
+                 ConstraintGradients* gradients) {
+  path.limits(x, scratch.value, gradients ? &scratch.slope : nullptr);
+  values.head(scratch.value.size()) = -scratch.value;
+  if (!gradients) return;
+  gradients->setZero();
+  gradients->topLeftCorner(scratch.slope.rows(), path.size()) = -scratch.slope;
+}
+
+LongProgram mean_square_program(const PathProgram& path, double unit, PathValues& scratch) {
+  LongProgram program{
+      .lower = path.lowest(), .upper = path.highest(), .constraint_count = path.limit_count()};
+  const double weight = 1 / (path.count() * unit * unit);
+  program.objective = [&path, &scratch, weight](const VectorXd& x, VectorXd* gradient) {
+    path.errors(x, scratch.value, gradient ? &scratch.slope : nullptr);
+    if (gradient) *gradient = 2 * weight * scratch.slope.transpose() * scratch.value;
+    return weight * scratch.value.squaredNorm();
+  };
+  program.constraints = [&path, &scratch](const VectorXd& x, ConstraintValues& values,
+                                          ConstraintGradients* gradients) {
+    keep_limits(path, x, scratch, values, gradients);
+  };
+  return program;
+}
+
+LongProgram largest_distance_program(const PathProgram& path, double unit, PathValues& scratch) {
+  constexpr double most = 10;  // times the start's
+  LongProgram program{.lower = with_last(path.lowest(), 0),
+                      .upper = with_last(path.highest(), most),
+                      .constraint_count = path.limit_count() + path.count(),
+                      .objective = last_unknown};
+  const double weight = 1 / (unit * unit);
+  program.constraints = [&path, &scratch, weight](const VectorXd& u, ConstraintValues& values,
+                                                  ConstraintGradients* gradients) {
+    const Eigen::Index unknowns = path.size();
+    const VectorXd x = u.head(unknowns);
+    keep_limits(path, x, scratch, values, gradients);
+    const Eigen::Index own = scratch.value.size();
+    path.errors(x, scratch.value, gradients ? &scratch.slope : nullptr);
+    for (int i = 0; i < path.count(); ++i) {
+      values[own + i] = u[unknowns] - weight * scratch.value.segment<2>(2 * i).squaredNorm();
+      if (!gradients) continue;
+      gradients->row(own + i).head(unknowns) =
+          -2 * weight * scratch.value.segment<2>(2 * i).transpose() * scratch.slope.middleRows<2>(2 * i);
+      (*gradients)(own + i, unknowns) = 1;
     }
-    return u[n - 1];
-  }
-  run.program.errors(run.unknowns(u), run.value, gradient ? &run.slope : nullptr);
-  const double weight = 1 / (run.program.count() * run.scale * run.scale);
-  if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n) = 2 * weight * run.slope.transpose() * run.value;
-  return weight * run.value.squaredNorm();
+  };
+  return program;
 }
 
-void path_limits(unsigned m, double* result, unsigned n, const double* u, double* gradient, void* data) {
-  auto& run = *static_cast<PathRun*>(data);
-  const Eigen::VectorXd x = run.unknowns(u);
-  Eigen::VectorXd value;
-  Eigen::MatrixXd slope;
-  run.program.limits(x, value, gradient ? &slope : nullptr);
-  const Eigen::Index own = value.size(), width = run.program.size();
-  Eigen::Map<Eigen::VectorXd>(result, own) = value;
-  if (gradient) {
-    Eigen::Map<RowMajorSlopes> all(gradient, m, n);
-    all.setZero();
-    all.topLeftCorner(own, width) = slope;
-  }
-  if (!run.largest) return;
-  run.program.errors(x, run.value, gradient ? &run.slope : nullptr);
-  const double weight = 1 / (run.scale * run.scale);
-  for (int i = 0; i < run.program.count(); ++i) {
-    const Eigen::Index row = own + i;
-    result[row] = weight * run.value.segment<2>(2 * i).squaredNorm() - u[n - 1];
-    if (!gradient) continue;
-    Eigen::Map<RowMajorSlopes> all(gradient, m, n);
-    all.row(row).head(width) =
-        2 * weight * run.value.segment<2>(2 * i).transpose() * run.slope.middleRows<2>(2 * i);
-    all(row, n - 1) = -1;
-  }
+/// Within lowest <= x <= highest.
+LongProgram transmission_program(const PathProgram& path, const VectorXd& lowest, const VectorXd& highest,
+                                 PathValues& scratch) {
+  LongProgram program{.lower = with_last(lowest, -2),
+                      .upper = with_last(highest, 1),
+                      .constraint_count = path.limit_count(),
+                      .objective = last_unknown};
+  program.constraints = [&path, &scratch](const VectorXd& u, ConstraintValues& values,
+                                          ConstraintGradients* gradients) {
+    const Eigen::Index unknowns = path.size(), rows = path.transmission_rows();
+    keep_limits(path, u.head(unknowns), scratch, values, gradients);
+    values.head(rows).array() += u[unknowns];
+    if (gradients) gradients->topRightCorner(rows, 1).setConstant(1);
+  };
+  program.equality_count = 2 * path.count();
+  program.equalities = [&path, &scratch](const VectorXd& u, ConstraintValues& values,
+                                         ConstraintGradients* gradients) {
+    path.errors(u.head(path.size()), scratch.value, gradients ? &scratch.slope : nullptr);
+    values = scratch.value;
+    if (!gradients) return;
+    gradients->setZero();
+    gradients->leftCols(path.size()) = scratch.slope;
+  };
+  return program;
 }
 
-/// The unknowns with t behind them: the slope of t.
-double last_unknown(unsigned n, const double* u, double* gradient, void* data) {
-  ++static_cast<PathRun*>(data)->evaluations;
-  if (gradient) {
-    std::fill(gradient, gradient + n, 0.0);
-    gradient[n - 1] = 1;
-  }
-  return u[n - 1];
-}
-
-/// The limits, those of the transmission angle less t.
-void transmission_limits(unsigned m, double* result, unsigned n, const double* u, double* gradient,
-                         void* data) {
-  auto& run = *static_cast<PathRun*>(data);
-  Eigen::VectorXd value;
-  Eigen::MatrixXd slope;
-  run.program.limits(run.unknowns(u), value, gradient ? &slope : nullptr);
-  const int first = run.program.transmission_rows();
-  value.head(first).array() -= u[n - 1];
-  Eigen::Map<Eigen::VectorXd>(result, m) = value;
-  if (!gradient) return;
-  Eigen::Map<RowMajorSlopes> all(gradient, m, n);
-  all.setZero();
-  all.leftCols(run.program.size()) = slope;
-  all.topRightCorner(first, 1).setConstant(-1);
-}
-
-/// The errors, to be nil.
-void nil_errors(unsigned m, double* result, unsigned n, const double* u, double* gradient, void* data) {
-  auto& run = *static_cast<PathRun*>(data);
-  run.program.errors(run.unknowns(u), run.value, gradient ? &run.slope : nullptr);
-  Eigen::Map<Eigen::VectorXd>(result, m) = run.value;
-  if (!gradient) return;
-  Eigen::Map<RowMajorSlopes> all(gradient, m, n);
-  all.setZero();
-  all.leftCols(run.program.size()) = run.slope;
-}
-
-double largest_square(const Eigen::VectorXd& errors) {
+double largest_square(const VectorXd& errors) {
   double most = 0;
   for (Eigen::Index i = 0; i + 1 < errors.size(); i += 2)
     most = std::max(most, errors.segment<2>(i).squaredNorm());
   return most;
 }
 
-/// SLSQP on a path's unknowns and, where a largest value is made small, that value behind them.
-class Slsqp {
- public:
-  Slsqp(PathRun& run, nlopt_func cost, const Eigen::VectorXd& start, const Eigen::VectorXd& lowest,
-        const Eigen::VectorXd& highest)
-      : run_(run), all_(start.data(), start.data() + start.size()), lowest_(lowest), highest_(highest) {
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
-      all_[i] = std::clamp(all_[i], lowest_[at], highest_[at]);
-    }
-    solver_.reset(nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(all_.size())));
-    nlopt_set_lower_bounds(solver_.get(), lowest_.data());
-    nlopt_set_upper_bounds(solver_.get(), highest_.data());
-    nlopt_set_min_objective(solver_.get(), cost, &run);
-    nlopt_set_xtol_rel(solver_.get(), slack::path_at_rest);
-  }
-
-  /// So many values that are to be at most nil, or nil.
-  void limit(nlopt_mfunc values, int rows) {
-    const std::vector<double> slack(static_cast<std::size_t>(rows), at_nil);
-    nlopt_add_inequality_mconstraint(solver_.get(), static_cast<unsigned>(rows), values, &run_, slack.data());
-  }
-  void equate(nlopt_mfunc values, int rows) {
-    const std::vector<double> slack(static_cast<std::size_t>(rows), at_nil);
-    nlopt_add_equality_mconstraint(solver_.get(), static_cast<unsigned>(rows), values, &run_, slack.data());
-  }
-
-  /// The path's unknowns where it ends.
-  Eigen::VectorXd end(int most_evaluations) {
-    nlopt_set_maxeval(solver_.get(), most_evaluations);
-    double cost = 0;
-    nlopt_optimize(solver_.get(), all_.data(), &cost);
-    return run_.unknowns(all_.data());
-  }
-
- private:
-  static constexpr double at_nil = 1e-12;
-  PathRun& run_;
-  std::vector<double> all_;
-  Eigen::VectorXd lowest_, highest_;
-  std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> solver_{nullptr, &nlopt_destroy};
-};
-
-Eigen::VectorXd with_last(const Eigen::VectorXd& values, double last) {
-  Eigen::VectorXd all(values.size() + 1);
-  all << values, last;
-  return all;
-}
-
-/// One run of SLSQP; x becomes its end where that is finite.
-void run_slsqp(PathRun& run, int most_evaluations, Eigen::VectorXd& x) {
-  const PathProgram& program = run.program;
-  program.errors(x, run.value, nullptr);
-  const double square = run.largest ? largest_square(run.value) : run.value.squaredNorm() / program.count();
-  run.scale = std::max(std::sqrt(square), 1e-12);
-  const Eigen::VectorXd low = program.lowest(), high = program.highest();
-  Slsqp solver(run, path_cost, run.largest ? with_last(x, 1) : x, run.largest ? with_last(low, 0) : low,
-               run.largest ? with_last(high, 10) : high);
-  solver.limit(path_limits, program.limit_count() + (run.largest ? program.count() : 0));
-  const Eigen::VectorXd end = solver.end(most_evaluations);
-  if (end.allFinite()) x = end;
-}
-
-/// Newton's steps to no error at all, the shortest that lead there, kept while they lessen the error within the limits.
-void meet_points(PathRun& run, Eigen::VectorXd& x) {
-  const auto kept = [&](const Eigen::VectorXd& at) {
-    Eigen::VectorXd value;
-    run.program.limits(at, value, nullptr);
-    return value.maxCoeff() <= 0;
+/// Newton's steps to no error at all, the shortest that lead there, kept while they lessen the error within the limits. The number of
+/// evaluations.
+std::size_t meet_points(const PathProgram& path, VectorXd& x) {
+  PathValues here, there;
+  const auto kept = [&](const VectorXd& at) {
+    path.limits(at, there.value, nullptr);
+    return there.value.maxCoeff() <= 0;
   };
   const bool was_kept = kept(x);
-  for (int round = 0; round < 8; ++round) {
-    ++run.evaluations;
-    if (!run.program.errors(x, run.value, &run.slope)) return;
-    const double before = run.value.squaredNorm();
-    const Eigen::VectorXd trial = x - run.slope.completeOrthogonalDecomposition().solve(run.value);
-    if (!trial.allFinite() || !run.program.errors(trial, run.value, nullptr)) return;
-    if (!(run.value.squaredNorm() < before) || (was_kept && !kept(trial))) return;
+  constexpr std::size_t most_rounds = 8;
+  for (std::size_t round = 0; round < most_rounds; ++round) {
+    if (!path.errors(x, here.value, &here.slope)) return round + 1;
+    const VectorXd trial = x - here.slope.completeOrthogonalDecomposition().solve(here.value);
+    if (!trial.allFinite() || !path.errors(trial, there.value, nullptr)) return round + 1;
+    if (!(there.value.squaredNorm() < here.value.squaredNorm()) || (was_kept && !kept(trial)))
+      return round + 1;
     x = trial;
   }
+  return most_rounds;
+}
+
+/// The path's unknowns where a solver ended, x where that is not finite, brought to meet the points where they nearly do.
+VectorXd ended(const PathProgram& path, const LongResult& result, const VectorXd& x,
+               std::size_t& evaluations) {
+  evaluations += static_cast<std::size_t>(result.evaluations);
+  VectorXd end = result.x.allFinite() ? VectorXd(result.x.head(path.size())) : x, errors;
+  if (path.errors(end, errors, nullptr) && errors.norm() < slack::path_nearly_met)
+    evaluations += meet_points(path, end);
+  return end;
+}
+
+VectorXd refined_by(const LocalSolver& solve, const PathProgram& path, PathAim aim, const VectorXd& x,
+                    std::size_t& evaluations) {
+  PathValues scratch;
+  path.errors(x, scratch.value, nullptr);
+  const bool largest = aim == PathAim::largest_distance;
+  const double square = largest ? largest_square(scratch.value) : scratch.value.squaredNorm() / path.count();
+  const double unit = std::max(std::sqrt(square), slack::path_least_unit);
+  const LongResult result = largest ? solve(largest_distance_program(path, unit, scratch), with_last(x, 1))
+                                    : solve(mean_square_program(path, unit, scratch), x);
+  return ended(path, result, x, evaluations);
 }
 
 }  // namespace
 
-void refine_path(const PathProgram& program, PathAim aim, int most_evaluations, Eigen::VectorXd& x,
-                 std::size_t& evaluations) {
-  PathRun run{program, aim == PathAim::largest_distance, 0, 1, {}, {}};
-  run_slsqp(run, most_evaluations, x);
-  if (program.errors(x, run.value, nullptr) && run.value.norm() < 1e-2) meet_points(run, x);
-  evaluations += run.evaluations;
+VectorXd refined_path(const PathProgram& program, PathAim aim, int most_evaluations, const VectorXd& x,
+                      std::size_t& evaluations) {
+  const LocalSolver sqp = [&](const LongProgram& task, const VectorXd& start) {
+    return minimize_by_sqp(task, start, most_evaluations);
+  };
+  return refined_by(sqp, program, aim, x, evaluations);
 }
 
-void raise_path_transmission(const PathProgram& program, double reach, int most_evaluations,
-                             Eigen::VectorXd& x, std::size_t& evaluations) {
-  PathRun run{program, false, 0, 1, {}, {}};
-  Eigen::VectorXd kept;
+VectorXd polished_path(const PathProgram& program, PathAim aim, const VectorXd& x, std::size_t& evaluations) {
+  const LocalSolver second = [](const LongProgram& task, const VectorXd& start) {
+    return polish(task, start);
+  };
+  return refined_by(second, program, aim, x, evaluations);
+}
+
+VectorXd led_to_larger_transmission(const PathProgram& program, double reach, int most_evaluations,
+                                    const VectorXd& x, std::size_t& evaluations) {
+  PathValues scratch;
+  VectorXd kept;
   program.limits(x, kept, nullptr);
-  const Eigen::VectorXd most = reach * (1 + x.array().abs());
-  const Eigen::VectorXd low = program.lowest().cwiseMax(x - most),
-                        high = program.highest().cwiseMin(x + most);
-  Slsqp solver(run, last_unknown, with_last(x, kept.head(program.transmission_rows()).maxCoeff()),
-               with_last(low, -2), with_last(high, 1));
-  solver.limit(transmission_limits, program.limit_count());
-  solver.equate(nil_errors, 2 * program.count());
-  Eigen::VectorXd end = solver.end(most_evaluations);
-  if (end.allFinite() && program.errors(end, run.value, nullptr) && run.value.norm() < 1e-2) {
-    meet_points(run, end);
-    x = end;
-  }
-  evaluations += run.evaluations;
+  const VectorXd most = reach * (1 + x.array().abs());
+  const LongProgram task = transmission_program(program, program.lowest().cwiseMax(x - most),
+                                                program.highest().cwiseMin(x + most), scratch);
+  const VectorXd start = with_last(x, kept.head(program.transmission_rows()).maxCoeff());
+  return ended(program, minimize_by_sqp(task, start, most_evaluations), x, evaluations);
 }
 
 }  // namespace kempe

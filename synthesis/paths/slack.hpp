@@ -39,7 +39,8 @@ inline constexpr double poses_met = 1e-8;
 inline constexpr double copies_itself = 1e-6;
 /// Share of the copy's size: what the general solver may find a copied point off by.
 inline constexpr double copied = 1e-9;
-/// None: changes at which the local solver ends.
-inline constexpr double path_at_rest = 1e-13;
+/// Shares of the path's size: errors below the first, all squares together, are led to nil by Newton's steps; the local solver counts
+/// errors in those of its start, or in the second if they are smaller.
+inline constexpr double path_nearly_met = 1e-2, path_least_unit = 1e-12;
 
 }  // namespace kempe::slack

@@ -15,17 +15,20 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-/// The program as Ipopt asks for it: dense Jacobian, lower triangle of a dense Hessian. No callback throws.
+/// The program as Ipopt asks for it: dense Jacobian, the equalities' rows last, lower triangle of a dense Hessian. No callback throws.
+template <class Vector, class Matrix>
 class Transcription : public Ipopt::TNLP {
  public:
-  Transcription(const SmoothProgram& program, const DesignVector& start, const StopFlag& stop,
-                LocalResult& result)
+  using Program = NonlinearProgram<Vector, Matrix>;
+
+  Transcription(const Program& program, const Vector& start, const StopFlag& stop,
+                LocalSolution<Vector>& result)
       : program_(program), start_(start), stop_(stop), result_(result) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_entries, Index& hessian_entries,
                     IndexStyleEnum& style) override {
     n = program_.size();
-    m = program_.constraint_count;
+    m = program_.constraint_count + program_.equality_count;
     jacobian_entries = n * m;
     hessian_entries = n * (n + 1) / 2;
     style = C_STYLE;
@@ -35,7 +38,7 @@ class Transcription : public Ipopt::TNLP {
   bool get_bounds_info(Index n, Number* x_lower, Number* x_upper, Index m, Number* g_lower,
                        Number* g_upper) override {
     for (Index i = 0; i < n; ++i) x_lower[i] = program_.lower[i], x_upper[i] = program_.upper[i];
-    for (Index i = 0; i < m; ++i) g_lower[i] = 0, g_upper[i] = 2e19;
+    for (Index i = 0; i < m; ++i) g_lower[i] = 0, g_upper[i] = i < program_.constraint_count ? 2e19 : 0;
     return true;
   }
 
@@ -51,45 +54,44 @@ class Transcription : public Ipopt::TNLP {
   }
 
   bool eval_grad_f(Index n, const Number* x, bool, Number* gradient) override {
-    DesignVector derivative(n);
+    Vector derivative(n);
     program_.objective(vector(n, x), &derivative);
     for (Index i = 0; i < n; ++i) gradient[i] = derivative[i];
     return derivative.allFinite();
   }
 
   bool eval_g(Index n, const Number* x, bool, Index m, Number* values) override {
-    ConstraintValues seen(m);
-    program_.constraints(vector(n, x), seen, nullptr);
+    const ConstraintValues seen = rows(vector(n, x), nullptr);
     for (Index i = 0; i < m; ++i) values[i] = seen[i];
     return seen.allFinite();
   }
 
-  bool eval_jac_g(Index n, const Number* x, bool, Index m, Index, Index* rows, Index* columns,
+  bool eval_jac_g(Index n, const Number* x, bool, Index m, Index, Index* row, Index* column,
                   Number* values) override {
     if (!values) {
       for (Index i = 0; i < m; ++i)
-        for (Index j = 0; j < n; ++j) rows[i * n + j] = i, columns[i * n + j] = j;
+        for (Index j = 0; j < n; ++j) row[i * n + j] = i, column[i * n + j] = j;
       return true;
     }
-    ConstraintValues seen(m);
     ConstraintGradients gradients(m, n);
-    program_.constraints(vector(n, x), seen, &gradients);
+    rows(vector(n, x), &gradients);
     for (Index i = 0; i < m; ++i)
       for (Index j = 0; j < n; ++j) values[i * n + j] = gradients(i, j);
     return gradients.allFinite();
   }
 
   bool eval_h(Index n, const Number* x, bool, Number factor, Index m, const Number* multipliers, bool, Index,
-              Index* rows, Index* columns, Number* values) override {
+              Index* row, Index* column, Number* values) override {
     Index entry = 0;
     if (!values) {
       for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j <= i; ++j) rows[entry] = i, columns[entry++] = j;
+        for (Index j = 0; j <= i; ++j) row[entry] = i, column[entry++] = j;
       return true;
     }
     // Ipopt's Lagrangian adds the constraints, ours subtracts them.
     const Eigen::VectorXd subtracted = -Eigen::Map<const Eigen::VectorXd>(multipliers, m);
-    const DesignMatrix hessian = program_.hessian(vector(n, x), factor, subtracted);
+    const Matrix hessian = program_.hessian ? program_.hessian(vector(n, x), factor, subtracted)
+                                            : hessian_by_differences(vector(n, x), factor, subtracted);
     for (Index i = 0; i < n; ++i)
       for (Index j = 0; j <= i; ++j) values[entry++] = hessian(i, j);
     return hessian.allFinite();
@@ -108,12 +110,50 @@ class Transcription : public Ipopt::TNLP {
   }
 
  private:
-  static DesignVector vector(Index n, const Number* x) { return Eigen::Map<const Eigen::VectorXd>(x, n); }
+  static Vector vector(Index n, const Number* x) { return Eigen::Map<const Eigen::VectorXd>(x, n); }
 
-  const SmoothProgram& program_;
-  const DesignVector& start_;
+  ConstraintValues rows(const Vector& x, ConstraintGradients* gradients) const {
+    const Index own = program_.constraint_count, nil = program_.equality_count;
+    ConstraintValues values(own + nil);
+    const auto fill = [&](const typename Program::Rows& some, Index first, Index count) {
+      if (count == 0) return;
+      ConstraintValues part(count);
+      ConstraintGradients slopes(gradients ? count : 0, x.size());
+      some(x, part, gradients ? &slopes : nullptr);
+      values.segment(first, count) = part;
+      if (gradients) gradients->middleRows(first, count) = slopes;
+    };
+    fill(program_.constraints, 0, own);
+    fill(program_.equalities, own, nil);
+    return values;
+  }
+
+  Vector lagrangian_gradient(const Vector& x, double factor, const Eigen::VectorXd& multipliers) const {
+    Vector gradient(x.size());
+    program_.objective(x, &gradient);
+    ConstraintGradients slopes(multipliers.size(), x.size());
+    rows(x, &slopes);
+    return factor * gradient - slopes.transpose() * multipliers;
+  }
+
+  Matrix hessian_by_differences(const Vector& x, double factor, const Eigen::VectorXd& multipliers) const {
+    Matrix hessian(x.size(), x.size());
+    for (Index j = 0; j < x.size(); ++j) {
+      const double step = slack::hessian_step * (1 + std::abs(x[j]));
+      Vector ahead = x, behind = x;
+      ahead[j] += step;
+      behind[j] -= step;
+      hessian.col(j) = (lagrangian_gradient(ahead, factor, multipliers) -
+                        lagrangian_gradient(behind, factor, multipliers)) /
+                       (ahead[j] - behind[j]);
+    }
+    return 0.5 * (hessian + hessian.transpose());
+  }
+
+  const Program& program_;
+  const Vector& start_;
   const StopFlag& stop_;
-  LocalResult& result_;
+  LocalSolution<Vector>& result_;
 };
 
 /// MUMPS, which Ipopt solves its linear systems with, is not thread-safe.
@@ -122,26 +162,37 @@ std::mutex& one_at_a_time() {
   return mutex;
 }
 
+template <class Vector, class Matrix>
+LocalSolution<Vector> solved(const NonlinearProgram<Vector, Matrix>& program, const Vector& start,
+                             const StopFlag& stop, int most_iterations) {
+  const std::lock_guard<std::mutex> lock(one_at_a_time());
+  LocalSolution<Vector> result{.x = start};
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = new Ipopt::IpoptApplication(false);
+  solver->Options()->SetStringValue("sb", "yes");
+  solver->Options()->SetIntegerValue("print_level", 0);
+  solver->Options()->SetIntegerValue("max_iter", most_iterations);
+  solver->Options()->SetNumericValue("tol", slack::ipopt_optimality);
+  solver->Options()->SetNumericValue("bound_relax_factor", 0);
+  solver->Options()->SetStringValue("mu_strategy", "adaptive");
+  if (solver->Initialize() != Ipopt::Solve_Succeeded) return result;
+  const Ipopt::SmartPtr<Ipopt::TNLP> problem =
+      new Transcription<Vector, Matrix>(program, start, stop, result);
+  const Ipopt::ApplicationReturnStatus status = solver->OptimizeTNLP(problem);
+  result.usable = (status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level) &&
+                  result.x.allFinite();
+  return result;
+}
+
 }  // namespace
 
 std::string polish_solver() { return "Ipopt " IPOPT_VERSION; }
 
 LocalResult polish(const SmoothProgram& program, const DesignVector& start, const StopFlag& stop) {
-  const std::lock_guard<std::mutex> lock(one_at_a_time());
-  LocalResult result{.x = start};
-  const Ipopt::SmartPtr<Ipopt::IpoptApplication> solver = new Ipopt::IpoptApplication(false);
-  solver->Options()->SetStringValue("sb", "yes");
-  solver->Options()->SetIntegerValue("print_level", 0);
-  solver->Options()->SetIntegerValue("max_iter", 60);
-  solver->Options()->SetNumericValue("tol", slack::ipopt_optimality);
-  solver->Options()->SetNumericValue("bound_relax_factor", 0);
-  solver->Options()->SetStringValue("mu_strategy", "adaptive");
-  if (solver->Initialize() != Ipopt::Solve_Succeeded) return result;
-  const Ipopt::SmartPtr<Ipopt::TNLP> problem = new Transcription(program, start, stop, result);
-  const Ipopt::ApplicationReturnStatus status = solver->OptimizeTNLP(problem);
-  result.usable = (status == Ipopt::Solve_Succeeded || status == Ipopt::Solved_To_Acceptable_Level) &&
-                  result.x.allFinite();
-  return result;
+  return solved(program, start, stop, 60);
+}
+
+LongResult polish(const LongProgram& program, const Eigen::VectorXd& start) {
+  return solved(program, start, StopFlag(), 300);
 }
 
 }  // namespace kempe

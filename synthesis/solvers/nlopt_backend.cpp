@@ -49,35 +49,77 @@ void explore_by(nlopt_algorithm algorithm, int evaluations, const ExploreTask& t
   nlopt_optimize(solver.get(), start.data(), &merit);
 }
 
-struct LocalRun {
-  const SmoothProgram* program;
-  const StopFlag* stop;
-  nlopt_opt solver;
-  int evaluations = 0;
-};
+/// SLSQP on a program, which NLopt calls back with plain arrays.
+template <class Vector, class Matrix>
+class Slsqp {
+ public:
+  using Program = NonlinearProgram<Vector, Matrix>;
 
-DesignVector copied(const double* x, unsigned n) { return Eigen::Map<const Eigen::VectorXd>(x, n); }
+  Slsqp(const Program& program, const StopFlag& stop)
+      : program_(program), stop_(stop), solver_(make_solver(NLOPT_LD_SLSQP, program.size())) {
+    nlopt_set_lower_bounds(solver_.get(), program.lower.data());
+    nlopt_set_upper_bounds(solver_.get(), program.upper.data());
+    nlopt_set_min_objective(solver_.get(), cost, this);
+    const std::vector<double> tolerance(
+        static_cast<std::size_t>(std::max(program.constraint_count, program.equality_count)),
+        slack::solver_constraint);
+    if (program.constraint_count > 0)
+      nlopt_add_inequality_mconstraint(solver_.get(), static_cast<unsigned>(program.constraint_count),
+                                       inequalities, this, tolerance.data());
+    if (program.equality_count > 0)
+      nlopt_add_equality_mconstraint(solver_.get(), static_cast<unsigned>(program.equality_count), equalities,
+                                     this, tolerance.data());
+    nlopt_set_xtol_rel(solver_.get(), slack::solver_variables);
+  }
 
-double objective_callback(unsigned n, const double* x, double* gradient, void* data) {
-  auto& run = *static_cast<LocalRun*>(data);
-  ++run.evaluations;
-  if ((*run.stop)()) nlopt_force_stop(run.solver);
-  DesignVector derivative(n);
-  const double value = run.program->objective(copied(x, n), gradient ? &derivative : nullptr);
-  if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n) = derivative;
-  return value;
-}
+  LocalSolution<Vector> end(const Vector& start, int most_evaluations, double cost_at_rest) {
+    nlopt_set_ftol_rel(solver_.get(), cost_at_rest);
+    nlopt_set_maxeval(solver_.get(), most_evaluations);
+    LocalSolution<Vector> result{.x = start.cwiseMax(program_.lower).cwiseMin(program_.upper)};
+    double value = 0;
+    const nlopt_result status = nlopt_optimize(solver_.get(), result.x.data(), &value);
+    result.usable = (status > 0 || status == NLOPT_ROUNDOFF_LIMITED) && result.x.allFinite();
+    result.evaluations = evaluations_;
+    return result;
+  }
 
-/// NLopt's constraints are <= 0.
-void constraint_callback(unsigned m, double* result, unsigned n, const double* x, double* gradient,
+ private:
+  static Vector copied(const double* x, unsigned n) { return Eigen::Map<const Eigen::VectorXd>(x, n); }
+
+  static double cost(unsigned n, const double* x, double* gradient, void* data) {
+    auto& run = *static_cast<Slsqp*>(data);
+    ++run.evaluations_;
+    if (run.stop_()) nlopt_force_stop(run.solver_.get());
+    Vector derivative(n);
+    const double value = run.program_.objective(copied(x, n), gradient ? &derivative : nullptr);
+    if (gradient) Eigen::Map<Eigen::VectorXd>(gradient, n) = derivative;
+    return value;
+  }
+
+  static void equalities(unsigned m, double* result, unsigned n, const double* x, double* gradient,
                          void* data) {
-  const auto& run = *static_cast<const LocalRun*>(data);
-  ConstraintValues values(m);
-  ConstraintGradients gradients(m, n);
-  run.program->constraints(copied(x, n), values, gradient ? &gradients : nullptr);
-  Eigen::Map<Eigen::VectorXd>(result, m) = -values;
-  if (gradient) Eigen::Map<ConstraintGradients>(gradient, m, n) = -gradients;
-}
+    ConstraintValues values(m);
+    ConstraintGradients gradients(m, n);
+    static_cast<Slsqp*>(data)->program_.equalities(copied(x, n), values, gradient ? &gradients : nullptr);
+    Eigen::Map<Eigen::VectorXd>(result, m) = values;
+    if (gradient) Eigen::Map<ConstraintGradients>(gradient, m, n) = gradients;
+  }
+
+  /// NLopt's constraints are <= 0.
+  static void inequalities(unsigned m, double* result, unsigned n, const double* x, double* gradient,
+                           void* data) {
+    ConstraintValues values(m);
+    ConstraintGradients gradients(m, n);
+    static_cast<Slsqp*>(data)->program_.constraints(copied(x, n), values, gradient ? &gradients : nullptr);
+    Eigen::Map<Eigen::VectorXd>(result, m) = -values;
+    if (gradient) Eigen::Map<ConstraintGradients>(gradient, m, n) = -gradients;
+  }
+
+  const Program& program_;
+  const StopFlag& stop_;
+  Solver solver_;
+  int evaluations_ = 0;
+};
 
 }  // namespace
 
@@ -98,26 +140,12 @@ std::vector<Explored> explore(const ExploreTask& task) {
 
 LocalResult minimize_by_sqp(const SmoothProgram& program, const DesignVector& start, int most_evaluations,
                             const StopFlag& stop) {
-  const int n = program.size();
-  const Solver solver = make_solver(NLOPT_LD_SLSQP, n);
-  LocalRun run{&program, &stop, solver.get()};
-  nlopt_set_lower_bounds(solver.get(), program.lower.data());
-  nlopt_set_upper_bounds(solver.get(), program.upper.data());
-  nlopt_set_min_objective(solver.get(), objective_callback, &run);
-  const std::vector<double> tolerance(static_cast<std::size_t>(program.constraint_count),
-                                      slack::solver_constraint);
-  if (program.constraint_count > 0)
-    nlopt_add_inequality_mconstraint(solver.get(), static_cast<unsigned>(program.constraint_count),
-                                     constraint_callback, &run, tolerance.data());
-  nlopt_set_xtol_rel(solver.get(), slack::solver_variables);
-  nlopt_set_ftol_rel(solver.get(), slack::solver_cost);
-  nlopt_set_maxeval(solver.get(), most_evaluations);
-  LocalResult result{.x = start.cwiseMax(program.lower).cwiseMin(program.upper)};
-  double value = 0;
-  const nlopt_result status = nlopt_optimize(solver.get(), result.x.data(), &value);
-  result.usable = (status > 0 || status == NLOPT_ROUNDOFF_LIMITED) && result.x.allFinite();
-  result.evaluations = run.evaluations;
-  return result;
+  return Slsqp(program, stop).end(start, most_evaluations, slack::solver_cost);
+}
+
+LongResult minimize_by_sqp(const LongProgram& program, const Eigen::VectorXd& start, int most_evaluations) {
+  const StopFlag never;
+  return Slsqp(program, never).end(start, most_evaluations, 0);
 }
 
 }  // namespace kempe

@@ -33,4 +33,7 @@ std::vector<Explored> explore(const ExploreTask& task);
 LocalResult minimize_by_sqp(const SmoothProgram& program, const DesignVector& start, int most_evaluations,
                             const StopFlag& stop);
 
+/// The same for any number of variables; ends only where they change no more, for a cost that is to fall to nothing.
+LongResult minimize_by_sqp(const LongProgram& program, const Eigen::VectorXd& start, int most_evaluations);
+
 }  // namespace kempe

@@ -13,4 +13,7 @@ std::string polish_solver();
 /// wait for each other: Ipopt's linear solver is not thread-safe).
 LocalResult polish(const SmoothProgram& program, const DesignVector& start, const StopFlag& stop);
 
+/// The same for any number of variables; a program without a Hessian has it from differences of gradients.
+LongResult polish(const LongProgram& program, const Eigen::VectorXd& start);
+
 }  // namespace kempe

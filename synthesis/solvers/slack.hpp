@@ -12,6 +12,8 @@ inline constexpr double solver_constraint = 1e-12;
 inline constexpr double solver_variables = 1e-13, solver_cost = 1e-14;
 /// Ipopt's optimality error.
 inline constexpr double ipopt_optimality = 1e-10;
+/// Share of 1 + |x|: the step of differences of gradients.
+inline constexpr double hessian_step = 1e-5;
 
 // Newton's polish
 

@@ -10,4 +10,8 @@ LocalResult polish(const SmoothProgram& program, const DesignVector& start, cons
   return minimize_by_sqp(program, start, 400, stop);
 }
 
+LongResult polish(const LongProgram& program, const Eigen::VectorXd& start) {
+  return minimize_by_sqp(program, start, 400);
+}
+
 }  // namespace kempe

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "synthesis/paths/path_program.hpp"
+#include "synthesis/paths/slack.hpp"
 
 namespace kempe {
 namespace {
@@ -399,6 +400,36 @@ TEST(PathGenerator, WhatIsGivenTurnsWithTheTask) {
   EXPECT_LT((turn(first.linkage.crank_pivot) - second.linkage.crank_pivot).norm(), 1e-9);
   const Point ground = second.linkage.rocker_pivot - second.linkage.crank_pivot;
   EXPECT_NEAR(std::atan2(ground.y(), ground.x()), 2.3, 1e-9);
+}
+
+/// From where the first solver ends the second goes no farther up, for either aim, and keeps the limits.
+TEST(PathGenerator, TheSecondSolverEndsNoHigherThanTheFirst) {
+  const PathTask task = loop_of_eighteen();
+  int seen = 0;
+  for (const PathAim aim : {PathAim::mean_square, PathAim::largest_distance})
+    for (int start = 0; start < 6; ++start) {
+      const PathProgram program(task, start % 2 ? FourBarBranch::first : FourBarBranch::second, true);
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(program.size()), errors, limits;
+      x.segment<4>(6) << -1.2 + 0.1 * start, 0.3 + 0.1 * start, 0.4 - 0.1 * start, 0.5 * start;
+      if (!program.project(x)) continue;
+      const auto highest = [&](const Eigen::VectorXd& at) {
+        EXPECT_TRUE(program.errors(at, errors, nullptr));
+        if (aim == PathAim::mean_square) return errors.squaredNorm() / program.count();
+        return errors.reshaped(2, program.count()).colwise().squaredNorm().maxCoeff();
+      };
+      std::size_t evaluations = 0;
+      x = refined_path(program, aim, 1500, x, evaluations);
+      program.limits(x, limits, nullptr);
+      if (limits.maxCoeff() > slack::path_limit_broken) continue;
+      ++seen;
+      const std::size_t before = evaluations;
+      const Eigen::VectorXd end = polished_path(program, aim, x, evaluations);
+      EXPECT_GT(evaluations, before);
+      EXPECT_LE(highest(end), highest(x) * (1 + 1e-6)) << start;
+      program.limits(end, limits, nullptr);
+      EXPECT_LE(limits.maxCoeff(), slack::path_limit_broken) << start;
+    }
+  EXPECT_GE(seen, 6);
 }
 
 /// No step away from it lessens the squares, along any unknown that is not given.
