@@ -7,7 +7,7 @@ list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_OBJECTS:kempe_\\1>" OUTPUT_VARIABL
 list(FILTER outside EXCLUDE REGEX "^kempe::|^tl::expected$|^nlohmann_json::|^Eigen3::")
 list(REMOVE_DUPLICATES outside)
 
-add_library(kempe ${objects})
+add_library(kempe ${objects} ${KEMPE_LIBM_OBJECT})
 add_library(kempe::kempe ALIAS kempe)
 set_target_properties(kempe PROPERTIES LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 target_compile_features(kempe INTERFACE cxx_std_20)

@@ -1,6 +1,7 @@
 #include "geometry/edge_tree.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace kempe {
 namespace {
@@ -50,9 +51,12 @@ void EdgeTree::build(std::uint32_t first, std::uint32_t count) {
   }
   const Point extent = centres.upper - centres.lower;
   const Eigen::Index axis = extent.x() >= extent.y() ? 0 : 1;
-  std::nth_element(begin, middle, end, [axis](const Edge& a, const Edge& b) {
-    return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis];
-  });
+  // No two edges tie: which of them a half gets does not depend on the C++ library.
+  const auto place = [axis](const Edge& edge) {
+    return std::tuple(edge.from[axis] + edge.to[axis], edge.from.x(), edge.from.y(), edge.to.x(),
+                      edge.to.y());
+  };
+  std::nth_element(begin, middle, end, [&](const Edge& a, const Edge& b) { return place(a) < place(b); });
   build(first, count / 2);
   build(first + count / 2, count - count / 2);
   const auto index = static_cast<std::uint32_t>(here);

@@ -16,8 +16,12 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
+#include <complex>
 #include <cstdio>
 #include <system_error>
+
+#include "complex_division.hpp"
 
 namespace std {
 
@@ -39,6 +43,18 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
     return {last, errc::value_too_large};
   for (int i = 0; i < length; ++i) first[i] = text[i];
   return {first + length, errc()};
+}
+
+/// Native programs divide as libgcc does. What has no finite quotient is left to this library.
+inline complex<double> operator/(const complex<double>& z, const complex<double>& w) {
+  const kempe::Quotient quotient = kempe::quotient_as_libgcc(z.real(), z.imag(), w.real(), w.imag());
+  if (isfinite(quotient.re) && isfinite(quotient.im)) return {quotient.re, quotient.im};
+  return operator/<double>(z, w);
+}
+inline complex<double> operator/(const double& z, const complex<double>& w) { return complex<double>(z) / w; }
+template <>
+inline complex<double>& complex<double>::operator/=(const complex<double>& w) {
+  return *this = *this / w;
 }
 
 #if !defined(__cpp_lib_bit_cast)
