@@ -294,6 +294,24 @@ TEST(LinkageExamples, ShearPressTakesTheWorkThatItsHandGives) {
   EXPECT_GT(work, 140);
 }
 
+// W. F. Riley and L. D. Sturges, Engineering Mechanics: Statics, 2nd edition, problem 7-87, with the figures of their solution.
+TEST(LinkageExamples, TogglePressBearsThePrintedForces) {
+  const Example press("toggle-press");
+  const RunFrame& first = press.run.frames.front();
+  const Point D = press.at(first, "D"), arm = press.at(first, "B") - D;
+  EXPECT_NEAR(degrees(std::atan(D.y() / D.x())), 78, 1e-4);
+  EXPECT_NEAR(degrees(std::atan(-arm.y() / arm.x())), 67, 1e-4);
+  EXPECT_NEAR(D.y(), press.at(first, "E").y(), 1e-5);
+  const std::vector<Reaction> reactions = reactions_in(press, first, false);
+  ASSERT_EQ(reactions.size(), 7u);  // C, D twice, F, E, B, the can
+  const auto printed = [](double value, double figure) { EXPECT_NEAR(std::abs(value), figure, 0.05); };
+  printed(reactions[1].force.norm(), 601.8);  // in CD
+  printed(reactions[2].force.norm(), 639.5);  // in BD
+  printed(reactions[4].force.norm(), 375);    // in DE
+  printed(reactions[6].along, 588.7);         // on the can
+  EXPECT_GT(reactions[6].along, 0) << "the can holds the piston up";
+}
+
 class EveryExample : public testing::TestWithParam<const char*> {};
 
 /// Jumps of an eighth of the motion (45 degrees of a turn), forth and back, land where a fine walk passes.
@@ -326,7 +344,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, EveryExample,
                                          "stephenson-six-bar", "chebyshev", "geared-five-bar",
                                          "pantograph-by-distances", "third-crank", "crank-rocker",
                                          "double-crank", "double-rocker", "change-point",
-                                         "watt-straight-line", "hoecken", "jansen", "quick-return", "toggle"),
+                                         "watt-straight-line", "hoecken", "jansen", "quick-return", "toggle",
+                                         "toggle-press"),
                          [](const auto& example) {
                            std::string name = example.param;
                            std::erase(name, '-');
