@@ -8,8 +8,7 @@ function(kempe_room name)
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)  # a shared library shows what include/kempe marks
   target_compile_features(kempe_${name} PUBLIC cxx_std_20)
   target_include_directories(kempe_${name} PUBLIC ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} PRIVATE ${ROOM_PRIVATE_USES}
-    PUBLIC kempe_libm)
+  target_link_libraries(kempe_${name} PUBLIC ${ROOM_USES} kempe_libm PRIVATE ${ROOM_PRIVATE_USES})
   kempe_warnings(kempe_${name})
   kempe_whole_folders(kempe_${name} ${ROOM_JOINED})
   # No contraction: a compiler for a machine with fused multiply-add rounds every product as the others do, so that the same
