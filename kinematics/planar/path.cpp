@@ -198,13 +198,16 @@ double PlanarPath::share_of(const Eigen::VectorXd& step) {
   if (certificate_.anchor().size() == 0) measure();
   for (;; measure()) {
     certificate_.weigh_alike();
+    const double turn = certificate_.length(step);
     const double plain = share();
     if (plain >= 1 || reach_ >= StepCertificate::longest) return plain;
     certificate_.weigh_by(step);
     const double weighed = share();
     if (weighed >= 1) return weighed;
     if (!is_measured()) continue;
-    if (weighed > plain) return weighed;
+    // Weights lengthen a step; whether a position is singular is told by how far bodies truly turn, or rounding carries the path over
+    // to the assembly mode that touches there.
+    if (weighed > plain) return weighed * turn > slack::singular_turn ? weighed : 0;
     certificate_.weigh_alike();
     return share();
   }

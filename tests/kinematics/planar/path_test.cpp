@@ -173,7 +173,7 @@ TEST(PlanarPath, CranksBeyondTheSecondStopAParallelogramNowhere) {
 
 TEST(PlanarPath, CranksWithFeetInALineHaveTheirChangePointWhereAllLieInIt) {
   Random random(8);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 400; ++i) {
     SCOPED_TRACE(i);
     const std::vector<Point> feet{{0, 0}, {2, 0}, {random.uniform(-3, -0.5), 0}};
     const double length = random.uniform(0.3, 1.7), start = random.uniform(0.2, 2.9);
