@@ -668,6 +668,14 @@
       return this.name || "design";
     }
 
+    /** What stands on paper alone. */
+    fillPrint() {
+      const turn = this.doc.get("copy.rotation_deg"), scale = this.doc.get("copy.scale");
+      const copy = scale === undefined ? "" : `: × ${kempe.figure(scale, 4)}${turn ? `, ${kempe.figure(turn, 4)}°` : ""}`;
+      one("printed-title").textContent = `${this.name || "A copying instrument"}${copy}`;
+      one("printed-spec").textContent = this.text;
+    }
+
     // ---- hands and keys
 
     listen() {
@@ -677,6 +685,8 @@
       one("close-gallery").addEventListener("click", () => gallery.close());
       one("undo").addEventListener("click", () => this.undo(this.history, this.future));
       one("redo").addEventListener("click", () => this.undo(this.future, this.history));
+      one("print").addEventListener("click", () => window.print());
+      window.addEventListener("beforeprint", () => this.fillPrint());
       one("share").addEventListener("click", () => this.share());
       one("download").addEventListener("click", () => this.download());
       one("play").addEventListener("click", () => (this.playing ? this.pause() : this.play()));

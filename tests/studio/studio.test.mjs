@@ -323,6 +323,11 @@ test("What is taken away is what the program writes", async () => {
     execFileSync("python3", ["-m", "zipfile", "-e", zip, folder]);
     const names = readdirSync(folder);
     for (const name of ["design.json", "report.html", "spec.toml", "bom.csv", "workshop.pdf"]) assert.ok(names.includes(name), names.join());
+    const whole = path.join(scratch, "whole");
+    execFileSync(program, ["synthesize", path.join(folder, "spec.toml"), "-o", whole, "--quiet"]);
+    const files = (from) => readdirSync(from, { recursive: true }).map(String).sort();
+    // The engine is built without OpenCASCADE.
+    assert.deepEqual(files(folder).filter((name) => name !== "spec.toml"), files(whole).filter((name) => !name.endsWith(".step")));
     execFileSync(program, ["verify", path.join(folder, "design.json"), "--quiet"]);
     const native = path.join(scratch, "native");
     execFileSync(program, ["report", path.join(folder, "design.json"), "-o", native, "--quiet"]);
@@ -332,6 +337,45 @@ test("What is taken away is what the program writes", async () => {
     assert.match(drawings(folder), /Cutting list/i);
     assert.equal(drawings(folder), drawings(native));
   });
+});
+
+test("On paper are the task, its figures, the table and the spec, and none of the controls", async () => {
+  await on({ colorScheme: "dark" }, async (page) => {
+    await rested(page);
+    const paper = path.join(scratch, "printed.pdf");
+    await page.pdf({ path: paper, format: "A4" });
+    const words = execFileSync("pdftotext", ["-layout", paper, "-"], { encoding: "utf8" });
+    for (const word of ["A copying instrument: × 1.4, 90°", "Size", "Longest strip", "Proven", "tracer", "polygon_mm"]) assert.ok(words.includes(word), `${word} is missing in ${words}`);
+    for (const word of ["Templates", "Download", "Play", "Add an obstacle", "Nothing leaves"]) assert.ok(!words.includes(word), `${word} is on paper`);
+    assert.equal(words.split("\f").length - 1, 1, "pages");
+    await page.evaluate(() => { window.print = () => { window.printed = true; }; });
+    await page.locator("#print").click();
+    assert.ok(await page.evaluate(() => window.printed));
+  });
+});
+
+test("The page is dark where that is asked for, and nothing moves by itself where that is asked for", async () => {
+  const seen = async (options) => {
+    let result;
+    await on(options, async (page) => {
+      await rested(page);
+      result = await page.evaluate(() => {
+        const colours = (node) => ["color", "backgroundColor"].map((name) => getComputedStyle(node)[name].match(/[\d.]+/g).map(Number));
+        const light = ([red, green, blue]) => (0.2126 * red + 0.7152 * green + 0.0722 * blue) / 255;
+        const [ink] = colours(document.querySelector(".field label")), [, paper] = colours(document.querySelector(".side"));
+        const moving = [...document.querySelectorAll("*")].filter((node) => {
+          const style = getComputedStyle(node);
+          return /[1-9]/.test(style.transitionDuration) || (style.animationName !== "none" && /[1-9]/.test(style.animationDuration));
+        });
+        return { ink: light(ink), paper: light(paper), moving: moving.length, playing: document.getElementById("play").getAttribute("aria-pressed") };
+      });
+    });
+    return result;
+  };
+  const light = await seen({ colorScheme: "light", reducedMotion: "reduce" }), dark = await seen({ colorScheme: "dark", reducedMotion: "reduce" });
+  assert.ok(light.paper > 0.9 && light.ink < 0.3, JSON.stringify(light));
+  assert.ok(dark.paper < 0.15 && dark.ink > 0.7, JSON.stringify(dark));
+  for (const { moving, playing } of [light, dark]) assert.deepEqual([moving, playing], [0, "false"]);
 });
 
 test("A change of one value leaves all else of a text as it is", async () => {
