@@ -1,8 +1,10 @@
 // What a limit on the load error costs the search: each spec without it and with one that binds, by turns, in CPU time.
 //
-// usage: kempe_load_limit_bench [--seeds COUNT] [--rounds COUNT] [--share SHARE ...] [SPEC.toml ...]
+// usage: kempe_load_limit_bench [--seeds COUNT] [--rounds COUNT] [--share SHARE ...] [SPEC.toml | SPECS.jsonl ...]
 // SHARE: the limit, times the load error of the design that is best without one (0.98 and 0.9).
-// For each spec and seed one line: CPU time without and with, their ratio, what both designs come to. At the end the median ratio.
+// SPECS.jsonl: a spec a line, as random_specs.py leaves them in its folder.
+// For each spec and seed one line: CPU time without and with, their ratio, what both designs come to. At the end, of those that keep the
+// limit: the median ratio, the largest, how many are within 1.5, and all time with the limit over all without.
 
 #include <fmt/format.h>
 
@@ -10,10 +12,13 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "specs/json_spec.hpp"
 #include "specs/spec_reader.hpp"
 #include "synthesis/search/search.hpp"
 
@@ -50,44 +55,83 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-Spec loaded(const std::string& name) {
-  auto spec = read_spec_file(name);
+struct NamedSpec {
+  std::string name;
+  Spec spec;
+};
+
+NamedSpec loaded(const std::string& name, tl::expected<Spec, InputError> spec) {
   if (!spec) throw std::runtime_error("cannot read " + name);
   spec->material = spec->material.value_or(Material{"steel", 200000, 7850, 235});
   spec->load = spec->load.value_or(Load{10});
   spec->limits.load_error.reset();
-  return *spec;
+  return {name, std::move(*spec)};
+}
+
+std::vector<NamedSpec> specs_in(const std::filesystem::path& file) {
+  if (file.extension() != ".jsonl") return {loaded(file.stem().string(), read_spec_file(file))};
+  std::vector<NamedSpec> specs;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = fmt::format("{}:{}", file.stem().string(), specs.size() + 1);
+    specs.push_back(loaded(name, toml_from_json(line, name).and_then([&](const std::string& text) {
+      return read_spec(text, name, file.parent_path());
+    })));
+  }
+  return specs;
+}
+
+struct Cost {
+  double without, with;
+  double ratio() const { return with / without; }
+};
+
+/// Of one spec with one seed under one limit; nothing where no design keeps it. Prints its line.
+std::optional<Cost> cost_of(const NamedSpec& named, std::uint64_t seed, double share, int rounds,
+                            const FoundDesign& without) {
+  Spec limited = named.spec;
+  limited.limits.load_error = share * without.attained.load_error;
+  Cost least{HUGE_VAL, HUGE_VAL};
+  std::string found = "none";
+  for (int round = 0; round < rounds; ++round) {
+    least.without = std::min(least.without, searched(named.spec, seed).seconds);
+    const Timed timed = searched(limited, seed);
+    least.with = std::min(least.with, timed.seconds);
+    if (const FoundDesign* one = design_in(timed)) found = fmt::format("{:.9g}", one->value);
+  }
+  fmt::print("{:30} seed {} share {:4} {:8.1f} {:8.1f} ms {:5.2f}  {:.9g} {}\n", named.name, seed, share,
+             1e3 * least.without, 1e3 * least.with, least.ratio(), without.value, found);
+  std::fflush(stdout);
+  return found == "none" ? std::nullopt : std::optional(least);
+}
+
+void print_sum(const std::vector<Cost>& costs) {
+  std::vector<double> ratios;
+  double without = 0, with = 0;
+  for (const Cost& cost : costs) {
+    ratios.push_back(cost.ratio());
+    without += cost.without;
+    with += cost.with;
+  }
+  fmt::print("of {}: median ratio {:.2f}, most {:.2f}, {} within 1.5; all together {:.2f}\n", costs.size(),
+             median(ratios), *std::max_element(ratios.begin(), ratios.end()),
+             std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= 1.5; }),
+             with / without);
 }
 
 int run(int seeds, int rounds, const std::vector<double>& shares, const std::vector<std::string>& files) {
-  std::vector<double> ratios;
+  std::vector<Cost> costs;
   for (const std::string& file : files)
-    for (int seed = 1; seed <= seeds; ++seed) {
-      const Spec plain = loaded(file);
-      const auto first = searched(plain, static_cast<std::uint64_t>(seed));
-      const FoundDesign* without = design_in(first);
-      if (!without) continue;
-      for (const double share : shares) {
-        Spec limited = plain;
-        limited.limits.load_error = share * without->attained.load_error;
-        double least_plain = 1e9, least_limited = 1e9;
-        std::string found = "none";
-        for (int round = 0; round < rounds; ++round) {
-          least_plain = std::min(least_plain, searched(plain, static_cast<std::uint64_t>(seed)).seconds);
-          const Timed timed = searched(limited, static_cast<std::uint64_t>(seed));
-          least_limited = std::min(least_limited, timed.seconds);
-          if (const FoundDesign* one = design_in(timed)) found = fmt::format("{:.9g}", one->value);
-        }
-        if (found != "none") ratios.push_back(least_limited / least_plain);
-        fmt::print("{:30} seed {} share {:4} {:8.1f} {:8.1f} ms {:5.2f}  {:.9g} {}\n",
-                   std::filesystem::path(file).stem().string(), seed, share, 1e3 * least_plain,
-                   1e3 * least_limited, least_limited / least_plain, without->value, found);
-        std::fflush(stdout);
+    for (const NamedSpec& named : specs_in(file))
+      for (int i = 1; i <= seeds; ++i) {
+        const auto seed = static_cast<std::uint64_t>(i);
+        const Timed first = searched(named.spec, seed);
+        const FoundDesign* without = design_in(first);
+        if (!without) continue;
+        for (const double share : shares)
+          if (const auto cost = cost_of(named, seed, share, rounds, *without)) costs.push_back(*cost);
       }
-    }
-  if (ratios.empty()) return 0;
-  fmt::print("median ratio {:.2f}, most {:.2f}, of {}\n", median(ratios),
-             *std::max_element(ratios.begin(), ratios.end()), ratios.size());
+  if (!costs.empty()) print_sum(costs);
   return 0;
 }
 
