@@ -296,11 +296,14 @@ class Path(Case):
     def test_the_plagiograph_on_the_coupler_copies_the_curve(self):
         """The general solver on both files: the six-bar's point is where the four-bar's, turned and scaled about the pole, is."""
         four, six = self.scratch / "four.toml", self.scratch / "six.toml"
-        for number, cognate, pole, rotation in ((2, [], ["--copy-pole", "crank"], -30), (1, [], [], 60), (2, ["--cognate", 1], [], -30),
-                                                (1, ["--cognate", 2], ["--copy-pole", "rocker"], -30)):
-            with self.subTest(number=number, cognate=cognate, pole=pole, rotation=rotation):
+        for cognate, pole, rotation in (([], ["--copy-pole", "crank"], -30), ([], [], 60), (["--cognate", 1], [], -30),
+                                        (["--cognate", 2], ["--copy-pole", "rocker"], -30)):
+            with self.subTest(cognate=cognate, pole=pole, rotation=rotation):
+                wanted = ["--copy-scale", 2, "--copy-rotation", rotation, *pole, *cognate]
+                # Not every answer can be copied so: its parallelogram may pass a change point.
+                number = next(n for n in (3, 2, 1) if kempe("path", self.LINE, "-o", six, "--answer", n, *wanted).returncode == 0)
                 self.answer("path", self.LINE, "-o", four, "--answer", number, *cognate)
-                found = self.answer("path", self.LINE, "-o", six, "--answer", number, "--copy-scale", 2, "--copy-rotation", rotation, *pole, *cognate)
+                found = self.answer("path", self.LINE, "-o", six, "--answer", number, *wanted)
                 copy = found["answers"][number - 1]["copy"]
                 x, y = copy["pole_mm"]
                 self.assertIn(copy["pole_mm"], copy["four_bar"]["pivots_mm"])
