@@ -9,8 +9,8 @@
 #include "geometry/chance.hpp"
 #include "synthesis/loads/hand_work.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
+#include "synthesis/verification/space_frame.hpp"
 #include "tests/samples.hpp"
-#include "tests/synthesis/loads/space_frame.hpp"
 
 namespace kempe {
 namespace {
