@@ -31,6 +31,16 @@ std::optional<double> FinishedDesign::load_error() const {
   return loads ? std::optional(loads->error_max) : std::nullopt;
 }
 
+std::optional<double> FinishedDesign::load_error_layered() const {
+  const auto& layered = inside_->quality.layered;
+  return layered ? std::optional(layered->error_max) : std::nullopt;
+}
+
+std::optional<double> FinishedDesign::load_rise() const {
+  const auto& layered = inside_->quality.layered;
+  return layered ? std::optional(layered->rise_max) : std::nullopt;
+}
+
 std::optional<double> FinishedDesign::sag() const { return inside_->quality.sag; }
 
 std::optional<double> FinishedDesign::mass() const { return inside_->quality.mass; }

@@ -372,6 +372,8 @@ void add_designs(py::module_& module) {
       .def_property_readonly("footprint", &FinishedDesign::footprint)
       .def_property_readonly("copy_error", &FinishedDesign::copy_error)
       .def_property_readonly("load_error", &FinishedDesign::load_error)
+      .def_property_readonly("load_error_layered", &FinishedDesign::load_error_layered)
+      .def_property_readonly("load_rise", &FinishedDesign::load_rise)
       .def_property_readonly("sag", &FinishedDesign::sag)
       .def_property_readonly("mass", &FinishedDesign::mass)
       .def_property_readonly("section",

@@ -42,6 +42,10 @@ class KEMPE_EXPORT FinishedDesign {
   std::optional<double> copy_error() const;
   /// mm, most that the pen gives way over the region under Spec::load, in its worst direction; absent without it.
   std::optional<double> load_error() const;
+  /// The same with pins and layers (docs/loads.md); absent also where two joints of a link are so near each other that nothing is stated.
+  std::optional<double> load_error_layered() const;
+  /// mm, most that tracer or pen rises or sinks under the load, by the layers of the links; absent as above.
+  std::optional<double> load_rise() const;
   /// mm, most that tracer or pen sinks over the region by weight and play (docs/loads-out-of-plane.md); absent without
   /// Spec::material.
   std::optional<double> sag() const;

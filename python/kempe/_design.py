@@ -256,6 +256,16 @@ class Design:
         return self._inside.load_error
 
     @property
+    def load_error_layered_max_mm(self) -> Optional[float]:
+        """The same with pins and layers; None also where two joints of a link are too near each other for it."""
+        return self._inside.load_error_layered
+
+    @property
+    def load_rise_max_mm(self) -> Optional[float]:
+        """Most that tracer or pen rises or sinks under the load, by the layers of the links; None as above."""
+        return self._inside.load_rise
+
+    @property
     def sag_max_mm(self) -> Optional[float]:
         """Most that tracer or pen sinks over the region; None without a material."""
         return self._inside.sag
@@ -436,7 +446,7 @@ class Design:
 
 
 _FIGURES = ("size_mm", "transmission_min_deg", "clearance_min_mm", "footprint_mm2", "copy_error_worst_mm", "load_error_max_mm",
-            "sag_max_mm", "mass_kg", "robust_clearance_mm", "objective", "value", "lower_bound", "complete")
+            "load_error_layered_max_mm", "load_rise_max_mm", "sag_max_mm", "mass_kg", "robust_clearance_mm", "objective", "value", "lower_bound", "complete")
 
 
 def _with_lines(copy: dict[str, Any]) -> dict[str, Any]:

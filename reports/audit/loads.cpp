@@ -1,9 +1,11 @@
-// The figures of the load by the frame of synthesis/verification/frame.hpp, opening by opening: an independent path to the closed forms.
+// The figures of the load by the frames of synthesis/verification/frame.hpp and space_frame.hpp, opening by opening: independent paths to the
+// closed forms.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kinematics/assembly_mode.hpp"
 #include "reports/audit/give_limit.hpp"
@@ -11,23 +13,35 @@
 #include "reports/audit/slack.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/loads/mass.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/verification/frame.hpp"
+#include "synthesis/verification/space_frame.hpp"
 
 namespace kempe {
-namespace {
 
-using namespace audit_slack;
-
-constexpr int openings_looked_at = 400;
-
-/// What links weigh and give by, as the file states them.
 Spec as_built(const StoredDesign& design) {
   Spec spec;
   spec.links.style = design.style;
   spec.links.hardware = design.hardware;
   spec.cutting = design.cutting.value_or(CuttingSpec{});
   spec.material = design.material;
+  spec.load = design.load;
+  spec.tolerance = design.tolerance;
   return spec;
+}
+
+namespace {
+
+using namespace audit_slack;
+
+constexpr char layered_key[] = "quality.load_error_layered_max_mm", rise_key[] = "quality.load_rise_max_mm";
+
+constexpr int openings_looked_at = 400;
+
+/// Calls `look` with evenly spaced openings and both ends.
+template <class Look>
+void for_each_opening(const OpeningInterval& openings, int steps, const Look& look) {
+  for (int i = 0; i <= steps; ++i) look(openings.lower + openings.width() * i / steps);
 }
 
 /// The largest of each over the openings, for one newton; of `least` the least.
@@ -37,8 +51,7 @@ FrameResponse response_over(const AuditTask& task, const OpeningInterval& openin
   const bool straight = is_straight(task.linkage.shape());
   FrameResponse over;
   over.least = HUGE_VAL;
-  for (int i = 0; i <= openings_looked_at; ++i) {
-    const double opening = openings.lower + openings.width() * i / openings_looked_at;
+  for_each_opening(openings, openings_looked_at, [&](double opening) {
     const FrameResponse here =
         frame_response(task.linkage.pose_at(opening, 0), roles_of(task.linkage.grounding()), straight,
                        spec.links.style, *spec.material, hole);
@@ -47,6 +60,37 @@ FrameResponse response_over(const AuditTask& task, const OpeningInterval& openin
     over.pin_force = std::max(over.pin_force, here.pin_force);
     over.hand_force = std::max(over.hand_force, here.hand_force);
     over.stress = std::max(over.stress, here.stress);
+  });
+  return over;
+}
+
+/// The larger one; NaN, which no figure agrees with, where the frame says nothing.
+double larger(double most, double here) {
+  return std::isfinite(here) ? (here > most ? here : most) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The same with the links in their layers and pins that give way. Which points the weights leave on the table is taken from the sag.
+LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings) {
+  const StoredDesign& design = task.design;
+  const CopyingLinkage& linkage = task.linkage;
+  const SpaceFrameParts parts{.straight = is_straight(linkage.shape()),
+                              .style = design.style,
+                              .hardware = design.hardware,
+                              .layers = design.layers,
+                              .E = design.material->E,
+                              .G = design.material->shear_modulus()};
+  const SagProfile sag(linkage.k(), linkage.grounding(), sag_conditions(as_built(design), design.layers));
+  LayeredFigures over;
+  for (const SupportedStretch& stretch : sag.stretches(linkage.VA(), linkage.VB(), openings)) {
+    const double share = openings.width() > 0 ? stretch.openings.width() / openings.width() : 0;
+    const int steps = 4 + static_cast<int>(std::lround(openings_looked_at * share));
+    for_each_opening(stretch.openings, steps, [&](double opening) {
+      const SpaceFrameResponse here =
+          space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts,
+                               stretch.tracer_bears, stretch.pen_bears);
+      over.error_max = larger(over.error_max, here.give());
+      over.rise_max = larger(over.rise_max, here.rise());
+    });
   }
   return over;
 }
@@ -62,6 +106,14 @@ void check_load_figures(const LoadFigures& stated, double force, const FrameResp
   figure("quality.hand_force_max_N", stated.hand_force_max, found.hand_force, found.hand_force);
   if (std::isfinite(found.stress) || std::isfinite(stated.stress_max))
     figure("quality.stress_max_MPa", stated.stress_max, found.stress, found.stress);
+}
+
+void check_layered_figures(const AuditTask& task, const LayeredFigures& stated, AuditRecord& record) {
+  const LayeredFigures found = layered_response_over(task, *task.needed);
+  const double force = task.design.load->pen_force, give = force * found.error_max,
+               rise = force * found.rise_max;
+  record.figure(layered_key, stated.error_max, give, share_of_load * give);
+  record.figure(rise_key, stated.rise_max, rise, share_of_load * rise + share_of_rounding * give);
 }
 
 void check_mass(const AuditTask& task, AuditRecord& record) {
@@ -82,11 +134,18 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
                         .key = "limits.load_error_mm",
                         .limit = design.limits ? design.limits->load_error : std::nullopt,
                         .words = "under the load the pen gives way by"};
-  if (limit.is_absent()) return;
+  const auto& layered = design.quality.layered;
+  if (limit.is_absent() && !layered) return;
   const char* why = !design.material || !design.load ? "the file states no load or no material"
                     : !task.needed                   ? "this assembly mode does not reach all of the region"
                                                      : nullptr;
-  if (why != nullptr) return limit.cannot_tell(task, why, " under which it could be kept", record);
+  if (why != nullptr) {
+    for (const char* key : {layered_key, rise_key})
+      if (layered) record.not_checked(key, why);
+    return limit.cannot_tell(task, why, " under which it could be kept", record);
+  }
+  if (layered) check_layered_figures(task, *layered, record);
+  if (limit.is_absent()) return;
   const FrameResponse found = response_over(task, *task.needed);
   if (design.quality.loads) check_load_figures(*design.quality.loads, design.load->pen_force, found, record);
   limit.check(task, design.load->pen_force * found.worst, record);

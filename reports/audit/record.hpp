@@ -48,9 +48,12 @@ void audit_allowed(const StoredDesign& design, const CopyingLinkage& linkage, do
 /// The limits over the whole region, obstacles, coverage, the certified opening.
 void audit_limits(const AuditTask& task, AuditRecord& record);
 
+/// Section, pins, holes, material, load and tolerance as the file states them; all else as a spec has it by itself.
+Spec as_built(const StoredDesign& design);
+
 /// Quality, workspace, search, tool and ratio error against what is computed anew.
 void audit_figures(const AuditTask& task, AuditRecord& record);
-/// Mass, forces and load error, and the limit on it.
+/// Mass, forces, load error with and without pins and layers, and the limit on it.
 void audit_loads(const AuditTask& task, AuditRecord& record);
 /// The sag, and the limit on it.
 void audit_sag(const AuditTask& task, AuditRecord& record);

@@ -7,22 +7,6 @@
 #include "reports/audit/slack.hpp"
 
 namespace kempe {
-namespace {
-
-using namespace audit_slack;
-
-/// What the file says of material, load, play, section and pins.
-Spec of_sag(const StoredDesign& design) {
-  Spec spec;
-  spec.links.style = design.style;
-  spec.links.hardware = design.hardware;
-  spec.material = design.material;
-  spec.load = design.load;
-  spec.tolerance = design.tolerance;
-  return spec;
-}
-
-}  // namespace
 
 void audit_sag(const AuditTask& task, AuditRecord& record) {
   const StoredDesign& design = task.design;
@@ -37,8 +21,8 @@ void audit_sag(const AuditTask& task, AuditRecord& record) {
                                      : nullptr;
   if (why != nullptr) return limit.cannot_tell(task, why, ", without which it cannot be kept", record);
   const double found =
-      largest_sag(task.linkage, sag_conditions(of_sag(design), design.layers), *task.needed).sag.most();
-  record.figure(limit.figure, design.quality.sag, found, share_of_copy_error * found);
+      largest_sag(task.linkage, sag_conditions(as_built(design), design.layers), *task.needed).sag.most();
+  record.figure(limit.figure, design.quality.sag, found, audit_slack::share_of_copy_error * found);
   limit.check(task, found, record);
 }
 

@@ -101,6 +101,10 @@ Json quality_json(const Design& design) {
     json["hand_force_max_N"] = finite_or_null(quality.loads->hand_force_max);
     json["stress_max_MPa"] = finite_or_null(quality.loads->stress_max);
   }
+  if (quality.layered) {
+    json["load_error_layered_max_mm"] = finite_or_null(quality.layered->error_max);
+    json["load_rise_max_mm"] = finite_or_null(quality.layered->rise_max);
+  }
   if (quality.sag) json["sag_max_mm"] = finite_or_null(*quality.sag);
   if (quality.mass) json["mass_kg"] = finite_or_null(*quality.mass);
   if (quality.robust)

@@ -8,6 +8,7 @@
 #include "specs/hardware.hpp"
 #include "synthesis/design/allowed.hpp"
 #include "synthesis/loads/assess_loads.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
@@ -51,8 +52,17 @@ void measure_loads(Design& design, const Spec& spec) {
   if (!design.material) return;
   const auto openings = openings_over(design.linkage, design.region);
   if (!openings) return;
-  if (design.load) design.quality.loads = load_figures_over(spec, design.linkage, *openings);
-  const double sag = largest_sag(design.linkage, sag_conditions(spec, design.layers), *openings).sag.most();
+  const SagConditions conditions = sag_conditions(spec, design.layers);
+  if (design.load) {
+    const CopyingLinkage& linkage = design.linkage;
+    design.quality.loads = load_figures_over(spec, linkage, *openings);
+    design.quality.layered =
+        LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, spec.load->pen_force)
+            .over({linkage.VA(), linkage.VB()}, *openings);
+    if (auto& layered = design.quality.layered)
+      layered = {with_nine_digits(layered->error_max), with_nine_digits(layered->rise_max)};
+  }
+  const double sag = largest_sag(design.linkage, conditions, *openings).sag.most();
   if (std::isfinite(sag)) design.quality.sag = with_nine_digits(sag);
 }
 

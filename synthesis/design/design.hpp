@@ -27,6 +27,8 @@ struct Quality {
   std::optional<Robustness> robust{};  ///< absent unless it was asked for
   std::optional<LoadFigures>
       loads{};  ///< over the region; absent without [load], and where the region is not reached
+  /// With pins and layers, as `loads`; absent also where the links' equations out of the plane lose their digits
+  std::optional<LayeredFigures> layered{};
   std::optional<double> sag{};   ///< mm, most over the region; absent where it is not worked out
   std::optional<double> mass{};  ///< kg, of the four links; absent without [material]
 };

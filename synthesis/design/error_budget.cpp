@@ -146,29 +146,24 @@ SagConditions with_next_thickness(SagConditions conditions) {
 
 /// What links in layers above each other do: in the plane what they give beyond load and pins, and how far tracer or pen rises or sinks.
 struct LayersDo {
-  double in_plane, rise;  ///< mm
+  double in_plane, rise;  ///< mm; infinite where they cannot be stated
 };
 
 LayersDo layers_do(const Measured& of, const SagConditions& conditions) {
   const CopyingLinkage& linkage = of.design.linkage;
-  const BarLengths lengths{linkage.VA(), linkage.VB()};
-  const LayeredErrorProfile profile(linkage.k(), linkage.grounding(), conditions, of.design.load->pen_force);
-  const auto most = [&](double LayeredErrorAt::*part) {
-    const auto value = [&](double opening) {
-      const double at = profile.at(lengths, opening).*part;
-      return std::isfinite(at) ? at : infinity;
-    };
-    return value(top_over(of.openings, value));
-  };
+  const auto all =
+      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, of.design.load->pen_force)
+          .over({linkage.VA(), linkage.VB()}, of.openings);
+  if (!all) return {infinity, infinity};
   const double stated = of.give(conditions.style, of.pins(conditions.style, of.design.hardware));
-  return {std::max(0.0, most(&LayeredErrorAt::in_plane) - stated), most(&LayeredErrorAt::rise)};
+  return {std::max(0.0, all->error_max - stated), all->rise_max};
 }
 
 /// False where they cannot be stated.
 bool add_layers(const Measured& of, std::vector<BudgetEntry>& entries) {
   const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
   const LayersDo here = layers_do(of, now);
-  if (!std::isfinite(here.in_plane) || !std::isfinite(here.rise)) return false;
+  if (!std::isfinite(here.in_plane)) return false;
   const SagConditions thicker = with_next_thickness(now);
   const LayersDo then = layers_do(of, thicker);
   BudgetEntry in_plane{

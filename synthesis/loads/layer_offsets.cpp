@@ -9,6 +9,7 @@
 #include "specs/hardware.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/loads/steel.hpp"
+#include "synthesis/loads/top_over.hpp"
 
 namespace kempe {
 namespace {
@@ -75,11 +76,14 @@ LayeredErrorProfile::LayeredErrorProfile(Complex k, Grounding grounding, const S
                upright_pins(grounding, conditions)),
       force_(pen_force) {}
 
-LayeredErrorProfile::Bent LayeredErrorProfile::bent(const BarLengths& lengths, double opening) const {
+LayeredErrorProfile::Bent LayeredErrorProfile::bent(const BarLengths& lengths, double opening,
+                                                    const SupportedStretch& on) const {
   const bool pole_is_at_V = roles_.pole == Joint::V;
   const LayerAssignment& layers = conditions_.layers;
   GrillagePlan plan = sag_.plan(lengths.VA, lengths.VB, opening);
-  const std::vector<int> props = sag_.stands(plan).props;
+  std::vector<int> props;
+  if (on.tracer_bears) props.push_back(static_cast<int>(roles_.tracer));
+  if (on.pen_bears) props.push_back(static_cast<int>(roles_.pen));
   const auto high = heights(layers, pole_is_at_V);
   if (pole_is_at_V) {
     // One post for both bars: it stands in the table under the lower one and goes on from there to the upper one.
@@ -113,13 +117,39 @@ Eigen::Matrix2d LayeredErrorProfile::upright(const BarLengths& lengths, double o
 }
 
 Eigen::Matrix2d LayeredErrorProfile::compliance(const BarLengths& lengths, double opening) const {
-  return upright(lengths, opening) + bent(lengths, opening).compliance;
+  return upright(lengths, opening) +
+         bent(lengths, opening, sag_.supported_at(lengths.VA, lengths.VB, opening)).compliance;
 }
 
 LayeredErrorAt LayeredErrorProfile::at(const BarLengths& lengths, double opening) const {
-  const Bent bent = this->bent(lengths, opening);
+  return at(lengths, opening, sag_.supported_at(lengths.VA, lengths.VB, opening));
+}
+
+LayeredErrorAt LayeredErrorProfile::at(const BarLengths& lengths, double opening,
+                                       const SupportedStretch& on) const {
+  const Bent bent = this->bent(lengths, opening, on);
   return {force_ * larger_eigenvalue(upright(lengths, opening) + bent.compliance),
           force_ * std::max(bent.tracer_rise.norm(), bent.pen_rise.norm())};
+}
+
+std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& lengths,
+                                                        const OpeningInterval& openings) const {
+  // Where a point comes to rest on the table or is lifted off it the figures jump.
+  const std::vector<SupportedStretch> stretches = sag_.stretches(lengths.VA, lengths.VB, openings);
+  const auto most = [&](double LayeredErrorAt::*part) {
+    double largest = 0;
+    for (const SupportedStretch& stretch : stretches) {
+      const auto value = [&](double opening) {
+        const double here = at(lengths, opening, stretch).*part;
+        return std::isfinite(here) ? here : infinity;
+      };
+      largest = std::max(largest, value(top_over(stretch.openings, value)));
+    }
+    return largest;
+  };
+  const LayeredFigures figures{most(&LayeredErrorAt::in_plane), most(&LayeredErrorAt::rise)};
+  return std::isfinite(figures.error_max) && std::isfinite(figures.rise_max) ? std::optional(figures)
+                                                                             : std::nullopt;
 }
 
 }  // namespace kempe

@@ -8,8 +8,10 @@
 // Derivation: docs/loads.md.
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "synthesis/loads/load_error.hpp"
+#include "synthesis/loads/load_figures.hpp"
 #include "synthesis/loads/sag.hpp"
 
 namespace kempe {
@@ -28,13 +30,16 @@ class LayeredErrorProfile {
 
   /// At an opening, rad.
   LayeredErrorAt at(const BarLengths& lengths, double opening) const;
+  /// The most of each over an interval of openings (top_over.hpp), not empty, each at its own one; nothing where one of those looked at has no figure.
+  std::optional<LayeredFigures> over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
   /// The pen's compliance in the plane there, mm/N, all in; x axis along bar VA.
   Eigen::Matrix2d compliance(const BarLengths& lengths, double opening) const;
 
  private:
   struct Bent;
-  Bent bent(const BarLengths& lengths, double opening) const;
+  Bent bent(const BarLengths& lengths, double opening, const SupportedStretch& on) const;
+  LayeredErrorAt at(const BarLengths& lengths, double opening, const SupportedStretch& on) const;
   Eigen::Matrix2d upright(const BarLengths& lengths, double opening) const;
 
   Complex shape_, factor_;

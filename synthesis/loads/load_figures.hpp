@@ -13,4 +13,10 @@ struct LoadFigures {
       0;  ///< MPa, in the link that is strained most: bending and pull together, across the joint's hole
 };
 
+/// The worst of each with the links in their layers and pins that give way (layer_offsets.hpp), over the same openings and directions.
+struct LayeredFigures {
+  double error_max = 0;  ///< mm, most that the pen gives way in the plane: links, pins and layers together
+  double rise_max = 0;   ///< mm, most that tracer or pen rises or sinks under the load
+};
+
 }  // namespace kempe

@@ -149,6 +149,44 @@ StandingGrillage SagProfile::stands(const GrillagePlan& plan) const {
   return standing(plan, props);
 }
 
+SupportedStretch SagProfile::supported_at(double VA, double VB, double opening) const {
+  if (!conditions_.tracer_rests && !conditions_.pen_rests) return {{opening, opening}};
+  const std::vector<int> props = stands(plan(VA, VB, opening)).props;
+  const auto bears = [&](Joint joint) {
+    return std::find(props.begin(), props.end(), number_of(joint)) != props.end();
+  };
+  return {{opening, opening}, bears(roles_.tracer), bears(roles_.pen)};
+}
+
+std::vector<SupportedStretch> SagProfile::stretches(double VA, double VB,
+                                                    const OpeningInterval& openings) const {
+  constexpr int parts = 64, halvings = 40;
+  if (!conditions_.tracer_rests && !conditions_.pen_rests) return {{openings}};
+  const auto alike = [](const SupportedStretch& one, const SupportedStretch& other) {
+    return one.tracer_bears == other.tracer_bears && one.pen_bears == other.pen_bears;
+  };
+  std::vector<SupportedStretch> all{supported_at(VA, VB, openings.lower)};
+  for (int i = 1; i <= parts; ++i) {
+    const SupportedStretch next =
+        supported_at(VA, VB, i == parts ? openings.upper : openings.lower + openings.width() * i / parts);
+    // Two points may change one after the other within one part.
+    for (int change = 0; change < 4 && !alike(all.back(), next); ++change) {
+      SupportedStretch after = next;
+      double& before = all.back().openings.upper;
+      for (int half = 0; half < halvings; ++half) {
+        const SupportedStretch middle = supported_at(VA, VB, 0.5 * (before + after.openings.lower));
+        if (alike(middle, all.back()))
+          before = middle.openings.upper;
+        else
+          after = middle;
+      }
+      all.push_back(after);
+    }
+    all.back().openings.upper = next.openings.upper;
+  }
+  return all;
+}
+
 SagJet SagProfile::jet(double VA, double VB, double opening, Carrier point) const {
   const int joint = number_of(point == Carrier::tracer ? roles_.tracer : roles_.pen);
   const StandingGrillage stood = stands(plan(VA, VB, opening));

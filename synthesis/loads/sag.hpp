@@ -7,6 +7,7 @@
 // the load error the figures depend on lengths and opening alone. Model and limits: docs/loads-out-of-plane.md.
 
 #include <array>
+#include <vector>
 
 #include "kinematics/copying_linkage.hpp"
 #include "synthesis/loads/grillage.hpp"
@@ -65,6 +66,12 @@ struct SagJet {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
+/// Openings over which the same points bear on the table.
+struct SupportedStretch {
+  OpeningInterval openings;
+  bool tracer_bears = false, pen_bears = false;
+};
+
 /// The sag of all linkages of one ratio and grounding, under one set of conditions.
 class SagProfile {
  public:
@@ -80,6 +87,11 @@ class SagProfile {
   GrillagePlan plan(double VA, double VB, double opening) const;
   /// Such a grillage on the points that the table carries.
   StandingGrillage stands(const GrillagePlan& plan) const;
+  /// Which points bear at an opening, as a stretch of this opening alone.
+  SupportedStretch supported_at(double VA, double VB, double opening) const;
+  /// An interval of openings, not empty, parted where the weights lift a point off the table or let it down. What happens and is undone within a
+  /// 64th of the interval may be missed.
+  std::vector<SupportedStretch> stretches(double VA, double VB, const OpeningInterval& openings) const;
 
  private:
   void add_links(GrillagePlan& plan) const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/decompositions.hpp"
+#include "synthesis/verification/plate_pieces.hpp"
 
 namespace kempe {
 namespace {
@@ -73,25 +74,12 @@ std::array<int, 6> unknowns_of(const Element& element) {
   return {from, from + 1, element.from_rotation, to, to + 1, element.to_rotation};
 }
 
-/// The two pieces of a plate, its middle joint first: its corner, or of three joints in line the one between the others.
+/// The two pieces of a plate.
 std::array<Element, 2> pieces_of(std::array<Joint, 3> joints, int first_rotation, const Pose& pose,
                                  bool straight) {
-  std::array<int, 3> order{0, 1, 2};
-  if (straight) {
-    const Point axis = place_of(pose, joints[1]) - place_of(pose, joints[0]);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-      return place_of(pose, joints[static_cast<std::size_t>(a)]).dot(axis) <
-             place_of(pose, joints[static_cast<std::size_t>(b)]).dot(axis);
-    });
-    std::swap(order[0], order[1]);
-  }
-  const auto piece = [&](int end) {
-    const auto middle = static_cast<std::size_t>(order[0]);
-    const auto other = static_cast<std::size_t>(order[static_cast<std::size_t>(end)]);
-    return Element{joints[middle], joints[other], first_rotation + static_cast<int>(middle),
-                   first_rotation + static_cast<int>(other)};
-  };
-  return {piece(1), piece(2)};
+  const auto [middle, one, other] = middle_first(joints, pose, straight);
+  return {Element{middle, one, first_rotation, first_rotation + 1},
+          Element{middle, other, first_rotation, first_rotation + 2}};
 }
 
 std::vector<Element> elements_of(const Pose& pose, bool straight) {

@@ -49,10 +49,13 @@ class Loads(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout, json.loads((self.here / name / "design.json").read_text())
 
-    def verify(self, stated):
+    def written(self, stated):
         file = self.here / "changed.json"
         file.write_text(json.dumps(stated))
-        return json.loads(kempe("verify", file, "--json").stdout)
+        return file
+
+    def verify(self, stated):
+        return json.loads(kempe("verify", self.written(stated), "--json").stdout)
 
     def test_a_load_changes_no_design(self):
         _, plain = self.design(TASK, "plain")
@@ -72,6 +75,17 @@ class Loads(unittest.TestCase):
             wrong["quality"][key] *= share
             broken = [one["limit"] for one in self.verify(wrong)["broken"]]
             self.assertEqual(broken, ["quality." + key])
+        for key, share in (("load_error_layered_max_mm", 1.001), ("load_rise_max_mm", 0.999)):
+            self.assertGreater(stated["quality"][key], 0)
+            wrong = json.loads(json.dumps(stated))
+            wrong["quality"][key] *= share
+            self.assertEqual([one["limit"] for one in self.verify(wrong)["broken"]], ["quality." + key])
+            wrong["quality"].pop(key)  # one without the other
+            self.assertEqual(kempe("verify", self.written(wrong)).returncode, 2)
+        older = json.loads(json.dumps(stated))
+        for key in ("load_error_layered_max_mm", "load_rise_max_mm"):
+            older["quality"].pop(key)
+        self.assertTrue(self.verify(older)["certified"])
         softer = json.loads(json.dumps(stated))
         softer["material"]["E_GPa"] /= 2
         self.assertIn("quality.load_error_max_mm", [one["limit"] for one in self.verify(softer)["broken"]])

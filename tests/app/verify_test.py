@@ -16,7 +16,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from program import EXAMPLES, POLE_IN_HOLE, kempe
 
-# What the examples do not have: a pole area, all limits at once, a stock, a grid that moves k, locks, tools.
+# What the examples do not have: a pole area, all limits at once, a stock, a grid that moves k, locks, tools, a load on what rests.
 SPECS = {
     "everything": """
 [copy]
@@ -71,6 +71,23 @@ width_mm = 6
 pin_diameter_mm = 3
 [objective]
 maximize = "transmission"
+""",
+    "resting": """
+[copy]
+scale = 0.6
+rotation_deg = 180
+[region]
+rectangle_mm = {at = [60, -20], size = [40, 30]}
+[links]
+width_mm = 12
+thickness_mm = 4
+hardware = {default = "M5 bolt", A = "M4 bolt"}
+[material]
+name = "aluminium"
+[load]
+pen_N = 8
+rests = ["tracer"]
+pen_mass_kg = 0.3
 """,
 }
 
@@ -194,6 +211,9 @@ def falsehoods(design):
     for key in ("size_mm", "clearance_min_mm", "copy_error_worst_mm", "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2"):
         if key != "clearance_min_mm" or not design["obstacles"]:  # among obstacles it is certain to 0.01 mm only
             scaled("quality", key)
+    for key in ("load_error_layered_max_mm", "load_rise_max_mm"):  # both ways: they are the most, not bounds
+        for factor in (0.999, 1.001):
+            scaled("quality", key, factor)
     add("quality.clearance_min_mm", lambda d: d["quality"].update(clearance_min_mm=(quality["clearance_min_mm"] or 0) + 0.05))
     add("quality.transmission_min_deg", lambda d: d["quality"].update(transmission_min_deg=0.98 * quality["transmission_min_deg"]))
     for key in ("reachable_mm2", "usable_mm2", "collision_free_mm2"):

@@ -100,6 +100,21 @@ TEST(Library, SaysHowFarADesignSinksWhereItHasAMaterial) {
   EXPECT_NE(outcome->json().find("\"sag_max_mm\""), std::string::npos);
 }
 
+TEST(Library, SaysWhatPinsAndLayersDoUnderALoad) {
+  Spec spec = given_mechanism();
+  spec.material = Material{"steel", 200e3, 7850, 235};
+  spec.links.style.thickness = 2;
+  EXPECT_FALSE(map(spec)->load_error_layered());
+  EXPECT_FALSE(map(spec)->load_rise());
+  spec.load = Load{.pen_force = 10};
+  const Outcome outcome = map(spec);
+  ASSERT_TRUE(outcome) << outcome.reason();
+  ASSERT_TRUE(outcome->load_error() && outcome->load_error_layered() && outcome->load_rise());
+  EXPECT_GT(*outcome->load_error_layered(), *outcome->load_error());
+  EXPECT_GT(*outcome->load_rise(), 0);
+  EXPECT_NE(outcome->json().find("\"load_error_layered_max_mm\""), std::string::npos);
+}
+
 TEST(Library, GivesTheSameDesignForAnyNumberOfThreads) {
   Options two;
   two.threads = 2;

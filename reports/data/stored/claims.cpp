@@ -26,6 +26,13 @@ std::optional<LoadFigures> load_figures(const JsonField& field) {
                      .stress_max = field["stress_max_MPa"].number_or_null().value_or(HUGE_VAL)};
 }
 
+/// Both of them or none.
+std::optional<LayeredFigures> layered_figures(const JsonField& field) {
+  constexpr std::string_view error = "load_error_layered_max_mm", rise = "load_rise_max_mm";
+  if (!field.find(error) && !field.find(rise)) return std::nullopt;
+  return LayeredFigures{.error_max = field[error].number(), .rise_max = field[rise].number()};
+}
+
 Quality quality(const JsonField& field) {
   Quality result;
   result.size = field["size_mm"].number();
@@ -37,6 +44,7 @@ Quality quality(const JsonField& field) {
   result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
   result.proven_bound = field["lower_bound"].number_or_null();
   result.loads = load_figures(field);
+  result.layered = layered_figures(field);
   if (const auto sag = field.find("sag_max_mm")) result.sag = sag->number();
   if (const auto mass = field.find("mass_kg")) result.mass = mass->number();
   if (const auto one = field.find("robust")) result.robust = robustness(*one);

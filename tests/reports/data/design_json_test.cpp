@@ -192,8 +192,32 @@ TEST(DesignJson, KeepsMaterialAndLoadWithTheirFigures) {
   EXPECT_EQ(read->quality.loads->pin_force_max, 30);
   EXPECT_EQ(read->quality.loads->hand_force_max, 17.5);
   EXPECT_EQ(read->quality.loads->stress_max, HUGE_VAL);
+  EXPECT_FALSE(read->quality.layered);
   EXPECT_EQ(read->quality.mass, 0.125);
   EXPECT_EQ(read->allowed->sections, design.allowed->sections);
+}
+
+TEST(DesignJson, KeepsWhatPinsAndLayersAdd) {
+  Design design = plagiograph();
+  const Json without = Json::parse(design_json(design));
+  EXPECT_FALSE(without["quality"].contains("load_error_layered_max_mm"));
+  design.quality.layered = LayeredFigures{0.25, 0.01};
+  const Json with = Json::parse(design_json(design));
+  const auto read = read_design(with.dump(), "d.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_TRUE(read->unknown_keys.empty());
+  ASSERT_TRUE(read->quality.layered);
+  EXPECT_EQ(read->quality.layered->error_max, 0.25);
+  EXPECT_EQ(read->quality.layered->rise_max, 0.01);
+  Json one = with;
+  one["quality"].erase("load_rise_max_mm");
+  EXPECT_EQ(read_design(one.dump(), "d.json").error().key, "quality.load_rise_max_mm");
+  one = with;
+  one["quality"]["load_error_layered_max_mm"] = "much";
+  EXPECT_EQ(read_design(one.dump(), "d.json").error().key, "quality.load_error_layered_max_mm");
+  const auto older = read_design(without.dump(), "d.json");
+  ASSERT_TRUE(older) << older.error().message();
+  EXPECT_FALSE(older->quality.layered);
 }
 
 TEST(DesignJson, NamesEveryKeyItDoesNotKnow) {

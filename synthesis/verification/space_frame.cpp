@@ -1,0 +1,242 @@
+// Unknowns: the height of each joint, which all links there share since pins keep their lengths, and of every link at each of its joints its two
+// displacements in the plane and three turns.
+
+#include "synthesis/verification/space_frame.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "geometry/decompositions.hpp"
+#include "kinematics/links.hpp"
+#include "specs/hardware.hpp"
+#include "synthesis/verification/plate_pieces.hpp"
+
+namespace kempe {
+namespace {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
+/// Numbers of the six freedoms of a beam's end: displacements x, y, z and turns about x, y, z.
+using Freedoms = std::array<int, 6>;
+
+/// A beam's section: stiffnesses of pull, of bending along and across `first` of Beams::add, of twist; shear as compliance per length.
+struct Section {
+  double EA, EI_first, EI_second, GJ, shear = 0;
+};
+
+/// Of a flat bar that lies: bending in the plane first, then out of it.
+Section flat_section(const SpaceFrameParts& parts) {
+  const double w = parts.style.width, t = parts.style.thickness;
+  const double wide = std::max(w, t), thin = std::min(w, t), share = thin / wide;
+  // Roark's Formulas for Stress and Strain, 7th edition, table 10.1: the twist of a rectangle.
+  const double J =
+      wide * thin * thin * thin / 3 * (1 - 0.63 * share + 0.0525 * share * share * share * share * share);
+  return {parts.E * w * t, parts.E * t * w * w * w / 12, parts.E * w * t * t * t / 12, parts.G * J};
+}
+
+/// Of a round steel pin: both ends have one height, so no pull is asked for.
+Section round_section(double diameter) {
+  constexpr double E = 200e3, G = 77e3;  // MPa
+  const double area = pi * diameter * diameter / 4, I = area * diameter * diameter / 16;
+  return {0, E * I, E * I, G * 2 * I, 10 / (9 * G * area)};
+}
+
+/// A beam's stiffness in its own axes: along it, `first`, and at right angles to both.
+Matrix12 own_stiffness(double L, const Section& section) {
+  Matrix12 own = Matrix12::Zero();
+  const auto spring = [&](int at, double stiffness) {
+    own(at, at) += stiffness;
+    own(at + 6, at + 6) += stiffness;
+    own(at, at + 6) -= stiffness;
+    own(at + 6, at) -= stiffness;
+  };
+  spring(0, section.EA / L);
+  spring(3, section.GJ / L);
+  // Displacement along an axis goes with a turn about the other one: along the second with +, along the third with -.
+  const auto bend = [&](int shift, int turn, double sign, double EI) {
+    const double phi = 12 * EI * section.shear / (L * L), c = EI / (L * L * L * (1 + phi)), l = sign * L;
+    const std::array<int, 4> at{shift, turn, shift + 6, turn + 6};
+    Eigen::Matrix4d k;
+    k << 12, 6 * l, -12, 6 * l,                               //
+        6 * l, (4 + phi) * L * L, -6 * l, (2 - phi) * L * L,  //
+        -12, -6 * l, 12, -6 * l,                              //
+        6 * l, (2 - phi) * L * L, -6 * l, (4 + phi) * L * L;
+    for (Eigen::Index i = 0; i < 4; ++i)
+      for (Eigen::Index j = 0; j < 4; ++j)
+        own(at[static_cast<std::size_t>(i)], at[static_cast<std::size_t>(j)]) += c * k(i, j);
+  };
+  bend(1, 5, 1, section.EI_first);
+  bend(2, 4, -1, section.EI_second);
+  return own;
+}
+
+class Beams {
+ public:
+  int freedom() { return count_++; }
+  void hold(int freedom) { held_.push_back(freedom); }
+
+  /// `first` is a unit vector at right angles to `way`, the way from end to end: EI_first resists displacements along it.
+  void add(const Freedoms& from, const Freedoms& to, const Vector3& way, const Vector3& first,
+           const Section& section) {
+    const double L = way.norm();
+    const Vector3 along = way / L;
+    Eigen::Matrix3d axes;
+    axes << along.transpose(), first.transpose(), along.cross(first).transpose();
+    Matrix12 turn = Matrix12::Zero();
+    for (int i = 0; i < 4; ++i) turn.block<3, 3>(3 * i, 3 * i) = axes;
+    Beam beam{{}, turn.transpose() * own_stiffness(L, section) * turn};
+    std::copy(from.begin(), from.end(), beam.at.begin());
+    std::copy(to.begin(), to.end(), beam.at.begin() + 6);
+    beams_.push_back(beam);
+  }
+
+  /// All displacements under one newton along this freedom.
+  std::vector<Eigen::VectorXd> moved_by(const std::array<int, 2>& freedoms) const {
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(count_, count_);
+    for (const Beam& beam : beams_)
+      for (std::size_t i = 0; i < 12; ++i)
+        for (std::size_t j = 0; j < 12; ++j)
+          stiffness(beam.at[i], beam.at[j]) +=
+              beam.stiffness(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    for (const int one : held_) {
+      stiffness.row(one).setZero();
+      stiffness.col(one).setZero();
+      stiffness(one, one) = 1;
+    }
+    std::vector<Eigen::VectorXd> moved;
+    for (const int one : freedoms)
+      moved.push_back(definite_solution(stiffness, Eigen::VectorXd::Unit(count_, one)));
+    return moved;
+  }
+
+ private:
+  struct Beam {
+    std::array<int, 12> at;
+    Matrix12 stiffness;
+  };
+  int count_ = 0;
+  std::vector<Beam> beams_;
+  std::vector<int> held_;
+};
+
+/// The linkage's beams.
+class SpaceFrame {
+ public:
+  SpaceFrame(const Pose& pose, const SpaceFrameParts& parts) : pose_(pose), parts_(parts) {
+    for (int& height : heights_) height = beams_.freedom();
+    for (auto& of_link : nodes_)
+      for (std::size_t joint = 0; joint < of_link.size(); ++joint) of_link[joint][2] = heights_[joint];
+    add_links();
+    join(Joint::A, Link::VA, Link::ACX);
+    join(Joint::B, Link::VB, Link::BCY);
+    join(Joint::C, Link::ACX, Link::BCY);
+  }
+
+  void stand_at(Joint pole) {
+    hold_height(pole);
+    Freedoms table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      table[i] = i == 2 ? height(pole) : beams_.freedom();
+      if (i != 2) beams_.hold(table[i]);
+    }
+    const double thickness = parts_.style.thickness;
+    if (pole == Joint::V) {
+      const auto [lower, upper] = in_order(Link::VA, Link::VB);
+      const Freedoms post = pin(table, lower, pole, thickness * (parts_.layers[lower] - 0.5));
+      pin(post, upper, pole, thickness * (parts_.layers[upper] - parts_.layers[lower]));
+    } else {
+      pin(table, Link::ACX, pole, thickness * (parts_.layers[Link::ACX] - 0.5));
+      join(Joint::V, Link::VA, Link::VB);
+    }
+  }
+  /// A point's tool is held by one link, if two meet there by the first.
+  void hold_in_plane(Joint joint) {
+    for (const std::size_t i : {0, 1}) beams_.hold(tool(joint)[i]);
+  }
+  void hold_height(Joint joint) { beams_.hold(height(joint)); }
+
+  SpaceFrameResponse pushed_at(Joint pen, Joint tracer) const {
+    const Freedoms& at = tool(pen);
+    const auto moved = beams_.moved_by({at[0], at[1]});
+    SpaceFrameResponse response;
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const Eigen::VectorXd& by_axis = moved[static_cast<std::size_t>(axis)];
+      response.in_plane.col(axis) << by_axis[at[0]], by_axis[at[1]];
+      response.tracer_rise[axis] = by_axis[height(tracer)];
+      response.pen_rise[axis] = by_axis[height(pen)];
+    }
+    return response;
+  }
+
+ private:
+  Freedoms& node(Link link, Joint joint) {
+    return nodes_[static_cast<std::size_t>(link)][static_cast<std::size_t>(joint)];
+  }
+  int height(Joint joint) const { return heights_[static_cast<std::size_t>(joint)]; }
+  const Freedoms& tool(Joint joint) const {
+    const Link link = joint == Joint::V ? Link::VA : joint == Joint::X ? Link::ACX : Link::BCY;
+    return nodes_[static_cast<std::size_t>(link)][static_cast<std::size_t>(joint)];
+  }
+
+  void add_links() {
+    const Section bar = flat_section(parts_);
+    for (const Link link : all_links) {
+      LinkJoints of = joints_of(link);
+      if (of.count == 3) of.joints = middle_first(of.joints, pose_, parts_.straight);
+      for (int i = 0; i < of.count; ++i)
+        for (const std::size_t freedom : {0, 1, 3, 4, 5})
+          node(link, of.joints[static_cast<std::size_t>(i)])[freedom] = beams_.freedom();
+      for (int i = 1; i < of.count; ++i) {
+        const Joint from = of.joints[0], to = of.joints[static_cast<std::size_t>(i)];
+        const Point way = pose_[to] - pose_[from], along = way.normalized();
+        beams_.add(node(link, from), node(link, to), {way.x(), way.y(), 0}, {-along.y(), along.x(), 0}, bar);
+      }
+    }
+  }
+
+  std::array<Link, 2> in_order(Link one, Link other) const {
+    if (parts_.layers[one] > parts_.layers[other]) std::swap(one, other);
+    return {one, other};
+  }
+
+  /// The pin's upper end: the link's there, but for the turn about the pin, which is the pin's own.
+  Freedoms pin(const Freedoms& from, Link link, Joint joint, double height) {
+    Freedoms top = node(link, joint);
+    top[5] = beams_.freedom();
+    beams_.add(from, top, {0, 0, height}, {1, 0, 0},
+               round_section(pin_at(parts_.style, parts_.hardware, joint)));
+    return top;
+  }
+  void join(Joint joint, Link one, Link other) {
+    const auto [lower, upper] = in_order(one, other);
+    pin(node(lower, joint), upper, joint,
+        parts_.style.thickness * (parts_.layers[upper] - parts_.layers[lower]));
+  }
+
+  const Pose& pose_;
+  const SpaceFrameParts& parts_;
+  Beams beams_;
+  std::array<int, 6> heights_{};
+  std::array<std::array<Freedoms, 6>, 4> nodes_{};
+};
+
+}  // namespace
+
+double SpaceFrameResponse::give() const { return in_plane.operatorNorm(); }
+
+double SpaceFrameResponse::rise() const { return std::max(tracer_rise.norm(), pen_rise.norm()); }
+
+SpaceFrameResponse space_frame_response(const Pose& pose, const JointRoles& roles,
+                                        const SpaceFrameParts& parts, bool tracer_rests, bool pen_rests) {
+  SpaceFrame frame(pose, parts);
+  frame.stand_at(roles.pole);
+  frame.hold_in_plane(roles.tracer);
+  if (tracer_rests) frame.hold_height(roles.tracer);
+  if (pen_rests) frame.hold_height(roles.pen);
+  return frame.pushed_at(roles.pen, roles.tracer);
+}
+
+}  // namespace kempe
