@@ -154,7 +154,7 @@ class SpaceFrame {
   }
   /// A point's tool is held by one link, if two meet there by the first.
   void hold_in_plane(Joint joint) {
-    for (const std::size_t i : {0, 1}) beams_.hold(tool(joint)[i]);
+    for (const std::size_t i : {0u, 1u}) beams_.hold(tool(joint)[i]);
   }
   void hold_height(Joint joint) { beams_.hold(height(joint)); }
 
@@ -187,7 +187,7 @@ class SpaceFrame {
       LinkJoints of = joints_of(link);
       if (of.count == 3) of.joints = middle_first(of.joints, pose_, parts_.straight);
       for (int i = 0; i < of.count; ++i)
-        for (const std::size_t freedom : {0, 1, 3, 4, 5})
+        for (const std::size_t freedom : {0u, 1u, 3u, 4u, 5u})
           node(link, of.joints[static_cast<std::size_t>(i)])[freedom] = beams_.freedom();
       for (int i = 1; i < of.count; ++i) {
         const Joint from = of.joints[0], to = of.joints[static_cast<std::size_t>(i)];
