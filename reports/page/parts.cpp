@@ -178,8 +178,10 @@ std::string hardware(const Design& design) {
                     item.length > 0 ? number_text(item.length, 3) : "–", html_escaped(item.remark)});
   }
   return "<h3>Pins, posts, spacers</h3>\n" +
-         html_table("hardware",
-                    {{"Item"}, {"Number", true}, {"Diameter, mm", true}, {"Grips, mm", true}, {"Use"}}, rows);
+         html_table(
+             "hardware",
+             {{"Item"}, {"Number", true}, {"Diameter, mm", true}, {"Length needed, mm", true}, {"Use"}},
+             rows);
 }
 
 std::string notes(const Design& design) {
