@@ -113,6 +113,7 @@ Json task(const Spec& spec) {
           {"transmission", spec.limits.transmission},
           {"sheets_gap", optional_number(spec.limits.copy_gap)},
           {"longest", largest_joint_distance(spec)},
+          {"longest_strip", optional_number(spec.limits.longest_strip)},
           {"shortest", spec.links.shortest},
           {"load_error", optional_number(spec.limits.load_error)},
           {"sag", optional_number(spec.limits.sag)},
@@ -140,7 +141,8 @@ Json found(const FoundDesign& design, const std::optional<double>& bound, const 
             {"value", design.value},
             {"bound", optional_number(bound)},
             {"transmission", design.attained.transmission},
-            {"longest", longest(of)}}},
+            {"longest", longest(of)},
+            {"longest_strip", longest(of) + style.width}}},
           {"lengths", lengths(of)},
           {"model", Json::parse(linkage_model(design.linkage, design.layers, style))}};
 }
@@ -205,6 +207,7 @@ Json found(const FinishedDesign& design) {
             {"clearance", optional_number(design.clearance_min())},
             {"free_area", design.map().collision_free_area()},
             {"longest", longest(of)},
+            {"longest_strip", longest(of) + design.section().width},
             {"footprint", design.footprint()},
             {"load_error", optional_number(design.load_error())},
             {"sag", optional_number(design.sag())},

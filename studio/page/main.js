@@ -244,7 +244,7 @@
       one("changes").replaceChildren();
       if (answer.kind === "design") this.take(answer);
       else if (answer.kind === "none") this.takeNone(answer);
-      else if (answer.kind === "faults") this.say("bad", answer.faults.length === 1 ? "The spec has a fault:" : `The spec has ${answer.faults.length} faults:`);
+      else if (answer.kind === "faults") this.say("bad", `${answer.faults.length === 1 ? "The spec has a fault" : `The spec has ${answer.faults.length} faults; the first`}: ${this.wordsOf(answer.faults[0])}`);
       else this.say("bad", answer.error || "The engine gave no answer.");
       window.dispatchEvent(new CustomEvent("kempe-answer", { detail: answer.kind || "error" }));
     }
@@ -468,6 +468,7 @@
       one("play").disabled = !this.model;
       const shapes = kempe.shapesOf(this.doc, this.task, this.polePlace());
       this.shapes = shapes;
+      this.panel.showMeasures(shapes);
       const region = shapes.find(({ role }) => role === "region");
       const tracer = this.tracer || (region ? kempe.middleOf(region.rings.flat()) : [0, 0]);
       this.stage.show({ shapes, model: this.model, ghost: this.answerIsCurrent ? (this.model ? null : this.ghost) : this.ghost, tracer, binding: this.answerIsCurrent ? this.binding : [], reasons: this.answerIsCurrent ? this.reasons : [] });
@@ -508,7 +509,8 @@
       const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
       set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "the design is there" : `${kempe.figure(share, share < 1 ? 2 : 1)} % from it`);
       set("transmission", `${kempe.figure(degrees(of.transmission), 1)}°`, this.task ? `limit ${kempe.figure(degrees(this.task.transmission), 1)}°` : "");
-      set("longest", mm(of.longest), this.task ? `limit ${kempe.figure(this.task.longest, 1)} mm` : "");
+      const { longest, longest_strip: strip } = this.task || {};  // the task limits the holes' distance, and may limit the strip
+      set("longest", mm(of.longest_strip), !this.task ? "" : strip ? `limit ${kempe.figure(strip, 1)} mm` : `holes ${kempe.figure(of.longest, 1)} of ${kempe.figure(longest, 1)} mm`);
       if (isSketch) {
         set("clearance", "…");
         set("free", "…");
@@ -573,12 +575,15 @@
       this.steps.said = step;
     }
 
+    wordsOf({ file, line, key, found, allowed }) {
+      return `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${key}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
+    }
+
     faults(all) {
       const here = all.map((fault) => (fault.file ? { ...fault, line: null } : fault));  // lines of the spec's text
-      one("faults").replaceChildren(...all.map(({ file, line, key, found, allowed }) => {
-        const words = `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${key}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
-        const button = make("button", { type: "button", className: "fault", textContent: words });
-        button.addEventListener("click", () => this.showLine(file ? null : line));
+      one("faults").replaceChildren(...all.map((fault) => {
+        const button = make("button", { type: "button", className: "fault", textContent: this.wordsOf(fault) });
+        button.addEventListener("click", () => this.showLine(fault.file ? null : fault.line));
         return make("li", {}, button);
       }));
       one("spec").classList.toggle("faulty", all.length > 0);

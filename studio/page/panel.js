@@ -24,7 +24,8 @@
       this.change = change;
       this.fields = [];
       const { make } = kempe;
-      this.obstacles = make("div", { className: "obstacle-list" });
+      this.measured = { kinds: "", fields: [], list: make("div", { className: "field-list" }) };
+      root.append(make("details", { open: true }, make("summary", { textContent: "On the table" }), this.measured.list));
       for (const table of [...new Set(keys.map(({ table }) => table))]) {
         const part = make("details", { open: open.has(table) }, make("summary", { textContent: titles[table] || table })), list = make("div", { className: "field-list" });
         for (const key of keys.filter((of) => of.table === table)) list.append(this.field(key));
@@ -73,6 +74,39 @@
       return make("div", { className: "field" }, label, make("span", { className: "entry" }, input, make("span", { className: "unit", textContent: unit(key.name) })));
     }
 
+    /** Sizes and places of what stands on the table, to be typed; `shapes` as shapesOf() gives them. */
+    showMeasures(shapes) {
+      const { make } = kempe, { measured } = this, shown = shapes.filter(({ measures }) => measures);
+      const all = shown.flatMap(({ measures }) => measures), kinds = JSON.stringify(shown.map(({ role, name, measures }) => [role, name, measures.length]));
+      if (kinds !== measured.kinds) {
+        measured.kinds = kinds;
+        measured.fields = [];
+        measured.list.replaceChildren(...shown.flatMap(({ role, name, measures }) => [
+          make("p", { className: "of-shape", textContent: role === "region" ? "Original" : role === "pole" ? "Pole" : name }),
+          ...measures.map((of) => this.measureField(of, name)),
+        ]));
+      }
+      all.forEach((measure, i) => {
+        const field = measured.fields[i];
+        field.measure = measure;
+        if (document.activeElement !== field.input) field.input.value = figure(measure.value);
+      });
+    }
+
+    measureField({ name }, shape) {
+      const { make } = kempe, id = `measure-${this.measured.fields.length}`, input = make("input", { id, type: "text", inputMode: "decimal", autocomplete: "off" });
+      const field = { input };
+      this.measured.fields.push(field);
+      input.setAttribute("aria-label", `${name} of ${shape}`);
+      input.addEventListener("change", () => {
+        const value = kempe.readNumber(input.value), good = value > field.measure.least;
+        input.setCustomValidity(good ? "" : field.measure.least === 0 ? "a number above 0, please" : "a number, please");
+        if (!good) return void input.reportValidity();
+        this.change(field.measure.text(value));
+      });
+      return make("div", { className: "field" }, make("label", { htmlFor: id }, name), make("span", { className: "entry" }, input, make("span", { className: "unit", textContent: "mm" })));
+    }
+
     typed(path, key, input) {
       const value = key.type === "boolean" ? input.checked : input.value.trim();
       if (value === "") return this.change(this.doc.cleared(path));
@@ -103,6 +137,7 @@
         const value = byParts ? undefined : found;
         input.disabled = byParts;  // a table, such as the hardware joint by joint: it is changed in the text
         input.title = byParts ? "Given part by part: change it in the spec's text" : "";
+        if (path === "links.pin_diameter_mm") input.placeholder = [...doc.values.keys()].some((of) => of.startsWith("links.hardware")) ? "the bolts'" : key.default;
         if (key.type === "boolean") input.checked = value ?? key.default ?? false;
         else input.value = value === undefined ? "" : typeof value === "number" ? figure(value) : String(value);
       }

@@ -15,6 +15,9 @@
     return Array.from({ length: 72 }, (_, i) => [x + radius * Math.cos((i * Math.PI) / 36), y + radius * Math.sin((i * Math.PI) / 36)]);
   }
 
+  /** A number of a shape that can be typed: its name, its value, and what a new value makes of the spec's text. */
+  const measure = (name, value, text, least = -Infinity) => ({ name, value, least, text });
+
   /** A rectangle: its lower left corner, its upper right corner, its middle. */
   function rectangle(doc, path, name) {
     const given = doc.get(path) || {}, { at, size } = Array.isArray(given) ? { at: given.slice(0, 2), size: given.slice(2) } : given;
@@ -23,6 +26,12 @@
     const least = 1e-3 * Math.max(...size);
     return {
       rings: [ring],
+      measures: [
+        measure("Width", size[0], (value) => doc.with(path, { at, size: [value, size[1]] }), 0),
+        measure("Height", size[1], (value) => doc.with(path, { at, size: [size[0], value] }), 0),
+        measure("Left edge", at[0], (value) => doc.with(path, { at: [value, at[1]], size })),
+        measure("Lower edge", at[1], (value) => doc.with(path, { at: [at[0], value], size })),
+      ],
       handles: [
         { id: `${path}.at`, label: `Lower left corner of ${name}`, at, says: pair(at), fields: [[`${path}`, "at", 0], [`${path}`, "at", 1]],
           move: ([x, y]) => doc.with(path, { at: [Math.min(x, far[0] - least), Math.min(y, far[1] - least)], size: [Math.max(far[0] - x, least), Math.max(far[1] - y, least)] }) },
@@ -39,6 +48,11 @@
     if (!isPoint(centre) || !(radius > 0 && radius < 1e8)) return null;
     return {
       rings: [circleRing(centre, radius)],
+      measures: [
+        measure("Radius", radius, (value) => doc.with(path, { centre, radius: value }), 0),
+        measure("Centre, x", centre[0], (value) => doc.with(path, { centre: [value, centre[1]], radius })),
+        measure("Centre, y", centre[1], (value) => doc.with(path, { centre: [centre[0], value], radius })),
+      ],
       handles: [
         { id: `${path}.centre`, label: `Centre of ${name}`, at: centre, whole: true, says: pair(centre), move: (to) => doc.with(path, { centre: to, radius }) },
         { id: `${path}.radius`, label: `Radius of ${name}`, at: add(centre, [radius, 0]), says: `r ${number(radius)}`,
@@ -98,7 +112,8 @@
       const at = doc.get("pole.at_mm") || [0, 0];
       if (isPoint(at)) {
         place = at;
-        shapes.push({ role: "pole", name: "pole", rings: [], handles: [{ id: "pole.at_mm", label: "The pole", at, says: pair(at), move: (to) => doc.with("pole.at_mm", to) }] });
+        const measures = [0, 1].map((axis) => measure("xy"[axis], at[axis], (value) => doc.with("pole.at_mm", axis ? [at[0], value] : [value, at[1]])));
+        shapes.push({ role: "pole", name: "pole", rings: [], measures, handles: [{ id: "pole.at_mm", label: "The pole", at, says: pair(at), move: (to) => doc.with("pole.at_mm", to) }] });
       }
     } else if (task && task.pole.at) place = task.pole.at;
     const ratio = ratioOf(doc, task);

@@ -252,7 +252,9 @@
         node.setAttribute("aria-valuenow", x);
         node.setAttribute("aria-valuetext", handle.role === "copy" ? handle.says : `${handle.says || `${kempe.figure(x)}, ${kempe.figure(y)}`}`);
         for (const circle of [reach, knob]) { circle.setAttribute("cx", x); circle.setAttribute("cy", -y); }
-        reach.setAttribute("r", (touch ? 22 : 14) * px);
+        // No handle takes what belongs to a neighbour.
+        const near = Math.min(...handles.map(({ at }) => Math.hypot(at[0] - x, at[1] - y)).filter((distance) => distance > 0));
+        reach.setAttribute("r", Math.max(8 * px, Math.min((touch ? 22 : 14) * px, near / 2)));
         knob.setAttribute("r", (handle.whole ? 7.5 : 6) * px);
         const a = 4.2 * px;
         arrows.setAttribute("d", handle.whole ? `M${x - a},${-y}h${2 * a}M${x},${-y - a}v${2 * a}` : "");

@@ -125,6 +125,29 @@ test("Arrow keys move a handle, and every handle has a name", async () => {
   });
 });
 
+test("Sizes and places on the table can be typed", async () => {
+  await on({}, async (page) => {
+    await page.evaluate((spec) => window.kempe.studio.open(spec), template("clamped-plate"));
+    await rested(page);
+    const got = (path) => page.evaluate((of) => window.kempe.studio.doc.get(of), path);
+    const type = async (label, words) => {
+      const field = page.getByLabel(label, { exact: true });
+      await field.fill(words);
+      await field.blur();
+    };
+    const { at, size } = await got("region.rectangle_mm");
+    await type("Width of region", "120,5");
+    assert.deepEqual(await got("region.rectangle_mm"), { at, size: [120.5, size[1]] });
+    await type("Height of region", "0");  // not a size
+    assert.deepEqual((await got("region.rectangle_mm")).size, [120.5, size[1]]);
+    await type("y of pole", "381");
+    assert.deepEqual(await got("pole.at_mm"), [0, 381]);
+    await page.locator("#undo").click();
+    await rested(page);
+    assert.equal(await page.getByLabel("y of pole", { exact: true }).inputValue(), "380");
+  });
+});
+
 test("Where nothing exists, the reason is said and a button finds the way out", async () => {
   const text = template("plagiograph") + "\n[limits]\ntransmission_deg = 88\n";
   await on({}, async (page) => {
@@ -262,6 +285,7 @@ test("Faults of the text stand at their lines; a decimal comma is a number", asy
     const faults = await page.locator("#faults li").allTextContents();
     assert.equal(faults.length, 2);
     assert.ok(faults.every((words) => /^Line \d+: /.test(words)), faults.join());
+    assert.ok((await page.locator("#verdict").textContent()).endsWith(`the first: ${faults[0]}`), "the verdict says the first at once");
     await page.locator("#spec").fill(good);
     await page.waitForFunction(() => document.body.dataset.answer === "design");
     await page.locator('[id="field-copy.scale"]').fill("1,5");
@@ -436,5 +460,14 @@ test("On a phone nothing is wider than the screen, and no word lies on a handle 
       });
       assert.deepEqual(clashes, [], name);
     }
+    // A finger on a handle gets that handle, even in a thing as small as a new obstacle.
+    await page.locator("#add-obstacle").click();
+    await rested(page);
+    const missed = await page.evaluate(() => [...document.querySelectorAll("#map .handle[data-id^=obstacles]")].filter((handle) => {
+      const { left, right, top, bottom } = handle.querySelector(".knob").getBoundingClientRect();
+      const hit = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      return hit && hit.closest(".map") && hit.closest(".handle") !== handle;
+    }).map((handle) => handle.getAttribute("aria-label")));
+    assert.deepEqual(missed, []);
   });
 });
