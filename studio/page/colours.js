@@ -38,7 +38,8 @@
       this.colours.replaceChildren(...Object.entries(colourGroups).flatMap(([group, heading]) => {
         const inside = Object.entries(colours).filter(([id, [of]]) => of === group && present.has(id));
         if (!inside.length) return [];
-        return [make("section", {}, make("h3", { textContent: heading }), make("ul", {}, ...inside.map(([id, [, name]]) => make("li", {}, swatch(id, group), name))))];
+        const items = inside.map(([id, [, name]]) => make("li", {}, swatch(id, group), name));
+        return [make("section", {}, make("h3", { textContent: heading }), make("ul", {}, ...items))];
       }));
     }
 

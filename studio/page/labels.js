@@ -105,8 +105,8 @@
       const x = (left + right) / 2, y = (top + bottom) / 2;
       return (wide, high) => {
         const u = 4 * pixel + wide / 2, v = 5 * pixel + high / 2, step = 12 * pixel + high / 2;
-        const all = [[x, y - step], [x, y + step], [x, top + v], [x, bottom - v], [left + u, top + v], [right - u, top + v], [left + u, bottom - v], [right - u, bottom - v]];
-        return all.filter(([a, b]) => a - wide / 2 >= left && a + wide / 2 <= right && b - high / 2 >= top && b + high / 2 <= bottom);
+        const corners = [left + u, right - u].flatMap((at) => [[at, top + v], [at, bottom - v]]);
+        return [[x, y - step], [x, y + step], [x, top + v], [x, bottom - v], ...corners].filter(([a, b]) => a - wide / 2 >= left && a + wide / 2 <= right && b - high / 2 >= top && b + high / 2 <= bottom);
       };
     }
 

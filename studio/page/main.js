@@ -338,7 +338,8 @@
         if (key === "limits.transmission_deg") return [[far, ["transmission angle", "transmission"]], [near, ["transmission angle", "transmission"]]];
         if (/longest/.test(key)) return [[far, "too far for the strips"]];
         if (key === "limits.copy_error_mm") return [[far, "copy error"]];
-        const index = this.namesObstacle(key, sentence) ? kempe.obstacleNamed(this.doc, sentence) : -1, obstacle = (this.shapes || []).find((of) => of.role === "obstacle" && of.index === index);
+        const index = this.namesObstacle(key, sentence) ? kempe.obstacleNamed(this.doc, sentence) : -1;
+        const obstacle = (this.shapes || []).find((of) => of.role === "obstacle" && of.index === index);
         return obstacle ? [[kempe.middleOf(obstacle.rings.flat()), ["in the way: dragging it away may help", "in the way: drag it away?", "in the way"]]] : [];
       };
       const told = changes.length ? changes : [{ key: (/\b(?:limits|links|pole)\.\w+|\bobstacles\b/.exec(reason) || ["obstacles"])[0], sentence: reason }];
@@ -533,7 +534,8 @@
     }
 
     wordsOf({ file, line, key, found, allowed }) {
-      return `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${key}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
+      const named = kempe.words.isNamed(key) ? `${kempe.words.nameOf(key)} (${key})` : key;
+      return `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${named}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
     }
 
     faults(all) {

@@ -15,7 +15,7 @@
       if (open) list.querySelector("button").focus();
     });
     list.addEventListener("click", (event) => { if (event.target.closest("button")) show(false); });
-    document.addEventListener("pointerdown", (event) => { if (!event.target.closest) return; if (!list.contains(event.target) && !button.contains(event.target)) show(false); });
+    document.addEventListener("pointerdown", ({ target }) => { if (!list.contains(target) && !button.contains(target)) show(false); });
     for (const node of [button, list])
       node.addEventListener("keydown", (event) => {
         const items = [...list.querySelectorAll("button")], step = { ArrowDown: 1, ArrowUp: -1 }[event.key];

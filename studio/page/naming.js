@@ -6,7 +6,8 @@
 
   /** What makes a task the one that its template speaks of. */
   function taskOf(doc) {
-    const all = [...doc.values].filter(([key]) => /^(copy|region)(\.|$)/.test(key)).map(([key, { value }]) => [key, key === "copy.scale" ? kempe.ratio(value) : value]);
+    const all = [...doc.values].filter(([key]) => /^(copy|region)(\.|$)/.test(key))
+      .map(([key, { value }]) => [key, key === "copy.scale" ? kempe.ratio(value) : value]);
     return JSON.stringify(all.filter(([key, value]) => key !== "copy.rotation_deg" || value !== 0).sort(([one], [other]) => (one < other ? -1 : 1)));
   }
 

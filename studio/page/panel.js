@@ -1,7 +1,7 @@
 // A field for every key of a spec, made from the table of keys: a new key appears by itself.
 "use strict";
 (function (kempe) {
-  const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerance", tool: "Tool", objective: "Objective", material: "Material", load: "Load", cutting: "Cutting" };
+  const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerances", tool: "Follower and cutter", objective: "Aim of the search", material: "Material", load: "Load", cutting: "Cutting the parts" };
   const open = new Set(["copy", "limits", "links"]);
   const { nameOf, meaningOf, unitOf, choices } = kempe.words;
   const figure = (value) => kempe.figure(value, 6);

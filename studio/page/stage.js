@@ -192,7 +192,8 @@
       for (const at of labels.handles) labels.keepOff(at, 9);
       for (const at of [...(scene.binding || []), ...(scene.reasons || []).map(({ at: spot }) => spot)]) labels.keepOff([at[0], -at[1]], 12);
       const corners = scene.shapes.filter(({ role }) => role !== "body").flatMap(({ rings }) => rings);
-      if (corners.flat().length <= mostEdges) labels.edges = corners.flatMap((ring) => ring.map(([x, y], i) => [[x, -y], [ring[(i + 1) % ring.length][0], -ring[(i + 1) % ring.length][1]]]));
+      const drawn = ([x, y]) => [x, -y];
+      if (corners.flat().length <= mostEdges) labels.edges = corners.flatMap((ring) => ring.map((at, i) => [drawn(at), drawn(ring[(i + 1) % ring.length])]));
       const found = scene.model ? this.poseOf(scene.model, scene.tracer) : null;
       if (found) for (const [x, y] of found.pose) labels.keepOff([x, -y], Math.max((1.55 * scene.model.pin_radius) / this.pixel, 6));
       return labels;

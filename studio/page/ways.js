@@ -25,7 +25,8 @@
     const unit = kempe.words.unitOf(key);
     return unit === "" ? figure(value) : unit === "°" ? `${figure(value)}°` : `${figure(value)}\u00a0${unit}`;
   };
-  const unquoted = { "pole.at_mm": "the place of the pole", "pole.within_mm": "the area of the pole", obstacles: "the obstacles", bodies: "what tracer and pen carry", table: "the table's edge" };
+  const unquoted = { "pole.at_mm": "the place of the pole", "pole.within_mm": "the area of the pole", obstacles: "the obstacles",
+    bodies: "what tracer and pen carry", table: "the table's edge" };
   const quoted = (path) => unquoted[path] || `“${kempe.words.nameOf(path)}”`;
   const capital = (words) => words.replace(/^./, (c) => c.toUpperCase());
 
@@ -70,16 +71,20 @@
   const kinds = [
     [new RegExp(`^length_mm = .* and play_mm = .*; (${number}) and (${number}) would do`), ([, length, play], { doc }) => {
       const [off, loose] = [length, play].map((value) => safely(Number(value), false));
-      return { words: `Lengths exact to ± ${withUnit(off, "_mm")}, play ${withUnit(loose, "_mm")}`, text: new kempe.Doc(doc.with("tolerance.length_mm", off)).with("tolerance.play_mm", loose) };
+      const text = new kempe.Doc(doc.with("tolerance.length_mm", off)).with("tolerance.play_mm", loose);
+      return { words: `Lengths exact to ± ${withUnit(off, "_mm")}, play ${withUnit(loose, "_mm")}`, text };
     }],
-    [new RegExp(`; the pole at \\((${number}), (${number})\\) mm would do`), ([, x, y], { doc }) => ({ words: `Pole at ${figure(Number(x))}; ${figure(Number(y))}\u00a0mm`, text: withPole(doc, "at_mm", [Number(x), Number(y)]) })],
+    [new RegExp(`; the pole at \\((${number}), (${number})\\) mm would do`), ([, ...at], { doc }) => {
+      const [x, y] = at.map(Number);
+      return { words: `Pole at ${figure(x)}; ${figure(y)}\u00a0mm`, text: withPole(doc, "at_mm", [x, y]) };
+    }],
     [new RegExp(`; the pole (${number}) mm outside it would do`), ([, margin], { doc, task }) => {
-      const wider = safely(Number(margin), true);
-      return task && task.pole.within ? { words: `Pole's area wider by ${withUnit(wider, "_mm")} all round`, text: withPole(doc, "within_mm", around(task.pole.within, wider)) } : null;
+      const wider = safely(Number(margin), true), words = `Pole's area wider by ${withUnit(wider, "_mm")} all round`;
+      return task && task.pole.within ? { words, text: withPole(doc, "within_mm", around(task.pole.within, wider)) } : null;
     }],
     [new RegExp(`; with the pole free to stand within (${number}) mm of the region`), ([, margin], { doc, task }) => {
-      const wider = safely(Number(margin), true);
-      return task ? { words: `Pole anywhere within ${withUnit(wider, "_mm")} of the original`, text: withPole(doc, "within_mm", around(task.region, wider)) } : null;
+      const wider = safely(Number(margin), true), words = `Pole anywhere within ${withUnit(wider, "_mm")} of the original`;
+      return task ? { words, text: withPole(doc, "within_mm", around(task.region, wider)) } : null;
     }],
     [new RegExp(`; (${number}) would do`), ([, value], { key, doc, isKey }) => {
       if (!isKey(key)) return null;
@@ -87,8 +92,12 @@
       return { words: `${kempe.words.nameOf(key)}: ${withUnit(enough, key)}`, text: doc.with(key, enough) };
     }],
     [/; "([^"]+)" would do/, ([, name], { key, doc }) => (doc.has(key) ? { words: `${kempe.words.nameOf(key)}: ${name}`, text: doc.with(key, name) } : null)],
-    [/; left out, a design exists/, (_, { key, doc }) => (doc.has(key) ? { words: `Without the limit “${kempe.words.nameOf(key)}”`, text: doc.cleared(key) } : null)],
-    [/; without them/, (_, { key, doc }) => (key === "obstacles" || key === "bodies" ? { words: key === "obstacles" ? "Without the obstacles" : "With nothing carried", text: withoutAll(doc, key) } : null)],
+    [/; left out, a design exists/, (_, { key, doc }) =>
+      (doc.has(key) ? { words: `Without the limit “${kempe.words.nameOf(key)}”`, text: doc.cleared(key) } : null)],
+    [/; without them/, (_, { key, doc }) => {
+      const words = { obstacles: "Without the obstacles", bodies: "With nothing carried" }[key];
+      return words ? { words, text: withoutAll(doc, key) } : null;
+    }],
     [/(.*) is in the way; without it/, ([, name], { key, doc }) => {
       if (key === "table" || key === "bodies") return { words: key === "table" ? "Without the table's edge" : "With nothing carried", text: withoutAll(doc, key) };
       if (key !== "obstacles") return doc.has(key) ? { words: `Without “${kempe.words.nameOf(key)}”`, text: doc.without(key) } : null;
@@ -121,7 +130,7 @@
       .replace(new RegExp(`(; the pole )(${number})( mm outside it would do)`), wide)
       .replace(new RegExp(`(free to stand within )(${number})( mm of the region)`), wide)
       .replace(new RegExp(`; (${number}) would (do|fit)`), (_, value, verb) => `; ${withUnit(givenWay(first, Number(value), doc), first)} would ${verb}`)
-      .replace(keyed, (_, path, value) => `${quoted(path)}${value === undefined || value === "true" ? "" : value[0] === '"' ? ` (${value.slice(1, -1)})` : ` (${withUnit(Number(value), path)})`}`)
+      .replace(keyed, (_, path, value) => quoted(path) + (value === undefined || value === "true" ? "" : ` (${value[0] === '"' ? value.slice(1, -1) : withUnit(Number(value), path)})`))
       .replace(/(relaxed: .*)$/, (_, list) => list.replace(/\b(obstacles|bodies|table)\b(?=,|$)/g, (name) => quoted(name)))
       .replace(/\bthe region\b/g, "the original");
     return capital(plain);

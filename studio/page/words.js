@@ -64,6 +64,7 @@
   /** What a choice is called in its list. */
   const choices = { size: "total length", copy_error: "copy error", footprint: "bench space", load_error: "giving way", mass: "mass", transmission: "transmission" };
 
+  const isNamed = (path) => Boolean(spoken[path]);
   const nameOf = (path) => {
     if (spoken[path]) return spoken[path][0];
     const name = path.split(".").pop(), length = /^links\.([A-Z]{2})_mm$/.exec(path);
@@ -114,5 +115,5 @@
   };
   const colourGroups = { things: "On the table", map: "Where the tracer can be", lost: "Lost, and why" };
 
-  kempe.words = { nameOf, meaningOf, unitOf, choices, figures, colours, colourGroups };
+  kempe.words = { isNamed, nameOf, meaningOf, unitOf, choices, figures, colours, colourGroups };
 })((globalThis.kempe = globalThis.kempe || {}));
