@@ -2,6 +2,7 @@
 "use strict";
 (function (kempe) {
   const gap = 6;  // pixels between two words on a line
+  const crossing = 12;  // so many middles further away are better than one where an outline crosses the word
   const widths = new Map();
   let pen = null;
 
@@ -72,16 +73,19 @@
       return this.edges.some(([from, to]) => crosses(box, from, to));
     }
 
-    /** The first of some middles where a word has room, now taken; null if there is none. First where no outline crosses it and `fits(box)` holds.
+    /** Of some middles, the better ones first, one where a word has room, now taken; null if there is none. Rather where no outline crosses it,
+     * and above all where `fits(box)` holds.
      * `own`: the handle whose number it is; `pixels`, `weight`: the size of its letters and how bold they are; `must`: only where `fits` holds. */
     put(middles, word, { pixels = 12.6, weight = 400, own = null, fits = null, must = false } = {}) {
       const wide = (widthOf(word, pixels, weight) + 2) * this.pixel, high = (pixels + 2.4) * this.pixel;
-      const free = middles(wide, high).filter((at) => {
+      let middle = null, least = Infinity;
+      middles(wide, high).forEach((at, i) => {
         const box = this.box(at, wide, high);
-        return this.isFree(box) && (!own || this.belongs(box, own));
+        if (i >= least || !this.isFree(box) || (own && !this.belongs(box, own))) return;
+        const fitting = !fits || fits(box);
+        const cost = i + (fitting ? 0 : must ? Infinity : 1000) + (this.isCrossed(box) ? crossing : 0);
+        if (cost < least) [middle, least] = [at, cost];
       });
-      const good = (at, edges) => (!fits || fits(this.box(at, wide, high))) && (!edges || !this.isCrossed(this.box(at, wide, high)));
-      const middle = free.find((at) => good(at, true)) || free.find((at) => good(at, false)) || (must ? null : free[0]);
       if (!middle) return null;
       this.taken.push(this.box(middle, wide + 2 * gap * this.pixel, high));
       return middle;
@@ -105,8 +109,8 @@
       const x = (left + right) / 2, y = (top + bottom) / 2;
       return (wide, high) => {
         const u = 4 * pixel + wide / 2, v = 5 * pixel + high / 2, step = 12 * pixel + high / 2;
-        const corners = [left + u, right - u].flatMap((at) => [[at, top + v], [at, bottom - v]]);
-        return [[x, y - step], [x, y + step], [x, top + v], [x, bottom - v], ...corners].filter(([a, b]) => a - wide / 2 >= left && a + wide / 2 <= right && b - high / 2 >= top && b + high / 2 <= bottom);
+        const side = 14 * pixel + wide / 2, corners = [left + u, right - u].flatMap((at) => [[at, top + v], [at, bottom - v]]);
+        return [[x, y - step], [x, y + step], [x + side, y], [x - side, y], [x, top + v], [x, bottom - v], ...corners].filter(([a, b]) => a - wide / 2 >= left && a + wide / 2 <= right && b - high / 2 >= top && b + high / 2 <= bottom);
       };
     }
 

@@ -2,10 +2,11 @@
 "use strict";
 (function (kempe) {
   function table(heads, rows) {
-    const { make } = kempe, isNumber = (text) => /^[\d.,\s]+$/.test(text);
-    const cell = (tag) => (textContent, i) => make(tag, { textContent, className: i && isNumber(textContent) ? "number" : "" });
-    const row = ([name, ...rest]) => make("tr", {}, make("th", { textContent: name, scope: "row" }), ...rest.map((text) => cell("td")(text, 1)));
-    return make("table", {}, make("thead", {}, make("tr", {}, ...heads.map(cell("th")))), make("tbody", {}, ...rows.map(row)));
+    const { make } = kempe, isNumber = heads.map((_, i) => rows.every((row) => /^[\d.]+$/.test(row[i])));
+    const cell = (textContent, i) => make(i ? "td" : "th", { textContent, className: isNumber[i] ? "number" : "", ...(i ? {} : { scope: "row" }) });
+    const head = (textContent, i) => make("th", { textContent, className: isNumber[i] ? "number" : "", scope: "col" });
+    const body = rows.map((row) => make("tr", {}, ...row.map(cell)));
+    return make("table", {}, make("thead", {}, make("tr", {}, ...heads.map(head))), make("tbody", {}, ...body));
   }
 
   /** The distances between the joints of a link, named by its joints' letters. */

@@ -112,7 +112,9 @@
       this.fitNext = true;
       const before = this.state();
       Object.assign(this, { own, origin: origin && kempe.naming.originOf(origin) });
-      this.change(text, { before });
+      if (text !== this.text) return this.change(text, { before });
+      this.adopt(text);  // the same once more: what was taken away above is made again
+      this.settle();
     }
 
     /** What undo goes back to. */
@@ -125,6 +127,7 @@
     change(wanted, { before = this.state(), typed = false } = {}) {
       const text = typed ? wanted : kempe.naming.withoutNames(wanted, this.origin);
       if (text === this.text) return;
+      this.hint("");
       if (this.text !== undefined) this.remember(before);
       this.adopt(text);
       this.settle();
@@ -160,6 +163,7 @@
     }
 
     begin() {
+      this.hint("");
       this.base = this.doc;
       this.before = this.state();
       // What was searched no longer matters; the last design is the ghost.
@@ -210,7 +214,7 @@
         this.place();
       } else if (answer.kind === "none") {
         this.model = null;
-        this.say("wait", answer.proven ? "Proven: no design exists here. Why not is looked for when you rest." : "Nothing near the last design; searching when you rest …");
+        this.say("wait", answer.proven ? "Proven: no design exists here. The reason follows when you rest." : "Nothing near the last design; searching when you rest …");
         this.place();
       }
     }
@@ -464,10 +468,10 @@
       set("size", mm(of.size));
       const unit = (value) => (this.task && this.task.objective === "transmission" ? `${kempe.figure(degrees(value), 2)}°` : mm(value));
       const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
-      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "this design reaches it" : `this one is ${kempe.figure(share, share < 1 ? 2 : 1)} % off`);
+      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "reached to 0.01 %" : `this one is ${kempe.figure(share, share < 1 ? 2 : 1)} % off`);
       set("transmission", `${kempe.figure(degrees(of.transmission), 1)}°`, this.task ? `limit ${kempe.figure(degrees(this.task.transmission), 1)}°` : "");
       const { longest, longest_strip: strip } = this.task || {};  // the task limits the holes' distance, and may limit the strip
-      set("longest", mm(of.longest_strip), !this.task ? "" : strip ? `limit ${kempe.figure(strip, 1)} mm` : `joints apart ${kempe.figure(of.longest, 1)} of ${kempe.figure(longest, 1)} mm`);
+      set("longest", mm(of.longest_strip), !this.task ? "" : strip ? `limit ${kempe.figure(strip, 1)} mm` : `joints ${kempe.figure(of.longest, 1)} of ${kempe.figure(longest, 1)}`);
       if (isSketch) {
         set("clearance", "…");
         set("free", "…");
@@ -502,7 +506,14 @@
       Object.assign(one("verdict"), { className: `verdict ${kind}`, textContent: words, title });
     }
 
+    /** A notice that goes by itself with the next step. */
+    hint(words) {
+      if (words || this.hinted) this.notice(words);
+      this.hinted = words !== "";
+    }
+
     notice(words) {
+      this.hinted = false;
       one("notice-text").textContent = words;
       one("notice").hidden = !words;
     }
@@ -736,7 +747,7 @@
       this.change(this.doc.withTable("obstacles", { name: `obstacle ${count}`, ...shape }));
       one("map").closest(".table").scrollIntoView({ block: "nearest" });
       this.stage.choose(`${path}.${kind === "circle" ? "circle_mm.centre" : "rectangle_mm.middle"}`);
-      this.notice(`“obstacle ${count}” stands on the table: drag it where it is, and drag its corner or type its size under “On the table”.`);
+      this.hint(`“obstacle ${count}” stands on the table: drag it where it is, and drag its corner or type its size under “On the table”.`);
     }
 
     /** The middle of a place in the window for something of a size, clear of what stands on the table; the window's middle if there is none. */
@@ -754,7 +765,7 @@
 
     remove({ name, without }) {
       this.change(without());
-      this.notice(`“${name}” is removed. Undo brings it back.`);
+      this.hint(`“${name}” is removed. Undo brings it back.`);
       one("map").focus({ preventScroll: true });
     }
   }

@@ -129,29 +129,32 @@
       this.drawBodies(groups.bodies, scene);
       groups.names.replaceChildren();
       this.drawReasons();
-      this.drawNames(outlines);
       this.drawLinkage(groups.ghost, scene.ghost, scene.tracer);
       this.drawLinkage(groups.mechanism, scene.model, scene.tracer);
+      this.drawNames(outlines, ["region", "copy"]);
       this.drawGrip(scene.model, scene.tracer);
       this.drawHandles(handles);
+      this.drawNames(outlines, ["pole-area", "obstacle"]);
       this.drawLetters(scene.model, scene.tracer);
     }
 
-    write([x, y], words, css) {
-      this.groups.names.append(element("text", { x, y, dy: ".35em", class: css }, words));
+    /** The first of some wordings that has room. */
+    writeFirst(middles, wordings, asked, css) {
+      for (const words of wordings) {
+        const at = this.labels.put(middles, words, asked);
+        if (at) return this.groups.names.append(element("text", { x: at[0], y: at[1], dy: ".35em", class: css }, words));
+      }
     }
 
     /** What outlines are called, each where it is not taken for another's name. */
-    drawNames(outlines) {
-      const words = { region: "original", copy: "copy", "pole-area": "the pole may stand here" }, px = this.pixel;
-      const named = Object.keys(words).flatMap((role) => outlines(role).map((shape) => ({ role, word: words[role], box: boxOf(shape.rings.flat()) })));
-      const obstacles = outlines("obstacle").filter(({ name }) => name).map(({ name, rings }) => ({ role: "obstacle", word: name, box: boxOf(rings.flat()) }));
-      for (const { role, word, box } of [...named, ...obstacles]) {
-        const others = [...named, ...obstacles].filter((of) => of.box !== box).map((of) => of.box), asked = { fits: kempe.Labels.isOf(box, others) };
+    drawNames(outlines, roles) {
+      const words = { region: ["original"], copy: ["copy"], "pole-area": ["the pole may stand here", "pole's area"] }, px = this.pixel;
+      const named = [...Object.keys(words), "obstacle"].flatMap((role) => outlines(role).map(({ name, rings }) => ({ role, wordings: words[role] || [name], box: boxOf(rings.flat()) })));
+      for (const { role, wordings, box } of named.filter(({ role: of }) => roles.includes(of))) {
+        const others = named.filter((of) => of.box !== box).map((of) => of.box), asked = { fits: kempe.Labels.isOf(box, others) };
         const beside = kempe.Labels.beside(box, px), inside = kempe.Labels.inside(box, px), inner = role === "pole-area" || role === "obstacle";
         const middles = (wide, high) => (inner ? [...inside(wide, high), ...beside(wide, high)] : [...beside(wide, high), ...inside(wide, high)]);
-        const at = this.labels.put(middles, word, { ...asked, must: role === "obstacle" });
-        if (at) this.write(at, word, `name ${role}`);
+        this.writeFirst(middles, wordings, { ...asked, must: role === "obstacle" || wordings.length > 1 }, `name ${role}`);
       }
     }
 
@@ -164,12 +167,7 @@
         return ring;
       }));
       for (const { at, words } of reasons)
-        for (const wording of [].concat(words)) {
-          const place = this.labels.put(kempe.Labels.round([at[0], -at[1]], 13 * pixel, pixel), wording, { weight: 650 });
-          if (!place) continue;
-          this.write(place, wording, "name reason");
-          break;
-        }
+        this.writeFirst(kempe.Labels.round([at[0], -at[1]], 13 * pixel, pixel), [].concat(words), { weight: 650 }, "name reason");
     }
 
     /** The joints' letters, where nothing else needs the room. */
@@ -317,7 +315,9 @@
         const a = 4.2 * px;
         arrows.setAttribute("d", handle.whole ? `M${x - a},${-y}h${2 * a}M${x},${-y - a}v${2 * a}` : "");
         // Where nothing is free, a number waits until its handle is held.
-        const held = handle.id === this.held, places = kempe.Labels.at([x, -y], px);
+        const held = handle.id === this.held, { rings } = handle.shape, around = kempe.Labels.at([x, -y], px);
+        const outside = handle.role === "copy" ? kempe.Labels.beside(boxOf(rings.flat()), px) : () => [];
+        const places = (wide, high) => [...around(wide, high), ...outside(wide, high)];
         const place = handle.says ? this.labels.put(places, handle.says, { pixels: 11.7, own: [x, -y] }) || (held ? places(handle.says.length * 7.4 * px)[0] : null) : null;
         says.textContent = place ? handle.says : "";
         if (!place) continue;

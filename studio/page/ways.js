@@ -115,6 +115,12 @@
     return null;
   }
 
+  /** The sentence with an obstacle's name, where it begins with one, as a name. */
+  function withNameQuoted(sentence, doc) {
+    const index = obstacleNamed(doc, sentence), name = index < 0 ? "" : String(doc.get(`obstacles.${index}.name`) || `obstacle ${index + 1}`);
+    return name && sentence.startsWith(`${name} `) ? `“${name}”${sentence.slice(name.length)}` : sentence;
+  }
+
   const keyed = /\b((?:copy|limits|links|pole|objective|tolerance|material|load|tool|cutting)\.[A-Za-z]\w*)(?: = ("[^"]*"|-?\d+(?:\.\d+)?(?:e[-+]?\d+)?|true))?/g;
 
   /** A sentence of the engine with the page's names, and with the figures that its button has. */
@@ -122,7 +128,7 @@
     const first = (keyed.exec(sentence) || [])[1] || key;
     keyed.lastIndex = 0;
     const wide = (_, before, value, after) => `${before}${figure(safely(Number(value), true))}${after}`;
-    const plain = sentence
+    const plain = withNameQuoted(sentence, doc)
       .replace(/^robust = true/, quoted("tolerance.robust"))
       .replace(new RegExp(`^length_mm = (${number}) and play_mm = (${number})(.*); (${number}) and (${number}) would do`), (_, length, play, middle, off, loose) =>
         `${quoted("tolerance.length_mm")} (${withUnit(Number(length), "_mm")}) and ${quoted("tolerance.play_mm")} (${withUnit(Number(play), "_mm")})${middle}; ` +

@@ -12,11 +12,13 @@ after(() => rmSync(scratch, { recursive: true }));
 const on = pages();
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const opened = async (page, text) => {
+  await rested(page);
   await page.evaluate((spec) => window.kempe.studio.open(spec), text);
   await rested(page);
 };
 /** Opens a template as a hand does. */
 const chosen = async (page, words) => {
+  await rested(page);
   await page.locator("#open-gallery").click();
   await page.locator("#templates .card", { hasText: words }).click();
   await rested(page);
@@ -158,13 +160,22 @@ test("A proof once obtained for a text stays, whatever a later search says", asy
 
 test("Where an obstacle is in the way, dragging it is named among the ways out, by hand only", async () => {
   await on({}, async (page) => {
-    await opened(page, `${template("plagiograph")}\n[[obstacles]]\nname = "vice"\nrectangle_mm = {at = [60, -2], size = [12, 4]}\n`);
+    await opened(page, `${template("plagiograph")}\n[[obstacles]]\nname = "vice"\ncircle_mm = {centre = [0, 1], radius = 3}\n`);
     assert.equal(await answerOf(page), "none");
-    assert.match(await page.locator("#verdict").textContent(), /vice.*Dragging it away may help too\.$/);
+    assert.match(await page.locator("#verdict").textContent(), /^Proven: no design exists\. “vice” stands over the pole.* Dragging it away may help too\.$/);
     assert.match(await page.locator("#map .names .reason").allTextContents().then((all) => all.join()), /in the way/);
     await page.locator("#changes button", { hasText: "Without vice" }).click();
     await rested(page);
     assert.equal(await answerOf(page), "design");
+  });
+});
+
+test("A template chosen once more is there as before", async () => {
+  await on({}, async (page) => {
+    await chosen(page, "Eidograph");
+    await chosen(page, "Eidograph");
+    assert.equal(await answerOf(page), "design");
+    assert.ok((await page.locator("#map .areas > g").count()) > 1 && (await page.locator("#map .m-mechanism .link").count()) === 4);
   });
 });
 

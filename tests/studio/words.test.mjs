@@ -69,6 +69,7 @@ test("A reason names the limit as the panel does, with its unit", () => {
     ["robust = true is in the way; without it a design exists", "“Holds for all of these” is in the way; without it a design exists"],
     ["links.pin_diameter_mm = 12 is in the way: two holes of 12 mm with a wall of 1.2 mm between them stand 13.2 mm apart, and links.grid_mm leaves them 10 mm; 9.0912 would fit",
       "“Diameter of the pins” (12 mm) is in the way: two holes of 12 mm with a wall of 1.2 mm between them stand 13.2 mm apart, and “Lengths in steps of” leaves them 10 mm; 9.09 mm would fit"],
+    ["vice 2 is in the way; without it a design exists", "“vice 2” is in the way; without it a design exists"],
   ]) assert.equal(plain(kempe.plainly(sentence, "", doc)), words);
 });
 
