@@ -642,7 +642,7 @@
     /** What stands on paper alone. */
     fillPrint() {
       one("printed-title").textContent = kempe.naming.heading(this);
-      one("printed-lengths").replaceChildren(...(one("lengths").hidden ? [] : kempe.lengthTables(this.answer)));
+      one("printed-lengths").replaceChildren(...(one("lengths").hidden ? [] : kempe.lengthTables(this.answer, true)));
       one("printed-spec").textContent = this.text;
     }
 

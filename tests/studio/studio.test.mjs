@@ -179,7 +179,7 @@ test("A pole in the wrong area is moved by a button too, however the area is wri
     await rested(page);
     await page.evaluate((spec) => window.kempe.studio.open(spec), `${rest}[pole]\nwithin_mm = ${area}\n`);
     await page.waitForFunction(() => document.body.dataset.answer === "none");
-    await page.locator("#changes button", { hasText: /^Pole (at|anywhere) / }).first().click();
+    await page.locator("#changes button", { hasText: /^Pole('s area| at| anywhere) / }).first().click();
     await page.waitForFunction(() => document.body.dataset.answer === "design");
     for (const text of [`${rest}[pole]\nwithin_mm = ${area}\n`, `pole.within_mm = ${area}\n${rest}`, `pole = {within_mm = ${area}}\n${rest}`]) {
       await page.evaluate((spec) => window.kempe.studio.open(spec), text);
