@@ -20,7 +20,7 @@
     "links.width_mm": ["Width of the links", "All four moving links are strips of this width"],
     "links.pin_diameter_mm": ["Diameter of the pins", "Of pins and of the pole's post; at most the links' width"],
     "links.thickness_mm": ["Thickness of the links", "All four moving links have this thickness"],
-    "links.sections_mm": ["Strips to choose from", "Width × thickness of the strips at hand, instead of one width and thickness; all links are cut from one of them"],
+    "links.sections_mm": ["Strips at hand", "Width × thickness of the strips at hand, instead of one width and thickness; all links are cut from one of them"],
     "links.hardware": ["Joints made of", "What is bought for the joints; it gives the pins' diameters and the holes. Left out: plain pins"],
     "links.plate": ["Links of three joints", "Two of the four links have three joints: a bent strip, or a triangle"],
     "links.layers": ["Layers, most", "Links lie in layers above each other, so that they pass; some may stay empty"],
