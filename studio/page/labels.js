@@ -2,7 +2,6 @@
 "use strict";
 (function (kempe) {
   const gap = 6;  // pixels between two words on a line
-  const crossing = 12;  // so many middles further away are better than one where an outline crosses the word
   const widths = new Map();
   let pen = null;
 
@@ -75,8 +74,8 @@
 
     /** Of some middles, the better ones first, one where a word has room, now taken; null if there is none. Rather where no outline crosses it,
      * and above all where `fits(box)` holds.
-     * `own`: the handle whose number it is; `pixels`, `weight`: the size of its letters and how bold they are; `must`: only where `fits` holds. */
-    put(middles, word, { pixels = 12.6, weight = 400, own = null, fits = null, must = false } = {}) {
+     * `crossing`: so many middles further away are as good as one where an outline crosses the word. `own`: the handle whose number it is; `pixels`, `weight`: the size of its letters and how bold they are; `must`: only where `fits` holds. */
+    put(middles, word, { pixels = 12.6, weight = 400, own = null, fits = null, must = false, crossing = 12 } = {}) {
       const wide = (widthOf(word, pixels, weight) + 2) * this.pixel, high = (pixels + 2.4) * this.pixel;
       let middle = null, least = Infinity;
       middles(wide, high).forEach((at, i) => {

@@ -337,7 +337,7 @@
       const away = ([x, y], [u, v]) => Math.hypot(x - u, y - v), least = (all, of) => all.reduce((best, at) => (of(at) < of(best) ? at : best));
       const far = least(points, (at) => -away(at, pole)), near = least(points, (at) => away(at, pole)), middle = kempe.middleOf(points);
       const spots = ({ key, sentence }) => {
-        if (key.startsWith("pole.")) return [[pole, "the pole stands here"]];
+        if (key.startsWith("pole.")) return [[pole, key === "pole.within_mm" ? ["the pole's area is in the way", "in the way"] : "the pole stands here"]];
         if (key === "limits.sheets_gap_mm") return copy ? [[least(copy.rings.flat(), (at) => away(at, middle)), "copy too near"]] : [];
         if (key === "limits.transmission_deg") return [[far, ["transmission angle", "transmission"]], [near, ["transmission angle", "transmission"]]];
         if (/longest/.test(key)) return [[far, "too far for the strips"]];
@@ -468,7 +468,7 @@
       set("size", mm(of.size));
       const unit = (value) => (this.task && this.task.objective === "transmission" ? `${kempe.figure(degrees(value), 2)}°` : mm(value));
       const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
-      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "reached to 0.01 %" : `this one is ${kempe.figure(share, share < 1 ? 2 : 1)} % off`);
+      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "reached to 0.01 %" : `this is ${kempe.figure(share, share < 1 ? 2 : 1)} % off`);
       set("transmission", `${kempe.figure(degrees(of.transmission), 1)}°`, this.task ? `limit ${kempe.figure(degrees(this.task.transmission), 1)}°` : "");
       const { longest, longest_strip: strip } = this.task || {};  // the task limits the holes' distance, and may limit the strip
       set("longest", mm(of.longest_strip), !this.task ? "" : strip ? `limit ${kempe.figure(strip, 1)} mm` : `joints ${kempe.figure(of.longest, 1)} of ${kempe.figure(longest, 1)}`);

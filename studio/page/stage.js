@@ -81,7 +81,7 @@
     /** What fit() was told, whatever the window has become: with room for the buttons above and the figures below. */
     lookHome() {
       const { clientWidth: wide, clientHeight: high } = this.root, { width, height, middle } = this.wanted;
-      const [side, above, below] = [Math.min(70, wide / 8), 64, 44];
+      const [side, above, below] = [Math.min(70, wide / 8), 76, 50];
       const scale = Math.max(width / Math.max(1, wide - 2 * side), height / Math.max(1, high - above - below));
       this.look([middle[0], middle[1] - ((above - below) / 2) * scale], scale);
     }
@@ -318,7 +318,7 @@
         const held = handle.id === this.held, { rings } = handle.shape, around = kempe.Labels.at([x, -y], px);
         const outside = handle.role === "copy" ? kempe.Labels.beside(boxOf(rings.flat()), px) : () => [];
         const places = (wide, high) => [...around(wide, high), ...outside(wide, high)];
-        const place = handle.says ? this.labels.put(places, handle.says, { pixels: 11.7, own: [x, -y] }) || (held ? places(handle.says.length * 7.4 * px)[0] : null) : null;
+        const place = handle.says ? this.labels.put(places, handle.says, { pixels: 11.7, own: [x, -y], crossing: 40 }) || (held ? places(handle.says.length * 7.4 * px)[0] : null) : null;
         says.textContent = place ? handle.says : "";
         if (!place) continue;
         says.setAttribute("x", place[0]);
@@ -365,6 +365,7 @@
       root.addEventListener("pointerdown", (event) => {
         if (event.button > 0) return;
         this.held = null;
+        root.classList.add("by-hand");  // no ring of the keyboard's stays where a hand has been
         const node = event.target.closest(".handle"), tracer = event.target.closest(".hold");
         const body = event.target.closest(".m-region .outline, .m-obstacles .thing, .pole-areas .pole-area");
         root.setPointerCapture(event.pointerId);
@@ -403,6 +404,7 @@
         const [x, y] = this.placeOf(event);
         this.zoom(Math.exp(-0.0015 * event.deltaY), [x, -y]);
       }, { passive: false });
+      document.addEventListener("keydown", () => root.classList.remove("by-hand"));
       root.addEventListener("keydown", (event) => this.key(event));
     }
 

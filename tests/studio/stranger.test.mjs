@@ -135,6 +135,10 @@ test("After a touch no ring of the browser's own stays on a handle", async () =>
     const drawn = await page.evaluate(() => { const { outlineStyle, outlineWidth } = getComputedStyle(document.activeElement); return `${document.activeElement.dataset.id} ${outlineStyle} ${parseFloat(outlineWidth)}`; });
     assert.match(drawn, /^pole\.at_mm (none|\w+ 0)/);
     assert.equal(await page.locator(".handle.held").count(), 0);
+    const rim = () => page.locator('.handle[data-id="pole.at_mm"] .knob').evaluate((knob) => parseFloat(getComputedStyle(knob).strokeWidth));
+    assert.equal(await rim(), 2);
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await rim(), 4, "keys show where they act");
   });
 });
 
