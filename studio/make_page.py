@@ -15,8 +15,8 @@ PAGE = ROOT / "studio" / "page"
 # Shared with the report: its colours and lines, its kinematics, its grid.
 STYLES = [ROOT / "reports/web/report.css", PAGE / "studio.css"]
 SCRIPTS = [ROOT / "reports/web/kinematics.js", ROOT / "reports/web/frame.js"] + [
-    PAGE / name for name in ("toml.js", "shapes.js", "labels.js", "stage.js", "share.js", "engine.js", "panel.js", "homography.js", "drawing.js", "photo.js",
-                            "main.js")]
+    PAGE / name for name in ("toml.js", "words.js", "naming.js", "ways.js", "shapes.js", "labels.js", "stage.js", "share.js", "engine.js", "menu.js", "colours.js",
+                            "lengths.js", "panel.js", "homography.js", "drawing.js", "photo.js", "main.js")]
 # Shown in the gallery below the templates of kempe init; the first is what the page opens with, and not shown.
 EXAMPLES = ["plagiograph", "nameplate", "clamped-plate", "pantorouter", "half-turn", "matlab-circle", "sixty", "two-layer",
              "robust-plagiograph"]

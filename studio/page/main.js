@@ -38,6 +38,7 @@
         nudge: (handle, to) => { this.begin(); this.drag(handle, to); this.base = null; this.settle(); },
         tracer: (at) => this.moveTracer(at),
         fit: () => this.fit(),
+        remove: (shape) => this.remove(shape),
       });
       this.searcher = new kempe.Engine();
       this.sketcher = new kempe.Engine();
@@ -48,7 +49,10 @@
         notice: (words) => this.notice(words),
       });
       this.photo = new kempe.Photo({ show: (photo) => this.stage.showPhoto(photo), notice: (words) => this.notice(words) });
-      this.panel = new kempe.Panel(one("fields"), this.data.keys, (text) => this.change(text));
+      this.panel = new kempe.Panel(one("fields"), this.data.keys, { change: (text) => this.change(text), remove: (shape) => this.remove(shape) });
+      this.colours = new kempe.Colours(one("colours-list"));
+      this.proven = new Set();  // texts for which it is proven that no design exists
+      this.own = this.origin = null;  // what the user calls the task; the template it was begun with
       this.listen();
     }
 
@@ -68,8 +72,9 @@
         this.notice(fault.message);
       }
       const inside = this.inside();
-      if (!text && inside) this.name = inside.name;
-      this.open(text || (inside ? inside.text : this.data.first.text));
+      if (text) this.open(text);
+      else if (inside) this.open(inside.text, { own: inside.name });
+      else this.open(this.data.first.text, { origin: { ...this.data.first, name: null } });
       document.body.classList.add("started");
     }
 
@@ -99,23 +104,39 @@
       return region ? kempe.middleOf(region.rings.flat()) : null;
     }
 
-    /** Another spec altogether. */
-    open(text) {
+    /** Another spec altogether: the user's `own` by name, or one that was begun with a template. */
+    open(text, { own = null, origin = null } = {}) {
       this.model = this.ghost = this.from = this.answer = null;
       this.tracer = null;
       this.stage.showMap(null);
       this.fitNext = true;
-      this.change(text);
+      const before = this.state();
+      Object.assign(this, { own, origin: origin && kempe.naming.originOf(origin) });
+      if (text !== this.text) return this.change(text, { before });
+      this.adopt(text);  // the same once more: what was taken away above is made again
+      this.settle();
     }
 
-    /** A new text, as one step that can be undone. */
-    change(text) {
+    /** What undo goes back to. */
+    state() {
+      const { text, own, origin } = this;
+      return { text, own, origin };
+    }
+
+    /** A new text, as one step that can be undone. What was `typed` as a text stays as it was typed. */
+    change(wanted, { before = this.state(), typed = false } = {}) {
+      const text = typed ? wanted : kempe.naming.withoutNames(wanted, this.origin);
       if (text === this.text) return;
-      if (this.text !== undefined) this.history.push(this.text);
-      if (this.history.length > 200) this.history.shift();
-      this.future = [];
+      this.hint("");
+      if (this.text !== undefined) this.remember(before);
       this.adopt(text);
       this.settle();
+    }
+
+    remember(state) {
+      this.history.push(state);
+      if (this.history.length > 200) this.history.shift();
+      this.future = [];
     }
 
     /** The text is the spec from now on; nothing is searched yet. */
@@ -133,16 +154,18 @@
 
     undo(from, to) {
       if (from.length === 0) return;
-      to.push(this.text);
-      const text = from.pop();
+      to.push(this.state());
+      const { text, own, origin } = from.pop();
+      Object.assign(this, { own, origin });
       one("spec").value = text;
       this.adopt(text);
       this.settle();
     }
 
     begin() {
+      this.hint("");
       this.base = this.doc;
-      this.before = this.text;
+      this.before = this.state();
       // What was searched no longer matters; the last design is the ghost.
       if (this.answer && this.answer.kind === "design") this.ghost = this.answer.model;
     }
@@ -150,13 +173,10 @@
     drag(handle, to) {
       const current = kempe.shapesOf(this.base, this.task, this.polePlace()).flatMap(({ handles }) => handles).find(({ id }) => id === handle.id);
       if (!current) return;
-      const text = current.move(to);
+      const text = kempe.naming.withoutNames(current.move(to), this.origin);
       if (text === this.text) return;
-      if (this.before !== null && this.before !== undefined) {
-        this.history.push(this.before);
-        this.future = [];
-        this.before = null;
-      }
+      if (this.before) this.remember(this.before);
+      this.before = null;
       this.stage.showMap(null);
       this.adopt(text);
       one("spec").value = text;
@@ -175,11 +195,12 @@
         this.sketchWanted = false;
         const from = this.from;
         this.from = null;
-        const asked = performance.now();
-        const answer = await this.sketcher.ask("sketch", this.asked(this.text, { from }));
+        const asked = performance.now(), { text } = this;
+        const answer = await this.sketcher.ask("sketch", this.asked(text, { from }));
         this.hasSketched = true;
         this.sketchTime = performance.now() - asked;
         if (answer.stopped || answer.error) break;
+        if (answer.kind === "none" && answer.proven) this.proveNone(text);
         if (this.answerIsCurrent) break;  // the full search was quicker
         this.takeSketch(answer);
       }
@@ -193,9 +214,15 @@
         this.place();
       } else if (answer.kind === "none") {
         this.model = null;
-        this.say("wait", answer.proven ? "Proven: no design exists here." : "Nothing near the last design; searching when you rest …");
+        this.say("wait", answer.proven ? "Proven: no design exists here. The reason follows when you rest." : "Nothing near the last design; searching when you rest …");
         this.place();
       }
+    }
+
+    /** A proof stays, whatever a later search finds or does not find. */
+    proveNone(text) {
+      this.proven.add(text);
+      if (this.proven.size > 200) this.proven.delete(this.proven.values().next().value);
     }
 
     /** After the last move: the search, its map and its bound. */
@@ -242,6 +269,7 @@
       one("download").disabled = answer.kind !== "design";
       document.body.dataset.answer = answer.kind || "error";
       one("changes").replaceChildren();
+      one("lengths").hidden = answer.kind !== "design";
       if (answer.kind === "design") this.take(answer);
       else if (answer.kind === "none") this.takeNone(answer);
       else if (answer.kind === "faults") this.say("bad", `${answer.faults.length === 1 ? "The spec has a fault" : `The spec has ${answer.faults.length} faults; the first`}: ${this.wordsOf(answer.faults[0])}`);
@@ -265,6 +293,7 @@
       if (!figures.complete) this.say("wait", "The search was stopped early: a better one may exist.");
       if (this.fitNext) this.fit();
       this.fitNext = false;
+      one("lengths-list").replaceChildren(...kempe.lengthTables(answer));
       this.place();
     }
 
@@ -291,7 +320,11 @@
       this.ghost = this.ghost || null;
       this.stage.showMap(null);
       this.figures(null, false);
-      this.say("bad", (answer.proven ? "Proven: no design exists. " : "None found, which proves nothing: ") + answer.reason.replace(/[^.]$/, "$&."));
+      if (answer.proven) this.proveNone(this.text);
+      const proven = this.proven.has(this.text), [first] = answer.changes, key = first && answer.reason === first.sentence ? first.key : "";
+      const reason = kempe.plainly(answer.reason.replace(/^the search found none that keeps/, proven ? "no design keeps" : "$&"), key, this.doc).replace(/[^.]$/, "$&.");
+      const drag = this.isObstacleInTheWay(answer) ? " Dragging it away may help too." : "";
+      this.say("bad", `${proven ? "Proven: no design exists." : "None found, which proves nothing."} ${reason}${drag}`, answer.reason);
       one("changes").replaceChildren(...answer.changes.map((change) => this.changeButton(change)));
       this.place();
     }
@@ -304,124 +337,51 @@
       const away = ([x, y], [u, v]) => Math.hypot(x - u, y - v), least = (all, of) => all.reduce((best, at) => (of(at) < of(best) ? at : best));
       const far = least(points, (at) => -away(at, pole)), near = least(points, (at) => away(at, pole)), middle = kempe.middleOf(points);
       const spots = ({ key, sentence }) => {
-        if (key.startsWith("pole.")) return [[pole, "the pole stands here"]];
+        if (key.startsWith("pole.")) return [[pole, key === "pole.within_mm" ? ["the pole's area is in the way", "in the way"] : "the pole stands here"]];
         if (key === "limits.sheets_gap_mm") return copy ? [[least(copy.rings.flat(), (at) => away(at, middle)), "copy too near"]] : [];
-        if (key === "limits.transmission_deg") return [[far, "transmission"], [near, "transmission"]];
+        if (key === "limits.transmission_deg") return [[far, ["transmission angle", "transmission"]], [near, ["transmission angle", "transmission"]]];
         if (/longest/.test(key)) return [[far, "too far for the strips"]];
         if (key === "limits.copy_error_mm") return [[far, "copy error"]];
-        const index = key.startsWith("obstacles") ? this.obstacleNamed(sentence) : -1, obstacle = (this.shapes || []).find((of) => of.role === "obstacle" && of.index === index);
-        return obstacle ? [[kempe.middleOf(obstacle.rings.flat()), "in the way"]] : [];
+        const index = this.namesObstacle(key, sentence) ? kempe.obstacleNamed(this.doc, sentence) : -1;
+        const obstacle = (this.shapes || []).find((of) => of.role === "obstacle" && of.index === index);
+        return obstacle ? [[kempe.middleOf(obstacle.rings.flat()), ["in the way: dragging it away may help", "in the way: drag it away?", "in the way"]]] : [];
       };
-      const told = changes.length ? changes : [{ key: (/\b(?:limits|links|pole)\.\w+|\bobstacles\b/.exec(reason) || [""])[0], sentence: reason }];
+      const told = changes.length ? changes : [{ key: (/\b(?:limits|links|pole)\.\w+|\bobstacles\b/.exec(reason) || ["obstacles"])[0], sentence: reason }];
       const found = [];
       for (const [at, words] of told.flatMap(spots)) if (found.length < 3 && found.every((one) => away(one.at, at) > 1e-6)) found.push({ at, words });
       return found;
     }
 
+    namesObstacle(key, sentence) {
+      return key.startsWith("obstacles") && kempe.obstacleNamed(this.doc, sentence) >= 0;
+    }
+
+    /** Whether a sentence says that an obstacle, which a hand could drag, is in the way. */
+    isObstacleInTheWay({ reason, changes }) {
+      const named = changes.some(({ key, sentence }) => this.namesObstacle(key, sentence));
+      return named || (/stands over the pole/.test(reason) && kempe.obstacleNamed(this.doc, reason) >= 0);
+    }
+
     /** What would make a design possible, as a button where the change can be written into the spec. */
-    changeButton({ key, sentence }) {
-      const area = /; with the pole free to stand within ([-+\d.e]+) mm of the region/.exec(sentence);
-      const outside = /; the pole ([-+\d.e]+) mm outside it would do/.exec(sentence), leftOut = /; left out, a design exists/.test(sentence);
-      const tolerances = /^length_mm = .* and play_mm = .*; ([-+\d.e]+) and ([-+\d.e]+) would do/.exec(sentence);
-      const named = /; "([^"]+)" would do/.exec(sentence);
-      const pole = /; the pole at \(([-+\d.e]+), ([-+\d.e]+)\) mm would do/.exec(sentence);
-      const would = /; ([-+\d.e]+) would do/.exec(sentence), without = /(.*) is in the way; without it/.exec(sentence);
-      let text = null, words = sentence;
-      if (would && this.data.keys.some(({ table, name }) => `${table}.${name}` === key)) {
-        text = this.doc.with(key, Number(would[1]));
-        words = `${key.split(".")[1]} = ${would[1]}`;
-      } else if (without && key !== "obstacles" && this.doc.has(key)) {
-        text = this.doc.without(key);
-        words = `without ${key.split(".")[1]}`;
-      } else if (without && key === "obstacles") {
-        const index = this.obstacleNamed(without[1]);
-        if (index >= 0) {
-          text = this.doc.withoutTable(`obstacles.${index}`);
-          words = `without ${without[1]}`;
-        }
-      } else if (pole) {
-        text = this.withPole([Number(pole[1]), Number(pole[2])]);
-        words = `pole at (${pole[1]}, ${pole[2]})`;
-      } else if (outside && this.task) {
-        text = this.withPoleIn(this.around(Number(outside[1]), this.task.pole.within));
-        words = `pole within ${outside[1]} mm more on each side`;
-      } else if (area && this.task) {
-        text = this.withPoleIn(this.around(Number(area[1])));
-        words = `pole within ${area[1]} mm of the original`;
-      } else if (leftOut && this.doc.has(key)) {
-        text = this.doc.cleared(key);
-        words = `without ${key.split(".")[1].replace(/_(mm|deg)$/, "").replaceAll("_", " ")}`;
-      } else if (tolerances) {
-        text = new kempe.Doc(this.doc.with("tolerance.length_mm", Number(tolerances[1]))).with("tolerance.play_mm", Number(tolerances[2]));
-        words = `length within ${tolerances[1]} mm, play within ${tolerances[2]} mm`;
-      } else if (named && this.doc.has(key)) {
-        text = this.doc.with(key, named[1]);
-        words = named[1];
-      } else if (key === "table" || key === "bodies" || (key === "obstacles" && /; without them/.test(sentence))) {
-        text = this.withoutAll(key);
-        words = key === "table" ? "without the table's edge" : `without the ${key}`;
-      }
-      if (text === null) return make("span", { className: "change", textContent: sentence });
-      const button = make("button", { type: "button", textContent: words, title: sentence });
-      button.addEventListener("click", () => this.change(text));
+    changeButton(change) {
+      const isKey = (path) => this.data.keys.some(({ table, name }) => `${table}.${name}` === path);
+      const way = kempe.wayOut(change, { doc: this.doc, task: this.task, isKey });
+      if (!way) return make("span", { className: "change", textContent: kempe.plainly(change.sentence, change.key, this.doc), title: change.sentence });
+      const button = make("button", { type: "button", textContent: way.words, title: kempe.plainly(change.sentence, change.key, this.doc) });
+      button.addEventListener("click", () => this.change(way.text));
       return button;
-    }
-
-    /** The rectangle around the original, or around other rings, that is so much wider on every side. */
-    around(margin, rings = this.task.region) {
-      const points = rings.flat(), xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
-      const [left, right, near, far] = [Math.min(...xs) - margin, Math.max(...xs) + margin, Math.min(...ys) - margin, Math.max(...ys) + margin];
-      return [[left, near], [right, near], [right, far], [left, far]];
-    }
-
-    /** The text with the pole at a place, or somewhere in an area, wherever it might stand before; null where the text cannot be changed so. */
-    withPole(place) {
-      return this.withPoleBy("at_mm", place, "within_mm");
-    }
-
-    withPoleIn(area) {
-      return this.withPoleBy("within_mm", area, "at_mm");
-    }
-
-    withPoleBy(key, value, instead) {
-      try {
-        let { doc } = this;
-        if (doc.has("pole")) return doc.with("pole", { [key]: value });  // pole = {...} in one line
-        const first = doc.has(`pole.${instead}`) && !doc.tables.has("pole");  // pole.within_mm = ..., without a table's head
-        doc = new kempe.Doc(doc.without(`pole.${instead}`));
-        doc = new kempe.Doc(first ? doc.withAbove(`pole.${key} = ${kempe.written(value)}`) : doc.with(`pole.${key}`, value));
-        return doc.has(`pole.${key}`) && !doc.has(`pole.${instead}`) ? doc.text : null;
-      } catch (error) {
-        return null;
-      }
-    }
-
-    /** The text without a table, or without all tables [[name]]; null where it cannot be changed so. */
-    withoutAll(name) {
-      let doc = this.doc;
-      if (!doc.count(name)) return doc.tables.has(name) ? doc.withoutTable(name) : null;
-      for (let i = doc.count(name) - 1; i >= 0; --i) doc = new kempe.Doc(doc.withoutTable(`${name}.${i}`));
-      return doc.text;
-    }
-
-    obstacleNamed(words) {
-      for (let i = 0; i < this.doc.count("obstacles"); ++i) {
-        const name = this.doc.get(`obstacles.${i}.name`) || `obstacle ${i + 1}`;
-        if (words.includes(name)) return i;
-      }
-      return -1;
     }
 
     /** The limits that the design keeps with nothing to spare, with the place where, if it is one. */
     bindings({ model, lengths, figures }) {
       const { task } = this, found = [];
       const at = this.leastTransmission(model);
-      if (at && degrees(at.angle - task.transmission) < 0.02) found.push({ text: `the transmission at ${this.cornerName(at.place)}`, at: at.place });
+      if (at && degrees(at.angle - task.transmission) < 0.02) found.push({ text: `the transmission angle at ${this.cornerName(at.place)}`, at: at.place });
       const slack = 1e-3 * (1 + Math.max(...Object.values(lengths))) * 0.1;
       const names = (test) => Object.keys(lengths).filter((name) => test(lengths[name]));
       const long = names((of) => task.longest - of < slack), short = names((of) => of - task.shortest < slack);
-      if (long.length) found.push({ text: `the longest strip, ${long.join(" and ")}` });
-      if (short.length) found.push({ text: `the shortest distance of two holes, ${short.join(" and ")}` });
+      if (long.length) found.push({ text: `the ${task.longest_strip !== null ? "longest strip" : "largest distance of joints"}, ${long.join(" and ")}` });
+      if (short.length) found.push({ text: `the least distance of joints, ${short.join(" and ")}` });
       if (figures.clearance !== null && figures.clearance - task.clearance < 0.01) found.push({ text: "the clearance between parts" });
       for (const [key, words] of [["load_error", "how far the pen gives way"], ["sag", "the sag"]])
         if (task[key] !== null && figures[key] !== null && figures[key] > 0.999 * task[key]) found.push({ text: words });
@@ -472,6 +432,7 @@
       const region = shapes.find(({ role }) => role === "region");
       const tracer = this.tracer || (region ? kempe.middleOf(region.rings.flat()) : [0, 0]);
       this.stage.show({ shapes, model: this.model, ghost: this.answerIsCurrent ? (this.model ? null : this.ghost) : this.ghost, tracer, binding: this.answerIsCurrent ? this.binding : [], reasons: this.answerIsCurrent ? this.reasons : [] });
+      this.colours.show(this.stage.colours());
     }
 
     fit() {
@@ -507,17 +468,17 @@
       set("size", mm(of.size));
       const unit = (value) => (this.task && this.task.objective === "transmission" ? `${kempe.figure(degrees(value), 2)}°` : mm(value));
       const share = of.bound && of.value ? 100 * Math.abs(of.value / of.bound - 1) : null;
-      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "the design is there" : `${kempe.figure(share, share < 1 ? 2 : 1)} % from it`);
+      set("bound", of.bound === null || of.bound === undefined ? "–" : unit(of.bound), share === null ? this.whyNoBound(of) : share < 0.01 ? "reached to 0.01 %" : `this is ${kempe.figure(share, share < 1 ? 2 : 1)} % off`);
       set("transmission", `${kempe.figure(degrees(of.transmission), 1)}°`, this.task ? `limit ${kempe.figure(degrees(this.task.transmission), 1)}°` : "");
       const { longest, longest_strip: strip } = this.task || {};  // the task limits the holes' distance, and may limit the strip
-      set("longest", mm(of.longest_strip), !this.task ? "" : strip ? `limit ${kempe.figure(strip, 1)} mm` : `holes ${kempe.figure(of.longest, 1)} of ${kempe.figure(longest, 1)} mm`);
+      set("longest", mm(of.longest_strip), !this.task ? "" : strip ? `limit ${kempe.figure(strip, 1)} mm` : `joints ${kempe.figure(of.longest, 1)} of ${kempe.figure(longest, 1)}`);
       if (isSketch) {
         set("clearance", "…");
         set("free", "…");
         this.say("wait", "Following your hand. The full search runs when you rest.");
         return;
       }
-      set("clearance", of.clearance === null ? "free" : mm(of.clearance), this.task ? `limit ${kempe.figure(this.task.clearance, 2)} mm` : "");
+      set("clearance", of.clearance === null ? "nothing near" : mm(of.clearance), this.task ? `limit ${kempe.figure(this.task.clearance, 2)} mm` : "");
       set("free", `${kempe.figure(of.free_area / 100, of.free_area < 10000 ? 1 : 0)}\u00a0cm²`);
     }
 
@@ -531,6 +492,7 @@
     showLoads(of, set) {
       const known = Object.keys(underLoad).filter((id) => of[id] !== null && of[id] !== undefined);
       one("figures").style.setProperty("--loads", known.length);
+      this.colours.showFigures(Object.keys(underLoad).filter((id) => !known.includes(id)));
       for (const [id, unit] of Object.entries(underLoad)) {
         one(`${id}-key`).hidden = !known.includes(id);
         const limit = this.task ? this.task[id] : null;
@@ -539,12 +501,19 @@
       }
     }
 
-    say(kind, words) {
-      one("verdict").className = `verdict ${kind}`;
-      one("verdict").textContent = words;
+    /** `title`: what the engine itself says. */
+    say(kind, words, title = "") {
+      Object.assign(one("verdict"), { className: `verdict ${kind}`, textContent: words, title });
+    }
+
+    /** A notice that goes by itself with the next step. */
+    hint(words) {
+      if (words || this.hinted) this.notice(words);
+      this.hinted = words !== "";
     }
 
     notice(words) {
+      this.hinted = false;
       one("notice-text").textContent = words;
       one("notice").hidden = !words;
     }
@@ -576,7 +545,8 @@
     }
 
     wordsOf({ file, line, key, found, allowed }) {
-      return `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${key}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
+      const named = kempe.words.isNamed(key) ? `${kempe.words.nameOf(key)} (${key})` : key;
+      return `${file ? `${file}: ` : ""}${line ? `Line ${line}: ` : ""}${key ? `${named}: ` : ""}${found ? `found ${found}` : ""}${allowed ? `; allowed: ${allowed}` : ""}`;
     }
 
     faults(all) {
@@ -647,12 +617,12 @@
 
     async share() {
       const fragment = await kempe.fragmentOf(this.text);
-      if (this.asked(this.text).files) return this.notice("This spec reads a drawing, which no address holds. Make the drawing the original with “From a drawing …”, or pass on the files of Download.");
+      if (this.asked(this.text).files) return this.notice("This spec reads a drawing, which no address holds. Make the drawing the original with “Add”, “Original from a drawing …”, or pass on the files of Download.");
       if (!fragment) return this.notice("This spec is too long for an address. Download its text instead.");
       const address = location.href.replace(/#.*$/, "") + fragment;
       try {
         await navigator.clipboard.writeText(address);
-        this.notice("The address is copied. Whoever has this page opens your task with it.");
+        this.notice("The address is copied. It holds your whole task and opens it in this same file: send the file along to somebody who does not have it.");
       } catch {
         this.notice(address);
       }
@@ -661,23 +631,18 @@
     async download() {
       if (this.searcher.busy) return;
       one("download").disabled = true;
-      const answer = await this.searcher.ask("files", { title: this.title() });
+      const name = kempe.naming.fileName(this), answer = await this.searcher.ask("files", { title: name });
       one("download").disabled = false;
       if (!answer.files) return this.notice(answer.reason || answer.error || "The files could not be written.");
       const spec = { name: "spec.toml", bytes: new TextEncoder().encode(this.text) };
       const drawings = (this.asked(this.text).files || []).map(({ name, text }) => ({ name, bytes: new TextEncoder().encode(text) }));
-      kempe.save(`${this.title()}.zip`, kempe.zip([...answer.files, spec, ...drawings]));
-    }
-
-    title() {
-      return this.name || "design";
+      kempe.save(`${name}.zip`, kempe.zip([...answer.files, spec, ...drawings]));
     }
 
     /** What stands on paper alone. */
     fillPrint() {
-      const turn = this.doc.get("copy.rotation_deg"), scale = this.doc.get("copy.scale");
-      const copy = scale === undefined ? "" : `: × ${kempe.figure(scale, 4)}${turn ? `, ${kempe.figure(turn, 4)}°` : ""}`;
-      one("printed-title").textContent = `${this.name || "A copying instrument"}${copy}`;
+      one("printed-title").textContent = kempe.naming.heading(this);
+      one("printed-lengths").replaceChildren(...(one("lengths").hidden ? [] : kempe.lengthTables(this.answer, true)));
       one("printed-spec").textContent = this.text;
     }
 
@@ -700,7 +665,10 @@
       one("zoom-all").addEventListener("click", () => this.fit());
       one("stop").addEventListener("click", () => { this.searcher.stop(); this.finish({ error: "Stopped. Move something, or type, to search again." }); });
       one("close-notice").addEventListener("click", () => this.notice(""));
-      one("add-obstacle").addEventListener("click", () => this.addObstacle());
+      kempe.menu(one("more"), one("more-list"));
+      kempe.menu(one("add"), one("add-list"));
+      one("add-obstacle").addEventListener("click", () => this.addObstacle("rectangle"));
+      one("add-circle").addEventListener("click", () => this.addObstacle("circle"));
       for (const [button, input, open] of [["from-drawing", "drawing-file", (file) => this.drawing.open(file)], ["from-photo", "photo-file", (file) => this.photo.open(file)]]) {
         one(button).addEventListener("click", () => one(input).click());
         one(input).addEventListener("change", () => {
@@ -712,7 +680,7 @@
       this.listenToDrops();
       one("spec").addEventListener("input", () => {
         clearTimeout(this.typing);
-        this.typing = setTimeout(() => this.change(one("spec").value), 350);
+        this.typing = setTimeout(() => this.change(one("spec").value, { typed: true }), 350);
       });
       one("spec").addEventListener("scroll", () => (one("lines").scrollTop = one("spec").scrollTop));
       window.addEventListener("hashchange", async () => {
@@ -754,8 +722,7 @@
 
     async takeFile(file) {
       if (/\.toml$/i.test(file.name) && file.size < 1 << 20) {
-        this.name = file.name.replace(/\.toml$/i, "");
-        return this.open(await file.text());
+        return this.open(await file.text(), { own: file.name.replace(/\.toml$/i, "") });
       }
       if (/^image\/(?!svg)/.test(file.type)) return this.photo.open(file);
       if (kempe.drawingKind(file.name)) return this.drawing.open(file);
@@ -765,14 +732,41 @@
     card({ name, title, text }) {
       const button = make("button", { type: "button", className: "card" });
       button.append(kempe.preview(text), make("strong", { textContent: (name[0].toUpperCase() + name.slice(1)).replaceAll("-", " ").replace(/\ba(?=\d)/, "A") }), make("span", { textContent: title }));
-      button.addEventListener("click", () => { one("gallery").close(); this.name = name; this.open(text); });
+      button.addEventListener("click", () => { one("gallery").close(); this.open(text, { origin: { name, text } }); });
       return button;
     }
 
-    addObstacle() {
-      const { left, top, width, height } = this.stage.view, size = this.stage.snapped([width / 12, width / 12]);
-      const at = this.stage.snapped([left + width * 0.45, -(top + height * 0.4)]);
-      this.change(this.doc.withTable("obstacles", { name: `obstacle ${this.doc.count("obstacles") + 1}`, rectangle_mm: { at, size } }));
+    /** A new obstacle where nothing else stands, in the hand's focus. */
+    addObstacle(kind) {
+      const { left, top, width, height } = this.stage.view, size = this.stage.snapped([width / 10, width / 10])[0];
+      const [x, y] = this.stage.snapped(this.freePlace([left, top, left + width, top + height], size)), names = this.shapes.map(({ name }) => name);
+      let count = this.doc.count("obstacles") + 1;
+      while (names.includes(`obstacle ${count}`)) ++count;
+      const shape = kind === "circle" ? { circle_mm: { centre: [x, y], radius: size / 2 } } : { rectangle_mm: { at: [x - size / 2, y - size / 2], size: [size, size] } };
+      const path = `obstacles.${this.doc.count("obstacles")}`;
+      this.change(this.doc.withTable("obstacles", { name: `obstacle ${count}`, ...shape }));
+      one("map").closest(".table").scrollIntoView({ block: "nearest" });
+      this.stage.choose(`${path}.${kind === "circle" ? "circle_mm.centre" : "rectangle_mm.middle"}`);
+      this.hint(`“obstacle ${count}” stands on the table: drag it where it is, and drag its corner or type its size under “On the table”.`);
+    }
+
+    /** The middle of a place in the window for something of a size, clear of what stands on the table; the window's middle if there is none. */
+    freePlace([left, top, right, bottom], size) {
+      const boxes = this.shapes.map(({ rings, handles }) => [...rings.flat(), ...handles.map(({ at }) => at)]).filter(({ length }) => length).map((points) => {
+        const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+        return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+      });
+      const middle = [(left + right) / 2, -(top + bottom) / 2], gap = 0.8 * size, places = [];
+      for (let i = 2; i <= 10; ++i) for (let j = 2; j <= 10; ++j) places.push([left + (i / 12) * (right - left), -top - (j / 12) * (bottom - top)]);
+      const isClear = ([x, y]) => boxes.every(([near, low, far, high]) => x + gap < near || x - gap > far || y + gap < low || y - gap > high);
+      const away = ([x, y]) => Math.hypot(x - middle[0], y - middle[1]);
+      return places.filter(isClear).sort((one, other) => away(one) - away(other))[0] || middle;
+    }
+
+    remove({ name, without }) {
+      this.change(without());
+      this.hint(`“${name}” is removed. Undo brings it back.`);
+      one("map").focus({ preventScroll: true });
     }
   }
 

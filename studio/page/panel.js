@@ -1,15 +1,11 @@
 // A field for every key of a spec, made from the table of keys: a new key appears by itself.
 "use strict";
 (function (kempe) {
-  const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerance", tool: "Tool", objective: "Objective", material: "Material", load: "Load", cutting: "Cutting" };
+  const titles = { "": "Title", copy: "Copy", pole: "Pole", region: "Original", obstacles: "Obstacles", links: "Links", limits: "Limits", tolerance: "Tolerances", tool: "Follower and cutter", objective: "Aim of the search", material: "Material", load: "Load", cutting: "Cutting the parts" };
   const open = new Set(["copy", "limits", "links"]);
-  const units = { mm: "mm", deg: "°", N: "N", kg: "kg", GPa: "GPa", MPa: "MPa", kg_m3: "kg/m³" };
-  const ending = /_(mm|deg|N|kg_m3|kg|GPa|MPa)$/;
-  const words = (name) => name.replace(ending, "").replaceAll("_", " ");
-  /** Keys whose name without its unit does not say what they are. */
-  const spoken = { "load.pen_N": "Force at the pen", "material.E_GPa": "Modulus of elasticity", "load.rests": "Rests on the table", "limits.load_error_mm": "Gives way by", "limits.sag_mm": "Sags by" };
-  const unit = (name) => units[(ending.exec(name) || [])[1]] || "";
+  const { nameOf, meaningOf, unitOf, choices } = kempe.words;
   const figure = (value) => kempe.figure(value, 6);
+  const wordOf = (choice) => choices[choice] || choice;
 
   /** Lists in a field. Between two numbers of a list stands a semicolon or a blank, so that a comma may be decimal. */
   const lists = {
@@ -19,12 +15,12 @@
   const isList = (kind, value) => Array.isArray(value) && value.length > 0 && value.every((of) => (kind === "pairs" ? Array.isArray(of) && of.length === 2 && of.every(Number.isFinite) : Number.isFinite(of)));
 
   class Panel {
-    constructor(root, keys, change) {
-      this.root = root;
-      this.change = change;
+    /** `change(text)`: the spec as a field leaves it; `remove(shape)`: without something on the table. */
+    constructor(root, keys, { change, remove }) {
+      Object.assign(this, { root, change, remove });
       this.fields = [];
       const { make } = kempe;
-      this.measured = { kinds: "", fields: [], list: make("div", { className: "field-list" }) };
+      this.measured = { kinds: "", fields: [], heads: [], list: make("div", { className: "field-list" }) };
       root.append(make("details", { open: true }, make("summary", { textContent: "On the table" }), this.measured.list));
       for (const table of [...new Set(keys.map(({ table }) => table))]) {
         const part = make("details", { open: open.has(table) }, make("summary", { textContent: titles[table] || table })), list = make("div", { className: "field-list" });
@@ -50,7 +46,7 @@
           this.change(chosen.length === usual.length && usual.every((word) => chosen.includes(word)) ? this.doc.cleared(path) : this.doc.with(path, chosen));
         });
       this.fields.push({ path, key, boxes });
-      const label = make("span", { className: "label", title: key.description, id: `field-${path}` }, spoken[path] || words(key.name));
+      const label = make("span", { className: "label", title: meaningOf(path, key.description), id: `field-${path}` }, nameOf(path));
       const group = make("span", { className: "entry choices" }, ...boxes.map((box) => make("label", {}, box, box.value)));
       group.setAttribute("role", "group");
       group.setAttribute("aria-labelledby", label.id);
@@ -61,7 +57,7 @@
       const { make } = kempe, path = key.table ? `${key.table}.${key.name}` : key.name, id = `field-${path}`;
       if (key.type === "words") return this.choices(path, key);
       const input = key.enum ? make("select", { id }) : make("input", { id, type: key.type === "boolean" ? "checkbox" : "text" });
-      if (key.enum) input.append(make("option", { value: "", textContent: key.default ?? "–" }), ...key.enum.filter((of) => of !== key.default).map((of) => make("option", { value: of, textContent: of })));
+      if (key.enum) input.append(make("option", { value: "", textContent: key.default ? wordOf(key.default) : "–" }), ...key.enum.filter((of) => of !== key.default).map((of) => make("option", { value: of, textContent: wordOf(of) })));
       else if (key.type !== "boolean") {
         input.inputMode = key.type === "string" ? "text" : "decimal";
         input.autocomplete = "off";
@@ -70,34 +66,55 @@
       }
       input.addEventListener("change", () => this.typed(path, key, input));
       this.fields.push({ path, key, input });
-      const label = make("label", { htmlFor: id, title: key.description }, spoken[path] || words(key.name));
-      return make("div", { className: "field" }, label, make("span", { className: "entry" }, input, make("span", { className: "unit", textContent: unit(key.name) })));
+      const label = make("label", { htmlFor: id, title: meaningOf(path, key.description) }, nameOf(path));
+      return make("div", { className: "field" }, label, make("span", { className: "entry" }, input, make("span", { className: "unit", textContent: unitOf(key.name) })));
     }
 
-    /** Sizes and places of what stands on the table, to be typed; `shapes` as shapesOf() gives them. */
+    /** Sizes, places and names of what stands on the table, to be typed; `shapes` as shapesOf() gives them. */
     showMeasures(shapes) {
-      const { make } = kempe, { measured } = this, shown = shapes.filter(({ measures }) => measures);
-      const all = shown.flatMap(({ measures }) => measures), kinds = JSON.stringify(shown.map(({ role, name, measures }) => [role, name, measures.length]));
+      const { measured } = this, shown = shapes.filter(({ measures, without }) => measures || without);
+      const all = shown.flatMap(({ name, measures }) => (measures || []).map((measure) => ({ measure, name })));
+      const kinds = JSON.stringify(shown.map(({ role, measures }) => [role, measures ? measures.map((of) => of.name) : []]));
       if (kinds !== measured.kinds) {
-        measured.kinds = kinds;
-        measured.fields = [];
-        measured.list.replaceChildren(...shown.flatMap(({ role, name, measures }) => [
-          make("p", { className: "of-shape", textContent: role === "region" ? "Original" : role === "pole" ? "Pole" : name }),
-          ...measures.map((of) => this.measureField(of, name)),
-        ]));
+        Object.assign(measured, { kinds, fields: [], heads: [] });
+        measured.list.replaceChildren(...shown.flatMap((shape) => [this.shapeHead(shape), ...(shape.measures || []).map((of) => this.measureField(of))]));
       }
-      all.forEach((measure, i) => {
+      all.forEach(({ measure, name }, i) => {
         const field = measured.fields[i];
         field.measure = measure;
+        field.input.setAttribute("aria-label", `${measure.name} of ${name}`);
         if (document.activeElement !== field.input) field.input.value = figure(measure.value);
       });
+      shown.filter(({ without }) => without).forEach((shape, i) => this.showHead(measured.heads[i], shape));
     }
 
-    measureField({ name }, shape) {
+    /** What a thing is called above its measures; an obstacle's name can be typed, and it can be removed. */
+    shapeHead({ role, without }) {
+      const { make } = kempe;
+      if (!without) return make("p", { className: "of-shape", textContent: { region: "Original", pole: "Pole", table: "Table" }[role] });
+      const input = make("input", { type: "text", className: "name-of", autocomplete: "off", maxLength: 60 }), button = make("button", { type: "button", textContent: "Remove" });
+      const head = { input, button };
+      input.addEventListener("change", () => {
+        const name = input.value.replace(/[\u0000-\u001f\u007f]/g, " ").trim();
+        if (name) this.change(head.shape.rename(name));
+        else input.value = head.shape.name;
+      });
+      button.addEventListener("click", () => this.remove(head.shape));
+      this.measured.heads.push(head);
+      return make("div", { className: "of-shape field" }, input, button);
+    }
+
+    showHead(head, shape) {
+      head.shape = shape;
+      head.input.setAttribute("aria-label", `Name of ${shape.name}`);
+      head.button.setAttribute("aria-label", `Remove ${shape.name}`);
+      if (document.activeElement !== head.input) head.input.value = shape.name;
+    }
+
+    measureField({ name }) {
       const { make } = kempe, id = `measure-${this.measured.fields.length}`, input = make("input", { id, type: "text", inputMode: "decimal", autocomplete: "off" });
       const field = { input };
       this.measured.fields.push(field);
-      input.setAttribute("aria-label", `${name} of ${shape}`);
       input.addEventListener("change", () => {
         const value = kempe.readNumber(input.value), good = value > field.measure.least;
         input.setCustomValidity(good ? "" : field.measure.least === 0 ? "a number above 0, please" : "a number, please");

@@ -91,11 +91,12 @@
   /** Everything with a place. `task` is what the engine makes of the spec, `pole` where the design's pole stands; both may be absent. */
   function shapesOf(doc, task, pole) {
     const shapes = [];
-    const region = outline(doc, "region", "the region") || (task && task.region.length ? { rings: task.region, handles: [] } : null);
-    if (region) shapes.push({ role: "region", name: "region", ...region });
+    const region = outline(doc, "region", "the original") || (task && task.region.length ? { rings: task.region, handles: [] } : null);
+    if (region) shapes.push({ role: "region", name: "the original", ...region });
     for (let i = 0; i < doc.count("obstacles"); ++i) {
       const name = String(doc.get(`obstacles.${i}.name`) || `obstacle ${i + 1}`), found = outline(doc, `obstacles.${i}`, name);
-      if (found) shapes.push({ role: "obstacle", name, index: i, layers: doc.get(`obstacles.${i}.layers`), ...found });
+      const changes = { rename: (to) => doc.with(`obstacles.${i}.name`, to), without: () => doc.withoutTable(`obstacles.${i}`) };
+      if (found) shapes.push({ role: "obstacle", name, index: i, layers: doc.get(`obstacles.${i}.layers`), ...changes, ...found });
     }
     const table = outline(doc, "table", "the table");
     if (table) shapes.push({ role: "table", name: "table", ...table });

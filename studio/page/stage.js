@@ -13,6 +13,16 @@
   const path = (rings) => rings.map((ring) => `M${ring.map(([x, y]) => `${x},${-y}`).join("L")}Z`).join("");
   const line = (points) => `M${points.map(([x, y]) => `${x},${-y}`).join("L")}`;
 
+  const joints = "VABCXY";  // in the order of Linkage.poseAt
+
+  const mostEdges = 600;  // of outlines that words keep off: more would take long at every step of a drag
+
+  /** [left, top, right, bottom] in the picture's frame. */
+  function boxOf(points) {
+    const xs = points.map(([x]) => x), ys = points.map(([, y]) => -y);
+    return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  }
+
   /** The groups of the report's picture that show areas; the rest the stage draws itself. */
   const areas = ["reachable", "usable", "free", "uncertain", "change", "transmission", "contact", "obstructed", "overlap"];
 
@@ -22,8 +32,8 @@
       this.acts = acts;
       this.view = { left: -100, top: -100, width: 200, height: 200 };
       this.groups = {};
-      for (const name of ["defs", "photo", "map", "grid", "pole-area", "table", "obstacles", "region", "copy", "ghost", "mechanism", "bodies", "mark", "names", "handles", "grip", "scale"]) {
-        const css = { map: "areas", "pole-area": "pole-areas", ghost: "ghost", handles: "handles", mark: "binding", names: "names", grip: "grip" }[name] || `m-${name}`;
+      for (const name of ["defs", "photo", "map", "grid", "pole-area", "table", "obstacles", "region", "copy", "ghost", "mechanism", "bodies", "mark", "names", "letters", "handles", "grip", "scale"]) {
+        const css = { map: "areas", "pole-area": "pole-areas", ghost: "ghost", handles: "handles", mark: "binding", names: "names", letters: "letters", grip: "grip" }[name] || `m-${name}`;
         this.groups[name] = element(name === "defs" ? "defs" : "g", name === "defs" ? {} : { class: css });
         root.append(this.groups[name]);
       }
@@ -71,7 +81,7 @@
     /** What fit() was told, whatever the window has become: with room for the buttons above and the figures below. */
     lookHome() {
       const { clientWidth: wide, clientHeight: high } = this.root, { width, height, middle } = this.wanted;
-      const [side, above, below] = [Math.min(70, wide / 8), 64, 44];
+      const [side, above, below] = [Math.min(70, wide / 8), 76, 50];
       const scale = Math.max(width / Math.max(1, wide - 2 * side), height / Math.max(1, high - above - below));
       this.look([middle[0], middle[1] - ((above - below) / 2) * scale], scale);
     }
@@ -103,36 +113,73 @@
     redraw() {
       const { scene, groups } = this;
       if (!scene) return;
-      const handles = scene.shapes.flatMap((shape) => shape.handles.map((handle) => ({ ...handle, role: shape.role })));
+      const handles = scene.shapes.flatMap((shape) => shape.handles.map((handle) => ({ ...handle, role: shape.role, shape })));
       this.labels = this.freeRoom(handles);
       const outlines = (role) => scene.shapes.filter((shape) => shape.role === role && shape.rings.length);
-      const words = (at, text, css) => element("text", { x: at[0], y: -at[1], dy: ".35em", class: `name ${css}` }, text);
-      groups.region.replaceChildren(...outlines("region").map(({ rings }) => element("path", { class: "outline", d: path(rings) })));
-      groups.copy.replaceChildren(...outlines("copy").map(({ rings }) => element("path", { class: "outline", d: path(rings) })));
-      groups["pole-area"].replaceChildren(...outlines("pole-area").map(({ rings }) => element("path", { class: "pole-area", d: path(rings) })));
-      groups.obstacles.replaceChildren(...outlines("obstacle").flatMap(({ rings, name }) => {
-        const shape = element("path", { class: "thing", d: path(rings) });
-        shape.append(element("title", {}, name));
-        return [shape];
-      }));
-      groups.table.replaceChildren(...outlines("table").map(({ rings }) => element("path", { class: "edge", d: path(rings) })));
+      const drawn = (role, css, title) => outlines(role).map((shape) => {
+        const node = element("path", { class: css, d: path(shape.rings) });
+        node.append(element("title", {}, title(shape)));
+        return node;
+      });
+      groups.region.replaceChildren(...drawn("region", "outline", () => "The original: what the tracer must reach. Drag it, or its handles"));
+      groups.copy.replaceChildren(...drawn("copy", "outline", () => "The copy: what the pen draws"));
+      groups["pole-area"].replaceChildren(...drawn("pole-area", "pole-area", () => "The pole may stand here"));
+      groups.obstacles.replaceChildren(...drawn("obstacle", "thing", ({ name }) => name));
+      groups.table.replaceChildren(...drawn("table", "edge", () => "The edge of the table"));
       this.drawBodies(groups.bodies, scene);
+      groups.names.replaceChildren();
+      this.drawReasons();
       this.drawLinkage(groups.ghost, scene.ghost, scene.tracer);
       this.drawLinkage(groups.mechanism, scene.model, scene.tracer);
-      groups.names.replaceChildren();
-      for (const css of ["region", "copy"])
-        for (const { rings } of outlines(css)) {
-          const xs = rings.flat().map(([x]) => x), ys = rings.flat().map(([, y]) => -y), box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-          const word = css === "region" ? "original" : "copy", at = this.labels.put(kempe.Labels.beside(box, this.pixel), word.length);
-          if (at) groups.names.append(words([at[0], -at[1]], word, css));
-        }
-      groups.mark.replaceChildren(...[...(scene.binding || []), ...(scene.reasons || []).map(({ at }) => at)].map((at) => element("circle", { class: "tight", cx: at[0], cy: -at[1], r: 9 * this.pixel })));
-      for (const { at, words: why } of scene.reasons || []) {
-        const place = this.labels.put(kempe.Labels.round([at[0], -at[1]], 9 * this.pixel, this.pixel), why.length);
-        if (place) groups.names.append(words([place[0], -place[1]], why, "reason"));
-      }
+      this.drawNames(outlines, ["region", "copy"]);
       this.drawGrip(scene.model, scene.tracer);
       this.drawHandles(handles);
+      this.drawNames(outlines, ["pole-area", "obstacle"]);
+      this.drawLetters(scene.model, scene.tracer);
+    }
+
+    /** The first of some wordings that has room. */
+    writeFirst(middles, wordings, asked, css) {
+      for (const words of wordings) {
+        const at = this.labels.put(middles, words, asked);
+        if (at) return this.groups.names.append(element("text", { x: at[0], y: at[1], dy: ".35em", class: css }, words));
+      }
+    }
+
+    /** What outlines are called, each where it is not taken for another's name. */
+    drawNames(outlines, roles) {
+      const words = { region: ["original"], copy: ["copy"], "pole-area": ["the pole may stand here", "pole's area"] }, px = this.pixel;
+      const named = [...Object.keys(words), "obstacle"].flatMap((role) => outlines(role).map(({ name, rings }) => ({ role, wordings: words[role] || [name], box: boxOf(rings.flat()) })));
+      for (const { role, wordings, box } of named.filter(({ role: of }) => roles.includes(of))) {
+        const others = named.filter((of) => of.box !== box).map((of) => of.box), asked = { fits: kempe.Labels.isOf(box, others) };
+        const beside = kempe.Labels.beside(box, px), inside = kempe.Labels.inside(box, px), inner = role === "pole-area" || role === "obstacle";
+        const middles = (wide, high) => (inner ? [...inside(wide, high), ...beside(wide, high)] : [...beside(wide, high), ...inside(wide, high)]);
+        this.writeFirst(middles, wordings, { ...asked, must: role === "obstacle" || wordings.length > 1 }, `name ${role}`);
+      }
+    }
+
+    /** Rings at what holds back or is in the way, with a word: the longest of its wordings that has room. */
+    drawReasons() {
+      const { scene, groups, pixel } = this, reasons = scene.reasons || [];
+      groups.mark.replaceChildren(...[...(scene.binding || []), ...reasons.map(({ at }) => at)].map((at) => {
+        const ring = element("circle", { class: "tight", cx: at[0], cy: -at[1], r: 11 * pixel });
+        ring.append(element("title", {}, kempe.words.colours.tightest[1]));
+        return ring;
+      }));
+      for (const { at, words } of reasons)
+        this.writeFirst(kempe.Labels.round([at[0], -at[1]], 13 * pixel, pixel), [].concat(words), { weight: 650 }, "name reason");
+    }
+
+    /** The joints' letters, where nothing else needs the room. */
+    drawLetters(model, tracer) {
+      const { letters } = this.groups, found = model ? this.poseOf(model, tracer) : null;
+      if (!found) return void letters.replaceChildren();
+      const radius = Math.max(1.55 * model.pin_radius, 6 * this.pixel), nodes = [];
+      found.pose.forEach(([x, y], joint) => {
+        const place = this.labels.put(kempe.Labels.round([x, -y], radius, this.pixel, [1]), joints[joint], { pixels: 11, weight: 600 });
+        if (place) nodes.push(element("text", { class: "letter", x: place[0], y: place[1], dy: ".35em" }, joints[joint]));
+      });
+      letters.replaceChildren(...nodes);
     }
 
     /** What no word may cover: handles, the linkage's joints, marks and buttons. */
@@ -140,8 +187,11 @@
       const { scene, view, pixel } = this, ticks = 34 * pixel;  // the numbers at the left edge
       const labels = new kempe.Labels({ left: view.left + ticks, width: view.width - ticks, top: view.top + 48 * pixel, height: view.height - 72 * pixel }, pixel);
       labels.handles = handles.map(({ at }) => [at[0], -at[1]]);
-      for (const at of labels.handles) labels.keepOff(at, 8);
-      for (const at of [...(scene.binding || []), ...(scene.reasons || []).map(({ at: spot }) => spot)]) labels.keepOff([at[0], -at[1]], 10);
+      for (const at of labels.handles) labels.keepOff(at, 9);
+      for (const at of [...(scene.binding || []), ...(scene.reasons || []).map(({ at: spot }) => spot)]) labels.keepOff([at[0], -at[1]], 12);
+      const corners = scene.shapes.filter(({ role }) => role !== "body").flatMap(({ rings }) => rings);
+      const drawn = ([x, y]) => [x, -y];
+      if (corners.flat().length <= mostEdges) labels.edges = corners.flatMap((ring) => ring.map((at, i) => [drawn(at), drawn(ring[(i + 1) % ring.length])]));
       const found = scene.model ? this.poseOf(scene.model, scene.tracer) : null;
       if (found) for (const [x, y] of found.pose) labels.keepOff([x, -y], Math.max((1.55 * scene.model.pin_radius) / this.pixel, 6));
       return labels;
@@ -156,7 +206,13 @@
       const read = new DOMParser().parseFromString(`<div xmlns="http://www.w3.org/1999/xhtml">${picture}</div>`, "text/html");
       for (const pattern of read.querySelectorAll("svg defs > *")) defs.append(document.importNode(pattern, true));
       for (const name of areas)
-        for (const group of read.querySelectorAll(`svg g.m-${name}`)) map.append(document.importNode(group, true));
+        for (const group of read.querySelectorAll(`svg g.m-${name}`)) map.append(this.explained(document.importNode(group, true), kempe.words.colours[name][1]));
+    }
+
+    /** An area that says what it is where a mouse points: of what is lost, why. */
+    explained(group, words) {
+      for (const node of group.querySelectorAll("path")) node.append(element("title", {}, node.dataset.why ? `Lost: ${node.dataset.why}` : words));
+      return group;
     }
 
     /** A picture of the bench, from above: {url, box: [left, near, right, far]}, {strength: 0..1}, or null for none. */
@@ -192,9 +248,9 @@
 
     /** The direction from a joint to the nearest other one of its link, of size 1; [1, 0] without a link that has the joint. */
     axisOf(link, mount, pose) {
-      const letters = "VABCXY", joints = [...(link || "")].map((letter) => letters.indexOf(letter));
-      if (!joints.includes(mount)) return [1, 0];
-      const ways = joints.filter((joint) => joint !== mount).map((joint) => [pose[joint][0] - pose[mount][0], pose[joint][1] - pose[mount][1]]);
+      const held = [...(link || "")].map((letter) => joints.indexOf(letter));
+      if (!held.includes(mount)) return [1, 0];
+      const ways = held.filter((joint) => joint !== mount).map((joint) => [pose[joint][0] - pose[mount][0], pose[joint][1] - pose[mount][1]]);
       const [x, y] = ways.reduce((near, way) => (Math.hypot(...way) < (1 - 1e-9) * Math.hypot(...near) ? way : near));
       return [x / Math.hypot(x, y), y / Math.hypot(x, y)];
     }
@@ -217,7 +273,7 @@
         if (!role) return void nodes.push(element("circle", { class: "pin", ...at, r: radius }));
         nodes.push(element("circle", { class: `mark ${role}`, ...at, r: 1.55 * radius }), element("circle", { class: `core ${role}`, ...at, r: 0.6 * radius }));
         if (role === "pole" || group !== this.groups.mechanism) return;
-        const place = this.labels.put(kempe.Labels.round([x, -y], 1.55 * radius, px), role.length);
+        const place = this.labels.put(kempe.Labels.round([x, -y], 1.55 * radius, px), role, { weight: 650 });
         if (place) nodes.push(element("text", { class: `role joint ${role}`, x: place[0], y: place[1], dy: ".35em" }, role));
       });
       group.replaceChildren(...nodes);
@@ -259,14 +315,37 @@
         const a = 4.2 * px;
         arrows.setAttribute("d", handle.whole ? `M${x - a},${-y}h${2 * a}M${x},${-y - a}v${2 * a}` : "");
         // Where nothing is free, a number waits until its handle is held.
-        const held = handle.id === this.held, places = kempe.Labels.at([x, -y], px);
-        const place = handle.says ? this.labels.put(places, handle.says.length, { letter: 7.4, own: [x, -y] }) || (held ? places(handle.says.length * 7.4 * px)[0] : null) : null;
+        const held = handle.id === this.held, { rings } = handle.shape, around = kempe.Labels.at([x, -y], px);
+        const outside = handle.role === "copy" ? kempe.Labels.beside(boxOf(rings.flat()), px) : () => [];
+        const places = (wide, high) => [...around(wide, high), ...outside(wide, high)];
+        const place = handle.says ? this.labels.put(places, handle.says, { pixels: 11.7, own: [x, -y], crossing: 40 }) || (held ? places(handle.says.length * 7.4 * px)[0] : null) : null;
         says.textContent = place ? handle.says : "";
         if (!place) continue;
         says.setAttribute("x", place[0]);
         says.setAttribute("y", place[1]);
       }
       for (const [id, node] of this.nodes) if (!kept.has(id)) { node.remove(); this.nodes.delete(id); }
+    }
+
+    /** The handle as if a hand held it, until the next touch. */
+    choose(id) {
+      const node = this.nodes.get(id);
+      if (!node) return;
+      this.held = id;
+      this.redraw();
+      node.focus({ preventScroll: true });
+    }
+
+    /** Which colours are on the table now, by the names of kempe.words.colours. */
+    colours() {
+      const { scene, groups } = this, roles = { region: "region", copy: "copy", "pole-area": "pole-area", pole: "pole", obstacle: "obstacles", table: "table", body: "bodies" };
+      const present = new Set(scene.shapes.map(({ role }) => roles[role]));
+      if (scene.model) present.add("mechanism");
+      if (scene.model) present.add("pole");
+      if (scene.ghost) present.add("ghost");
+      if ((scene.binding || []).length || (scene.reasons || []).length) present.add("tightest");
+      for (const name of areas) if (groups.map.querySelector(`.m-${name}`)) present.add(name);
+      return present;
     }
 
     // ---- hands
@@ -285,6 +364,8 @@
       let drag = null;
       root.addEventListener("pointerdown", (event) => {
         if (event.button > 0) return;
+        this.held = null;
+        root.classList.add("by-hand");  // no ring of the keyboard's stays where a hand has been
         const node = event.target.closest(".handle"), tracer = event.target.closest(".hold");
         const body = event.target.closest(".m-region .outline, .m-obstacles .thing, .pole-areas .pole-area");
         root.setPointerCapture(event.pointerId);
@@ -323,6 +404,7 @@
         const [x, y] = this.placeOf(event);
         this.zoom(Math.exp(-0.0015 * event.deltaY), [x, -y]);
       }, { passive: false });
+      document.addEventListener("keydown", () => root.classList.remove("by-hand"));
       root.addEventListener("keydown", (event) => this.key(event));
     }
 
@@ -330,6 +412,10 @@
       const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }, arrow = arrows[event.key];
       const node = event.target.closest(".handle");
       if (event.ctrlKey || event.metaKey) return;
+      if (node && (event.key === "Delete" || event.key === "Backspace") && node.handle.shape.without) {
+        event.preventDefault();
+        return this.acts.remove(node.handle.shape);
+      }
       if (!arrow || !node) {
         const act = { "+": () => this.zoom(1.3), "-": () => this.zoom(1 / 1.3), 0: () => this.acts.fit() }[event.key];
         if (act) { event.preventDefault(); act(); }
