@@ -67,7 +67,9 @@ SearchResult nearer_to(const ProvenBound& bound, const SearchTask& task, SearchR
 SearchResult searched_again(const SearchTask& task, SearchResult found,
                             const std::function<bool(const SearchResult&)>& is_enough) {
   const std::uint64_t seed = task.control.options().seed;
-  for (int i = 1; i <= task.budgets().improve.searches && !task.stopped() && !is_enough(found); ++i) {
+  const ImproveBudget& budget = task.budgets().improve;
+  const auto may_go_on = [&] { return !task.stopped() && found.evaluations < budget.evaluations; };
+  for (int i = 1; i <= budget.searches && may_go_on() && !is_enough(found); ++i) {
     const SearchResult again =
         best_by_choices(task.with(task.control.part_with_seed(seed + static_cast<std::uint64_t>(i))));
     found.evaluations += again.evaluations;

@@ -113,6 +113,8 @@ struct ImproveBudget {
   /// Factor of the reach from one pair of hops to the next, and from one round to the next
   double nearer = 0.6;
   int searches = 3;  ///< whole searches from other random numbers, there and where nothing was found
+  /// Once so many are spent no other whole search begins: among obstacles in four layers one search takes as many, half a minute.
+  std::uint64_t evaluations = 500'000;
 };
 
 /// Of stock lengths (stock_lengths.hpp).
