@@ -11,7 +11,7 @@
 namespace kempe::certificate {
 
 struct ProofOptions {
-  std::size_t lines = 50'000;  ///< more than this, and the tree is given up
+  std::size_t lines = 100'000;  ///< more than this, and the tree is given up
   StopFlag stop{};
 };
 
@@ -25,7 +25,7 @@ enum class NoLog {
   too_tight,  ///< boxes too narrow for doubles are left: a design misses a limit by as little as nothing
   bodies  ///< too long or too tight, of a spec in which a body may meet an obstacle, the table's edge or another body: no rule says so
 };
-/// "its proof takes more than 50000 lines"
+/// "its proof takes more than 100000 lines"
 std::string reason(NoLog why, const ProofOptions& options = {});
 
 /// The log that no design of the spec is better than `bound` (mm of size, rad of transmission) or, without a bound, that none

@@ -180,6 +180,28 @@ Weighted best_weights(const std::vector<Candidate>& all, const std::array<double
   return best;
 }
 
+bool refutes(const Weighted& sum) { return sum.most < -slack::rounding * sum.sum.size; }
+
+/// The weights as a log has them, each in its requirement's own unit.
+std::vector<double> written_weights(const std::vector<Candidate>& all, const Weighted& best) {
+  std::vector<double> written = best.weights;
+  for (std::size_t i = 0; i < all.size(); ++i) written[i] *= all[i].requirement.weight;
+  return written;
+}
+
+/// Those of a sum that refutes, the largest 1 (their ratios alone matter) and the others in four decimals, if the sum refutes with these.
+std::vector<double> short_weights(const std::vector<Candidate>& all, const std::array<double, 4>& half,
+                                  const Weighted& best) {
+  const std::vector<double> written = written_weights(all, best);
+  const double largest = *std::max_element(written.begin(), written.end());
+  std::vector<double> rounded = written, weights(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    rounded[i] = std::round(1e4 * written[i] / largest) / 1e4;
+    weights[i] = rounded[i] / all[i].requirement.weight;
+  }
+  return refutes(weighted(all, half, weights)) ? rounded : written;
+}
+
 }  // namespace
 
 BestSum best_sum(const SumTask& task, const DesignCell& cell) {
@@ -189,17 +211,19 @@ BestSum best_sum(const SumTask& task, const DesignCell& cell) {
   const std::vector<Candidate> all = candidates(task, cell);
   const Weighted best = best_weights(all, half);
   BestSum result;
-  result.refutes = best.most < -slack::rounding * best.sum.size;
+  result.refutes = refutes(best);
   constexpr double soon = 0.2;
   result.refutes_soon = best.sum.value < -soon * (best.most - best.sum.value);
   for (std::size_t i = 0; i < 4; ++i) result.share[i] = std::max(0.0, best.sum.growth(i, half[i]));
   const double both = 0.5 * std::abs(best.sum.mixed) * half[0] * half[1];
   result.share[0] += both;
   result.share[1] += both;
+  const std::vector<double> shares =
+      result.refutes ? short_weights(all, half, best) : written_weights(all, best);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!(best.weights[i] > 0)) continue;
+    if (!(shares[i] > 0)) continue;
     Requirement one = all[i].requirement;
-    one.weight *= best.weights[i];
+    one.weight = shares[i];
     result.leaf.of.push_back(one);
   }
   return result;

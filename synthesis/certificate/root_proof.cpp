@@ -26,6 +26,18 @@ std::size_t largest(const std::array<double, 4>& values) {
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
+/// The middle of a range, of one that spans a factor of two the geometric one, in no more digits than place it to a hundredth of the
+/// range: a log has tens of thousands of them.
+double short_middle(const bounding::Range& range) {
+  const bool by_ratio = range.lower > 0 && range.upper > 2 * range.lower;
+  const double middle = by_ratio ? std::sqrt(range.lower * range.upper) : 0.5 * (range.lower + range.upper);
+  const double digits = -std::floor(std::log10((range.upper - range.lower) / 100));
+  if (!(std::abs(digits) < 16)) return middle;  // narrower than any decimal is worth
+  const double power = std::pow(10.0, std::abs(digits));
+  const double rounded = digits > 0 ? std::round(middle * power) / power : std::round(middle / power) * power;
+  return rounded > range.lower && rounded < range.upper ? rounded : middle;
+}
+
 }  // namespace
 
 RootProof::RootProof(const Spec& spec, const RegionPlaces& places, Grounding grounding,
@@ -157,8 +169,7 @@ std::optional<Step> RootProof::split(const Node& node, const BestSum& sum) const
   if (!cut) return std::nullopt;
   const Variable variable = *cut;
   const bounding::Range& range = node.cell[variable];
-  const bool by_ratio = range.lower > 0 && range.upper > 2 * range.lower;
-  const double at = by_ratio ? std::sqrt(range.lower * range.upper) : 0.5 * (range.lower + range.upper);
+  const double at = short_middle(range);
   Node lower = node, upper = node;
   lower.cell[variable].upper = at;
   upper.cell[variable].lower = at;

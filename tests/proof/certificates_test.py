@@ -20,12 +20,12 @@ import sys
 import tempfile
 import time
 
-MOST_LEFT_OUT = 0.1  # of the bounds and verdicts: trees that do not close in 50,000 lines or in the time, or touch a design too closely
+MOST_LEFT_OUT = 0.1  # of the bounds and verdicts: trees that do not close in 100,000 lines or in the time, or touch a design too closely
 MOST_SECONDS = 60  # of the processor and the checker, for one design or log
 MOST_BYTES = 5_000_000  # of a log
 CHOSEN_SEED, CHOSEN = 5001, (18, 55, 64, 72, 104, 107, 134, 142, 164, 209, 212, 218, 221, 258)
 LONG = (23, 106)  # of the same seed: their trees close in 3,000 lines if no cell is left uneven, and no opening cut without end
-WITHOUT_LOG = 37  # of the same seed: a verdict that none exists, whose log would have more than 50,000 lines
+LONGEST = 37  # of the same seed: a verdict that none exists, whose log has 90,000 lines
 # Of another seed: obstacles are met between the points spread along long links, or at places between those looked at first.
 MET_BETWEEN_SEED, MET_BETWEEN, NEAR = 5005, (797, 806, 922), 1e-3
 NO_DESIGN = """[copy]
@@ -186,7 +186,7 @@ def main():
         if options.count:
             specs = list(random_specs(options.source, root, options.count, options.seed))
         else:
-            specs = [*random_specs(options.source, root, max(CHOSEN) + 1, CHOSEN_SEED, (*CHOSEN, *LONG, WITHOUT_LOG)),
+            specs = [*random_specs(options.source, root, max(CHOSEN) + 1, CHOSEN_SEED, (*CHOSEN, *LONG, LONGEST)),
                      *random_specs(options.source, root, max(MET_BETWEEN) + 1, MET_BETWEEN_SEED, MET_BETWEEN)]
         for spec in [*shipped, *specs]:
             with tempfile.TemporaryDirectory() as folder:
@@ -203,8 +203,8 @@ def main():
     left_out = [(row["spec"], row["why"]) for row in rows if row["outcome"] == "no log"]
     print("no log:", left_out)
     print(summary(rows))
-    if not options.count and [pathlib.Path(name).stem for name, _ in left_out] != [f"random-{CHOSEN_SEED}-{WITHOUT_LOG}"]:
-        print("of the chosen specs one alone has no log")
+    if not options.count and left_out:
+        print("each of the chosen specs has a log")
         return 1
     far = [row["spec"] for row in rows if f"-{MET_BETWEEN_SEED}-" in row["spec"] and not row["gap"] < NEAR]
     if not options.count and far:
