@@ -517,6 +517,25 @@ class Intervals(unittest.TestCase):
             signs = [math.copysign(1, math.sin(middle - cmath.phase(judge.s))), math.copysign(1, math.sin(middle))]
             self.assertEqual(list(shape.signs(mode)), signs)
 
+    def test_cells_hold_all_of_a_region(self):
+        """Every place of a region with holes and dents is in the hull of a cell, and no hull has a corner outside the region."""
+        chance, outer, hole = random.Random(7), rectangle(0, 0, 8, 6), rectangle(3, 2, 5, 4)
+        dented = [(0.3, 0.1), (7.9, 0.4), (4.1, 2.2), (7.7, 5.9), (4.3, 3.1), (0.2, 5.8), (0.3, 0.1)]
+        for rings in ([outer], [outer, hole], [dented], [outer, [(x / 2 + 1, y / 2 + 1) for x, y in dented]], [[(1, 2), (7, 5), (1, 2)]]):
+            rings, cells = [[tuple(map(float, corner)) for corner in ring] for ring in rings], []
+
+            def halved(box, hull, pending):
+                cells.append((box, hull, pending))
+                return pending - 1 or None
+            WHOLE.cover(rings, 7, halved)
+            self.assertGreater(len(cells), 30)
+            near = [min(math.hypot(*WHOLE.to_segment(corner, *edge)) for edge in WHOLE.edges_of(rings))
+                    for _, hull, _ in cells for corner in hull if WHOLE.where(corner, rings) < 0]
+            self.assertLess(max(near, default=0.0), 1e-14)
+            places = [(chance.uniform(0, 8), chance.uniform(0, 6)) for _ in range(300)] + [corner for ring in rings for corner in ring]
+            for place in (place for place in places if WHOLE.where(place, rings) >= 0):
+                self.assertTrue(any(surrounds(hull, place) for _, hull, pending in cells if pending == 1), (rings, place))
+
     def test_joints_over_a_box_hold_the_joints_of_its_places(self):
         """The mean value form against the judge's angles, in every mode and vertex."""
         chance, seen = random.Random(4), 0
@@ -539,6 +558,13 @@ class Intervals(unittest.TestCase):
                         change = slopes.get("x", WHOLE.ZERO) * step.real + slopes.get("y", WHOLE.ZERO) * step.imag
                         self.assertTrue(change.lo - 1e-9 <= now - then <= change.hi + 1e-9, (judge.k, j))
         self.assertGreater(seen, 40)
+
+
+def surrounds(hull, place):
+    """Whether a place is in the hull of points, which then leave no more than half a turn free around it."""
+    turns = sorted(math.atan2(y - place[1], x - place[0]) for x, y in hull if (x, y) != place)
+    gaps = [b - a for a, b in zip(turns, turns[1:])] + [turns[0] + 2 * math.pi - turns[-1]] if turns else [0.0]
+    return place in hull or len(turns) > 1 and max(gaps) <= math.pi + 1e-9
 
 
 def any_linkage(chance):
