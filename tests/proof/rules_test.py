@@ -174,6 +174,10 @@ class Designs(unittest.TestCase):
             code, said = run(WHOLE, with_holder(outline, rectangle(200, 200, 210, 210)))
             self.assertEqual(code, 0, said)
 
+    def test_a_corner_given_twice_is_proven(self):
+        doubled = changed("plagiograph", "region", "coordinates", 0, 0, lambda ring: ring[:2] + ring[1:])
+        self.assertEqual(run(WHOLE, doubled)[0], 0)
+
     def test_stored_designs_are_proven(self):
         for name in ("plagiograph", "two-layer", "free"):
             with self.subTest(name):
