@@ -104,8 +104,9 @@ class Z:
     def __neg__(self): return Z(-self.x, -self.y)
     def __add__(self, o): return Z(self.x + o.x, self.y + o.y)
     def __sub__(self, o): return Z(self.x - o.x, self.y - o.y)
-    def times(self, o): return Z(self.x * o.x - self.y * o.y, self.x * o.y + self.y * o.x)
-    def __mul__(self, o): return self.times(o) if o.__class__ is Z else Z(self.x * o, self.y * o)
+    def __mul__(self, o):
+        return Z(self.x * o.x - self.y * o.y, self.x * o.y + self.y * o.x) if o.__class__ is Z else Z(self.x * o, self.y * o)
+
     def __truediv__(self, o): return self * o.conj() / o.square() if o.__class__ is Z else Z(self.x / o, self.y / o)
     def conj(self): return Z(self.x, -self.y)
     def square(self): return self.x.square() + self.y.square()  # of the modulus
@@ -129,15 +130,16 @@ def unit_circle(degrees):
 
 # Plane geometry in doubles: exact where it decides, else a guess that is proven by intervals or kept away from by a slack.
 def edges_of(rings): return [edge for ring in rings for edge in zip(ring, ring[1:])]
+def exact(*points): return [[Fraction(c) for c in p] for p in points]
+def span(points): return [(min(c), max(c)) for c in zip(*points)]  # of x and of y
 def within(point, some): return any(where(point, rings) >= 0 for rings in some)  # one of some polygons, or on its edge
 
 def side(p, q, r):
     """The sign of the turn p-q-r, exact."""
     left, right = (q[0] - p[0]) * (r[1] - p[1]), (q[1] - p[1]) * (r[0] - p[0])
-    if abs(left - right) > 1e-14 * (abs(left) + abs(right)) + 1e-290:
+    if left.__class__ is Fraction or abs(left - right) > 1e-14 * (abs(left) + abs(right)) + 1e-290:
         return left - right
-    p, q, r = ([Fraction(c) for c in point] for point in (p, q, r))
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    return side(*exact(p, q, r))
 
 def where(point, rings):
     """1 inside, 0 on an edge, -1 outside, by the even-odd rule; exact."""
@@ -155,7 +157,7 @@ def to_segment(p, a, b):
     """From p to the nearest point of the segment a-b."""
     ax, ay, dx, dy = a[0] - p[0], a[1] - p[1], b[0] - a[0], b[1] - a[1]
     length = dx * dx + dy * dy
-    t = min(1.0, max(0.0, -(ax * dx + ay * dy) / length)) if length else 0.0
+    t = min(1, max(0, -(ax * dx + ay * dy) / length)) if length else 0  # so that fractions stay exact
     return ax + t * dx, ay + t * dy
 
 def apart(A, B):
@@ -175,45 +177,33 @@ def convex(ring):
 
 def squared_distances(origin, some):
     """The least and the largest to the polygons' edges: exact, then rounded outwards."""
-    squares = []
-    for edge in edges_of(ring for rings in some for ring in rings):
-        (x, y), (u, v) = ([Fraction(c) - Fraction(o) for c, o in zip(p, origin)] for p in edge)
-        along, length = x * (x - u) + y * (y - v), (x - u) ** 2 + (y - v) ** 2
-        squares += [x * x + y * y] + [(x * v - y * u) ** 2 / length] * (0 < along < length)
+    (o,), edges = exact(origin), edges_of(exact(*ring) for rings in some for ring in rings)
+    squares = [x * x + y * y for p, q in edges for x, y in ((p[0] - o[0], p[1] - o[1]), to_segment(o, p, q))]
     return [I(nextafter(float(square), -inf), nextafter(float(square), inf)) for square in (min(squares), max(squares))]
 
-def around(edges):
-    """The corners of an edge, or of the upright rectangle around several."""
-    (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*(p for edge in edges for p in edge)))
-    return edges[0] if len(edges) == 1 else ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+def clip(edge, axis, at, keep):
+    """The part of an edge on one side of a line, in a list; an end on the line has its coordinate exactly."""
+    (u, p), (v, q) = sorted((keep * (c[axis] - at), c) for c in edge)
+    if u < 0 < v:
+        p = tuple(at if i == axis else p[i] + u / (u - v) * (q[i] - p[i]) for i in (0, 1))
+    return [(p, q)] if v > 0 or u >= 0 else []
 
-def clip(ring, axis, at, keep):
-    """The part of a polygon on one side of a line; corners on the line have its coordinate exactly."""
-    out = []
-    for p, q in zip(ring, ring[1:] + ring[:1]):
-        u, v = keep * (p[axis] - at), keep * (q[axis] - at)
-        out += [p] if u >= 0 else []
-        if u < 0 < v or v < 0 < u:
-            cut = [p[i] + u / (u - v) * (q[i] - p[i]) for i in (0, 1)]
-            cut[axis] = at
-            out.append(tuple(cut))
-    return out
-
-def cover(parts, pending, rings, pending_in):
-    """Cells of a polygon, halved until nothing is pending in any. `rings`: the polygon's, if it is not convex."""
-    todo, cells = [([(min(c), max(c)) for c in zip(*parts[0])], parts, pending)], 0
+def cover(rings, pending, pending_in):
+    """Cells of a polygon, or of a segment there and back, halved until nothing is pending in any. A cell is the hull of what a
+    rectangle holds of the edges, and of its corners in the polygon."""
+    inside = cache(lambda corner: where(corner, rings) >= 0)
+    todo, cells = [(span(rings[0]), edges_of(rings), pending)], 0
     while todo:
-        (box, parts, pending), cells = todo.pop(), cells + 1
-        # A corner of the cell counts only if it is in the region; all others are on the region's edges.
-        corners = {c for part in parts for c in part}
-        hull = [c for c in corners if rings is None or c not in product(*box) or where(c, rings) >= 0]
+        (box, edges, pending), cells = todo.pop(), cells + 1
+        hull = [*{p for edge in edges for p in edge}.union(filter(inside, product(*box)))]
         left = pending_in(box, hull, pending) if hull else None
         if left is not None:
             axis, low, high = max(((i, *box[i]) for i in (0, 1)), key=lambda each: each[2] - each[1])
             m = 0.5 * low + 0.5 * high
             need(low < m < high and cells <= MOST_CELLS)
             for half, keep in (((low, m), -1), ((m, high), 1)):
-                todo.append(([*box[:axis], half, *box[axis + 1:]], [clip(part, axis, m, keep) for part in parts], left))
+                parts = [part for edge in edges for part in clip(edge, axis, m, keep)]
+                todo.append(([*box[:axis], half, *box[axis + 1:]], parts, left))
 
 def cloud(still, moving, ways):
     """Places whose hull, grown by a radius, holds a point over a cell (mean value theorem); the radius; how far the point moves."""
@@ -227,7 +217,8 @@ def cloud(still, moving, ways):
 def plain(reason): return str(reason).encode("unicode_escape").decode()  # on one line: names from the files may hold anything
 
 def must(good, path, value, allowed):
-    need(good, f"{path.rstrip('.')}: found {'nothing' if value is None else plain(value)[:60]}; allowed: {allowed}", Unreadable)
+    if not good:
+        raise Unreadable(f"{path.rstrip('.')}: found {'nothing' if value is None else plain(value)[:60]}; allowed: {allowed}")
 
 def fits(value, shape, path):
     """The value, if it is as `shape` says: (least, largest) a number, a whole one if both are written so, or what else the tuple
@@ -250,8 +241,8 @@ def fits(value, shape, path):
 
 def polygons(value, path):
     found = fits(value, {"type": {"MultiPolygon"}, "coordinates": [[[POINT]]]}, path).coordinates
-    closed = all(rings and all(len(ring) > 3 and ring[0] == ring[-1] for ring in rings) for rings in found)
-    must(closed, path, value, "closed rings of three corners and more")
+    closed = found and all(rings and all(len(ring) > 3 and ring[0] == ring[-1] for ring in rings) for rings in found)
+    must(closed, path, value, "polygons of closed rings of three corners and more")
     inside = all(where(c, rings[:1]) >= 0 for rings in found for hole in rings[1:] for c in hole)
     must(inside, path, value, "holes inside their polygon")
     return found
@@ -270,9 +261,7 @@ def links(value, path):
 
 def area(value, path):
     must(isinstance(value, dict) and len(value) == 1, path, value, "a table of at_mm or within_mm")
-    found = [[[fits(value["at_mm"], POINT, path)] * 2]] if "at_mm" in value else polygons(value.get("within_mm"), path)
-    must(found, path, value, "an area")
-    return found
+    return [[[fits(value["at_mm"], POINT, path)] * 2]] if "at_mm" in value else polygons(value.get("within_mm"), path)
 
 def stock(value, path): return value and fits(value, [LENGTH], path)
 
@@ -324,12 +313,10 @@ class Shape:
 
     def window(self, mode, degrees):
         """Cosines of the least and the largest |psi| with the transmission angle asked for."""
-        limit = unit_circle(degrees)
-        if self.straight:
-            return limit.x, -limit.x
+        limit, (sign, sign_d) = unit_circle(degrees), self.signs(mode)
         # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 where d comes to arg s itself.
-        cc, cs = self.s.x * (-self.up * self.signs(mode)[0]) / self.abs_s, self.s.y * self.up / self.abs_s
-        starts_dead = (mode > 1) == (self.up > 0)
+        cc, cs = self.s.x * (-self.up * sign) / self.abs_s, self.s.y * self.up / self.abs_s
+        starts_dead = sign_d * self.up > 0
         return (limit.x, cc * limit.x + cs * limit.y) if starts_dead else (cc * limit.x - cs * limit.y, -limit.x)
 
     def opened(self, a, b, w, sign):
@@ -399,7 +386,6 @@ class Design:
     def reached(self):
         """Claim 1. Sets the range of distances, and what the openings are at its ends."""
         task, shape, self.openings = self.task, self.shape, []
-        need(self.region, "the file has no region", Refuted)
         need(not within(self.pole, task.region), "the pole stands in the region, where the tracer cannot go", Refuted)
         for name, length in self.lengths.items():
             fitting = (self.exact[name] - length).size() <= EPS_MM
@@ -438,7 +424,8 @@ class Design:
                 blocked += [Pair(part, one, name, ["pole"], "table", wide, edges_of(block), block) for one in pieces(task, part)]
         for pair in beside("bodies_check").pairs_of(self) if self.data.get("bodies") or self.data.get("table") else ():
             (blocked if pair.frame == "table" else itself).append(pair)
-        cover([[(self.range[0].lo, 0.0), (self.range[1].hi, 0.0)]], itself, None, self.pending_in)
+        first, last = (self.range[0].lo, 0.0), (self.range[1].hi, 0.0)
+        cover([[first, last, first]], itself, self.pending_in)
         self.keep_out(blocked)
         for rings in self.region[1:] if blocked else ():
             self.join(self.region[0][0], rings[0], blocked)
@@ -452,8 +439,7 @@ class Design:
                 at = (joints[pair.joints[0]] - joints[pair.others[0]]).middle()
                 inside = pair.rings(at) if callable(pair.rings) else where(at, pair.rings) > 0
                 need(not inside, f"{pair.one} is inside {pair.other}", Refuted)
-            simple = len(rings) == 1 and convex(rings[0])
-            cover([ring[:-1] for ring in rings], pairs, None if simple else rings, self.pending_in)
+            cover(rings, pairs, self.pending_in)
 
     def pending_in(self, box, hull, pending):
         """The pairs not proven apart over the hull; None if there are none, and the linkage closes."""
@@ -476,15 +462,16 @@ class Design:
         left, todo = [], list(pending)
         while todo:
             pair = todo.pop()
-            frame, ends = pair.frame, around(pair.edges)
+            frame, ((x0, x1), (y0, y1)) = pair.frame, span(p for edge in pair.edges for p in edge)
+            ends = pair.edges[0] if len(pair.edges) == 1 else ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
             clouds = {(i, j): way(i, j, frame) for i, j in product(pair.joints, pair.others)}
             P, Q = ([spot(joint, frame) for joint in some] for some in (pair.joints, pair.others))
             v = apart(P, [(q[0] + e[0], q[1] + e[1]) for q in Q for e in ends])
             if gap := hypot(*v):  # one direction n proves the two apart all over the cell
                 n = v[0] / gap, v[1] / gap
-                far, near = min(n[0] * p[0] + n[1] * p[1] for p in ends), inf
-                for (i, j), (points, radius, _) in clouds.items():
-                    near = min(near, min(n[0] * p[0] + n[1] * p[1] for p in points) - radius - loss(n, pair, i, j))
+                far = min(n[0] * p[0] + n[1] * p[1] for p in ends)
+                near = min(min(n[0] * p[0] + n[1] * p[1] for p in points) - radius - loss(n, pair, *joints)
+                           for joints, (points, radius, _) in clouds.items())
                 slack = 1e-14 * (abs(far) + abs(near) + max(abs(c) for p in ends for c in p)) + 4 * slip
                 if far + near >= pair.wide - EPS_MM + slack:
                     continue
@@ -502,15 +489,14 @@ class Design:
         """Two polygons are joined if a way from corner to corner, straight or on a circle about the pole, is clear as well."""
         A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: math.dist(*pq))
         least, most, start, end = self.range[0].hi, self.range[1].lo, math.atan2(A[1], A[0]), math.atan2(B[1], B[0])
-        ways = [[]]
-        for part, turns in product((0.5, 0.25, 0.75, 0.1, 0.9), (0, -1, 1)):
-            r, turn = least + part * (most - least), (end - start + 2 * math.pi * turns) / 400
-            ways.append([(r * math.cos(start + turn * i), r * math.sin(start + turn * i)) for i in range(401)])
-        for steps in ways:
+        arcs = product([least + part * (most - least) for part in (0.5, 0.25, 0.75, 0.1, 0.9)],
+                       [(end - start + 2 * math.pi * turns) / 400 for turns in (0, -1, 1)])
+        circles = ([(r * math.cos(start + turn * i), r * math.sin(start + turn * i)) for i in range(401)] for r, turn in arcs)
+        for steps in ([], *circles):
             try:
                 for p, q in zip([A, *steps], [*steps, B]):
                     need(hypot(*to_segment((0.0, 0.0), p, q)) >= least - EPS_MM and max(hypot(*p), hypot(*q)) <= most + EPS_MM)
-                    cover([[p, q]], pairs, None, self.pending_in)
+                    cover([[p, q, p]], pairs, self.pending_in)
                 return
             except (Open, Refuted):
                 continue
@@ -543,8 +529,7 @@ class Design:
         need(possible, "this vertex or layer is not permitted", Refuted)
         away = min(hypot(*to_segment(self.pole, *edge)) for rings in task.pole for edge in edges_of(rings))
         need(away <= EPS_MM or within(self.pole, task.pole), "the pole stands elsewhere than permitted", Refuted)
-        stated = sorted(key for key, value in self.data["limits"].items() if value is not None)
-        unread = ["limits." + key for key in stated if key not in LIMITS]
+        unread = sorted("limits." + key for key, value in self.data["limits"].items() if value is not None and key not in LIMITS)
         need(not unread, "not checked: " + ", ".join(unread))
 
 # Designs of a log, a box: ranges of a, b and the pole's x, y; cosines of the least and largest |psi|; layer assignments.
@@ -596,7 +581,7 @@ class Certificate:
         for v, factors in ("a", self.shape.of_a), ("b", self.shape.of_b):
             ends = [(I(low) / f, I(high) / f) for name, f in factors.items() for low, high in [permitted(task, name)]]
             box[v] = I(max(low.lo for low, _ in ends), min(high.hi for _, high in ends))
-        box.update({v: I(min(c), max(c)) for v, c in zip("xy", zip(*(corner for rings in task.pole for corner in rings[0])))})
+        box.update({v: I(*ends) for v, ends in zip("xy", span(corner for rings in task.pole for corner in rings[0]))})
         joined = [pair for pair in combinations(LINKS, 2) if not may_meet(*pair)]
         every = (dict(zip(LINKS, layers)) for layers in product(range(1, task.layers + 1), repeat=4))
         least = max(task.transmission_deg, self.bound if self.by == "transmission" else 0.0)
@@ -663,6 +648,7 @@ class Certificate:
         a, b, x, y = (I(node.box[v].middle()) for v in "abxy")
         (of_a, of_b), gg, P = self.shape.size, self.shape.abs_g.square(), Z(x, y)
         Q, k, l, m, bound, pull = ZERO, ZERO, ZERO, ZERO, ZERO, NIL
+        terms = {"far": (ONE, -gg, ZERO), "near": (-ONE, gg, ZERO), "posts": (ZERO, ONE, self.shape.posts.square())}
         for name, *places, weight in line["of"]:
             need(0 <= weight < 1e9, "a weight is negative")
             weight = I(float(weight))
@@ -671,12 +657,9 @@ class Certificate:
                 bound, Q = bound + weight, Q + weight * (self.bound - of_a * a - of_b * b)
                 continue
             away = self.place(tuple(places[0])) - P
-            if name == "posts":
-                times, Q = weight, Q - weight * self.shape.posts.square()
-            else:
-                sign, times = {"far": (weight, -weight * gg), "near": (-weight, weight * gg)}[name]
-                l, m = l + sign, m + sign * node.window[name == "near"]
-            Q, k, pull = Q + times * away.square(), k + times, pull + away * times
+            of_R, times, less = (weight * each for each in terms[name])
+            l, m = l + of_R, m + of_R * node.window[name == "near"]
+            Q, k, pull = Q + times * away.square() - less, k + times, pull + away * times
         Q += l * (a.square() + b.square()) + m * a * b * 2.0
         slopes = (l * a + m * b) * 2.0 - bound * of_a, (l * b + m * a) * 2.0 - bound * of_b, pull.x * 2.0, pull.y * 2.0
         reach = [I(max((I(node.box[v].hi) - at).hi, (at - node.box[v].lo).hi)) for v, at in zip("abxy", (a, b, x, y))]
@@ -724,10 +707,8 @@ def claim(name, proof):
     """Prints one claim's line; True if it is proven."""
     try:
         said = f"proven{proof() or ''}"
-    except Refuted as reason:
-        said = f"refuted: {plain(reason)}"
-    except (Open, ArithmeticError) as reason:
-        said = "not proven" + (": " + plain(reason) if str(reason) else "")
+    except (Refuted, Open, ArithmeticError) as reason:
+        said = ("refuted" if isinstance(reason, Refuted) else "not proven") + (": " + plain(reason) if str(reason) else "")
     print(f"{name}: {said}")
     return said.startswith("proven")
 

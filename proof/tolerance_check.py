@@ -148,7 +148,8 @@ class Tolerances:
     def over_cells(self, cosines, pending_in):
         if not (self.length or self.play):
             raise Open("limits.copy_error_mm without a tolerance")
-        cover([[(max(-1.0, min(cosines)), 0.0), (min(1.0, max(cosines)), 0.0)]], (), None, pending_in)
+        first, last = (max(-1.0, min(cosines)), 0.0), (min(1.0, max(cosines)), 0.0)
+        cover([[first, last, first]], (), pending_in)
 
     def too_wrong_in(self, box, hull, pending):
         """None if the copy error keeps its limit all over a cell of cos psi."""
