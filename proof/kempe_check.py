@@ -29,6 +29,7 @@ LINKS = ("VA", "VB", "ACX", "BCY")
 LAYERED_BY = {**{link: (link,) for link in LINKS}, "pin A": ("VA", "ACX"), "pin B": ("VB", "BCY"), "pin C": ("ACX", "BCY"),
               "pin V": ("VA", "VB"), "post V": ("VA", "VB"), "post X": ("ACX",), "post Y": ("BCY",)}
 JOINTS = {part: part.split()[-1] for part in LAYERED_BY}
+COPIED = ("V", "X", "Y")  # pole, tracer and pen: the copy says where they are, whatever the lengths
 LENGTHS = ("VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY")
 VERTICES = ("pole", "tracer", "pen")  # who stands at the vertex V
 SHARED = ("region", "pole", "links", "limits", "obstacles", "bodies", "table", "objective", "tolerance", "cutting")  # by both files
@@ -324,7 +325,7 @@ class Shape:
         with p (VA) and with q (ACX)."""
         r, aa, bb, ab = w.square(), a.square(), b.square(), a * b * 2.0
         h = (ab.square() - (r - aa - bb).square()).sqrt() * float(sign)
-        p, psi = Z(r + aa - bb, -h) / (r * 2.0), Z(r - aa - bb, h) / ab
+        p, psi = Z((aa - bb) / r + ONE, -h / r) * 0.5, Z(r - aa - bb, h) / ab
         return {"table": lambda alpha, beta: w * ((alpha - beta) * p + beta),
                 "VA": lambda alpha, beta: alpha * a + beta * (psi * b),
                 "ACX": lambda alpha, beta: (alpha * (psi.conj() * a) + beta * b) * self.turn}
@@ -628,6 +629,10 @@ class Certificate:
         return [sum(((to - at) * x for x, to in zip(t, others)), start=at - o)
                 for o, (at, *others) in zip(self.shape.seen[origin], zip(*seen))]
 
+    def joint(self, part, *t):
+        """The joint that a point of a part is; None if it is none."""
+        return next((joint for joint, share in zip(JOINTS[part], (1 - sum(t), *t)) if share == 1), None)
+
     @cache
     def place(self, value):
         """A place of the region, as intervals."""
@@ -691,10 +696,12 @@ class Certificate:
         convex_piece = 0 <= edge < len(ring) - 1 if edge is not None else not holes and convex(ring)
         need(convex_piece, "the obstacle is not convex, or has no such edge")
         K, T = ring[:-1] if edge is None else ring[edge:edge + 2], self.place(tuple(line["place"]))
-        constants = self.material(named, block.joint)
+        constants, copied = self.material(named, block.joint), self.joint(*named) in COPIED
 
         def point_at(a, b, x, y):
-            return Z(x, y) * block.rest + self.shape.opened(a, b, self.shape.g * (T - Z(x, y)), self.sign)["table"](*constants)
+            w = self.shape.g * (T - Z(x, y))
+            seen = w * constants[1] if copied else self.shape.opened(a, b, w, self.sign)["table"](*constants)
+            return Z(x, y) * block.rest + seen
         names, middle = [v for v in "abxy" if box[v].lo < box[v].hi], {v: I(i.middle()) for v, i in box.items()}
         wide = {v: I(i.lo, i.hi, {v: ONE} if v in names else None) for v, i in box.items()}
         ways = [{v: c - middle[v] for v, c in zip(names, corner)} for corner in corners(box, names)]

@@ -7,7 +7,9 @@
 #include <map>
 #include <tuple>
 #include <utility>
+#include <variant>
 
+#include "geometry/region.hpp"
 #include "synthesis/bound/slack.hpp"
 #include "workspace/obstructions.hpp"
 
@@ -28,6 +30,19 @@ using TermKey = std::tuple<std::size_t, double, std::vector<Joint>>;
 TermKey key_of(const ObstacleTerm& term) {
   const JointHull& hull = term.piece.hull;
   return {term.obstacle, term.piece.half_width, {hull.joints.begin(), hull.joints.begin() + hull.count}};
+}
+
+bool has(const JointHull& hull, Joint joint) {
+  return std::find(hull.joints.begin(), hull.joints.begin() + hull.count, joint) !=
+         hull.joints.begin() + hull.count;
+}
+
+/// Around all places where the pole may stand.
+PoleDisc disc_of_poles(const PoleSpec& pole) {
+  const auto* within = std::get_if<Region>(&pole.place);
+  const Box box =
+      within ? bounding_box(*within) : Box{std::get<Point>(pole.place), std::get<Point>(pole.place)};
+  return disc_around({box.lower.x(), box.upper.x()}, {box.lower.y(), box.upper.y()});
 }
 
 /// What a term's joints move, as seen from the joint that carries its obstruction: 0 for the table's frame.
@@ -65,6 +80,30 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
       }
       terms_[at->second].layers.add(i);
     }
+  if (any) find_hit_by_the_copy(spec);
+}
+
+/// The links' ends at tracer and pen: the copy says where they are for any lengths, up to the pole's place. An obstacle in the original
+/// is told from this in no time, where boxes of designs need to be small.
+void ObstacleTest::find_hit_by_the_copy(const Spec& spec) {
+  const PoleDisc poles = disc_of_poles(spec.pole);
+  const DesignBox any{{{1, 1}, {1, 1}}, poles.centre, poles.radius};
+  for (const Place& place : places_) {
+    if (place.at == poles.centre || stop_()) continue;
+    const PlacedJoints joints(reach_, roles_, {}, poles.centre, place.at);
+    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place.at, joints.all());
+    for (const Term& term : terms_) {
+      if (term.what.seen_from || term.what.beside) continue;
+      for (const Joint joint : {roles_.tracer, roles_.pen}) {
+        if (!has(term.what.piece.hull, joint)) continue;
+        ObstacleTerm end = term.what;
+        end.piece.hull = {{joint, joint, joint}, 1};
+        const double gap = obstacle_gap(end, (*shapes_)[end.obstacle], joints, clearance_);
+        if (gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(term, joints) < clearance_)
+          hit_by_the_copy_.add(term.layers);
+      }
+    }
+  }
 }
 
 /// How far a gap may be off by rounding, mm.
@@ -156,6 +195,8 @@ struct ObstacleTest::Look {
 };
 
 LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const {
+  alive.remove(hit_by_the_copy_);
+  if (alive.empty()) return alive;
   Look look(*this, box, alive);
   if (sight.hit) look.at(sight.hit->place, sight.hit->term, sight.hit->term + 1);
   if (!only_hit) {

@@ -6,7 +6,7 @@
 // by no more than their corners move, so an overlap in the middle that is deeper than the corners of the part's piece move is
 // an overlap in every design. A body is at rest seen from the joint that carries it, so there the same holds of what joints move as
 // seen from that joint. That a body meets an obstacle, the edge or another body is a matter of places of tracer and pen alone, which
-// the copy fixes: it is so in every design, reached or not.
+// the copy fixes: it is so in every design, reached or not. So it is of the links' ends at tracer and pen.
 
 #include <memory>
 #include <optional>
@@ -81,6 +81,7 @@ class ObstacleTest {
     std::optional<std::size_t> layers{};  ///< of which it is; absent: of all
   };
   double gap_rounding(const Term& term, const PlacedJoints& joints) const;
+  void find_hit_by_the_copy(const Spec& spec);
   struct Look;
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 
@@ -94,6 +95,7 @@ class ObstacleTest {
   std::vector<Place> places_;       ///< looked at in every box
   std::vector<Point> many_places_;  ///< looked at for single designs
   std::vector<Term> terms_;
+  LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< of the terms with the parts of their shapes, those of few parts as one
   StopFlag stop_;
 };

@@ -134,6 +134,17 @@ std::optional<Step> ObstacleLeaves::step(const Node& node) const {
   return best;
 }
 
+std::optional<Step> ObstacleLeaves::step_by_the_copy(const Node& node) const {
+  const std::vector<Meeting> meetings = meetings_in(node.assignments);
+  for (const KnownPlace& place : task_.places.spread())
+    for (const auto& [part, obstacle] : meetings)
+      for (const auto& [point, at, strays] : points_[part.number])
+        if (is_copied(at))
+          for (const auto& edge : targets_[obstacle].edges)
+            if (auto step = leaf_for(node, {{obstacle, edge, place.place, point}, place.at})) return step;
+  return std::nullopt;
+}
+
 std::optional<KnownPlace> ObstacleLeaves::place_met(const Node& node) const {
   if (targets_.empty()) return std::nullopt;
   const std::vector<Meeting> meetings = meetings_in(node.assignments);

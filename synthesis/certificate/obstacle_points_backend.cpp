@@ -1,7 +1,7 @@
 // With z = T - P, w = g z, r = |w|^2, h = +-sqrt(4 a^2 b^2 - (r - a^2 - b^2)^2) and zeta = (1 + (a^2 - b^2 - i h)/r)/2:
 //     p = w zeta,   q/s = w - p,   J = P + A p + B q/s = P + w ((A - B) zeta + B)
 // for the constants A, B of a material point seen from the pole's joint. Seen from another joint it is J = w ((A - B) zeta + B), with
-// the constants seen from there. J's derivatives over the cell bound its way from the
+// the constants seen from there. V, X and Y have A = B. J's derivatives over the cell bound its way from the
 // middle design (mean value theorem).
 
 #include <algorithm>
@@ -50,10 +50,26 @@ std::optional<Terms> terms_of(const Root& root, const Figures& at, const Point& 
 
 IntervalComplex times_i(const IntervalComplex& z) { return {-z.im, z.re}; }
 
+/// J = P + w B whatever the lengths are, which need not reach the place.
+PointRange copied_point_over(const Root& root, const DesignCell& cell, const Point& place,
+                             const bounding::MaterialPoint& from, bool seen_from_a_joint) {
+  const OutwardRounding rounding;
+  const IntervalComplex map = widened(root.g) * widened(from.of_b);
+  const IntervalComplex pole = exactly(as_complex(cell.pole())),
+                        of_pole = exactly(seen_from_a_joint ? 0.0 : 1.0);
+  const IntervalComplex at = of_pole * pole + map * (exactly(as_complex(place)) - pole);
+  const Point J(0.5 * (at.re.inf() + at.re.sup()), 0.5 * (at.im.inf() + at.im.sup()));
+  const Interval moves =
+      (Interval(cell.half(Variable::x)) + Interval(cell.half(Variable::y))) * slack::whole_half;
+  const Interval rounded = Interval(at.re.sup() - at.re.inf()) + Interval(at.im.sup() - at.im.inf());
+  return PointRange{J, (length(of_pole - map) * moves + rounded).sup()};
+}
+
 }  // namespace
 
 std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
                                      const bounding::MaterialPoint& from, bool seen_from_a_joint) {
+  if (is_copied(from)) return copied_point_over(root, cell, place, from, seen_from_a_joint);
   const OutwardRounding rounding;
   const IntervalComplex B = widened(from.of_b), A_less_B = widened(from.of_a - from.of_b);
   const double of_pole = seen_from_a_joint ? 0 : 1;

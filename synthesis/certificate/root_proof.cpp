@@ -59,6 +59,8 @@ std::optional<Step> RootProof::step(const Node& node) const {
   if (auto cut = copy_error_step(node)) return cut;
   if (outside_pole(node.cell)) return Step{PoleLeaf{}, {}};
   if (const auto sheets = copy_too_near(node.cell)) return Step{*sheets, {}};
+  if (is_whole(node.cell))
+    if (auto hit = obstacles_.step_by_the_copy(node)) return hit;
   if (auto hit = obstacles_.step(node)) return hit;
   if (auto cut = contact_.step(node)) return cut;
   return split(node, sum);
@@ -82,6 +84,14 @@ void RootProof::put_whole(double transmission) {
   whole_.cell.near_cosine = std::cos(window.upper);
   for (std::size_t i = 0; i < task_.layers.size(); ++i)
     whole_.assignments.push_back(static_cast<std::uint32_t>(i));
+}
+
+/// True of all lengths and poles.
+bool RootProof::is_whole(const DesignCell& cell) const {
+  return std::all_of(all_variables.begin(), all_variables.end(), [&](Variable variable) {
+    return cell[variable].lower == whole_.cell[variable].lower &&
+           cell[variable].upper == whole_.cell[variable].upper;
+  });
 }
 
 /// The window without the openings that exceed the limit on the copy error, if there are such.

@@ -35,6 +35,7 @@ class RootProof {
 
  private:
   void put_whole(double transmission);
+  bool is_whole(const DesignCell& cell) const;
   std::optional<Step> copy_error_step(const Node& node) const;
   bool outside_pole(const DesignCell& cell) const;
   std::optional<CopyGapLeaf> copy_too_near(const DesignCell& cell) const;

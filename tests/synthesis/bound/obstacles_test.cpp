@@ -63,7 +63,8 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
                            const MakeSpec& make_spec) {
   int boxes_hit = 0, designs = 0;
   for (int i = 0; i < specs; ++i) {
-    const Spec spec = make_spec(dice);
+    Spec spec = make_spec(dice);
+    spec.pole.place = Region::rectangle({-23, -23}, {46, 46});  // all poles of the boxes below
     const RegionReach region(spec.region);
     const Grounding grounding = all_groundings[static_cast<std::size_t>(i) % 3];
     const auto modes = assembly_modes(shape_of(spec.copy.k(), grounding));
@@ -122,6 +123,42 @@ TEST(ProvenBoundObstacles, EveryDesignOfABoxThatIsThrownAwayForABodyIsHit) {
   const ThrownAway seen = look_into_boxes(dice, test::samples(40), layers, spec_with_bodies);
   EXPECT_GT(seen.boxes, test::expected(60));
   EXPECT_GT(seen.designs, test::expected(100));
+}
+
+/// A pole free to stand behind the original, and a block beside one of the two sheets, so far away.
+Spec spec_with_block(test::SpecDice& dice, bool at_the_copy, double away) {
+  Spec spec;
+  spec.copy = Copy::of(dice.uniform(0.3, 0.8), 0);
+  spec.region = Region::rectangle({-60, 0}, {120, 80});
+  spec.links.style = {.width = 15, .pin_diameter = 8, .thickness = 4};
+  spec.limits.clearance = dice.uniform(0.2, 3);
+  const Point pole(dice.uniform(-30, 30), dice.uniform(200, 300));
+  if (at_the_copy)
+    spec.pole.place = pole;
+  else
+    spec.pole.place = Region::rectangle({-100, 150}, {200, 150});
+  const Region sheet = at_the_copy ? similar_image(spec.region, spec.copy.k(), pole) : spec.region;
+  const Box box = bounding_box(sheet);
+  const double height = 0.5 * (box.upper.y() - box.lower.y());
+  const Region block = Region::rectangle({box.upper.x() + away, box.lower.y() + 0.5 * height}, {30, height});
+  spec.obstacles.push_back({block.polygons.front(), 1, spec.links.layers, "block"});
+  return spec;
+}
+
+TEST(ProvenBoundObstacles, WhatTracerOrPenWouldMeetIsProvenAtOnce) {
+  test::SpecDice dice(103);
+  for (int i = 0; i < test::samples(40); ++i) {
+    const bool at_the_copy = dice.one_in(2);
+    const Spec near = spec_with_block(
+        dice, at_the_copy, dice.uniform(-20, 7.4));  // half of the width, at least 0.2 mm of clearance
+    const auto proven = proven_bound(near, Objective::size, {.boxes = 100});
+    ASSERT_TRUE(proven) << i;
+    EXPECT_TRUE(proven->no_design) << i;
+    const Spec far = spec_with_block(dice, at_the_copy, dice.uniform(7.5 + 3.1, 30));
+    const auto open = proven_bound(far, Objective::size, {.boxes = 100});
+    ASSERT_TRUE(open) << i;
+    EXPECT_FALSE(open->no_design) << i;
+  }
 }
 
 struct Compared {
