@@ -175,8 +175,11 @@
     let entered = null;
     const numbers = 'input[inputmode="decimal"], input.list';
     root.addEventListener("pointerdown", ({ target }) => { entered = target.matches(numbers) && target !== document.activeElement ? target : null; });
-    root.addEventListener("click", ({ target }) => {
-      if (target === entered && target.selectionStart === target.selectionEnd) target.select();
+    root.addEventListener("click", ({ target, pointerType }) => {
+      if (!target.matches(numbers)) return;
+      const { selectionStart: from, selectionEnd: to, value } = target;
+      if (target === entered && from === to) target.select();
+      else if (target !== entered && pointerType === "touch" && from === 0 && to === value.length) target.setSelectionRange(to, to);  // a finger's second tap would keep all selected
       entered = null;
     });
   }
