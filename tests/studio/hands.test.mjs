@@ -253,13 +253,12 @@ test("Names of areas stay in them, and no number of an axis lies under a handle"
 test("A round obstacle is told how to be resized, and a download what to open first", async () => {
   await on({}, async (page) => {
     await rested(page);
-    await page.locator("#add").click();
-    await page.locator("#add-circle").click();
     const told = () => page.locator("#notice-text").textContent();
-    assert.match(await told(), /rim or type its radius/);
-    await rested(page);
     const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#download").click()]);
     await page.waitForFunction(() => /is saved/.test(document.getElementById("notice-text").textContent));
     assert.ok((await told()).startsWith(`${download.suggestedFilename()} is saved. In it, workshop.pdf has the drawings at full size, bom.csv what to buy`));
+    await page.locator("#add").click();
+    await page.locator("#add-circle").click();
+    assert.match(await told(), /rim or type its radius/);
   });
 });
