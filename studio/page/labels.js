@@ -43,6 +43,7 @@
       this.taken = [];
       this.handles = [];
       this.edges = [];  // of outlines: [from, to]
+      this.bars = [];  // of the linkage: [from, to, half its width]
     }
 
     /** Nothing shall be written within `pixels` of a place. */
@@ -67,14 +68,25 @@
       return this.handles.every((other) => (other[0] === own[0] && other[1] === own[1]) || away(box, other) > mine);
     }
 
-    /** Whether an outline's edge runs through the box. */
+    /** Whether an outline's edge or a link runs through the box. */
     isCrossed(box) {
-      return this.edges.some(([from, to]) => crosses(box, from, to));
+      const wider = (half) => [box[0] - half, box[1] - half, box[2] + half, box[3] + half];
+      return this.edges.some(([from, to]) => crosses(box, from, to)) || this.bars.some(([from, to, half]) => crosses(wider(half), from, to));
     }
 
-    /** Of some middles, the better ones first, one where a word has room, now taken; null if there is none. Rather where no outline crosses it,
+    /** Whether a box lies in the window, and the part of it that does. */
+    holds(box) {
+      return box.every((value, i) => value === this.within(box)[i]);
+    }
+
+    within([left, top, right, bottom]) {
+      const [nearest, highest, farthest, lowest] = this.room;
+      return [Math.max(left, nearest), Math.max(top, highest), Math.min(right, farthest), Math.min(bottom, lowest)];
+    }
+
+    /** Of some middles, the better ones first, one where a word has room, now taken; null if there is none. Rather where no outline and no link crosses it,
      * and above all where `fits(box)` holds.
-     * `crossing`: so many middles further away are as good as one where an outline crosses the word. `own`: the handle whose number it is; `pixels`, `weight`: the size of its letters and how bold they are; `must`: only where `fits` holds. */
+     * `crossing`: so many middles further away are as good as one where an outline or a link crosses the word. `own`: the handle whose number it is; `pixels`, `weight`: the size of its letters and how bold they are; `must`: only where `fits` holds. */
     put(middles, word, { pixels = 12.6, weight = 400, own = null, fits = null, must = false, crossing = 12 } = {}) {
       const wide = (widthOf(word, pixels, weight) + 2) * this.pixel, high = (pixels + 2.4) * this.pixel;
       let middle = null, least = Infinity;

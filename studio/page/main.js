@@ -110,6 +110,8 @@
       this.tracer = null;
       this.stage.showMap(null);
       this.fitNext = true;
+      one("lengths").classList.add("stale");
+      one("lengths-list").replaceChildren(make("p", { className: "help", textContent: "No design so far." }));
       const before = this.state();
       Object.assign(this, { own, origin: origin && kempe.naming.originOf(origin) });
       if (text !== this.text) return this.change(text, { before });
@@ -129,8 +131,20 @@
       if (text === this.text) return;
       this.hint("");
       if (this.text !== undefined) this.remember(before);
-      this.adopt(text);
+      this.adoptInView(text);
       this.settle();
+    }
+
+    /** A text that no hand drags there: all is put into view again where what it changes has gone out of view, or has become too small to see. */
+    adoptInView(text) {
+      const before = new Map((this.shapes || []).map((shape) => [shape.name, kempe.boxOfShape(shape)])), { stage } = this;
+      this.adopt(text);
+      const lost = ({ name, role, ...shape }) => {
+        const was = before.get(name), now = kempe.boxOfShape(shape);
+        if (!now || role === "body" || JSON.stringify(was) === JSON.stringify(now)) return false;
+        return stage.isBeyond(now) || (was && stage.isWithin(was) && !stage.isWithin(now)) || (role === "region" && stage.shareOf(now) < 0.1);
+      };
+      if (this.shapes.some(lost)) this.fitNext = true;
     }
 
     remember(state) {
@@ -158,12 +172,13 @@
       const { text, own, origin } = from.pop();
       Object.assign(this, { own, origin });
       one("spec").value = text;
-      this.adopt(text);
+      this.adoptInView(text);
       this.settle();
     }
 
     begin() {
       this.hint("");
+      this.fitNext = false;  // nothing moves below a hand
       this.base = this.doc;
       this.before = this.state();
       // What was searched no longer matters; the last design is the ghost.
@@ -269,7 +284,7 @@
       one("download").disabled = answer.kind !== "design";
       document.body.dataset.answer = answer.kind || "error";
       one("changes").replaceChildren();
-      one("lengths").hidden = answer.kind !== "design";
+      one("lengths").classList.toggle("stale", answer.kind !== "design");
       if (answer.kind === "design") this.take(answer);
       else if (answer.kind === "none") this.takeNone(answer);
       else if (answer.kind === "faults") this.say("bad", `${answer.faults.length === 1 ? "The spec has a fault" : `The spec has ${answer.faults.length} faults; the first`}: ${this.wordsOf(answer.faults[0])}`);
@@ -324,7 +339,7 @@
       const proven = this.proven.has(this.text), [first] = answer.changes, key = first && answer.reason === first.sentence ? first.key : "";
       const reason = kempe.plainly(answer.reason.replace(/^the search found none that keeps/, proven ? "no design keeps" : "$&"), key, this.doc).replace(/[^.]$/, "$&.");
       const drag = this.isObstacleInTheWay(answer) ? " Dragging it away may help too." : "";
-      this.say("bad", `${proven ? "Proven: no design exists." : "None found, which proves nothing."} ${reason}${drag}`, answer.reason);
+      this.say("bad", `${proven ? "Proven: no design exists." : "None found, which proves nothing."} ${kempe.tooLarge(this.task)}${reason}${drag}`, answer.reason);
       one("changes").replaceChildren(...answer.changes.map((change) => this.changeButton(change)));
       this.place();
     }
@@ -385,6 +400,7 @@
       if (figures.clearance !== null && figures.clearance - task.clearance < 0.01) found.push({ text: "the clearance between parts" });
       for (const [key, words] of [["load_error", "how far the pen gives way"], ["sag", "the sag"]])
         if (task[key] !== null && figures[key] !== null && figures[key] > 0.999 * task[key]) found.push({ text: words });
+      if (task.pole.within && kempe.isOnEdge(model.pole, task.pole.within)) found.push({ text: "the pole's area, on whose edge the pole stands: drag it or make it larger", at: model.pole });
       return found;
     }
 
@@ -504,6 +520,8 @@
     /** `title`: what the engine itself says. */
     say(kind, words, title = "") {
       Object.assign(one("verdict"), { className: `verdict ${kind}`, textContent: words, title });
+      one("answer").className = `answer ${kind}`;
+      one("answer").scrollTop = 0;
     }
 
     /** A notice that goes by itself with the next step. */
@@ -637,18 +655,20 @@
       const spec = { name: "spec.toml", bytes: new TextEncoder().encode(this.text) };
       const drawings = (this.asked(this.text).files || []).map(({ name, text }) => ({ name, bytes: new TextEncoder().encode(text) }));
       kempe.save(`${name}.zip`, kempe.zip([...answer.files, spec, ...drawings]));
+      this.notice(`${name}.zip is saved. In it, workshop.pdf has the drawings at full size, bom.csv what to buy, report.html the instrument as it moves.`);
     }
 
     /** What stands on paper alone. */
     fillPrint() {
       one("printed-title").textContent = kempe.naming.heading(this);
-      one("printed-lengths").replaceChildren(...(one("lengths").hidden ? [] : kempe.lengthTables(this.answer, true)));
+      one("printed-lengths").replaceChildren(...(document.body.dataset.answer !== "design" ? [] : kempe.lengthTables(this.answer, true)));
       one("printed-spec").textContent = this.text;
     }
 
     // ---- hands and keys
 
     listen() {
+      kempe.selectWhole(document);
       const gallery = one("gallery");
       for (const group of ["templates", "examples"]) one(group).replaceChildren(...this.data[group].map((spec) => this.card(spec)));
       one("open-gallery").addEventListener("click", () => gallery.showModal());
@@ -747,7 +767,7 @@
       this.change(this.doc.withTable("obstacles", { name: `obstacle ${count}`, ...shape }));
       one("map").closest(".table").scrollIntoView({ block: "nearest" });
       this.stage.choose(`${path}.${kind === "circle" ? "circle_mm.centre" : "rectangle_mm.middle"}`);
-      this.hint(`“obstacle ${count}” stands on the table: drag it where it is, and drag its corner or type its size under “On the table”.`);
+      this.hint(`“obstacle ${count}” stands on the table: drag it where it is, and ${kind === "circle" ? "drag the point on its rim or type its radius" : "drag its corner or type its size"} under “On the table”.`);
     }
 
     /** The middle of a place in the window for something of a size, clear of what stands on the table; the window's middle if there is none. */

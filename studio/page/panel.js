@@ -91,7 +91,7 @@
     /** What a thing is called above its measures; an obstacle's name can be typed, and it can be removed. */
     shapeHead({ role, without }) {
       const { make } = kempe;
-      if (!without) return make("p", { className: "of-shape", textContent: { region: "Original", pole: "Pole", table: "Table" }[role] });
+      if (!without) return make("p", { className: "of-shape", textContent: { region: "Original", pole: "Pole", "pole-area": "Area of the pole", table: "Table" }[role] });
       const input = make("input", { type: "text", className: "name-of", autocomplete: "off", maxLength: 60 }), button = make("button", { type: "button", textContent: "Remove" });
       const head = { input, button };
       input.addEventListener("change", () => {
@@ -128,7 +128,7 @@
       const value = key.type === "boolean" ? input.checked : input.value.trim();
       if (value === "") return this.change(this.doc.cleared(path));
       if (key.type === "boolean" || key.type === "string" || key.enum) return this.change(this.doc.with(path, value));
-      if (key.ratio && /[:/]/.test(value) && kempe.ratio(value) > 0) return this.change(this.doc.with(path, value));
+      if (key.ratio) return this.typedRatio(path, input, value);
       if (lists[key.type]) {
         const list = lists[key.type].read(value), good = isList(key.type, list);
         input.setCustomValidity(good ? "" : `a list, please: ${lists[key.type].hint}`);
@@ -138,6 +138,15 @@
       input.setCustomValidity(Number.isNaN(number) ? "a number, please" : "");
       if (Number.isNaN(number)) return void input.reportValidity();
       this.change(this.doc.with(path, key.type === "integer" ? Math.round(number) : number));
+    }
+
+    /** A ratio: a number, so many per cent, or one number to another, which stays as it was typed. */
+    typedRatio(path, input, value) {
+      const parts = value.replaceAll(",", "."), isPair = /[:/]/.test(parts);
+      const ratio = isPair ? kempe.ratio(parts) : kempe.readNumber(value.replace(/%$/, "")) / (value.endsWith("%") ? 100 : 1), good = ratio > 0 && ratio < Infinity;
+      input.setCustomValidity(good ? "" : "a number such as 0.4, 40 % or 2:5, please");
+      if (!good) return void input.reportValidity();
+      this.change(this.doc.with(path, isPair ? parts : ratio));
     }
 
     show(doc) {
@@ -161,5 +170,19 @@
     }
   }
 
-  kempe.Panel = Panel;
+  /** A first click or tap in a field of numbers selects all of it, so that what is typed stands in its place; a second one puts the caret. */
+  function selectWhole(root) {
+    let entered = null;
+    const numbers = 'input[inputmode="decimal"], input.list';
+    root.addEventListener("pointerdown", ({ target }) => { entered = target.matches(numbers) && target !== document.activeElement ? target : null; });
+    root.addEventListener("click", ({ target, pointerType }) => {
+      if (!target.matches(numbers)) return;
+      const { selectionStart: from, selectionEnd: to, value } = target;
+      if (target === entered && from === to) target.select();
+      else if (target !== entered && pointerType === "touch" && from === 0 && to === value.length) target.setSelectionRange(to, to);  // a finger's second tap would keep all selected
+      entered = null;
+    });
+  }
+
+  Object.assign(kempe, { Panel, selectWhole });
 })((globalThis.kempe = globalThis.kempe || {}));

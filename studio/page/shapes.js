@@ -63,6 +63,48 @@
 
   const mostCorners = 24;
 
+  /** [left, lower, right, upper] of places. */
+  function boxOf(points) {
+    const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+    return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+  }
+
+  /** The box of a shape with its handles; null where nothing of it has a place. */
+  function boxOfShape({ rings, handles }) {
+    const points = [...rings.flat(), ...handles.map(({ at }) => at)];
+    return points.length ? boxOf(points) : null;
+  }
+
+  /** Whether a ring is a rectangle with upright edges. */
+  function isUpright(ring) {
+    const [left, lower, right, upper] = boxOf(ring), [a, b, c, d] = ring;
+    const corners = ring.length === 4 && ring.every(([x, y]) => (x === left || x === right) && (y === lower || y === upper));
+    return corners && right > left && upper > lower && a[0] + c[0] === b[0] + d[0] && a[1] + c[1] === b[1] + d[1] && a[0] !== c[0] && a[1] !== c[1];
+  }
+
+  /** What can be typed of a rectangle that is given by its corners; `put` makes the text of a new ring. */
+  function measuresOf(ring, put) {
+    const box = boxOf(ring), [left, lower, right, upper] = box;
+    const placed = (to) => put(ring.map(([x, y]) => [x === left ? to[0] : to[2], y === lower ? to[1] : to[3]]));
+    return [
+      measure("Width", right - left, (value) => placed([left, lower, left + value, upper]), 0),
+      measure("Height", upper - lower, (value) => placed([left, lower, right, lower + value]), 0),
+      measure("Left edge", left, (value) => placed([value, lower, right + value - left, upper])),
+      measure("Lower edge", lower, (value) => placed([left, value, right, upper + value - lower])),
+    ];
+  }
+
+  /** Whether a place lies on the edge of an area, to a thousandth of its size. */
+  function isOnEdge(at, rings) {
+    const [left, lower, right, upper] = boxOf(rings.flat()), near = 1e-3 * Math.max(right - left, upper - lower);
+    const away = (from, to) => {
+      const way = subtract(to, from), length = Math.hypot(...way);
+      const t = length > 0 ? Math.min(1, Math.max(0, ((at[0] - from[0]) * way[0] + (at[1] - from[1]) * way[1]) / length ** 2)) : 0;
+      return Math.hypot(at[0] - from[0] - t * way[0], at[1] - from[1] - t * way[1]);
+    };
+    return rings.some((ring) => ring.some((from, i) => away(from, ring[(i + 1) % ring.length]) <= near));
+  }
+
   function polygon(doc, path, name) {
     const inner = path.replace(/polygon_mm$/, "holes_mm"), hollow = inner !== path && doc.has(inner);  // holes go along
     const value = doc.get(path), one = isRing(value), rings = one ? [value] : value;
@@ -79,7 +121,8 @@
       rings.forEach((ring, r) => ring.forEach((at, i) => handles.push({ id: `${path}.${r}.${i}`, label: `Corner ${i + 1} of ${name}`, at, says: pair(at), move: (to) => put(changed(r, i, to)) })));
     handles.push({ id: `${path}.middle`, label: `Middle of ${name}`, at: centre, whole: true, says: "", move: (to) => move(subtract(to, centre)) });
     const holes = hollow ? (isRing(doc.get(inner)) ? [doc.get(inner)] : doc.get(inner)) : [];
-    return { rings: [...rings, ...(Array.isArray(holes) ? holes.filter(isRing) : [])], handles };
+    const measures = rings.length === 1 && !hollow && isUpright(rings[0]) ? measuresOf(rings[0], (ring) => put([ring])) : null;
+    return { rings: [...rings, ...(Array.isArray(holes) ? holes.filter(isRing) : [])], handles, ...(measures ? { measures } : {}) };
   }
 
   function outline(doc, table, name) {
@@ -108,7 +151,7 @@
     let place = pole;
     if (doc.has("pole.within_mm")) {
       const area = polygon(doc, "pole.within_mm", "the pole's area");
-      if (area) shapes.push({ role: "pole-area", name: "pole", ...area });
+      if (area) shapes.push({ role: "pole-area", name: "the pole's area", ...area });
     } else if (!doc.has("copy.pairs_mm") || doc.has("pole.at_mm")) {
       const at = doc.get("pole.at_mm") || [0, 0];
       if (isPoint(at)) {
@@ -146,5 +189,5 @@
     return { role: "copy", name: "copy", rings: region.rings.map((ring) => ring.map(image)), handles };
   }
 
-  Object.assign(kempe, { shapesOf, figure: number, middleOf: middle });
+  Object.assign(kempe, { shapesOf, boxOfShape, isOnEdge, figure: number, middleOf: middle });
 })((globalThis.kempe = globalThis.kempe || {}));

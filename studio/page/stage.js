@@ -86,6 +86,27 @@
       this.look([middle[0], middle[1] - ((above - below) / 2) * scale], scale);
     }
 
+    /** The window in mm: [left, lower, right, upper]. */
+    get window() {
+      const { left, top, width, height } = this.view;
+      return [left, -top - height, left + width, -top];
+    }
+
+    isWithin(box) {
+      const [left, lower, right, upper] = this.window;
+      return box[0] >= left && box[1] >= lower && box[2] <= right && box[3] <= upper;
+    }
+
+    isBeyond(box) {
+      const [left, lower, right, upper] = this.window;
+      return box[2] < left || box[3] < lower || box[0] > right || box[1] > upper;
+    }
+
+    /** How much of the window a box takes, of its width or its height. */
+    shareOf(box) {
+      return Math.max((box[2] - box[0]) / this.view.width, (box[3] - box[1]) / this.view.height);
+    }
+
     zoom(factor, at) {
       const { left, top, width, height } = this.view, pivot = at || [left + width / 2, top + height / 2];
       this.wanted = null;
@@ -136,6 +157,17 @@
       this.drawHandles(handles);
       this.drawNames(outlines, ["pole-area", "obstacle"]);
       this.drawLetters(scene.model, scene.tracer);
+      this.hideTicks(handles);
+    }
+
+    /** The axes' numbers stay away where a handle stands on them. */
+    hideTicks(handles) {
+      const px = this.pixel;
+      for (const tick of this.groups.grid.querySelectorAll("text.tick")) {
+        const half = 3.6 * px * tick.textContent.length, x = Number(tick.getAttribute("x")) + (tick.classList.contains("start") ? half : 0), y = Number(tick.getAttribute("y"));
+        const covered = handles.some(({ at }) => Math.abs(at[0] - x) < half + 9 * px && Math.abs(-at[1] - y) < 15 * px);
+        tick.setAttribute("visibility", covered ? "hidden" : "visible");
+      }
     }
 
     /** The first of some wordings that has room. */
@@ -148,11 +180,17 @@
 
     /** What outlines are called, each where it is not taken for another's name. */
     drawNames(outlines, roles) {
-      const words = { region: ["original"], copy: ["copy"], "pole-area": ["the pole may stand here", "pole's area"] }, px = this.pixel;
+      const words = { region: ["original"], copy: ["copy"], "pole-area": ["the pole may stand here", "pole's area"] }, px = this.pixel, { labels } = this;
       const named = [...Object.keys(words), "obstacle"].flatMap((role) => outlines(role).map(({ name, rings }) => ({ role, wordings: words[role] || [name], box: boxOf(rings.flat()) })));
       for (const { role, wordings, box } of named.filter(({ role: of }) => roles.includes(of))) {
         const others = named.filter((of) => of.box !== box).map((of) => of.box), asked = { fits: kempe.Labels.isOf(box, others) };
         const beside = kempe.Labels.beside(box, px), inside = kempe.Labels.inside(box, px), inner = role === "pole-area" || role === "obstacle";
+        // A name outside an area that reaches beyond the window would stand anywhere.
+        if (role === "pole-area" && !labels.holds(box)) {
+          const seen = labels.within(box);
+          this.writeFirst(kempe.Labels.inside(seen, px), wordings, asked, `name ${role}`);
+          continue;
+        }
         const middles = (wide, high) => (inner ? [...inside(wide, high), ...beside(wide, high)] : [...beside(wide, high), ...inside(wide, high)]);
         this.writeFirst(middles, wordings, { ...asked, must: role === "obstacle" || wordings.length > 1 }, `name ${role}`);
       }
@@ -193,6 +231,7 @@
       const drawn = ([x, y]) => [x, -y];
       if (corners.flat().length <= mostEdges) labels.edges = corners.flatMap((ring) => ring.map((at, i) => [drawn(at), drawn(ring[(i + 1) % ring.length])]));
       const found = scene.model ? this.poseOf(scene.model, scene.tracer) : null;
+      if (found) labels.bars = scene.model.bodies.flatMap(({ line: along }) => along.slice(1).map((joint, i) => [drawn(found.pose[along[i]]), drawn(found.pose[joint]), Math.max(scene.model.width, 3 * pixel) / 2]));
       if (found) for (const [x, y] of found.pose) labels.keepOff([x, -y], Math.max((1.55 * scene.model.pin_radius) / this.pixel, 6));
       return labels;
     }
@@ -359,27 +398,40 @@
       return whole && this.nodes.has(whole.id) ? whole : null;
     }
 
+    /** What a press begins to move: {handle}, {tracer}, or {} for the table itself. A finger takes no outline: it would move what it only swipes over. */
+    takenBy(target, byTouch) {
+      const node = target.closest(".handle");
+      if (node) return { handle: node.handle };
+      if (target.closest(".hold")) return { tracer: true };
+      const body = byTouch ? null : target.closest(".m-region .outline, .m-obstacles .thing, .pole-areas .pole-area"), handle = body && this.wholeOf(body);
+      return handle ? { handle } : {};
+    }
+
     listen() {
       const { root } = this;
       let drag = null;
       root.addEventListener("pointerdown", (event) => {
-        if (event.button > 0) return;
+        if (event.button > 0 || !event.isPrimary) return;
         this.held = null;
         root.classList.add("by-hand");  // no ring of the keyboard's stays where a hand has been
-        const node = event.target.closest(".handle"), tracer = event.target.closest(".hold");
-        const body = event.target.closest(".m-region .outline, .m-obstacles .thing, .pole-areas .pole-area");
+        const taken = this.takenBy(event.target, event.pointerType === "touch"), { handle } = taken;
         root.setPointerCapture(event.pointerId);
-        const at = this.placeOf(event), handle = node ? node.handle : body ? this.wholeOf(body) : null;
+        const at = this.placeOf(event);
         if (handle) {
           this.nodes.get(handle.id).focus({ preventScroll: true });
           this.held = handle.id;
           drag = { handle, offset: [handle.at[0] - at[0], handle.at[1] - at[1]], moved: false };
           this.acts.begin(handle);
-        } else drag = tracer ? { tracer: true } : { from: [event.clientX, event.clientY], pan: { ...this.view } };
+        } else drag = taken.tracer ? taken : { from: [event.clientX, event.clientY], pan: { ...this.view } };
         event.preventDefault();
       });
+      // A browser decides here whether the finger scrolls the page: of what is taken hold of, it does not.
+      root.addEventListener("touchstart", (event) => {
+        const { handle, tracer } = this.takenBy(event.target, true);
+        if ((handle || tracer) && event.cancelable) event.preventDefault();
+      }, { passive: false });
       root.addEventListener("pointermove", (event) => {
-        if (!drag) return;
+        if (!drag || !event.isPrimary) return;
         const at = this.placeOf(event);
         if (drag.tracer) return this.acts.tracer(at);
         if (drag.handle) {
@@ -391,7 +443,8 @@
         this.wanted = null;
         this.look([left + width / 2 - (event.clientX - drag.from[0]) * px, top + height / 2 - (event.clientY - drag.from[1]) * px], px);
       });
-      const end = () => {
+      const end = (event) => {
+        if (!event.isPrimary) return;
         if (drag && drag.handle) this.acts.end(drag.handle, drag.moved);
         drag = null;
         this.held = null;

@@ -142,5 +142,12 @@
     return capital(plain);
   }
 
-  Object.assign(kempe, { wayOut, plainly, safely, obstacleNamed });
+  /** What to say of an original that strips of the task's longest length are far too short for; "" of any other. */
+  function tooLarge({ region, longest, longest_strip: strip }) {
+    const points = region.flat(), xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
+    const across = points.length ? Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys)) : 0;
+    return across > 2 * longest ? `The original is very large for strips of at most ${figure(Number((strip ?? longest).toPrecision(4)))}\u00a0mm. ` : "";
+  }
+
+  Object.assign(kempe, { wayOut, plainly, tooLarge, safely, obstacleNamed });
 })((globalThis.kempe = globalThis.kempe || {}));

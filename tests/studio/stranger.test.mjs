@@ -56,13 +56,22 @@ test("Joints have their letters in the drawing, and the lengths stand on the pag
     await page.locator("#lengths summary").click();
     const { lengths } = await page.evaluate(() => window.kempe.studio.answer), words = await page.locator("#lengths-list").innerText();
     assert.equal(Object.keys(lengths).length, 8);
-    for (const [name, mm] of Object.entries(lengths)) assert.match(words, new RegExp(`${name}\\s+${mm.toFixed(2)}`));
+    for (const [name, mm] of Object.entries(lengths)) {
+      assert.match(words, new RegExp(`${name}\\s+${mm.toFixed(2)}`));
+      assert.equal(words.split(new RegExp(`${name}\\s+${mm.toFixed(2)}`)).length, 2, "said once");
+    }
     const paper = path.join(scratch, "lengths.pdf");
     await page.pdf({ path: paper, format: "A4" });
     const printed = execFileSync("pdftotext", ["-layout", paper, "-"], { encoding: "utf8" });
     for (const [name, mm] of Object.entries(lengths)) assert.match(printed, new RegExp(`${name}\\s+${mm.toFixed(2)}`));
     await opened(page, `${template("plagiograph")}\n[limits]\ntransmission_deg = 88\n`);
-    assert.equal(await page.locator("#lengths").isVisible(), false, "no lengths of what does not exist");
+    assert.equal(await page.locator("#lengths-list table").count(), 0, "no lengths of another task");
+    await opened(page, template("plagiograph"));
+    await page.evaluate((text) => window.kempe.studio.change(text), `${template("plagiograph")}\n[limits]\ntransmission_deg = 88\n`);
+    await rested(page);
+    assert.ok(await page.locator("#lengths").evaluate((node) => node.classList.contains("stale")), "the last design's lengths are grey");
+    await page.pdf({ path: paper, format: "A4" });
+    assert.doesNotMatch(execFileSync("pdftotext", ["-layout", paper, "-"], { encoding: "utf8" }), /Saw to/);
   });
 });
 
