@@ -32,11 +32,6 @@ TermKey key_of(const ObstacleTerm& term) {
   return {term.obstacle, term.piece.half_width, {hull.joints.begin(), hull.joints.begin() + hull.count}};
 }
 
-bool has(const JointHull& hull, Joint joint) {
-  return std::find(hull.joints.begin(), hull.joints.begin() + hull.count, joint) !=
-         hull.joints.begin() + hull.count;
-}
-
 /// Around all places where the pole may stand.
 PoleDisc disc_of_poles(const PoleSpec& pole) {
   const auto* within = std::get_if<Region>(&pole.place);
@@ -80,39 +75,51 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
       }
       terms_[at->second].layers.add(i);
     }
-  if (any) find_hit_by_the_copy(spec);
+  if (any) find_hit_by_the_copy(spec, *any, obstructions, layers);
 }
 
 /// The links' ends at tracer and pen: the copy says where they are for any lengths, up to the pole's place. An obstacle in the original
 /// is told from this in no time, where boxes of designs need to be small.
-void ObstacleTest::find_hit_by_the_copy(const Spec& spec) {
-  const PoleDisc poles = disc_of_poles(spec.pole);
-  const DesignBox any{{{1, 1}, {1, 1}}, poles.centre, poles.radius};
-  for (const Place& place : places_) {
-    if (place.at == poles.centre || stop_()) continue;
-    const PlacedJoints joints(reach_, roles_, {}, poles.centre, place.at);
-    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place.at, joints.all());
-    for (const Term& term : terms_) {
-      if (term.what.seen_from || term.what.beside) continue;
-      for (const Joint joint : {roles_.tracer, roles_.pen}) {
-        if (!has(term.what.piece.hull, joint)) continue;
-        ObstacleTerm end = term.what;
-        end.piece.hull = {{joint, joint, joint}, 1};
-        const double gap = obstacle_gap(end, (*shapes_)[end.obstacle], joints, clearance_);
-        if (gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(term, joints) < clearance_)
-          hit_by_the_copy_.add(term.layers);
-      }
+void ObstacleTest::find_hit_by_the_copy(const Spec& spec, const CopyingLinkage& any,
+                                        const std::vector<Obstruction>& obstructions,
+                                        const std::vector<LayerAssignment>& layers) {
+  for (std::size_t i = 0; i < obstructions.size(); ++i) {
+    const Obstruction& obstruction = obstructions[i];
+    if (obstruction.frame || obstruction.met) continue;
+    for (const Joint joint : {roles_.tracer, roles_.pen}) {
+      const ObstacleTerm end{{{{joint, joint, joint}, 1}, 0.5 * spec.links.style.width + obstruction.grown},
+                             i};
+      if (!is_hit_by_the_copy(spec.pole, end)) continue;
+      for (std::size_t one = 0; one < layers.size(); ++one)
+        for (const Part& part : parts_of(any, layers[one]))
+          if (part.kind == Part::Kind::link && has_joint(part.link, joint) &&
+              may_meet(part, obstruction, any))
+            hit_by_the_copy_.add(one);
     }
   }
 }
 
+/// With the tracer at one of the places at least, wherever the pole stands; `end`: a disc at tracer or pen.
+bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const {
+  const PoleDisc poles = disc_of_poles(pole);
+  const DesignBox any{{{1, 1}, {1, 1}}, poles.centre, poles.radius};
+  const auto joint = static_cast<std::size_t>(end.piece.hull.joints.front());
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+    if (place.at == poles.centre || stop_()) return false;
+    const PlacedJoints joints(reach_, roles_, {}, poles.centre, place.at);
+    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place.at, joints.all());
+    const double gap = obstacle_gap(end, (*shapes_)[end.obstacle], joints, clearance_);
+    return gap + moves[joint] + gap_rounding(end, joints) < clearance_;
+  });
+}
+
 /// How far a gap may be off by rounding, mm.
-double ObstacleTest::gap_rounding(const Term& term, const PlacedJoints& joints) const {
+double ObstacleTest::gap_rounding(const ObstacleTerm& term, const PlacedJoints& joints) const {
   double largest = 0;
   for (const Joint joint : all_joints) largest = std::max(largest, std::abs(joints[joint]));
-  const ObstacleShape& obstacle = (*shapes_)[term.what.obstacle];
+  const ObstacleShape& obstacle = (*shapes_)[term.obstacle];
   return slack::obstacle_gap_rounding *
-         (largest + std::abs(obstacle.centre) + obstacle.radius + term.what.piece.half_width + clearance_);
+         (largest + std::abs(obstacle.centre) + obstacle.radius + term.piece.half_width + clearance_);
 }
 
 /// One box, place by place.
@@ -181,7 +188,7 @@ struct ObstacleTest::Look {
         if (!is_reached) continue;
         here = moved_of(term.what, *seen);
       }
-      if (gap + here + test.gap_rounding(term, joints) < clearance) {
+      if (gap + here + test.gap_rounding(term.what, joints) < clearance) {
         hit = Hit{place, i};
         of_one ? alive.remove(*of_one) : alive.remove(term.layers);
         if (of_one || alive.empty()) return least;
@@ -195,8 +202,6 @@ struct ObstacleTest::Look {
 };
 
 LayerSet ObstacleTest::not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const {
-  alive.remove(hit_by_the_copy_);
-  if (alive.empty()) return alive;
   Look look(*this, box, alive);
   if (sight.hit) look.at(sight.hit->place, sight.hit->term, sight.hit->term + 1);
   if (!only_hit) {

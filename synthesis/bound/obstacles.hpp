@@ -50,6 +50,10 @@ class ObstacleTest {
   ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
                KnownShapes shapes, StopFlag stop);
 
+  /// The assignments in which a link's end at tracer or pen is surely hit, whatever the lengths are and wherever the spec lets the pole
+  /// stand.
+  const LayerSet& hit_by_the_copy() const { return hit_by_the_copy_; }
+
   /// The assignments of `alive` in which nothing is surely hit. `sight`: of the box this one was split from; becomes its
   /// own. With `only_hit` nothing but the hit is looked at.
   LayerSet not_hit(const DesignBox& box, LayerSet alive, Sight& sight, bool only_hit) const;
@@ -80,8 +84,11 @@ class ObstacleTest {
     Point at;
     std::optional<std::size_t> layers{};  ///< of which it is; absent: of all
   };
-  double gap_rounding(const Term& term, const PlacedJoints& joints) const;
-  void find_hit_by_the_copy(const Spec& spec);
+  double gap_rounding(const ObstacleTerm& term, const PlacedJoints& joints) const;
+  void find_hit_by_the_copy(const Spec& spec, const CopyingLinkage& any,
+                            const std::vector<Obstruction>& obstructions,
+                            const std::vector<LayerAssignment>& layers);
+  bool is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const;
   struct Look;
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 

@@ -120,7 +120,8 @@ class Tree {
         root.lengths = {{a.b.lower / a.a.upper * 0.999, a.b.upper / a.a.lower * 1.001},
                         {2 * a.a.lower * a.b.lower * 0.999, 2 * a.a.upper * a.b.upper * 1.001}};
         root.alive = bounding::LayerSet::all(layers.size());
-        if (poles_.measure(root)) grow_from(root);
+        if (sees_obstacles()) root.alive.remove(obstacle_tests_.back()->hit_by_the_copy());
+        if (!root.alive.empty() && poles_.measure(root)) grow_from(root);
       }
     }
     return true;
