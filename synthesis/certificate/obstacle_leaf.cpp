@@ -139,7 +139,7 @@ std::optional<Step> ObstacleLeaves::step_by_the_copy(const Node& node) const {
   for (const KnownPlace& place : task_.places.spread())
     for (const auto& [part, obstacle] : meetings)
       for (const auto& [point, at, strays] : points_[part.number])
-        if (is_copied(at))
+        if (is_copied(point))
           for (const auto& edge : targets_[obstacle].edges)
             if (auto step = leaf_for(node, {{obstacle, edge, place.place, point}, place.at})) return step;
   return std::nullopt;
@@ -192,7 +192,7 @@ bool ObstacleLeaves::hits(const ObstacleGuess& guess, const DesignCell& cell) co
   const Target& target = targets_[guess.leaf.obstacle];
   const bounding::MaterialPoint at = material_point(point, task_.root.mode.s), origin = origin_of(target);
   const auto range = point_over(task_.root, cell, guess.place, {at.of_a - origin.of_a, at.of_b - origin.of_b},
-                                target.seen_from.has_value());
+                                is_copied(point), target.seen_from.has_value());
   if (!range) return false;
   return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, needed(point.part, guess.leaf.obstacle)) >
          of_the_way * range->away + slack::in_hand;

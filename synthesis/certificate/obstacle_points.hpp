@@ -13,12 +13,10 @@ struct PointRange {
   double away = 0;
 };
 
-/// True for V, X and Y, which the copy puts at their places whatever the lengths are.
-inline bool is_copied(const bounding::MaterialPoint& from) { return from.of_a == from.of_b; }
-
-/// Nothing if some design of the cell cannot be proven to reach the place, of a point that is not copied. `from`: the point V + of_a p + of_b q/s less the pole's
+/// Nothing if some design of the cell cannot be proven to reach the place, of a point that is not `copied` (is_copied()). `from`: the point V + of_a p + of_b q/s less the pole's
 /// joint; of what is `seen_from_a_joint` less that joint, and then the range is of the difference.
 std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
-                                     const bounding::MaterialPoint& from, bool seen_from_a_joint = false);
+                                     const bounding::MaterialPoint& from, bool copied,
+                                     bool seen_from_a_joint = false);
 
 }  // namespace kempe::certificate

@@ -68,8 +68,9 @@ PointRange copied_point_over(const Root& root, const DesignCell& cell, const Poi
 }  // namespace
 
 std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
-                                     const bounding::MaterialPoint& from, bool seen_from_a_joint) {
-  if (is_copied(from)) return copied_point_over(root, cell, place, from, seen_from_a_joint);
+                                     const bounding::MaterialPoint& from, bool copied,
+                                     bool seen_from_a_joint) {
+  if (copied) return copied_point_over(root, cell, place, from, seen_from_a_joint);
   const OutwardRounding rounding;
   const IntervalComplex B = widened(from.of_b), A_less_B = widened(from.of_a - from.of_b);
   const double of_pole = seen_from_a_joint ? 0 : 1;

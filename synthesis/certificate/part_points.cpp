@@ -120,6 +120,12 @@ PartPoint on_side(const std::array<PartPoint, 2>& side, double share) {
           whole * ((1 - share) * side[0].u + share * side[1].u)};
 }
 
+bool is_copied(const PartPoint& point) {
+  if (is_link(point.part)) return is_plate(point.part) ? point.t == 0 && point.u == 1 : point.t == 0;
+  const Joint joint = part_of(point.part).joint;
+  return joint == Joint::V || joint == Joint::X || joint == Joint::Y;
+}
+
 std::vector<PartPoint> points_along(PartName part, PlateStyle plate) {
   if (!is_link(part)) return {{part, 0, 0}};
   constexpr int pieces = 8;

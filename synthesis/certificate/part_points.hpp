@@ -35,6 +35,9 @@ bounding::MaterialPoint material_point(const PartPoint& point, Complex shape);
 /// The bars of a part's axis, each from one point to another: a link's or plate's, none of a pin or post.
 std::vector<std::array<PartPoint, 2>> sides_of(PartName part, PlateStyle plate);
 
+/// True of V, X and Y, which the copy puts at their places whatever the lengths are.
+bool is_copied(const PartPoint& point);
+
 /// The point at a share of the way along a side.
 PartPoint on_side(const std::array<PartPoint, 2>& side, double share);
 
