@@ -7,9 +7,8 @@
 #include <map>
 #include <tuple>
 #include <utility>
-#include <variant>
 
-#include "geometry/region.hpp"
+#include "synthesis/bound/pole_places.hpp"
 #include "synthesis/bound/slack.hpp"
 #include "workspace/obstructions.hpp"
 
@@ -34,9 +33,7 @@ TermKey key_of(const ObstacleTerm& term) {
 
 /// Around all places where the pole may stand.
 PoleDisc disc_of_poles(const PoleSpec& pole) {
-  const auto* within = std::get_if<Region>(&pole.place);
-  const Box box =
-      within ? bounding_box(*within) : Box{std::get<Point>(pole.place), std::get<Point>(pole.place)};
+  const Box box = box_of_places(pole);
   return disc_around({box.lower.x(), box.upper.x()}, {box.lower.y(), box.upper.y()});
 }
 

@@ -13,6 +13,12 @@ double extent(const RegionReach& region) { return region.farthest(Point::Zero())
 
 }  // namespace
 
+Box box_of_places(const PoleSpec& pole) {
+  if (const auto* area = std::get_if<Region>(&pole.place)) return bounding_box(*area);
+  const Point& at = std::get<Point>(pole.place);
+  return {at, at};
+}
+
 PolePlaces::PolePlaces(const Spec& spec, bool posts)
     : spec_(spec), region_(spec.region), copy_gap_(spec, region_) {
   if (const Region* area = std::get_if<Region>(&spec.pole.place)) area_.emplace(*area);
@@ -27,14 +33,9 @@ PolePlaces::PolePlaces(const Spec& spec, bool posts)
 }
 
 void PolePlaces::plant(TreeNode& root) const {
-  if (area_) {
-    root.x = {area_->box().lower.x(), area_->box().upper.x()};
-    root.y = {area_->box().lower.y(), area_->box().upper.y()};
-  } else {
-    const Point& at = std::get<Point>(spec_.pole.place);
-    root.x = {at.x(), at.x()};
-    root.y = {at.y(), at.y()};
-  }
+  const Box box = box_of_places(spec_.pole);
+  root.x = {box.lower.x(), box.upper.x()};
+  root.y = {box.lower.y(), box.upper.y()};
 }
 
 bool PolePlaces::measure(TreeNode& node) const {

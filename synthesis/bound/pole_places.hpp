@@ -4,10 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/region.hpp"
 #include "synthesis/bound/copy_gap.hpp"
 #include "synthesis/bound/tree_node.hpp"
 
 namespace kempe::bounding {
+
+/// The upright box of all places where a pole may stand, mm.
+Box box_of_places(const PoleSpec& pole);
 
 /// The pole's places of a spec. The spec must outlive it.
 class PolePlaces {

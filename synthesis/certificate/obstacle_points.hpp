@@ -13,8 +13,9 @@ struct PointRange {
   double away = 0;
 };
 
-/// Nothing if some design of the cell cannot be proven to reach the place, of a point that is not `copied` (is_copied()). `from`: the point V + of_a p + of_b q/s less the pole's
-/// joint; of what is `seen_from_a_joint` less that joint, and then the range is of the difference.
+/// `from`: the point V + of_a p + of_b q/s less the pole's joint; of what is `seen_from_a_joint` less that joint, and then the range is
+/// of the difference. `copied`: is_copied() of it. Nothing if some design of the cell cannot be proven to reach the place, which does not
+/// matter for a copied point.
 std::optional<PointRange> point_over(const Root& root, const DesignCell& cell, const Point& place,
                                      const bounding::MaterialPoint& from, bool copied,
                                      bool seen_from_a_joint = false);

@@ -189,14 +189,14 @@ std::vector<double> written_weights(const std::vector<Candidate>& all, const Wei
   return written;
 }
 
-/// Those of a sum that refutes, the largest 1 (their ratios alone matter) and the others in four decimals, if the sum refutes with these.
+/// Those of a sum that refutes, the largest 1 (their ratios alone matter) and all in few digits, if the sum refutes with these.
 std::vector<double> short_weights(const std::vector<Candidate>& all, const std::array<double, 4>& half,
                                   const Weighted& best) {
   const std::vector<double> written = written_weights(all, best);
   const double largest = *std::max_element(written.begin(), written.end());
   std::vector<double> rounded = written, weights(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    rounded[i] = std::round(1e4 * written[i] / largest) / 1e4;
+    rounded[i] = std::round(slack::steps_of_weights * written[i] / largest) / slack::steps_of_weights;
     weights[i] = rounded[i] / all[i].requirement.weight;
   }
   return refutes(weighted(all, half, weights)) ? rounded : written;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "synthesis/bound/pole_places.hpp"
+
 namespace kempe::certificate {
 namespace {
 
@@ -26,12 +28,12 @@ std::size_t largest(const std::array<double, 4>& values) {
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
-/// The middle of a range, of one that spans a factor of two the geometric one, in no more digits than place it to a hundredth of the
-/// range: a log has tens of thousands of them.
+/// The middle of a range, of one that spans a factor of two the geometric one, in no more digits than it needs: a log has tens of
+/// thousands of them.
 double short_middle(const bounding::Range& range) {
   const bool by_ratio = range.lower > 0 && range.upper > 2 * range.lower;
   const double middle = by_ratio ? std::sqrt(range.lower * range.upper) : 0.5 * (range.lower + range.upper);
-  const double digits = -std::floor(std::log10((range.upper - range.lower) / 100));
+  const double digits = -std::floor(std::log10(slack::short_cut * (range.upper - range.lower)));
   if (!(std::abs(digits) < 16)) return middle;  // narrower than any decimal is worth
   const double power = std::pow(10.0, std::abs(digits));
   const double rounded = digits > 0 ? std::round(middle * power) / power : std::round(middle / power) * power;
@@ -71,11 +73,7 @@ void RootProof::put_whole(double transmission) {
   kept_ = mode.allowed;
   mode.allowed = {0, 4};  // rad, all: what the copy error leaves is a step of the log
   const bounding::Range window = mode.usable(transmission);
-  Box poles;
-  if (const auto* within = std::get_if<Region>(&task_.spec.pole.place))
-    poles = bounding_box(*within);
-  else
-    poles = {std::get<Point>(task_.spec.pole.place), std::get<Point>(task_.spec.pole.place)};
+  const Box poles = bounding::box_of_places(task_.spec.pole);
   whole_.cell[Variable::a] = task_.root.mode.a;
   whole_.cell[Variable::b] = task_.root.mode.b;
   whole_.cell[Variable::x] = {poles.lower.x(), poles.upper.x()};

@@ -20,6 +20,11 @@ inline constexpr double most_uneven = 2;
 inline constexpr double most_uneven_of_poles = 256;
 /// rad: of a cell as wide as its middle, the narrowest range of openings that a contact cuts. In narrower cells it falls with their width.
 inline constexpr double narrowest_passed = 1e-2;
+/// Share of a range within which its middle is rounded to fewer digits before it is cut there. (With a sixteenth instead, trees have a
+/// tenth more lines.)
+inline constexpr double short_cut = 0.01;
+/// None: the weights of a sum, the largest being 1, are rounded to whole multiples of 1 / this.
+inline constexpr double steps_of_weights = 1e4;
 /// Shares by which the bound is given way, tried in this order until a proof comes out. At the last every tree has a few lines a root: no
 /// design has the size 0, none a transmission angle of 90 degrees.
 inline constexpr double given_way[] = {0.0,  1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.02,

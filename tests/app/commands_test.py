@@ -145,6 +145,13 @@ class Habits(Case):
         for name in FILES:
             self.assertIn(f"`{name}`", page)
 
+    def test_the_readme_shows_what_is_printed(self):
+        page = (SOURCE / "README.md").read_text()
+        shown = page.split("It prints, shortened", 1)[1].split("```")[1].strip().splitlines()
+        printed = kempe("synthesize", EXAMPLES / "plagiograph.toml", "-o", self.scratch / "out").stdout.splitlines()
+        self.assertGreater(len(shown), 5)
+        self.assertEqual([line for line in shown if line not in printed], [])
+
     def test_help_of_every_command_has_an_example(self):
         listed = kempe("--help").stdout.split("Subcommands:")[1].splitlines()
         commands = [line.split()[0] for line in listed if line.startswith("  ") and line.split() and line[2] != " "]
