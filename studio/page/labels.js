@@ -3,14 +3,17 @@
 (function (kempe) {
   const gap = 6;  // pixels between two words on a line
   const widths = new Map();
-  let pen = null;
+  let pen = null, family = "";
 
   /** How wide a word is, in pixels. */
   function widthOf(word, pixels, weight) {
     const key = `${weight} ${pixels} ${word}`;
     if (!widths.has(key)) {
-      pen = pen || document.createElement("canvas").getContext("2d");
-      pen.font = `${weight} ${pixels}px ${getComputedStyle(document.body).fontFamily}`;
+      if (!pen) {
+        pen = document.createElement("canvas").getContext("2d");
+        family = getComputedStyle(document.body).fontFamily;
+      }
+      pen.font = `${weight} ${pixels}px ${family}`;
       if (widths.size > 2000) widths.clear();
       widths.set(key, pen.measureText(word).width);
     }

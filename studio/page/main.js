@@ -519,6 +519,7 @@
 
     /** `title`: what the engine itself says. */
     say(kind, words, title = "") {
+      if (one("verdict").textContent === words && one("verdict").className === `verdict ${kind}` && one("verdict").title === title) return;
       Object.assign(one("verdict"), { className: `verdict ${kind}`, textContent: words, title });
       one("answer").className = `answer ${kind}`;
       one("answer").scrollTop = 0;

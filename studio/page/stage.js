@@ -31,6 +31,7 @@
       this.root = root;
       this.acts = acts;
       this.view = { left: -100, top: -100, width: 200, height: 200 };
+      this.pixel = 1;  // mm of one pixel; to ask the browser anew at every word would lay out the page as often
       this.groups = {};
       for (const name of ["defs", "photo", "map", "grid", "pole-area", "table", "obstacles", "region", "copy", "ghost", "mechanism", "bodies", "mark", "names", "letters", "handles", "grip", "scale"]) {
         const css = { map: "areas", "pole-area": "pole-areas", ghost: "ghost", handles: "handles", mark: "binding", names: "names", letters: "letters", grip: "grip" }[name] || `m-${name}`;
@@ -40,11 +41,6 @@
       this.nodes = new Map();
       this.listen();
       new ResizeObserver(() => this.resize()).observe(root);
-    }
-
-    /** mm of one pixel. */
-    get pixel() {
-      return this.view.width / Math.max(1, this.root.clientWidth);
     }
 
     resize() {
@@ -59,6 +55,7 @@
     look(centre, scale) {
       const { clientWidth: wide, clientHeight: high } = this.root;
       const kept = Math.min(1e6, Math.max(1e-5, scale));
+      this.pixel = kept;
       this.view = { left: centre[0] - (wide * kept) / 2, top: centre[1] - (high * kept) / 2, width: wide * kept, height: high * kept };
       const { left, top, width, height } = this.view;
       this.root.setAttribute("viewBox", `${left} ${top} ${width} ${height}`);

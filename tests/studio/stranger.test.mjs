@@ -88,6 +88,7 @@ test("On a phone Print and Share are at hand", async () => {
       assert.equal(await page.locator(`#${button}`).isVisible(), false, "the menu closes");
     }
     assert.ok(await page.evaluate(() => window.printed));
+    await page.waitForFunction(() => document.getElementById("notice-text").textContent);  // the address is made and copied first
     assert.match(await page.locator("#notice-text").textContent(), /same file|^file:/);
     await page.locator("#more").press("Enter");
     assert.equal(await page.evaluate(() => document.activeElement.id), "print");
