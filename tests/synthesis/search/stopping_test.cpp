@@ -12,6 +12,7 @@
 #include "synthesis/problem/obstacle_gap.hpp"
 #include "synthesis/search/pareto.hpp"
 #include "synthesis/search/search.hpp"
+#include "synthesis/search/steps/budgets.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "synthesis/verification/verification.hpp"
@@ -136,13 +137,15 @@ TEST(Stopping, ATimeLimitThatIsNotReachedChangesNothing) {
   }
 }
 
-TEST(Stopping, UnderATimeLimitADesignIsFoundEarly) {
+/// Where the limit is just the time of the whole search, as counted in polls.
+TEST(Stopping, UnderATimeLimitADesignIsFoundWithinItsShare) {
+  const double share = SearchBudgets{}.time.first_design;
   for (const std::string name : {"clamped-plate", "plagiograph"}) {
     const Spec spec = example(name);
     CountingStop none(never);
     outcome_of(spec, none, very_long);
-    CountingStop half(none.polls() / 2);
-    const SearchOutcome outcome = outcome_of(spec, half, very_long);
+    CountingStop early(static_cast<std::size_t>(share * static_cast<double>(none.polls())));
+    const SearchOutcome outcome = outcome_of(spec, early, very_long);
     EXPECT_TRUE(std::holds_alternative<FoundDesign>(outcome)) << name;
   }
 }
