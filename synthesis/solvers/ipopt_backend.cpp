@@ -174,7 +174,8 @@ LocalSolution<Vector> solved(const NonlinearProgram<Vector, Matrix>& program, co
   solver->Options()->SetNumericValue("tol", slack::ipopt_optimality);
   solver->Options()->SetNumericValue("bound_relax_factor", 0);
   solver->Options()->SetStringValue("mu_strategy", "adaptive");
-  if (solver->Initialize() != Ipopt::Solve_Succeeded) return result;
+  // Without the name of a file it would take options from an ipopt.opt in the working directory.
+  if (solver->Initialize("") != Ipopt::Solve_Succeeded) return result;
   const Ipopt::SmartPtr<Ipopt::TNLP> problem =
       new Transcription<Vector, Matrix>(program, start, stop, result);
   const Ipopt::ApplicationReturnStatus status = solver->OptimizeTNLP(problem);

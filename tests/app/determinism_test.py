@@ -5,7 +5,8 @@ Two hashes an example stand in design-hashes.txt. The first is of the file's byt
 every processor, in release builds with musl's sines and powers (cmake/one_libm.cmake). The second is of the design with numbers
 rounded to 11 digits, and without the few figures that only measure rounding or count work (ROUNDING): the same for every
 compiler, build type and C library. Each example is also run with fused multiplication and wide vectors hidden from the
-libraries, as on an older processor, and must give the same hash.
+libraries, as on an older processor, and must give the same hash. All run in a folder with an options file of a library's own,
+which must change nothing.
 
 scripts/update-hashes writes the hashes anew, after a change that is meant to change designs, and names the examples whose
 design changed.
@@ -42,7 +43,7 @@ def write_hashes(found):
 
 
 def examples(source):
-    return sorted((source / "specs" / "examples").glob("*.toml"))
+    return sorted((source.resolve() / "specs" / "examples").glob("*.toml"))
 
 
 def rounded(value):
@@ -71,14 +72,16 @@ def sha256(text):
 def design_of(kempe, spec, threads, surroundings=None):
     """The bytes of one example's design.json; else nothing and a sentence."""
     command = "workspace" if "[mechanism]" in spec.read_text() else "synthesize"
-    with tempfile.TemporaryDirectory() as out:
-        arguments = [kempe, command, spec, "-o", out, "--quiet"]
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "ipopt.opt").write_text("no_such_option 1\n")
+        arguments = [kempe, command, spec, "-o", "out", "--quiet"]
         if command == "synthesize":
             arguments += ["-j", str(threads)]
-        run = subprocess.run(arguments, capture_output=True, text=True, timeout=900, env={**os.environ, **(surroundings or {})})
+        run = subprocess.run(arguments, capture_output=True, text=True, timeout=900, cwd=folder,
+                             env={**os.environ, **(surroundings or {})})
         if run.returncode != 0:
             return None, f"{spec.name}: exit {run.returncode}: {run.stderr.strip()}"
-        return (pathlib.Path(out) / "design.json").read_bytes(), ""
+        return (pathlib.Path(folder) / "out" / "design.json").read_bytes(), ""
 
 
 def first_difference(one, other):

@@ -34,13 +34,17 @@ bool is_held_back(const SearchTask& task, const FoundDesign& design) {
          is_met(task.limits.sag, design.attained.sag);
 }
 
-/// What no design with the limit on the load error beats: a yardstick for the search, which is not told (proven_bound.hpp).
+/// What no design with the limit on the load error beats: a yardstick for the search, which is not told (proven_bound.hpp). No closer to
+/// the design than the search asks for.
 std::optional<ProvenBound> bound_under_load(const SearchTask& task, const FoundDesign& design) {
   if (!task.limits.load_error) return std::nullopt;
-  auto bound = proven_bound(task.space().spec(), {.incumbent = design.value,
-                                                  .boxes = task.budgets().improve.boxes_under_load,
-                                                  .load_limit = true,
-                                                  .stop = task.stop()});
+  const double near = task.budgets().improve.near;
+  auto bound =
+      proven_bound(task.space().spec(), {.incumbent = design.value,
+                                         .tolerance = near / (1 + near),  // a share of the design's value
+                                         .boxes = task.budgets().improve.boxes_under_load,
+                                         .load_limit = true,
+                                         .stop = task.stop()});
   if (bound && bound->no_design) bound.reset();
   return bound;
 }

@@ -104,8 +104,9 @@ struct CertifyBudget {
 /// Of the search around a design that is farther from its bound than `near`.
 struct ImproveBudget {
   double near = 0.004;  ///< share of the bound
-  /// Boxes of the tree that keeps the limit on the load error, a few milliseconds: it closes soon or, with a free pole, not for long.
-  std::size_t boxes_under_load = 1000;
+  /// Boxes of the tree that keeps the limit on the load error, some tens of milliseconds at most: much less than the searches that a
+  /// closed tree spares.
+  std::size_t boxes_under_load = 10'000;
   int hops = 24;         ///< random places around the design (basin hopping)
   int hops_at_once = 8;  ///< solved in parallel from one centre; fixed, so that threads change nothing
   /// How far the first hops go: share of the lengths, and half that of the task's size
