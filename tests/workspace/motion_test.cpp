@@ -167,5 +167,37 @@ TEST(GapBounds, CloseOnTheDistanceAsTheRectangleShrinks) {
   }
 }
 
+/// A plate that turns about the pole swings past a post with the side between two of its joints: it comes no nearer, to first order.
+TEST(GapBounds, OfASideThatSwingsPastAreOfSecondOrder) {
+  Dice dice(35);
+  int sides = 0;
+  double most = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    if (linkage.pole_joint() == Joint::V) continue;
+    const OpeningInterval middle = shrink(linkage.assembly_mode().openings, 0.1);
+    if (middle.empty()) continue;
+    const double opening = dice.between(middle.lower, middle.upper), bearing = dice.between(-pi, pi);
+    const Pose pose = linkage.pose_at(opening, bearing);
+    const Joint one = linkage.pole_joint() == Joint::X ? Joint::A : Joint::B;
+    const Point from = pose[one] - linkage.pole(), to = pose[Joint::C] - linkage.pole();
+    const double share = nearest_share(Point::Zero(), from, to);
+    const Point foot = from + share * (to - from);
+    if (share < 0.1 || share > 0.9 || foot.norm() < 1) continue;
+    const Point post = foot * (1 + dice.between(1, 10) / foot.norm()),
+                along = 0.01 * (to - from).normalized();
+    ++sides;
+    for (const double half : {1e-2, 1e-3, 1e-4}) {
+      const MovingJoints joints = LinkageMotion(linkage).over(opening, half, bearing, half);
+      const MovingHull moving(joints, JointHull{{one, Joint::C, Joint::C}, 2}, {half, half});
+      const GapBounds bounds = bounds_to_edge(moving, {post - along, post + along});
+      most = std::max(most, (bounds.middle - bounds.lower) /
+                                (moving.reach() * (half + moving.reach() / (post - foot).norm())));
+    }
+  }
+  EXPECT_GT(sides, 50);
+  EXPECT_LT(most, 10);
+}
+
 }  // namespace
 }  // namespace kempe

@@ -71,6 +71,9 @@ Nearest nearest_points(const MovingHull& hull, const EdgeTree::Edge& edge) {
   return nearest;
 }
 
+/// Share of the coordinates: thousands of roundings.
+constexpr double side_rounding = 1e-13;
+
 /// n.dz/dt for a joint that turns about the origin.
 double turning_along(const Point& normal, const Point& at) { return cross(at, normal); }
 
@@ -89,6 +92,41 @@ Lower separation(const MovingHull& hull, const EdgeTree::Edge& edge, const Point
     if (distance < least.distance) least = {distance, by_opening, by_bearing};
   }
   return least;
+}
+
+/// A lower bound of the distance between an edge and the line through the hull's nearest side, on whose other side the hull lies (see the
+/// header). `normal` points from the edge to the side.
+double beside_line(const MovingHull& hull, const Nearest& nearest, const EdgeTree::Edge& edge,
+                   const Point& normal) {
+  const MovingJoint &a = hull[nearest.from], &b = hull[nearest.to];
+  const auto [half_opening, half_bearing] = hull.half();
+  const Point along = b.at - a.at;
+  const double length = along.norm();
+  const Point u = along / length, left = left_of(u), n = left.dot(normal) < 0 ? Point(-left) : left;
+  const Point opened = half_opening * a.by_opening, turned = half_bearing * left_of(a.at);
+  const Point opens = half_opening * (b.by_opening - a.by_opening), turns = half_bearing * left_of(along);
+  const double rests = a.rest + b.rest;
+  const double longer = std::abs(u.dot(opens)) + std::abs(u.dot(turns)) + rests;
+  const double tilted = opens.norm() + turns.norm() + rests;
+  double least = infinity;
+  for (const Point& end : {edge.from, edge.to}) {
+    const Point from_end = a.at - end;
+    const double beside = n.dot(from_end), share = -u.dot(from_end) / length;
+    const Point by_opening = opened + share * opens, by_bearing = turned + share * turns;
+    const double rest = std::abs(1 - share) * a.rest + std::abs(share) * b.rest;
+    const double moved = by_opening.norm() + by_bearing.norm() + rest;
+    const double nearer = std::abs(n.dot(by_opening)) + std::abs(n.dot(by_bearing)) + rest;
+    const double rounded = side_rounding * (a.far + b.far + end.norm()) * (1 + from_end.norm() / length);
+    least =
+        std::min(least, beside - nearer - (std::abs(beside) * longer + tilted * moved) / length - rounded);
+  }
+  return least > 0 ? least * length / std::hypot(length + longer, tilted) : least;
+}
+
+/// True if the hull's nearest point lies within a side that all of the hull is on one side of.
+bool is_beside(const MovingHull& hull, const Nearest& nearest, const Point& normal) {
+  if (hull.size() == 1 || !(nearest.share > 0 && nearest.share < 1)) return false;
+  return hull.size() == 2 || normal.dot(hull[3 - nearest.from - nearest.to].at - hull[nearest.from].at) >= 0;
 }
 
 /// How far the hull's nearest point moves along the normal and across it.
@@ -117,14 +155,16 @@ GapBounds overlapping(const MovingHull& hull) {
   return {0, hull.reach(), 0, by_opening, by_bearing};
 }
 
-/// The closest upper bound only if that may lie below `upper_below`.
-GapBounds first_order_bounds(const MovingHull& hull, const EdgeTree::Edge& edge, const Nearest& nearest,
-                             double distance, double upper_below) {
+/// The closest upper bound only if that may lie below what is asked; the closest lower one only if no plainer one reaches it.
+GapBounds close_bounds(const MovingHull& hull, const EdgeTree::Edge& edge, const Nearest& nearest,
+                       double distance, const GapQuestion& question) {
   if (!(distance > 0)) return overlapping(hull);
   const Point normal = nearest.apart / distance;
-  const Lower lower = separation(hull, edge, normal);
+  Lower lower = separation(hull, edge, normal);
+  if (lower.distance < question.lower_from && is_beside(hull, nearest, normal))
+    lower.distance = std::max(lower.distance, beside_line(hull, nearest, edge, normal));
   double upper = distance + hull.reach();
-  if (distance < upper_below) {
+  if (distance < question.upper_below) {
     const Straying stray = straying(hull, nearest, normal);
     const double along = distance + stray.along;
     upper = std::min(upper, std::sqrt(along * along + stray.across * stray.across));
@@ -137,7 +177,7 @@ GapBounds first_order_bounds(const MovingHull& hull, const EdgeTree::Edge& edge,
 
 GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge) {
   const Nearest nearest = nearest_points(hull, edge);
-  return first_order_bounds(hull, edge, nearest, std::sqrt(nearest.squared), infinity);
+  return close_bounds(hull, edge, nearest, std::sqrt(nearest.squared), {infinity, infinity});
 }
 
 GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge, const GapQuestion& question) {
@@ -145,7 +185,7 @@ GapBounds bounds_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge, con
   const double distance = std::sqrt(nearest.squared);
   if (distance + hull.reach() < question.upper_below || distance - hull.reach() >= question.lower_from)
     return {std::max(distance - hull.reach(), 0.0), distance + hull.reach(), distance, 0, 0};
-  return first_order_bounds(hull, edge, nearest, distance, question.upper_below);
+  return close_bounds(hull, edge, nearest, distance, question);
 }
 
 double distance_to_edge(const MovingHull& hull, const EdgeTree::Edge& edge) {

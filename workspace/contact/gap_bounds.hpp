@@ -9,6 +9,12 @@
 // D and T being half the rectangle. The hull's nearest point itself moves by at most u along n and by at most
 // v across it,
 //     distance <= sqrt((distance in the middle + u)^2 + v^2).
+//
+// A link that swings past something with its side comes no nearer where it is nearest, to first order, though its
+// ends move along n. Then the line through that side, from corner a to b, separates better. With u its direction, l its length and n
+// its normal in the middle, and p the foot of an end y of the edge on it, which moves by d while b moves by w more than a,
+//     distance from y to the line >= ( l n.(p - y) + l n.d - |n.(p - y)| |u.w| - |w| |d| ) / sqrt((l + |u.w|)^2 + |w|^2):
+// the cross product of line and p - y over the line's length. Of a rigid link u.w is of second order.
 
 #include <array>
 #include <cstdint>

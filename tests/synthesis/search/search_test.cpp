@@ -261,6 +261,19 @@ TEST(Search, GoesRoundObstacles) {
   EXPECT_GT(moved, test::expected(2)) << "no obstacle was ever in the way";
 }
 
+/// A post between pole and original: the best designs swing past it with a plate's side, all along a curve of tracer places.
+TEST(Search, GoesRoundAPostBesideThePole) {
+  Spec spec = example("plagiograph");
+  Obstacle post{.shape = Region::circle({21, 3}, 8).polygons.front()};
+  post.highest_layer = 8;  // all of them
+  spec.obstacles.push_back(post);
+  const auto found = found_for(spec);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->complete);
+  EXPECT_LT(found->evaluations, 100'000U);
+  EXPECT_TRUE(assembled(spec, *found).map.coverage.covered);
+}
+
 double boundary_distance(const Region& one, const Region& other) {
   double least = 1e300;
   const auto walk = [](const Ring& ring) {
