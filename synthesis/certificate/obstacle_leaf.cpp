@@ -18,6 +18,9 @@ namespace {
 constexpr double of_the_way = 2;
 /// A table of more edges is left out of the log: every part is looked at beside every edge.
 constexpr std::size_t most_table_edges = 64;
+/// Of a convex outline with more corners some are enough to look by: those a twentieth of its radius apart.
+constexpr std::size_t many_corners = 128;
+constexpr double apart_of_radius = 0.05;
 
 /// The least width of a convex outline, across one of its edges.
 double least_width(const Ring& outline) {
@@ -48,13 +51,19 @@ double axis_distance(PartName part, PlateStyle plate, const std::array<Point, 6>
 /// Outlines that are convex can be taken as a whole, others by their edges.
 ObstacleLeaves::Target ObstacleLeaves::target_of(const Ring& outline, bool by_edges_alone) {
   const Box box = bounding_box(Region{{{outline, {}}}});
-  Target target{{}, {}, 0.5 * (box.lower + box.upper), 0.5 * (box.upper - box.lower).norm()};
+  Target target{{}, {}, {}, 0.5 * (box.lower + box.upper), 0.5 * (box.upper - box.lower).norm()};
   for (const Point& corner : outline) target.corners.push_back(as_complex(corner));
+  target.few = target.corners;
   if (outline.size() == 1) {
     target.edges = {std::nullopt};
   } else if (!by_edges_alone && is_convex(outline)) {
     target.edges = {std::nullopt};
     target.deepest = 0.5 * least_width(outline);
+    if (outline.size() > many_corners) {
+      target.few.clear();
+      for (const Point& corner : thinned(outline, apart_of_radius * target.radius))
+        target.few.push_back(as_complex(corner));
+    }
   } else {
     for (std::size_t i = 0; i < outline.size(); ++i) target.edges.emplace_back(i);
   }
@@ -182,6 +191,13 @@ double ObstacleLeaves::depth(const Point& at, std::size_t obstacle, const std::o
   return needed - distance_from(as_complex(at), ends);
 }
 
+/// No more than the depth: a convex outline holds that of some of its corners.
+double ObstacleLeaves::depth_by_few(const Point& at, std::size_t obstacle,
+                                    const std::optional<std::size_t>& edge, double needed) const {
+  if (edge) return depth(at, obstacle, edge, needed);
+  return needed - distance_from(as_complex(at), targets_[obstacle].few);
+}
+
 double ObstacleLeaves::needed(PartName part, std::size_t obstacle) const {
   return half_width(part_of(part), task_.spec.links.style) + task_.spec.limits.clearance +
          targets_[obstacle].beyond;
@@ -256,9 +272,8 @@ std::vector<PartPoint> ObstacleLeaves::nearest_points(
     const Point from = place_of(side[0]), to = place_of(side[1]);
     points.push_back(on_side(side, nearest_share(target.centre, from, to)));
     Point nearest = target.centre;
-    for (std::size_t i = 0; i < target.corners.size(); ++i) {
-      const Point corner = as_point(target.corners[i]),
-                  next = as_point(target.corners[(i + 1) % target.corners.size()]);
+    for (std::size_t i = 0; i < target.few.size(); ++i) {
+      const Point corner = as_point(target.few[i]), next = as_point(target.few[(i + 1) % target.few.size()]);
       if (squared_distance(corner, from, to) < squared_distance(nearest, from, to) || i == 0)
         nearest = corner;
       if (properly_cross(from, to, corner, next))
@@ -293,7 +308,7 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
     const double least = of_the_way * share * middle.unsteady;
     if (!(circle_depth(at, obstacle, need) > most + least)) return;
     for (const auto& edge : target.edges)
-      if (const double here = depth(at, obstacle, edge, need) - least; here > most) {
+      if (const double here = depth_by_few(at, obstacle, edge, need) - least; here > most) {
         most = here;
         best = {{obstacle, edge, place.place, point}, place.at};
       }

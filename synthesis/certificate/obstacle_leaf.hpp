@@ -28,6 +28,8 @@ class ObstacleLeaves {
  private:
   double depth(const Point& at, std::size_t obstacle, const std::optional<std::size_t>& edge,
                double needed) const;
+  double depth_by_few(const Point& at, std::size_t obstacle, const std::optional<std::size_t>& edge,
+                      double needed) const;
   double circle_depth(const Point& at, std::size_t obstacle, double need) const;
   double needed(PartName part, std::size_t obstacle) const;
   bool hits(const ObstacleGuess& guess, const DesignCell& cell) const;
@@ -59,6 +61,7 @@ class ObstacleLeaves {
   struct Target {
     std::vector<std::optional<std::size_t>> edges;  ///< or all of it
     std::vector<Complex> corners;
+    std::vector<Complex> few;        ///< enough of them to find a point in it: of a circle's 1440 a tenth
     Point centre = Point::Zero();    ///< of a circle around it
     double radius = 0, deepest = 0;  ///< mm; no place lies deeper in it
     int lowest_layer = 1, highest_layer = most_layers;
