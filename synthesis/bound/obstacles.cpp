@@ -100,14 +100,22 @@ void ObstacleTest::find_hit_by_the_copy(const Spec& spec, const CopyingLinkage& 
 bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const {
   const PoleDisc poles = disc_of_poles(pole);
   const DesignBox any{{{1, 1}, {1, 1}}, poles.centre, poles.radius};
-  const auto joint = static_cast<std::size_t>(end.piece.hull.joints.front());
-  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-    if (place.at == poles.centre || stop_()) return false;
-    const PlacedJoints joints(reach_, roles_, {}, poles.centre, place.at);
-    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place.at, joints.all());
-    const double gap = obstacle_gap(end, (*shapes_)[end.obstacle], joints, clearance_);
-    return gap + moves[joint] + gap_rounding(end, joints) < clearance_;
-  });
+  const Joint joint = end.piece.hull.joints.front();
+  const ObstacleShape& obstacle = (*shapes_)[end.obstacle];
+  const auto may_be_hit = [&](const Point& place) {
+    const Complex from_pole = as_complex(place - poles.centre);
+    const Complex at = as_complex(poles.centre) + (joint == roles_.tracer ? from_pole : k_ * from_pole);
+    return std::abs(at - obstacle.centre) < obstacle.radius + end.piece.half_width + clearance_;
+  };
+  const auto is_hit = [&](const Point& place) {
+    if (!may_be_hit(place) || place == poles.centre || stop_()) return false;
+    const PlacedJoints joints(reach_, roles_, {}, poles.centre, place);
+    const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place, joints.all());
+    const double gap = obstacle_gap(end, obstacle, joints, clearance_);
+    return gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(end, joints) < clearance_;
+  };
+  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) { return is_hit(place.at); }) ||
+         std::any_of(many_places_.begin(), many_places_.end(), is_hit);
 }
 
 /// How far a gap may be off by rounding, mm.

@@ -126,6 +126,12 @@ bool is_copied(const PartPoint& point) {
   return joint == Joint::V || joint == Joint::X || joint == Joint::Y;
 }
 
+Joint copied_joint(const PartPoint& point) {
+  if (!is_link(point.part)) return part_of(point.part).joint;
+  if (!is_plate(point.part)) return Joint::V;
+  return has_joint(part_of(point.part).link, Joint::X) ? Joint::X : Joint::Y;
+}
+
 std::vector<PartPoint> points_along(PartName part, PlateStyle plate) {
   if (!is_link(part)) return {{part, 0, 0}};
   constexpr int pieces = 8;

@@ -38,6 +38,9 @@ std::vector<std::array<PartPoint, 2>> sides_of(PartName part, PlateStyle plate);
 /// True of V, X and Y, which the copy puts at their places whatever the lengths are.
 bool is_copied(const PartPoint& point);
 
+/// Which of the three it is, of a copied point.
+Joint copied_joint(const PartPoint& point);
+
 /// The point at a share of the way along a side.
 PartPoint on_side(const std::array<PartPoint, 2>& side, double share);
 

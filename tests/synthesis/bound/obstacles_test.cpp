@@ -174,6 +174,24 @@ TEST(ProvenBoundObstacles, WhatTracerOrPenWouldMeetIsProvenAtOnce) {
   EXPECT_GT(left_open, test::expected(40));
 }
 
+TEST(ProvenBoundObstacles, APostAnywhereInOriginalOrCopyIsProvenAtOnce) {
+  test::SpecDice dice(104);
+  for (int i = 0; i < test::samples(100); ++i) {
+    const bool at_the_copy = dice.one_in(2);
+    Spec spec = spec_with_block(dice, at_the_copy, 0);
+    Point at(dice.uniform(-60, 60), dice.uniform(0, 80));
+    if (at_the_copy) {
+      const Point pole = std::get<Point>(spec.pole.place);
+      at = pole + as_point(spec.copy.k() * as_complex(at - pole));
+    }
+    spec.obstacles.front().shape = Region::circle(at, dice.uniform(1, 10)).polygons.front();
+    const auto proven = proven_bound(spec, {.boxes = 1000});
+    ASSERT_TRUE(proven) << i;
+    EXPECT_TRUE(proven->no_design) << i << " at the copy " << at_the_copy;
+    EXPECT_EQ(proven->boxes, 0) << i;
+  }
+}
+
 struct Compared {
   int designs = 0, near = 0;
 };

@@ -29,5 +29,15 @@ TEST(ProofTree, AVerdictThatIsFalseHasNone) {
   EXPECT_FALSE(log);
 }
 
+TEST(ProofTree, APostInTheOriginalIsAFewLines) {
+  Spec spec = example("nameplate");
+  Obstacle post{.shape = Region::circle({54, 135}, 15).polygons.front()};
+  post.highest_layer = 8;  // all of them
+  spec.obstacles.push_back(post);
+  const auto log = prove(spec, Objective::size, std::nullopt, {.lines = 10});
+  ASSERT_TRUE(log);
+  EXPECT_FALSE(log->bound);
+}
+
 }  // namespace
 }  // namespace kempe::certificate
