@@ -14,7 +14,8 @@ struct Box {
 double signed_area(const Ring& ring);
 /// Area of the region, mm^2.
 double area(const Region& region);
-/// The ring without corners nearer than `detail` (mm, >= 0) to the last one kept: for pictures, never for a part.
+/// The ring without corners nearer than `detail` (mm, >= 0) to the last one kept: for pictures and
+/// first guesses, never for a part.
 Ring thinned(const Ring& ring, double detail);
 /// Smallest axis-parallel box; the region must not be empty.
 Box bounding_box(const Region& region);

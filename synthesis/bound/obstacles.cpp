@@ -107,15 +107,13 @@ bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& 
     const Complex at = as_complex(poles.centre) + (joint == roles_.tracer ? from_pole : k_ * from_pole);
     return std::abs(at - obstacle.centre) < obstacle.radius + end.piece.half_width + clearance_;
   };
-  const auto is_hit = [&](const Point& place) {
+  return std::any_of(many_places_.begin(), many_places_.end(), [&](const Point& place) {
     if (!may_be_hit(place) || place == poles.centre || stop_()) return false;
     const PlacedJoints joints(reach_, roles_, {}, poles.centre, place);
     const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place, joints.all());
     const double gap = obstacle_gap(end, obstacle, joints, clearance_);
     return gap + moves[static_cast<std::size_t>(joint)] + gap_rounding(end, joints) < clearance_;
-  };
-  return std::any_of(places_.begin(), places_.end(), [&](const Place& place) { return is_hit(place.at); }) ||
-         std::any_of(many_places_.begin(), many_places_.end(), is_hit);
+  });
 }
 
 /// How far a gap may be off by rounding, mm.

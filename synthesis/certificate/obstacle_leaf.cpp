@@ -145,38 +145,31 @@ std::optional<Step> ObstacleLeaves::step(const Node& node) const {
 
 std::optional<Step> ObstacleLeaves::step_by_the_copy(const Node& node) const {
   const std::vector<Meeting> meetings = meetings_in(node.assignments);
-  const auto step_at = [&](const KnownPlace& place, const auto& is_wanted) -> std::optional<Step> {
-    for (const auto& [part, obstacle] : meetings)
-      for (const auto& [point, at, strays] : points_[part.number])
-        if (is_copied(point) && is_wanted(point, obstacle))
-          for (const auto& edge : targets_[obstacle].edges)
-            if (auto step = leaf_for(node, {{obstacle, edge, place.place, point}, place.at})) return step;
-    return std::nullopt;
-  };
-  for (const KnownPlace& place : task_.places.spread())
-    if (auto step = step_at(place, [](const PartPoint&, std::size_t) { return true; })) return step;
-  // A post in the original stands between those.
   for (const KnownPlace& place : task_.places.many())
-    if (auto step = step_at(place, [&](const PartPoint& point, std::size_t obstacle) {
-          return copy_meets(point, obstacle, place.at, node.cell.pole());
-        }))
-      return step;
+    for (const auto& [part, obstacle] : meetings)
+      for (const auto& [point, at, strays] : points_[part.number]) {
+        if (!is_copied(point)) continue;
+        const Point seen = copied_place(point, obstacle, place.at, node.cell.pole());
+        const double need = needed(part, obstacle);
+        if (!(circle_depth(seen, obstacle, need) > 0)) continue;
+        for (const auto& edge : targets_[obstacle].edges)
+          if (depth_by_few(seen, obstacle, edge, need) > 0)
+            if (auto step = leaf_for(node, {{obstacle, edge, place.place, point}, place.at})) return step;
+      }
   return std::nullopt;
 }
 
-/// Of tracer or pen with the pole in the middle, and of an obstacle on the table.
-bool ObstacleLeaves::copy_meets(const PartPoint& point, std::size_t obstacle, const Point& place,
-                                const Point& pole) const {
-  const Target& target = targets_[obstacle];
+/// Where a copied point stands with the tracer at a place and the pole at another, as seen from what carries the obstacle.
+Point ObstacleLeaves::copied_place(const PartPoint& point, std::size_t obstacle, const Point& place,
+                                   const Point& pole) const {
   const JointRoles roles = roles_of(task_.root.mode.grounding);
-  const Joint joint = copied_joint(point);
-  if (target.seen_from || joint == roles.pole) return false;
-  const Complex from_pole = as_complex(place - pole);
-  const Point at = pole + as_point(joint == roles.tracer ? from_pole : task_.spec.copy.k() * from_pole);
-  const double need = needed(point.part, obstacle);
-  return circle_depth(at, obstacle, need) > 0 &&
-         std::any_of(target.edges.begin(), target.edges.end(),
-                     [&](const auto& edge) { return depth_by_few(at, obstacle, edge, need) > 0; });
+  const auto at = [&](Joint joint) -> Point {
+    if (joint == roles.pole) return pole;
+    if (joint == roles.tracer) return place;
+    return pole + as_point(task_.spec.copy.k() * as_complex(place - pole));
+  };
+  const std::optional<Joint>& carrier = targets_[obstacle].seen_from;
+  return carrier ? Point(at(copied_joint(point)) - at(*carrier)) : at(copied_joint(point));
 }
 
 std::optional<KnownPlace> ObstacleLeaves::place_met(const Node& node) const {

@@ -32,7 +32,8 @@ class ObstacleLeaves {
                       double needed) const;
   double circle_depth(const Point& at, std::size_t obstacle, double need) const;
   double needed(PartName part, std::size_t obstacle) const;
-  bool copy_meets(const PartPoint& point, std::size_t obstacle, const Point& place, const Point& pole) const;
+  Point copied_place(const PartPoint& point, std::size_t obstacle, const Point& place,
+                     const Point& pole) const;
   bool hits(const ObstacleGuess& guess, const DesignCell& cell) const;
   Assignments sharing(const Assignments& all, PartName part, std::size_t obstacle) const;
   std::optional<Step> leaf_for(const Node& node, const ObstacleGuess& guess) const;

@@ -130,7 +130,9 @@ TEST(GapBounds, HoldTheDistanceAllOverTheRectangle) {
     const JointHull& hull = hulls[static_cast<std::size_t>(dice.below(static_cast<int>(hulls.size())))];
     const Point somewhere = linkage.pose_at(patch.opening, patch.bearing)[hull.joints[0]] - linkage.pole();
     const auto near = [&] { return Point(somewhere + Point(dice.between(-40, 40), dice.between(-40, 40))); };
-    const EdgeTree::Edge edge{near(), near()};
+    const Point from_here = near();
+    const EdgeTree::Edge edge{
+        from_here, i % 2 == 0 ? near() : Point(from_here + Point(dice.between(-1, 1), dice.between(-1, 1)))};
     const MovingJoints joints =
         LinkageMotion(linkage).over(patch.opening, patch.half_opening, patch.bearing, patch.half_bearing);
     const MovingHull moving(joints, hull, {patch.half_opening, patch.half_bearing});

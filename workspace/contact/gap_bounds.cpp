@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/segment_distance.hpp"
+#include "geometry/slack.hpp"
 
 namespace kempe {
 
@@ -71,9 +72,6 @@ Nearest nearest_points(const MovingHull& hull, const EdgeTree::Edge& edge) {
   return nearest;
 }
 
-/// Share of the coordinates: thousands of roundings.
-constexpr double side_rounding = 1e-13;
-
 /// n.dz/dt for a joint that turns about the origin.
 double turning_along(const Point& normal, const Point& at) { return cross(at, normal); }
 
@@ -116,14 +114,15 @@ double beside_line(const MovingHull& hull, const Nearest& nearest, const EdgeTre
     const double rest = std::abs(1 - share) * a.rest + std::abs(share) * b.rest;
     const double moved = by_opening.norm() + by_bearing.norm() + rest;
     const double nearer = std::abs(n.dot(by_opening)) + std::abs(n.dot(by_bearing)) + rest;
-    const double rounded = side_rounding * (a.far + b.far + end.norm()) * (1 + from_end.norm() / length);
+    const double rounded = slack::rounding * (a.far + b.far + end.norm()) * (1 + from_end.norm() / length);
     least =
         std::min(least, beside - nearer - (std::abs(beside) * longer + tilted * moved) / length - rounded);
   }
   return least > 0 ? least * length / std::hypot(length + longer, tilted) : least;
 }
 
-/// True if the hull's nearest point lies within a side that all of the hull is on one side of.
+/// True if the hull's nearest point lies within a side that all of the hull is on one side of: it stays so, as a hull's corners are points
+/// of one link.
 bool is_beside(const MovingHull& hull, const Nearest& nearest, const Point& normal) {
   if (hull.size() == 1 || !(nearest.share > 0 && nearest.share < 1)) return false;
   return hull.size() == 2 || normal.dot(hull[3 - nearest.from - nearest.to].at - hull[nearest.from].at) >= 0;
