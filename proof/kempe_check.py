@@ -558,8 +558,7 @@ class Certificate:
         stated, over = fits(design.data, STATED, design.name + ": "), 1 if self.objective == "size" else -1
         need(self.claim == "bound" and stated.objective == self.objective, "the log is not about the design's objective")
         need(over * stated.value >= over * self.bound - EPS_MM, f"this design has {stated.value}", Refuted)
-        proven = stated.lower_bound is None or over * stated.lower_bound <= over * self.bound + EPS_MM
-        need(proven, f"the file states {stated.lower_bound}")
+        need(stated.lower_bound is None or over * (stated.lower_bound - self.bound) <= EPS_MM, f"it states {stated.lower_bound}")
 
     def prove(self):
         for vertex in (v for v in VERTICES if v in self.task.groundings):
@@ -697,7 +696,6 @@ class Certificate:
         need(convex_piece, "the obstacle is not convex, or has no such edge")
         K, T = ring[:-1] if edge is None else ring[edge:edge + 2], self.place(tuple(line["place"]))
         constants, copied = self.material(named, block.joint), self.joint(*named) in COPIED
-
         def point_at(a, b, x, y):
             w = self.shape.g * (T - Z(x, y))
             seen = w * constants[1] if copied else self.shape.opened(a, b, w, self.sign)["table"](*constants)
@@ -708,7 +706,9 @@ class Certificate:
         points, radius, _ = cloud(point_at(**middle), point_at(**wide), ways)
         allowed = (half(self.task, named[0]) + self.task.clearance_mm + block.beyond) * (1 - 1e-15)
         slack = 1e-14 * max(abs(c) for p in points + K for c in p)  # apart() is off by less
-        return all(hypot(*apart([p], K)) + radius + slack < allowed for p in points)
+        away = [max(-hypot(*to_segment(p, *e)) for e in edges_of([ring])) if edge is None and where(p, [ring]) > 0
+                else hypot(*apart([p], K)) for p in points]  # inside it the way out is negative
+        return all(d + radius + slack < allowed for d in away)
 
 def claim(name, proof):
     """Prints one claim's line; True if it is proven."""

@@ -356,6 +356,16 @@ def all_around(point):
                      "obstacles", [obstacle(rectangle(-900, -900, 900, 900), [1, 8])])
 
 
+def deep_inside(ring, point):
+    """A log by which a point that b moves by some ten millimetres stands in an obstacle."""
+    lines = closed_by({"leaf": "obstacle", "obstacle": 0, "edge": None, "place": [66.0, 0.0], "point": point},
+                      "obstacles", [obstacle(ring, [1, 8])])[:5]
+    task = lines[0]["task"]
+    task["links"].update(VA_mm=60.0, shortest_mm=40.0, longest_mm=86.0)
+    task["objective"]["groundings"] = ["pole"]
+    return lines
+
+
 OUT_OF_REACH = {"leaf": "sum", "of": [["far", [0, 0, 1, 0.0], 1.0]]}
 
 
@@ -389,8 +399,12 @@ LOG_RULES = [
      lambda: altered("two-layer", "contact", contact=[["VA", 0.0], ["VA", 0.01]])),
     ("an obstacle in other layers", 'need(meets, "the part', 'need(True, "the part',
      lambda: with_task("block", "obstacles", 0, "layers", [7, 8])),
-    ("an obstacle out of reach", "+ slack < allowed for p in points)", "> -1 for p in points)",
+    ("an obstacle out of reach", "+ slack < allowed for d in away)", "> -1e9 for d in away)",
      lambda: altered("block", "leaf", "obstacle", point=["VA", 0.0])),
+    ("a point beside an obstacle, not in it", "edge is None and where(p, [ring]) > 0", "edge is None",
+     lambda: deep_inside(rectangle(-900, -900, 900, 20), ["VB", 1.0])),
+    ("a point not deep enough in an obstacle", "[max(-hypot", "[min(-hypot",
+     lambda: deep_inside(rectangle(-900, -900, 900, 40.9), ["VB", 1.0])),
     ("a point that the lengths move", "self.joint(*named) in COPIED", "True", lambda: all_around(["VB", 0.5])),
     ("an obstacle that is not convex", "need(convex_piece,", "need(True,",
      lambda: with_task("block", "obstacles", 0, "shape", "coordinates", 0, 0, dented)),
@@ -407,7 +421,7 @@ LOG_RULES = [
     ("a copy error that is no number", "fits(line[\"copy_error\"], [(-1.0, 1.0)] * 2, \"copy_error\")", "line[\"copy_error\"]", lambda: too_wrong(0.8, [math.nan, math.nan])),
     ("another task", "need(self.data[\"task\"].get(key) == theirs[key],", "need(True,",
      lambda: with_task("plagiograph", "cutting", "gap_mm", 6), "plagiograph"),
-    ("a weaker bound than the file's", "over * stated.lower_bound <= over * self.bound + EPS_MM", "True",
+    ("a weaker bound than the file's", "over * (stated.lower_bound - self.bound) <= EPS_MM", "True",
      lambda: altered("plagiograph", "format", bound=log("plagiograph")[0]["bound"] - 1), "plagiograph"),
 ]
 
@@ -453,6 +467,12 @@ class Logs(unittest.TestCase):
         for point in (["VA", 0.5], ["ACX", 0.0, 0.99], ["pin C"]):
             with self.subTest(point):
                 self.assertEqual(run(WHOLE, None, all_around(point))[0], 1)
+
+    def test_a_point_deep_in_an_obstacle_may_move_farther_than_it_reaches(self):
+        """By 4.5 mm beyond what the corners say; half width and clearance are 3.5 mm."""
+        code, said = run(WHOLE, None, deep_inside(rectangle(-900, -900, 900, 900), ["VB", 1.0]))
+        self.assertEqual(code, 0, said)
+        self.assertIn("4 no design exists: proven (4 nodes)", said)
 
     def test_a_body_that_is_met_proves_that_there_is_no_design(self):
         for lines in (met(["ACX", 0.0, 0.0]), met(["ACX", 1.0, 0.0])):
