@@ -63,17 +63,17 @@ CopyingLinkage::CopyingLinkage(Complex k, Grounding grounding, double VA, double
     : k_(k), grounding_(grounding), VA_(VA), VB_(VB), assembly_mode_(assembly_mode), pole_(pole),
       s_(shape_of(k, grounding)) {}
 
-LinkLengths CopyingLinkage::lengths() const {
-  const double scale = std::abs(s_);
-  const double turn = std::abs(1.0 - s_);
-  return {.VA = VA_,
-          .VB = VB_,
-          .AC = VB_,
-          .BC = VA_,
-          .AX = VB_ / scale,
-          .CX = VB_ * turn / scale,
-          .BY = VA_ * scale,
-          .CY = VA_ * turn};
+LinkLengths lengths_of_links(Complex shape, double VA, double VB) {
+  const double scale = std::abs(shape);
+  const double turn = std::abs(1.0 - shape);
+  return {.VA = VA,
+          .VB = VB,
+          .AC = VB,
+          .BC = VA,
+          .AX = VB / scale,
+          .CX = VB * turn / scale,
+          .BY = VA * scale,
+          .CY = VA * turn};
 }
 
 double CopyingLinkage::size() const {

@@ -30,6 +30,12 @@ struct LinkagePoint {
 /// A joint as such a point, of a linkage with plates of this shape.
 LinkagePoint linkage_point(Joint joint, Complex shape);
 
+/// The lengths of a linkage with plates of this shape, mm.
+LinkLengths lengths_of_links(Complex shape, double VA, double VB);
+
+/// By LinkLengths::names: true of the lengths that are multiples of VA, false of those that are multiples of VB.
+inline constexpr std::array<bool, 8> is_multiple_of_VA{true, false, false, true, false, false, true, true};
+
 /// Why a ratio or a pair of lengths is no copying linkage.
 enum class LinkageFault {
   ratio_not_finite,      ///< k is NaN or infinite
@@ -73,7 +79,7 @@ class CopyingLinkage {
   Joint tracer_joint() const { return roles_of(grounding_).tracer; }
   Joint pen_joint() const { return roles_of(grounding_).pen; }
 
-  LinkLengths lengths() const;
+  LinkLengths lengths() const { return lengths_of_links(s_, VA_, VB_); }
 
   /// Sum over the four moving links of half the perimeter of the hull of their joints, mm. Linear in VA and VB.
   double size() const;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/segment_distance.hpp"
+#include "kinematics/copying_linkage.hpp"
 #include "synthesis/problem/slack.hpp"
 
 namespace kempe {
@@ -185,21 +186,10 @@ LogBox length_box(const Reach& reach, const Requirements& limits, const StockLen
               std::log(limits.longest / f.most_of_VA) - slack::inward_log_length},
              {std::log(low / f.least_of_VB) + slack::inward_log_length,
               std::log(limits.longest / f.most_of_VB) - slack::inward_log_length}};
-  const double scale = std::abs(reach.shape()), turn = std::abs(1.0 - reach.shape());
-  // VA, VB, AC, BC, AX, CX, BY, CY as multiples of VA (true) or VB
-  const std::array<std::pair<bool, double>, 8> multiples{{{true, 1},
-                                                          {false, 1},
-                                                          {false, 1},
-                                                          {true, 1},
-                                                          {false, 1 / scale},
-                                                          {false, turn / scale},
-                                                          {true, scale},
-                                                          {true, turn}}};
-  for (std::size_t i = 0; i < 8; ++i) {
-    if (!stock_lengths.locked[i]) continue;
-    LogRange& range = multiples[i].first ? box.u : box.v;
-    lock(range, std::log(*stock_lengths.locked[i] / multiples[i].second));
-  }
+  const std::array<double, 8> per_bar = lengths_of_links(reach.shape(), 1, 1).values();
+  for (std::size_t i = 0; i < per_bar.size(); ++i)
+    if (const auto& locked = stock_lengths.locked[i])
+      lock(is_multiple_of_VA[i] ? box.u : box.v, std::log(*locked / per_bar[i]));
   return box;
 }
 

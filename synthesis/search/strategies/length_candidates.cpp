@@ -75,9 +75,9 @@ std::vector<Shape> shapes_of(const SearchTask& task, const std::vector<Prospect>
   }
   std::vector<Shape> shapes;
   for (auto& [key, alike] : by_shape) {
-    const double scale = std::abs(prospects[alike.front()].subproblem.problem->reach().shape());
+    const Complex shape = prospects[alike.front()].subproblem.problem->reach().shape();
     shapes.push_back(
-        {std::move(alike), stock_lengths_for(task.spec().links.stock_lengths, scale, task.limits.longest)});
+        {std::move(alike), stock_lengths_for(task.spec().links.stock_lengths, shape, task.limits.longest)});
   }
   return shapes;
 }

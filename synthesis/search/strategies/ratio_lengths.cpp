@@ -1,8 +1,11 @@
 #include "synthesis/search/strategies/ratio_lengths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
+#include "kinematics/copying_linkage.hpp"
 #include "synthesis/search/steps/slack.hpp"
 
 namespace kempe {
@@ -22,44 +25,68 @@ std::vector<double> all_lengths(const StockLengths& stock_lengths, double longes
   return lengths;
 }
 
-bool is_among(const std::vector<double>& sorted, double length) {
+/// The one of these lengths that is this one up to rounding.
+std::optional<double> among(const std::vector<double>& sorted, double length) {
   const auto at = std::lower_bound(sorted.begin(), sorted.end(), length * (1 - same_length));
-  return at != sorted.end() && *at <= length * (1 + same_length);
+  return at != sorted.end() && *at <= length * (1 + same_length) ? std::optional(*at) : std::nullopt;
 }
 
-RatioLengths lengths_for_ratio(const std::vector<double>& lengths, double ratio) {
-  RatioLengths found{.ratio = ratio};
-  for (const double length : lengths) {
-    if (is_among(lengths, length * ratio)) found.VA.push_back(length);
-    if (is_among(lengths, length / ratio)) found.VB.push_back(length);
+/// What the locked lengths leave of VA, or of VB: `all`, one of them, or none.
+std::vector<double> left_by_locks(const StockLengths& stock_lengths, const std::vector<double>& all,
+                                  Complex shape, bool of_VA) {
+  const std::array<double, 8> per_bar = lengths_of_links(shape, 1, 1).values();
+  std::optional<std::vector<double>> left;
+  for (std::size_t i = 0; i < per_bar.size(); ++i) {
+    if (!stock_lengths.locked[i] || is_multiple_of_VA[i] != of_VA) continue;
+    const auto only = among(left ? *left : all, *stock_lengths.locked[i] / per_bar[i]);
+    if (!only) return {};
+    left = {*only};
   }
+  return left.value_or(all);
+}
+
+RatioLengths lengths_for_shape(const StockLengths& stock_lengths, const std::vector<double>& lengths,
+                               Complex shape) {
+  RatioLengths found{.ratio = std::abs(shape)};
+  for (const double VA : left_by_locks(stock_lengths, lengths, shape, true))
+    if (among(lengths, VA * found.ratio)) found.VA.push_back(VA);
+  if (found.VA.empty()) return found;
+  for (const double VB : left_by_locks(stock_lengths, lengths, shape, false))
+    if (among(lengths, VB / found.ratio)) found.VB.push_back(VB);
   return found;
 }
 
 }  // namespace
 
-RatioLengths stock_lengths_for(const StockLengths& stock_lengths, double scale_of_shape, double longest) {
-  return lengths_for_ratio(all_lengths(stock_lengths, longest), scale_of_shape);
+RatioLengths stock_lengths_for(const StockLengths& stock_lengths, Complex shape, double longest) {
+  return lengths_for_shape(stock_lengths, all_lengths(stock_lengths, longest), shape);
 }
 
-std::vector<RatioLengths> nearest_stock_lengths(const StockLengths& stock_lengths, double scale_of_shape,
+std::vector<RatioLengths> nearest_stock_lengths(const StockLengths& stock_lengths, Complex shape,
                                                 double longest, int count) {
   const std::vector<double> lengths = all_lengths(stock_lengths, longest);
+  const double scale = std::abs(shape);
+  const bool any_locked = std::any_of(stock_lengths.locked.begin(), stock_lengths.locked.end(),
+                                      [](const auto& length) { return length.has_value(); });
+  const std::ptrdiff_t each_side = any_locked ? 16 : 1;  // most ratios do not keep a locked length
   std::vector<double> ratios;
-  for (const double VA : lengths) {  // for each VA the two lengths next to |s| VA
-    const auto above = std::lower_bound(lengths.begin(), lengths.end(), VA * scale_of_shape);
-    if (above != lengths.end()) ratios.push_back(*above / VA);
-    if (above != lengths.begin()) ratios.push_back(*std::prev(above) / VA);
+  for (const double VA : lengths) {  // for each VA the lengths next to |s| VA
+    const auto above = std::lower_bound(lengths.begin(), lengths.end(), VA * scale);
+    const auto first = above - std::min(each_side, above - lengths.begin());
+    const auto last = above + std::min(each_side, lengths.end() - above);
+    for (auto BY = first; BY != last; ++BY) ratios.push_back(*BY / VA);
   }
-  const auto off = [&](double ratio) { return std::abs(ratio - scale_of_shape); };
+  const auto off = [&](double ratio) { return std::abs(ratio - scale); };
   std::sort(ratios.begin(), ratios.end(),
             [&](double a, double b) { return off(a) < off(b) || (off(a) == off(b) && a < b); });
   std::vector<RatioLengths> found;
   for (const double ratio : ratios) {
     if (static_cast<int>(found.size()) == count) break;
     if (!found.empty() && std::abs(found.back().ratio - ratio) <= same_length * ratio) continue;
-    if (RatioLengths here = lengths_for_ratio(lengths, ratio); !here.VA.empty() && !here.VB.empty())
-      found.push_back(std::move(here));
+    RatioLengths here = lengths_for_shape(stock_lengths, lengths, shape / scale * ratio);
+    if (here.VA.empty() || here.VB.empty()) continue;
+    here.ratio = ratio;
+    found.push_back(std::move(here));
   }
   return found;
 }

@@ -9,19 +9,21 @@
 
 #include <vector>
 
+#include "geometry/point.hpp"
 #include "specs/spec.hpp"
 
 namespace kempe {
 
-/// Lengths that VA and VB may have so that BY = ratio VA and AX = VB / ratio are stock lengths too, ascending, mm.
+/// Lengths that VA and VB may have so that BY = ratio VA and AX = VB / ratio are stock lengths too and every locked length is
+/// kept, ascending, mm.
 struct RatioLengths {
   double ratio = 1;  ///< |s| that they give
   std::vector<double> VA{}, VB{};
 };
-/// For the exact |s| if there are any, else empty lists.
-RatioLengths stock_lengths_for(const StockLengths& stock_lengths, double scale_of_shape, double longest);
-/// The other ratios that the stock lengths allow, the nearest to `scale_of_shape` first, at most `count`.
-std::vector<RatioLengths> nearest_stock_lengths(const StockLengths& stock_lengths, double scale_of_shape,
+/// For a linkage of this shape s if there are any, else an empty list.
+RatioLengths stock_lengths_for(const StockLengths& stock_lengths, Complex shape, double longest);
+/// The other ratios that the stock lengths allow for plates of this angle, the nearest to |s| first, at most `count`.
+std::vector<RatioLengths> nearest_stock_lengths(const StockLengths& stock_lengths, Complex shape,
                                                 double longest, int count);
 
 }  // namespace kempe

@@ -77,8 +77,8 @@ std::vector<Ratio> ratios_near(const SearchTask& task, double longest) {
   std::vector<Ratio> ratios;
   for (const Grounding grounding : spec.objective.groundings) {
     const Complex shape = shape_of(spec.copy.k(), grounding);
-    for (const RatioLengths& lengths : nearest_stock_lengths(spec.links.stock_lengths, std::abs(shape),
-                                                             longest, task.budgets().stock.ratios)) {
+    for (const RatioLengths& lengths :
+         nearest_stock_lengths(spec.links.stock_lengths, shape, longest, task.budgets().stock.ratios)) {
       const Complex k = ratio_of(shape / std::abs(shape) * lengths.ratio, grounding);
       ratios.push_back({k, grounding, std::abs(k - spec.copy.k())});
     }

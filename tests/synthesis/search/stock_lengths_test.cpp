@@ -31,7 +31,8 @@ bool is_multiple(double length, double grid) {
 }
 
 TEST(StockLengthSearch, ARationalRatioKeepsItsExactCopyOnTheGrid) {
-  const RatioLengths lengths = stock_lengths_for({.grid = 5.0, .stock = {}, .locked = {}}, 7.0 / 5, 200);
+  const RatioLengths lengths =
+      stock_lengths_for({.grid = 5.0, .stock = {}, .locked = {}}, Complex(7.0 / 5), 200);
   for (const double VA : lengths.VA) EXPECT_TRUE(is_multiple(VA, 25)) << VA;
   for (const double VB : lengths.VB) EXPECT_TRUE(is_multiple(VB, 35)) << VB;
   EXPECT_EQ(lengths.VA.size(), 5U);  // 25, 50, .. 125: 1.4 times 150 is longer than 200
@@ -181,6 +182,44 @@ TEST(StockLengthSearch, ALockedLengthIsKeptAndTheRestSolved) {
     EXPECT_NEAR(found->linkage.VA(), VA, 1e-9);
     EXPECT_GE(found->value, free->value * (1 - 1e-9));
   }
+}
+
+TEST(StockLengthSearch, AGridOrAStockKeepsEveryLockedLength) {
+  test::SpecDice dice(41);
+  int found_again = 0, others = 0;
+  for (int i = 0; i < test::samples(24); ++i) {
+    Spec spec = dice.spec();
+    spec.pole = {};
+    const auto any = found_for(spec);
+    if (!any) continue;
+    const double step = std::max(1e-3, any->linkage.VA() / 40);
+    StockLengths& stock_lengths = spec.links.stock_lengths;
+    if (dice.one_in(3))
+      for (int j = 1; j <= 400; ++j) stock_lengths.stock.push_back(j * step);
+    else
+      stock_lengths.grid = step;
+    const auto unlocked = found_for(spec);
+    if (!unlocked) continue;
+    const std::size_t length = std::array<std::size_t, 4>{0, 1, 4, 6}[static_cast<std::size_t>(i % 4)];
+    const double was = std::round(unlocked->linkage.lengths().values()[length] / step) * step;
+    for (const double locked : {was, was + step, was + 3 * step}) {
+      stock_lengths.locked[length] = locked;
+      const auto found = found_for(spec);
+      if (locked == was) {
+        EXPECT_TRUE(found) << "spec " << i;
+        found_again += found.has_value();
+      }
+      if (!found) continue;
+      others += locked != was;
+      const LinkLengths lengths = found->linkage.lengths();
+      EXPECT_NEAR(lengths.values()[length], locked, 1e-8 * locked)
+          << "spec " << i << ", " << LinkLengths::names[length];
+      for (const double one : {lengths.VA, lengths.VB, lengths.AX, lengths.BY})
+        EXPECT_NEAR(one / step, std::round(one / step), 1e-6) << "spec " << i;
+    }
+  }
+  EXPECT_GT(found_again, test::samples(24) / 3);
+  EXPECT_GT(others, test::samples(24) / 3);
 }
 
 TEST(StockLengthSearch, ALockedLengthMayLieOnTheLimit) {
