@@ -23,6 +23,10 @@ class EdgeTree {
   struct Node {
     Box box;
     std::uint32_t first_edge, edges;  ///< the node's edges in edge order; one edge: a leaf
+    /// Of edges that follow each other along a ring: from the first one's start to the last one's end. No point of either is
+    /// farther than `stray` (mm, rounded up) from the other. Of other edges any segment, and `stray` is infinite.
+    Edge chord{Point::Zero(), Point::Zero()};
+    double stray = infinity;
   };
 
   EdgeTree() = default;
@@ -45,7 +49,8 @@ class EdgeTree {
 
  private:
   void add(const Ring& ring, const Point& origin);
-  void build(std::uint32_t first, std::uint32_t count);
+  void build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t count);
+  void find_chord(const std::vector<std::uint32_t>& order, Node& node) const;
 
   std::vector<Edge> edges_;
   std::vector<Node> nodes_;

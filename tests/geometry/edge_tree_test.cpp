@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/sector.hpp"
+#include "geometry/segment_distance.hpp"
 #include "tests/workspace/random_linkage.hpp"
 
 namespace kempe {
@@ -35,6 +36,50 @@ TEST(EdgeTree, BothLoopsOfARingThatCrossesItselfAreInside) {
   EXPECT_TRUE(tree.winds_around({2, 10}));
   EXPECT_TRUE(tree.winds_around({18, 10}));
   EXPECT_FALSE(tree.winds_around({10, 2}));
+}
+
+/// The nodes with more than one edge of which a chord stands for all.
+int check_chords(const EdgeTree& tree) {
+  int chords = 0;
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    open.pop_back();
+    const EdgeTree::Node& node = tree.node(index);
+    if (node.edges == 1) continue;
+    open.insert(open.end(), {EdgeTree::left(index), tree.right(index)});
+    if (!(node.stray < infinity)) continue;
+    ++chords;
+    const auto to_edges = [&](const Point& point) {
+      double least = infinity;
+      for (std::uint32_t i = node.first_edge; i < node.first_edge + node.edges; ++i)
+        least = std::min(least, distance(point, tree.edge(i).from, tree.edge(i).to));
+      return least;
+    };
+    for (int k = 0; k <= 20; ++k) {
+      const double share = k / 20.0;
+      const auto along = [&](const EdgeTree::Edge& edge) {
+        return Point(edge.from + share * (edge.to - edge.from));
+      };
+      EXPECT_LE(to_edges(along(node.chord)), node.stray);
+      for (std::uint32_t i = node.first_edge; i < node.first_edge + node.edges; ++i)
+        EXPECT_LE(distance(along(tree.edge(i)), node.chord.from, node.chord.to), node.stray);
+    }
+  }
+  return chords;
+}
+
+TEST(EdgeTree, EdgesAndTheirChordAreNowhereFartherApartThanTheNodeSays) {
+  Dice dice(64);
+  for (int i = 0; i < 20; ++i) {
+    Polygon polygon = star(dice, 3 + dice.below(40));
+    if (i % 2 == 0) polygon.holes.push_back({{-5, -5}, {5, -5}, {5, 5}, {-5, 5}});
+    check_chords(EdgeTree(polygon, {dice.between(-5, 5), dice.between(-5, 5)}));
+  }
+  Polygon circle;
+  for (int i = 0; i < 360; ++i)
+    circle.outer.push_back(as_point(std::polar(8.0, 2 * pi * i / 360)) + Point(1e4, 0));
+  EXPECT_GT(check_chords(EdgeTree(circle, Point::Zero())), 300) << "of 359 nodes with more than one edge";
 }
 
 TEST(EdgeTree, VisitsEveryEdgeNearABoxOnce) {

@@ -47,6 +47,25 @@ bool should_split_opening(const MovingJoints& joints, const HalfSides& half, dou
 
 double diagonal(const Box& box) { return (box.upper - box.lower).norm(); }
 
+/// Edges that stray from their chord by at most this share of the motion are decided as one: a round obstacle has some thousand.
+constexpr double most_stray = 0.125;
+
+/// Bounds of the distance to a node's edges, of which those that are no chord's must be small against the motion.
+GapBounds bounds_to_node(const MovingHull& hull, const EdgeTree& edges, const EdgeTree::Node& node,
+                         const GapQuestion& question) {
+  if (node.edges > 1 && !std::isfinite(node.stray)) {
+    // One edge is as good as all to prove contact, but none proves the others apart.
+    GapBounds bounds = bounds_to_edge(hull, edges.edge(node.first_edge), {question.upper_below, infinity});
+    bounds.lower = std::max(0.0, bounds.lower - diagonal(node.box));
+    return bounds;
+  }
+  GapBounds bounds =
+      bounds_to_edge(hull, node.chord, {question.upper_below - node.stray, question.lower_from + node.stray});
+  bounds.lower = std::max(0.0, bounds.lower - node.stray);
+  bounds.upper += node.stray;
+  return bounds;
+}
+
 }  // namespace
 
 /// What the items of a cell have told so far.
@@ -271,25 +290,21 @@ void Subdivision::decide_node(std::uint32_t node, const Meeting& meeting, Decisi
                               Lists& next) const {
   const auto& [between, hull, obstacle, needed, question] = meeting;
   const EdgeTree::Node& here = obstacle.edges.node(node);
-  GapQuestion asked = question;
   if (here.edges > 1) {
     if (distance_from_box(hull, here.box) - hull.reach() >= question.lower_from) return;
-    if (diagonal(here.box) > hull.reach()) {
+    if (here.stray > most_stray * hull.reach() && diagonal(here.box) > hull.reach()) {
       decide_node(EdgeTree::left(node), meeting, decision, next);
       if (!decision.in_contact) decide_node(obstacle.edges.right(node), meeting, decision, next);
       return;
     }
-    // Of a node that is small against the motion one edge is as good as all to prove contact, but none proves
-    // the others apart.
-    asked.lower_from = std::numeric_limits<double>::infinity();
   }
-  const GapBounds bounds = bounds_to_edge(hull, obstacle.edges.edge(here.first_edge), asked);
-  if (bounds.upper < asked.upper_below) {
+  const GapBounds bounds = bounds_to_node(hull, obstacle.edges, here, question);
+  if (bounds.upper < question.upper_below) {
     decision.in_contact = true;
     decision.between = between;
     return;
   }
-  if (bounds.lower >= asked.lower_from) return;
+  if (bounds.lower >= question.lower_from) return;
   // Two links that meet at a joint are equally near to what is nearest to the joint: the first counts, whatever rounding says.
   if (bounds.lower - needed < decision.least - obstacle.slack) {
     decision.least = bounds.lower - needed;
