@@ -87,6 +87,68 @@ std::pair<Complex, double> circle_around(const Corners& corners) {
   return {centre, radius};
 }
 
+/// So few parts are looked at one by one.
+constexpr std::size_t few_parts = 16;
+
+/// Groups `count` parts from `first` on, which it puts into the groups' order.
+void group_parts(ObstacleShape& shape, std::size_t first, std::size_t count) {
+  const auto begin = shape.parts.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto end = begin + static_cast<std::ptrdiff_t>(count);
+  std::vector<Complex> centres;
+  for (auto part = begin; part != end; ++part) centres.push_back(part->centre);
+  const Complex centre = circle_around(centres).first;
+  double radius = 0, across = 0, upwards = 0;
+  for (auto part = begin; part != end; ++part) {
+    const Complex away = part->centre - centre;
+    radius = std::max(radius, std::abs(away) + part->radius);
+    across = std::max(across, std::abs(away.real()));
+    upwards = std::max(upwards, std::abs(away.imag()));
+  }
+  shape.groups.push_back(
+      {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), centre, radius});
+  if (count == 1) return;
+  std::stable_sort(begin, end, [&](const EncircledPart& one, const EncircledPart& other) {
+    return across >= upwards ? one.centre.real() < other.centre.real()
+                             : one.centre.imag() < other.centre.imag();
+  });
+  group_parts(shape, first, count / 2);
+  group_parts(shape, first + count / 2, count - count / 2);
+}
+
+/// Calls `visit` with every part, or where they are grouped with those of no group that `skips(a lower bound of the distance to it)`, the
+/// nearer ones first.
+template <typename Skips, typename Visit>
+void for_each_part(const ObstacleShape& obstacle, const PieceCorners& piece, const Skips& skips,
+                   const Visit& visit) {
+  if (obstacle.groups.empty()) {
+    for (const EncircledPart& part : obstacle.parts) visit(part);
+    return;
+  }
+  struct Open {
+    std::uint32_t group;
+    double below;
+  };
+  const auto look_at = [&](std::uint32_t index) {
+    const PartGroup& group = obstacle.groups[index];
+    return Open{index, distance_below(piece, group.centre) - group.radius};
+  };
+  std::array<Open, 64> open{look_at(0)};  // halves of 2^32 parts are at most 32 deep
+  std::size_t count = 1;
+  while (count > 0) {
+    const Open here = open[--count];
+    if (skips(here.below)) continue;
+    const PartGroup& group = obstacle.groups[here.group];
+    if (group.parts == 1) {
+      visit(obstacle.parts[group.first]);
+      continue;
+    }
+    Open near = look_at(here.group + 1), far = look_at(here.group + 2 * (group.parts / 2));
+    if (far.below < near.below) std::swap(near, far);
+    open[count++] = far;
+    open[count++] = near;
+  }
+}
+
 void add_line(const Ring& ring, double step, std::vector<Point>& places) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -120,6 +182,10 @@ std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstr
       }
     }
     std::tie(shape.centre, shape.radius) = circle_around(outer);
+    if (shape.parts.size() > few_parts) {
+      shape.groups.reserve(2 * shape.parts.size() - 1);
+      group_parts(shape, 0, shape.parts.size());
+    }
     shapes.push_back(std::move(shape));
   }
   return shapes;
@@ -213,13 +279,19 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
   const double below = distance_below(piece, obstacle.centre) - obstacle.radius - term.piece.half_width;
   if (below > enough) return below;
   double gap = std::numeric_limits<double>::infinity();
-  for (const EncircledPart& part : obstacle.parts) {
+  const auto skips = [&](double group_below) {
+    if (group_below > gap) return true;
+    if (beyond == Beyond::near_it || group_below <= enough + term.piece.half_width) return false;
+    gap = group_below;
+    return true;
+  };
+  for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
     const double part_below = distance_below(piece, part.centre) - part.radius;
     const double needed = std::min(gap, enough + term.piece.half_width);
     const double exact_up_to = beyond == Beyond::anything ? needed : infinity;
     gap = std::min(
         gap, part_below > needed ? part_below : convex_distance(piece.span(), part.corners, exact_up_to));
-  }
+  });
   return gap - term.piece.half_width;
 }
 
@@ -228,10 +300,11 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
   const PieceCorners piece(term, joints);
   NearestFeatures nearest{.distance = std::numeric_limits<double>::infinity()};
   const ConvexPart* of_part = nullptr;
-  for (const EncircledPart& part : obstacle.parts) {
+  const auto skips = [&](double group_below) { return group_below > nearest.distance; };
+  for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
     const NearestFeatures here = nearest_features(piece.span(), part.corners);
     if (here.distance < nearest.distance) nearest = here, of_part = &part.corners;
-  }
+  });
   PlacedJet jet{.value = nearest.distance - term.piece.half_width};
   if (!of_part) return jet;  // nothing stands there, or lengths overflow: no slope to go by
   // Unit vector along which the piece's deciding place leaves the obstacle; that place as a mixture of joints.

@@ -13,6 +13,7 @@
 // The gap is that of convex_distance.hpp; with its features held, its derivative is that of the features' places.
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -33,12 +34,22 @@ struct EncircledPart {
   double radius = 0;
 };
 
+/// A circle around parts that follow each other.
+struct PartGroup {
+  std::uint32_t first, parts;
+  Complex centre;
+  double radius;
+};
+
 /// An obstruction (obstructions.hpp) as the search and the bound ask it, in its frame: its convex parts, whose nearest features have
 /// derivatives, with a circle around all of them.
 struct ObstacleShape {
   std::vector<EncircledPart> parts;
   Complex centre;
   double radius = 0;
+  /// Of many parts, a round table's edge: a tree of circles, each group before its halves; else empty. A group of n parts has
+  /// 2 n - 1 groups below and with it.
+  std::vector<PartGroup> groups{};
 };
 /// In the order of the obstructions; once stopped, those so far.
 std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstructions,
