@@ -72,8 +72,7 @@ class I:
             return o if self is ONE else self
         ends = (self.lo * o.lo, self.lo * o.hi, self.hi * o.lo, self.hi * o.hi)
         lo, hi = nextafter(min(ends), -inf), nextafter(max(ends), inf)
-        if not (lo > -1e150 and hi < 1e150):  # so no infinity comes up, and no NaN
-            raise Open
+        need(lo > -1e150 and hi < 1e150)  # so no infinity comes up, and no NaN
         return I(lo, hi, total(self.slopes_times(o), o.slopes_times(self)) if self.d or o.d else None)
 
     def __truediv__(self, o):
@@ -706,9 +705,11 @@ class Certificate:
         points, radius, _ = cloud(point_at(**middle), point_at(**wide), ways)
         allowed = (half(self.task, named[0]) + self.task.clearance_mm + block.beyond) * (1 - 1e-15)
         slack = 1e-14 * max(abs(c) for p in points + K for c in p)  # apart() is off by less
-        away = [max(-hypot(*to_segment(p, *e)) for e in edges_of([ring])) if edge is None and where(p, [ring]) > 0
-                else hypot(*apart([p], K)) for p in points]  # inside it the way out is negative
-        return all(d + radius + slack < allowed for d in away)
+        def within_reach(K):
+            away = [max(-hypot(*to_segment(p, *e)) for e in edges_of([K + K[:1]])) if len(K) > 2 and where(p, [K + K[:1]]) > 0
+                    else hypot(*apart([p], K)) for p in points]  # inside it the way out is negative
+            return all(d + radius + slack < allowed for d in away)
+        return within_reach(K[::len(K) // 40 + 1]) or within_reach(K)  # of a round obstacle some corners are mostly enough
 
 def claim(name, proof):
     """Prints one claim's line; True if it is proven."""
@@ -726,9 +727,8 @@ def once(pairs):
 def read(name):
     """The objects of a JSON or JSON lines file."""
     try:
-        text = Path(name).read_text(encoding="utf-8")
-        parts = text.rstrip("\n").split("\n") if name.endswith(".jsonl") else [text]
-        return [json.loads(part, object_pairs_hook=once) for part in parts]
+        text = Path(name).read_text(encoding="utf-8").rstrip("\n")
+        return [json.loads(part, object_pairs_hook=once) for part in (text.split("\n") if name.endswith(".jsonl") else [text])]
     except (OSError, ValueError, RecursionError) as fault:
         raise Unreadable(f"{name}: found {plain(fault)[:80]}; allowed: a file of JSON, each key once")
 

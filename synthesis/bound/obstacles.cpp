@@ -66,32 +66,37 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
   for (std::size_t i = 0; any && i < layers.size() && !stop_(); ++i)
     for (const ObstacleTerm& what : obstacle_terms(*any, layers[i], spec.links.style, obstructions)) {
       const auto at = known.emplace(key_of(what), terms_.size()).first;
-      if (at->second == terms_.size()) {
-        terms_.push_back(Term{what, {}, obstructions[what.obstacle].met.has_value()});
-        convex_pairs_ += 1 + (*shapes_)[what.obstacle].parts.size() / parts_as_one;
-      }
+      if (at->second == terms_.size()) add_term({what, {}, obstructions[what.obstacle].met.has_value()});
       terms_[at->second].layers.add(i);
     }
-  if (any) find_hit_by_the_copy(spec, *any, obstructions, layers);
+  if (any) look_at_the_copy(spec, *any, obstructions, layers);
+}
+
+void ObstacleTest::add_term(Term term) {
+  convex_pairs_ += 1 + (*shapes_)[term.what.obstacle].parts.size() / parts_as_one;
+  terms_.push_back(std::move(term));
 }
 
 /// The links' ends at tracer and pen: the copy says where they are for any lengths, up to the pole's place. An obstacle in the original
-/// is told from this in no time, where boxes of designs need to be small.
-void ObstacleTest::find_hit_by_the_copy(const Spec& spec, const CopyingLinkage& any,
-                                        const std::vector<Obstruction>& obstructions,
-                                        const std::vector<LayerAssignment>& layers) {
+/// is told from this in no time, where boxes of designs need to be small; in a box it takes a small area of poles alone.
+void ObstacleTest::look_at_the_copy(const Spec& spec, const CopyingLinkage& any,
+                                    const std::vector<Obstruction>& obstructions,
+                                    const std::vector<LayerAssignment>& layers) {
   for (std::size_t i = 0; i < obstructions.size(); ++i) {
     const Obstruction& obstruction = obstructions[i];
     if (obstruction.frame || obstruction.met) continue;
     for (const Joint joint : {roles_.tracer, roles_.pen}) {
       const ObstacleTerm end{{{{joint, joint, joint}, 1}, 0.5 * spec.links.style.width + obstruction.grown},
                              i};
-      if (!is_hit_by_the_copy(spec.pole, end)) continue;
+      const bool is_hit = is_hit_by_the_copy(spec.pole, end);
+      if (!is_hit && spec.pole.is_fixed()) continue;
+      LayerSet with_end;
       for (std::size_t one = 0; one < layers.size(); ++one)
         for (const Part& part : parts_of(any, layers[one]))
           if (part.kind == Part::Kind::link && has_joint(part.link, joint) &&
               may_meet(part, obstruction, any))
-            hit_by_the_copy_.add(one);
+            (is_hit ? hit_by_the_copy_ : with_end).add(one);
+      if (!with_end.empty()) add_term({end, std::move(with_end), true});
     }
   }
 }

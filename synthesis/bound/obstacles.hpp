@@ -85,9 +85,10 @@ class ObstacleTest {
     std::optional<std::size_t> layers{};  ///< of which it is; absent: of all
   };
   double gap_rounding(const ObstacleTerm& term, const PlacedJoints& joints) const;
-  void find_hit_by_the_copy(const Spec& spec, const CopyingLinkage& any,
-                            const std::vector<Obstruction>& obstructions,
-                            const std::vector<LayerAssignment>& layers);
+  void add_term(Term term);
+  void look_at_the_copy(const Spec& spec, const CopyingLinkage& any,
+                        const std::vector<Obstruction>& obstructions,
+                        const std::vector<LayerAssignment>& layers);
   bool is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const;
   struct Look;
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/convex_distance.hpp"
 #include "geometry/regions/convex_parts.hpp"
@@ -143,20 +144,38 @@ std::optional<Step> ObstacleLeaves::step(const Node& node) const {
   return best;
 }
 
-std::optional<Step> ObstacleLeaves::step_by_the_copy(const Node& node) const {
-  const std::vector<Meeting> meetings = meetings_in(node.assignments);
-  for (const KnownPlace& place : task_.places.many())
-    for (const auto& [part, obstacle] : meetings)
-      for (const auto& [point, at, strays] : points_[part.number]) {
-        if (!is_copied(point)) continue;
+ObstacleLeaves::ByTheCopy ObstacleLeaves::by_the_copy(const Node& node) const {
+  if (node.guess && is_copied(node.guess->leaf.point))
+    if (auto step = leaf_for(node, *node.guess)) return {std::move(step), {}};
+  struct Deepest {
+    double depth = 0;
+    ObstacleGuess guess{};
+  };
+  std::map<std::pair<Joint, std::size_t>, Deepest>
+      found;  // parts that have the joint differ in their width alone
+  for (const auto& [part, obstacle] : meetings_in(node.assignments)) {
+    const double need = needed(part, obstacle);
+    for (const auto& [point, at, strays] : points_[part.number]) {
+      if (!is_copied(point)) continue;
+      const auto [known, is_new] = found.try_emplace({copied_joint(point), obstacle});
+      if (!is_new) continue;
+      for (const KnownPlace& place : task_.places.many()) {
         const Point seen = copied_place(point, obstacle, place.at, node.cell.pole());
-        const double need = needed(part, obstacle);
         if (!(circle_depth(seen, obstacle, need) > 0)) continue;
         for (const auto& edge : targets_[obstacle].edges)
-          if (depth_by_few(seen, obstacle, edge, need) > 0)
-            if (auto step = leaf_for(node, {{obstacle, edge, place.place, point}, place.at})) return step;
+          if (const double here = depth_by_few(seen, obstacle, edge, need); here > known->second.depth)
+            known->second = {here, {{obstacle, edge, place.place, point}, place.at}};
       }
-  return std::nullopt;
+    }
+  }
+  ByTheCopy answer;
+  double most = 0;
+  for (const auto& [key, deepest] : found) {
+    if (!(deepest.depth > 0)) continue;
+    if (auto step = leaf_for(node, deepest.guess)) return {std::move(step), {}};
+    if (deepest.depth > most) most = deepest.depth, answer.guess = deepest.guess;
+  }
+  return answer;
 }
 
 /// Where a copied point stands with the tracer at a place and the pole at another, as seen from what carries the obstacle.

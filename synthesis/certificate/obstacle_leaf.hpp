@@ -20,8 +20,13 @@ class ObstacleLeaves {
 
   /// A leaf if an obstacle refutes the node; a parting of its layer assignments if it refutes some of them; or nothing.
   std::optional<Step> step(const Node& node) const;
-  /// The same by the links' ends at tracer and pen alone: of a whole root, which no other point refutes.
-  std::optional<Step> step_by_the_copy(const Node& node) const;
+  struct ByTheCopy {
+    std::optional<Step> step{};
+    std::optional<ObstacleGuess>
+        guess{};  ///< what the middle pole brings most deeply into an obstacle, where that refutes nothing
+  };
+  /// The same by the links' ends at tracer and pen alone: where all lengths are left no other point refutes.
+  ByTheCopy by_the_copy(const Node& node) const;
   /// Where the middle design of a node meets an obstacle most deeply, looked at from many places of the tracer.
   std::optional<KnownPlace> place_met(const Node& node) const;
 

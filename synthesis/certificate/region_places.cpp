@@ -54,11 +54,11 @@ KnownPlace RegionPlaces::farthest(const Point& from) const {
   return {edge_place(corner_of_[corner], 0), reach_.hull()[corner]};
 }
 
-std::vector<KnownPlace> RegionPlaces::many() const {
+const std::vector<KnownPlace>& RegionPlaces::many() const {
   constexpr int about = 2000;
-  std::vector<KnownPlace> places;
-  for (const Point& place : tracer_places(region_, about)) places.push_back(nearest(place));
-  return places;
+  if (many_.empty())
+    for (const Point& place : tracer_places(region_, about)) many_.push_back(nearest(place));
+  return many_;
 }
 
 void RegionPlaces::spread_out(const Region& region, int about) {

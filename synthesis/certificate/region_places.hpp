@@ -26,8 +26,8 @@ class RegionPlaces {
   const std::vector<KnownPlace>& spread() const { return spread_; }
   /// One more of them.
   void add(const KnownPlace& place) { spread_.push_back(place); }
-  /// Some two thousand more closely spread, for a look at single designs.
-  std::vector<KnownPlace> many() const;
+  /// Some two thousand more closely spread, for a look at single designs; found when they are first asked for, by one thread at a time.
+  const std::vector<KnownPlace>& many() const;
 
  private:
   EdgePlace edge_place(std::size_t edge, double share) const;
@@ -38,6 +38,7 @@ class RegionPlaces {
   std::vector<EdgePlace> start_of_;     // of the edges of reach_
   std::vector<std::size_t> corner_of_;  // of the hull's corners: an edge that begins there
   std::vector<KnownPlace> spread_;
+  mutable std::vector<KnownPlace> many_;
 };
 
 }  // namespace kempe::certificate

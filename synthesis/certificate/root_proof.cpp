@@ -40,6 +40,14 @@ double short_middle(const bounding::Range& range) {
   return rounded > range.lower && rounded < range.upper ? rounded : middle;
 }
 
+Step cut_at_middle(const Node& node, Variable variable) {
+  const double at = short_middle(node.cell[variable]);
+  Node lower = node, upper = node;
+  lower.cell[variable].upper = at;
+  upper.cell[variable].lower = at;
+  return Step{Split{variable, at}, {std::move(lower), std::move(upper)}};
+}
+
 }  // namespace
 
 RootProof::RootProof(const Spec& spec, const RegionPlaces& places, Grounding grounding,
@@ -61,8 +69,12 @@ std::optional<Step> RootProof::step(const Node& node) const {
   if (auto cut = copy_error_step(node)) return cut;
   if (outside_pole(node.cell)) return Step{PoleLeaf{}, {}};
   if (const auto sheets = copy_too_near(node.cell)) return Step{*sheets, {}};
-  if (is_whole(node.cell))
-    if (auto hit = obstacles_.step_by_the_copy(node)) return hit;
+  if (has_all_lengths(node.cell)) {
+    ObstacleLeaves::ByTheCopy copy = obstacles_.by_the_copy(node);
+    if (copy.step) return std::move(copy.step);
+    if (copy.guess)
+      if (auto cut = cut_poles(node, *copy.guess)) return cut;
+  }
   if (auto hit = obstacles_.step(node)) return hit;
   if (auto cut = contact_.step(node)) return cut;
   return split(node, sum);
@@ -84,9 +96,9 @@ void RootProof::put_whole(double transmission) {
     whole_.assignments.push_back(static_cast<std::uint32_t>(i));
 }
 
-/// True of all lengths and poles.
-bool RootProof::is_whole(const DesignCell& cell) const {
-  return std::all_of(all_variables.begin(), all_variables.end(), [&](Variable variable) {
+/// True where at most the pole was cut.
+bool RootProof::has_all_lengths(const DesignCell& cell) const {
+  return std::ranges::all_of(std::array{Variable::a, Variable::b}, [&](Variable variable) {
     return cell[variable].lower == whole_.cell[variable].lower &&
            cell[variable].upper == whole_.cell[variable].upper;
   });
@@ -175,13 +187,18 @@ std::optional<Variable> RootProof::variable_to_cut(const DesignCell& cell, const
 std::optional<Step> RootProof::split(const Node& node, const BestSum& sum) const {
   const std::optional<Variable> cut = variable_to_cut(node.cell, sum);
   if (!cut) return std::nullopt;
-  const Variable variable = *cut;
-  const bounding::Range& range = node.cell[variable];
-  const double at = short_middle(range);
-  Node lower = node, upper = node;
-  lower.cell[variable].upper = at;
-  upper.cell[variable].lower = at;
-  return Step{Split{variable, at}, {std::move(lower), std::move(upper)}};
+  return cut_at_middle(node, *cut);
+}
+
+/// Where the pole in the cell's middle brings tracer or pen into an obstruction half of the cell or more can be refuted by that alone.
+/// Nothing if the pole is nearly known.
+std::optional<Step> RootProof::cut_poles(const Node& node, const ObstacleGuess& guess) const {
+  const DesignCell& cell = node.cell;
+  const Variable side = cell.half(Variable::y) > cell.half(Variable::x) ? Variable::y : Variable::x;
+  if (!(cell.half(side) > slack::narrowest_poles * whole_.cell.half(side))) return std::nullopt;
+  Node guessed = node;
+  guessed.guess = guess;
+  return cut_at_middle(guessed, side);
 }
 
 }  // namespace kempe::certificate

@@ -35,13 +35,14 @@ class RootProof {
 
  private:
   void put_whole(double transmission);
-  bool is_whole(const DesignCell& cell) const;
+  bool has_all_lengths(const DesignCell& cell) const;
   std::optional<Step> copy_error_step(const Node& node) const;
   bool outside_pole(const DesignCell& cell) const;
   std::optional<CopyGapLeaf> copy_too_near(const DesignCell& cell) const;
   bool half_too_near(DesignCell cell) const;
   std::optional<Variable> variable_to_cut(const DesignCell& cell, const BestSum& sum) const;
   std::optional<Step> split(const Node& node, const BestSum& sum) const;
+  std::optional<Step> cut_poles(const Node& node, const ObstacleGuess& guess) const;
 
   RootTask task_;
   bounding::Range kept_;  ///< |psi| that the limit on the copy error leaves, rad

@@ -18,6 +18,8 @@ inline constexpr double width_weight = 1e-9;
 inline constexpr double most_uneven = 2;
 /// Factor: so many times narrower than the lengths poles become where they are cut first.
 inline constexpr double most_uneven_of_poles = 256;
+/// Share of the area's sides down to which poles alone are cut, where they bring tracer or pen into an obstruction.
+inline constexpr double narrowest_poles = 1.0 / 64;
 /// rad: of a cell as wide as its middle, the narrowest range of openings that a contact cuts. In narrower cells it falls with their width.
 inline constexpr double narrowest_passed = 1e-2;
 /// Share of a range within which its middle is rounded to fewer digits before it is cut there. (With a sixteenth instead, trees have a

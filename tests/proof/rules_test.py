@@ -401,7 +401,7 @@ LOG_RULES = [
      lambda: with_task("block", "obstacles", 0, "layers", [7, 8])),
     ("an obstacle out of reach", "+ slack < allowed for d in away)", "> -1e9 for d in away)",
      lambda: altered("block", "leaf", "obstacle", point=["VA", 0.0])),
-    ("a point beside an obstacle, not in it", "edge is None and where(p, [ring]) > 0", "edge is None",
+    ("a point beside an obstacle, not in it", "len(K) > 2 and where(p, [K + K[:1]]) > 0", "len(K) > 2",
      lambda: deep_inside(rectangle(-900, -900, 900, 20), ["VB", 1.0])),
     ("a point not deep enough in an obstacle", "[max(-hypot", "[min(-hypot",
      lambda: deep_inside(rectangle(-900, -900, 900, 40.9), ["VB", 1.0])),

@@ -192,6 +192,25 @@ TEST(ProvenBoundObstacles, APostAnywhereInOriginalOrCopyIsProvenAtOnce) {
   }
 }
 
+/// The pole's area is too wide to say so of all of it, but not of a part of it.
+TEST(ProvenBoundObstacles, ACopyOffTheTableIsProvenWhereverThePoleStands) {
+  test::SpecDice dice(105);
+  for (int i = 0; i < test::samples(20); ++i) {
+    Spec spec;
+    const double scale = dice.uniform(2, 4), half = 60, far = 140;
+    spec.copy = Copy::of(scale);
+    spec.region = Region{{{{{-40, 60}, {40, 60}, {40, far}, {-40, far}}, {}}}};
+    spec.pole.place = Region{{{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {}}}};
+    const double pen = half + scale * (far - half);  // of the farthest corner, at least
+    const double edge = pen - dice.uniform(0, 50);
+    spec.table = Polygon{{{-900, -900}, {900, -900}, {900, edge}, {-900, edge}}, {}};
+    spec.links.longest = 600;
+    const auto proven = proven_bound(spec);
+    ASSERT_TRUE(proven) << i;
+    EXPECT_TRUE(proven->no_design) << i;
+  }
+}
+
 struct Compared {
   int designs = 0, near = 0;
 };

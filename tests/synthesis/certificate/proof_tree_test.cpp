@@ -39,5 +39,19 @@ TEST(ProofTree, APostInTheOriginalIsAFewLines) {
   EXPECT_FALSE(log->bound);
 }
 
+/// Wherever the pole may stand, the copy is nowhere on the table: poles alone are cut, which takes few lines.
+TEST(ProofTree, ACopyOffTheTableIsProvenByAreasOfPoles) {
+  Spec spec = example("plagiograph");
+  spec.copy = Copy::of(3);
+  spec.region = Region{{{{{-40, 60}, {40, 60}, {40, 140}, {-40, 140}}, {}}}};
+  spec.pole.place = Region{{{{{-60, -60}, {60, -60}, {60, 60}, {-60, 60}}, {}}}};
+  spec.table = Polygon{{{-300, -300}, {300, -300}, {300, 300}, {-300, 300}}, {}};
+  spec.links.style.width = 25;
+  spec.objective.groundings = {Grounding::pole};
+  const auto log = prove(spec, Objective::size, std::nullopt, {.lines = 10'000});
+  ASSERT_TRUE(log);
+  EXPECT_FALSE(log->bound);
+}
+
 }  // namespace
 }  // namespace kempe::certificate
