@@ -73,7 +73,8 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
 }
 
 void ObstacleTest::add_term(Term term) {
-  convex_pairs_ += 1 + (*shapes_)[term.what.obstacle].parts.size() / parts_as_one;
+  const ObstacleShape& shape = (*shapes_)[term.what.obstacle];
+  convex_pairs_ += 1 + (shape.groups.empty() ? shape.parts.size() / parts_as_one : 1);
   terms_.push_back(std::move(term));
 }
 

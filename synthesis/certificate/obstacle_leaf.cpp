@@ -19,9 +19,9 @@ namespace {
 constexpr double of_the_way = 2;
 /// A table of more edges is left out of the log: every part is looked at beside every edge.
 constexpr std::size_t most_table_edges = 64;
-/// Of a convex outline with more corners some are enough to look by: those a twentieth of its radius apart.
+/// Of a convex outline with more corners some are enough to look by: those this share of its radius apart.
 constexpr std::size_t many_corners = 128;
-constexpr double apart_of_radius = 0.05;
+constexpr double apart_of_radius = 0.15;
 
 /// The least width of a convex outline, across one of its edges.
 double least_width(const Ring& outline) {
@@ -64,6 +64,8 @@ ObstacleLeaves::Target ObstacleLeaves::target_of(const Ring& outline, bool by_ed
       target.few.clear();
       for (const Point& corner : thinned(outline, apart_of_radius * target.radius))
         target.few.push_back(as_complex(corner));
+      for (const Complex& corner : target.corners)
+        target.left_out = std::max(target.left_out, distance_from(corner, target.few));
     }
   } else {
     for (std::size_t i = 0; i < outline.size(); ++i) target.edges.emplace_back(i);
@@ -247,8 +249,11 @@ bool ObstacleLeaves::hits(const ObstacleGuess& guess, const DesignCell& cell) co
   const auto range = point_over(task_.root, cell, guess.place, {at.of_a - origin.of_a, at.of_b - origin.of_b},
                                 is_copied(point), target.seen_from.has_value());
   if (!range) return false;
-  return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, needed(point.part, guess.leaf.obstacle)) >
-         of_the_way * range->away + slack::in_hand;
+  const double need = needed(point.part, guess.leaf.obstacle);
+  const double enough = of_the_way * range->away + slack::in_hand;
+  const double by_few = depth_by_few(range->middle, guess.leaf.obstacle, guess.leaf.edge, need);
+  if (by_few > enough || !(by_few + target.left_out > enough)) return by_few > enough;
+  return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, need) > enough;
 }
 
 Assignments ObstacleLeaves::sharing(const Assignments& all, PartName part, std::size_t obstacle) const {

@@ -68,11 +68,12 @@ class ObstacleLeaves {
   struct Target {
     std::vector<std::optional<std::size_t>> edges;  ///< or all of it
     std::vector<Complex> corners;
-    std::vector<Complex> few;        ///< enough of them to find a point in it: of a circle's 1440 a tenth
+    std::vector<Complex> few;        ///< enough of them to find a point in it: of a circle's 1440 some forty
     Point centre = Point::Zero();    ///< of a circle around it
     double radius = 0, deepest = 0;  ///< mm; no place lies deeper in it
     int lowest_layer = 1, highest_layer = most_layers;
     double beyond = 0;                 ///< mm: the outline is grown by this
+    double left_out = 0;               ///< mm: no place of the outline is farther from that of `few`
     std::optional<Joint> seen_from{};  ///< the joint that carries it; absent: it rests on the table
   };
   std::vector<PartPoint> nearest_points(PartName part, const Target& target,

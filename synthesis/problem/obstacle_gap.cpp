@@ -87,6 +87,31 @@ std::pair<Complex, double> circle_around(const Corners& corners) {
   return {centre, radius};
 }
 
+/// Convex parts of so many corners are cut; into about so many pieces.
+constexpr std::size_t many_corners = 128, arcs = 60;
+
+/// A part, or of a round one a polygon of few of its corners and what lies between that and its outline: together they are the part. Gaps are the
+/// same, and depths to within the height of an arc.
+std::vector<ConvexPart> cut_to_arcs(ConvexPart part) {
+  if (part.size() <= many_corners) return {std::move(part)};
+  const std::size_t step = (part.size() + arcs - 1) / arcs;
+  std::vector<ConvexPart> pieces(1);
+  for (std::size_t first = 0; first < part.size(); first += step) {
+    pieces.front().push_back(part[first]);
+    ConvexPart arc;
+    for (std::size_t i = first; i <= std::min(first + step, part.size()); ++i)
+      arc.push_back(part[i % part.size()]);
+    const Complex chord = arc.back() - arc.front();
+    const auto height = [&](Complex corner) {
+      return std::abs(cross(chord, corner - arc.front())) / std::abs(chord);
+    };
+    if (std::ranges::any_of(
+            arc, [&](Complex corner) { return height(corner) > slack::flat_arc * std::abs(chord); }))
+      pieces.push_back(std::move(arc));
+  }
+  return pieces;
+}
+
 /// So few parts are looked at one by one.
 constexpr std::size_t few_parts = 16;
 
@@ -176,10 +201,11 @@ std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstr
     std::vector<Complex> outer;
     for (const Polygon& polygon : obstruction.shape.polygons) {
       for (const Point& corner : polygon.outer) outer.push_back(as_complex(corner));
-      for (ConvexPart& part : convex_parts(polygon)) {
-        const auto [centre, radius] = circle_around(part);
-        shape.parts.push_back({std::move(part), centre, radius});
-      }
+      for (ConvexPart& whole : convex_parts(polygon))
+        for (ConvexPart& part : cut_to_arcs(std::move(whole))) {
+          const auto [centre, radius] = circle_around(part);
+          shape.parts.push_back({std::move(part), centre, radius});
+        }
     }
     std::tie(shape.centre, shape.radius) = circle_around(outer);
     if (shape.parts.size() > few_parts) {

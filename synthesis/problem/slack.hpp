@@ -35,6 +35,9 @@ inline constexpr double above_zero = 1e-300;
 /// times what its few operations can be off by.
 inline constexpr double copied_gap_rounding = 1e-9;
 
+/// Share of its chord: a part of a round outline that is no higher is taken as flat.
+inline constexpr double flat_arc = 1e-12;
+
 // Inward
 
 /// rad: openings inside the transmission limit, or inside the openings that keep the copy error.
