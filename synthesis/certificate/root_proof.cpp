@@ -98,10 +98,11 @@ void RootProof::put_whole(double transmission) {
 
 /// True where at most the pole was cut.
 bool RootProof::has_all_lengths(const DesignCell& cell) const {
-  return std::ranges::all_of(std::array{Variable::a, Variable::b}, [&](Variable variable) {
+  const auto is_whole = [&](Variable variable) {
     return cell[variable].lower == whole_.cell[variable].lower &&
            cell[variable].upper == whole_.cell[variable].upper;
-  });
+  };
+  return is_whole(Variable::a) && is_whole(Variable::b);
 }
 
 /// The window without the openings that exceed the limit on the copy error, if there are such.

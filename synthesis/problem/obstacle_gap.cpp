@@ -102,12 +102,10 @@ std::vector<ConvexPart> cut_to_arcs(ConvexPart part) {
     for (std::size_t i = first; i <= std::min(first + step, part.size()); ++i)
       arc.push_back(part[i % part.size()]);
     const Complex chord = arc.back() - arc.front();
-    const auto height = [&](Complex corner) {
-      return std::abs(cross(chord, corner - arc.front())) / std::abs(chord);
-    };
-    if (std::ranges::any_of(
-            arc, [&](Complex corner) { return height(corner) > slack::flat_arc * std::abs(chord); }))
-      pieces.push_back(std::move(arc));
+    const bool is_flat = std::all_of(arc.begin(), arc.end(), [&](Complex corner) {
+      return std::abs(cross(chord, corner - arc.front())) <= slack::flat_arc * std::norm(chord);
+    });
+    if (!is_flat) pieces.push_back(std::move(arc));
   }
   return pieces;
 }

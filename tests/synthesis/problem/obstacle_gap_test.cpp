@@ -30,9 +30,11 @@ std::optional<double> distance_to_outline(const JointHull& hull, const Pose& pos
   const Ring& ring = obstacle.outer;
   for (std::size_t i = 0; i < ring.size(); ++i)
     for (int side = 0; side < hull.count; ++side)
-      least = std::min(least, squared_distance(corner(side), corner(side + 1), ring[i], ring[(i + 1) % ring.size()]));
-  const bool within = contains(region, corner(0)) ||
-                      (hull.count == 3 && contains(Region{{{{corner(0), corner(1), corner(2)}, {}}}}, ring[0]));
+      least = std::min(
+          least, squared_distance(corner(side), corner(side + 1), ring[i], ring[(i + 1) % ring.size()]));
+  const bool within =
+      contains(region, corner(0)) ||
+      (hull.count == 3 && contains(Region{{{{corner(0), corner(1), corner(2)}, {}}}}, ring[0]));
   if (within || !(least > 0)) return std::nullopt;
   return std::sqrt(least);
 }
@@ -49,7 +51,8 @@ TEST(ObstacleGap, OfManyCornersIsTheDistanceToTheNearestEdge) {
     const auto pose = linkage.pose_with_tracer_at(tracer);
     ASSERT_TRUE(pose);
     const Polygon obstacle = of_many_corners(dice);
-    const std::vector<Obstruction> obstructions = obstructions_of({{.shape = obstacle, .highest_layer = 8}}, {}, {});
+    const std::vector<Obstruction> obstructions =
+        obstructions_of({{.shape = obstacle, .highest_layer = 8}}, {}, {});
     const std::vector<ObstacleShape> shapes = obstacle_shapes(obstructions);
     ASSERT_EQ(shapes.size(), 1U);
     EXPECT_FALSE(shapes.front().groups.empty());
