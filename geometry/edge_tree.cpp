@@ -15,6 +15,21 @@ Box box_of(const EdgeTree::Edge& edge) { return {edge.from.cwiseMin(edge.to), ed
 
 Box hull_of(const Box& a, const Box& b) { return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)}; }
 
+/// Each place gets the edge that `order` says, without a second list: edges of a region may be millions.
+void put_in_order(std::vector<EdgeTree::Edge>& edges, std::vector<std::uint32_t> order) {
+  for (std::uint32_t first = 0; first < order.size(); ++first) {
+    const EdgeTree::Edge kept = edges[first];
+    std::uint32_t at = first;
+    for (std::uint32_t next = order[at]; next != first; next = order[at]) {
+      edges[at] = edges[next];
+      order[at] = at;
+      at = next;
+    }
+    edges[at] = kept;
+    order[at] = at;
+  }
+}
+
 std::size_t corners_of(const Polygon& polygon) {
   std::size_t count = polygon.outer.size();
   for (const Ring& hole : polygon.holes) count += hole.size();
@@ -25,7 +40,7 @@ std::size_t corners_of(const Polygon& polygon) {
 
 EdgeTree::EdgeTree(const Polygon& polygon, const Point& origin) : EdgeTree(Region{{polygon}}, origin) {}
 
-EdgeTree::EdgeTree(const Region& region, const Point& origin) {
+EdgeTree::EdgeTree(const Region& region, const Point& origin, Chords chords) {
   std::size_t count = 0;
   for (const Polygon& polygon : region.polygons) count += corners_of(polygon);
   edges_.reserve(count);
@@ -35,13 +50,11 @@ EdgeTree::EdgeTree(const Region& region, const Point& origin) {
   }
   if (edges_.empty()) return;
   nodes_.reserve(2 * edges_.size() - 1);
-  std::vector<std::uint32_t> order(edges_.size());
+  if (chords == Chords::kept) chords_.reserve(2 * edges_.size() - 1);
+  std::vector<std::uint32_t> order(edges_.size());  // the edges of nodes by their numbers along the rings
   std::iota(order.begin(), order.end(), 0U);
-  build(order, 0, static_cast<std::uint32_t>(edges_.size()));
-  std::vector<Edge> ordered;
-  ordered.reserve(edges_.size());
-  for (const std::uint32_t at : order) ordered.push_back(edges_[at]);
-  edges_ = std::move(ordered);
+  build(order, 0, static_cast<std::uint32_t>(edges_.size()), chords);
+  put_in_order(edges_, std::move(order));
 }
 
 void EdgeTree::add(const Ring& ring, const Point& origin) {
@@ -49,15 +62,12 @@ void EdgeTree::add(const Ring& ring, const Point& origin) {
     edges_.push_back({ring[i] - origin, ring[i + 1 == ring.size() ? 0 : i + 1] - origin});
 }
 
-void EdgeTree::build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t count) {
+void EdgeTree::build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t count,
+                     Chords chords) {
   const std::size_t here = nodes_.size();
-  if (count == 1) {
-    const Edge& edge = edges_[order[first]];
-    nodes_.push_back({box_of(edge), first, 1, edge, 0});
-    return;
-  }
-  nodes_.push_back({Box{Point::Zero(), Point::Zero()}, first, count});
-  find_chord(order, nodes_[here]);
+  nodes_.push_back({box_of(edges_[order[first]]), first, count});
+  if (chords == Chords::kept) chords_.push_back(chord_of({order.data() + first, count}));
+  if (count == 1) return;
   const auto begin = order.begin() + first, end = begin + count, middle = begin + count / 2;
   Box centres{Point::Constant(infinity), Point::Constant(-infinity)};
   for (auto at = begin; at != end; ++at) {
@@ -73,26 +83,28 @@ void EdgeTree::build(std::vector<std::uint32_t>& order, std::uint32_t first, std
                       at);
   };
   std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-  build(order, first, count / 2);
-  build(order, first + count / 2, count - count / 2);
+  build(order, first, count / 2, chords);
+  build(order, first + count / 2, count - count / 2, chords);
   const auto index = static_cast<std::uint32_t>(here);
   nodes_[here].box = hull_of(nodes_[left(index)].box, nodes_[right(index)].box);
 }
 
-/// Before the edges are put in their order: `order` says which they are.
-void EdgeTree::find_chord(const std::vector<std::uint32_t>& order, Node& node) const {
-  const auto begin = order.begin() + node.first_edge, end = begin + node.edges;
-  const auto [first, last] = std::minmax_element(begin, end);
-  node.chord = {edges_[*first].from, edges_[*last].to};
-  if (*last - *first + 1 != node.edges) return;
+EdgeTree::Chord EdgeTree::chord_of(std::span<const std::uint32_t> some) const {
+  const auto [first, last] = std::minmax_element(some.begin(), some.end());
+  Chord chord{edges_[*first], 0};
+  if (some.size() == 1) return chord;
+  bool follow_each_other = *last - *first + 1 == some.size();
+  for (std::uint32_t at = *first; follow_each_other && at < *last; ++at)
+    follow_each_other = edges_[at].to == edges_[at + 1].from;  // else another ring begins
+  if (follow_each_other) chord.segment.to = edges_[*last].to;
   double farthest = 0, magnitude = 0;
-  for (std::uint32_t at = *first; at < *last; ++at) {
-    const Point& joint = edges_[at].to;
-    if (joint != edges_[at + 1].from) return;  // another ring begins
-    farthest = std::max(farthest, squared_distance(joint, node.chord.from, node.chord.to));
-    magnitude = std::max(magnitude, joint.cwiseAbs().maxCoeff());
-  }
-  node.stray = std::sqrt(farthest) * (1 + slack::rounding) + slack::rounding * magnitude;
+  for (const std::uint32_t at : some)
+    for (const Point& corner : {edges_[at].from, edges_[at].to}) {
+      farthest = std::max(farthest, squared_distance(corner, chord.segment.from, chord.segment.to));
+      magnitude = std::max(magnitude, corner.cwiseAbs().maxCoeff());
+    }
+  chord.stray = std::sqrt(farthest) * (1 + slack::rounding) + slack::rounding * magnitude;
+  return chord;
 }
 
 bool EdgeTree::winds_around(const Point& point) const {

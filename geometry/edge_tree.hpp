@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <span>
 #include <vector>
 
 #include "geometry/region.hpp"
@@ -23,20 +23,26 @@ class EdgeTree {
   struct Node {
     Box box;
     std::uint32_t first_edge, edges;  ///< the node's edges in edge order; one edge: a leaf
-    /// Of edges that follow each other along a ring: from the first one's start to the last one's end. No point of either is
-    /// farther than `stray` (mm, rounded up) from the other. Of other edges any segment, and `stray` is infinite.
-    Edge chord{Point::Zero(), Point::Zero()};
-    double stray = infinity;
   };
+  /// Of edges that follow each other along a ring the segment from the first one's start to the last one's end, else one of the edges.
+  struct Chord {
+    Edge segment;
+    double
+        stray;  ///< mm, rounded up; no point of the segment or of the edges is farther from the others; of one edge 0
+  };
+  /// Whether nodes have their chords: as much memory as the edges and boxes together.
+  enum class Chords { none, kept };
 
   EdgeTree() = default;
   /// `origin` becomes (0, 0).
   EdgeTree(const Polygon& polygon, const Point& origin);
-  EdgeTree(const Region& region, const Point& origin);
+  EdgeTree(const Region& region, const Point& origin, Chords chords = Chords::none);
 
   bool empty() const { return nodes_.empty(); }
   const Node& node(std::uint32_t index) const { return nodes_[index]; }
   const Edge& edge(std::uint32_t index) const { return edges_[index]; }
+  /// Of a node, where they are kept.
+  const Chord& chord(std::uint32_t index) const { return chords_[index]; }
   /// The children of a node with more than one edge.
   static std::uint32_t left(std::uint32_t index) { return index + 1; }
   std::uint32_t right(std::uint32_t index) const { return index + 2 * (nodes_[index].edges / 2); }
@@ -49,11 +55,12 @@ class EdgeTree {
 
  private:
   void add(const Ring& ring, const Point& origin);
-  void build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t count);
-  void find_chord(const std::vector<std::uint32_t>& order, Node& node) const;
+  void build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t count, Chords chords);
+  Chord chord_of(std::span<const std::uint32_t> some) const;
 
   std::vector<Edge> edges_;
   std::vector<Node> nodes_;
+  std::vector<Chord> chords_;  // of the nodes, or none
 };
 
 /// Calls `visit(edge)` for the edges whose boxes `wanted(box)` accepts.

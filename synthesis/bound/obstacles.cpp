@@ -21,8 +21,6 @@ constexpr std::size_t most_places = 240;
 constexpr int many_places = 2000;
 /// Factor: at no place do joints move farther than this times what they do at others, more or less.
 constexpr double moves_of_others = 3;
-/// Convex parts of an obstruction that take no longer than one piece of a part does anyway.
-constexpr std::size_t parts_as_one = 16;
 
 /// Equal for terms that ask the same.
 using TermKey = std::tuple<std::size_t, double, std::vector<Joint>>;
@@ -73,8 +71,7 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
 }
 
 void ObstacleTest::add_term(Term term) {
-  const ObstacleShape& shape = (*shapes_)[term.what.obstacle];
-  convex_pairs_ += 1 + (shape.groups.empty() ? shape.parts.size() / parts_as_one : 1);
+  convex_pairs_ += (*shapes_)[term.what.obstacle].groups.empty() ? 1 : 2;
   terms_.push_back(std::move(term));
 }
 

@@ -104,7 +104,7 @@ class ObstacleTest {
   std::vector<Point> many_places_;  ///< looked at for single designs
   std::vector<Term> terms_;
   LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
-  std::size_t convex_pairs_ = 0;  ///< of the terms with the parts of their shapes, those of few parts as one
+  std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two
   StopFlag stop_;
 };
 

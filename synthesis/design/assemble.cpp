@@ -12,6 +12,7 @@
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
+#include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/footprint.hpp"
 #include "workspace/map/layer_choice.hpp"
@@ -250,6 +251,8 @@ Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOpt
 
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
                                                    const MapOptions& options, Detail detail) {
+  if (!keeps_stock_lengths(found.linkage, spec.links.stock_lengths))
+    return tl::unexpected(std::string("the design found has lengths that links does not allow"));
   Design design = assemble_design(spec, found, options, detail);
   const auto& robust = design.quality.robust;
   if (design.map.coverage.covered && robust && !robust->holds)

@@ -305,7 +305,7 @@ double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, con
   double gap = std::numeric_limits<double>::infinity();
   const auto skips = [&](double group_below) {
     if (group_below > gap) return true;
-    if (beyond == Beyond::near_it || group_below <= enough + term.piece.half_width) return false;
+    if (beyond == Beyond::near_it || !(group_below > enough + term.piece.half_width)) return false;
     gap = group_below;
     return true;
   };

@@ -47,7 +47,7 @@ struct ObstacleShape {
   std::vector<EncircledPart> parts;
   Complex centre;
   double radius = 0;
-  /// Of many parts, a round table's edge: a tree of circles, each group before its halves; else empty. A group of n parts has
+  /// Of many parts, as a round obstacle has: a tree of circles, each group before its halves; else empty. A group of n parts has
   /// 2 n - 1 groups below and with it.
   std::vector<PartGroup> groups{};
 };

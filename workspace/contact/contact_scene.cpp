@@ -133,12 +133,13 @@ ContactScene::ContactScene(const MapTask& task, double within)
     const Obstruction& obstruction = obstructions[number];
     const SceneFrame frame = frame_of(obstruction);
     const bool at_rest = frame == SceneFrame::table;
-    SceneObstacle obstacle{EdgeTree(obstruction.shape, at_rest ? task.linkage.pole() : Point::Zero()),
-                           frame,
-                           obstruction.grown,
-                           number,
-                           obstruction.name,
-                           0};
+    SceneObstacle obstacle{
+        EdgeTree(obstruction.shape, at_rest ? task.linkage.pole() : Point::Zero(), EdgeTree::Chords::kept),
+        frame,
+        obstruction.grown,
+        number,
+        obstruction.name,
+        0};
     if (obstacle.edges.empty()) continue;
     obstacle.slack = turned + distance_rounding * (size + task.limits.clearance + obstacle.edges.magnitude() +
                                                    (at_rest ? task.linkage.pole().norm() : 0.0));

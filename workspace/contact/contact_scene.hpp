@@ -31,7 +31,7 @@ struct ScenePiece {
 /// An obstruction as the map asks it: the distance of its edges, exact up to `slack`. (The search asks for derivatives instead, of
 /// its convex parts: ObstacleShape in synthesis/problem.)
 struct SceneObstacle {
-  EdgeTree edges;      ///< the frame's origin at the origin: the pole of the table's frame
+  EdgeTree edges;      ///< with their chords; the frame's origin at the origin: the pole of the table's frame
   SceneFrame frame;    ///< where it is at rest
   double grown;        ///< mm: it is what lies within this of the edges, or inside
   std::size_t number;  ///< in the order of obstructions_of()

@@ -50,19 +50,13 @@ double diagonal(const Box& box) { return (box.upper - box.lower).norm(); }
 /// Edges that stray from their chord by at most this share of the motion are decided as one: a round obstacle has some thousand.
 constexpr double most_stray = 0.125;
 
-/// Bounds of the distance to a node's edges, of which those that are no chord's must be small against the motion.
-GapBounds bounds_to_node(const MovingHull& hull, const EdgeTree& edges, const EdgeTree::Node& node,
-                         const GapQuestion& question) {
-  if (node.edges > 1 && !std::isfinite(node.stray)) {
-    // One edge is as good as all to prove contact, but none proves the others apart.
-    GapBounds bounds = bounds_to_edge(hull, edges.edge(node.first_edge), {question.upper_below, infinity});
-    bounds.lower = std::max(0.0, bounds.lower - diagonal(node.box));
-    return bounds;
-  }
+/// Bounds of the distance to a node's edges: those to its chord, more or less by what the edges stray from it.
+GapBounds bounds_to_edges(const MovingHull& hull, const EdgeTree::Chord& chord, const GapQuestion& question) {
+  const auto& [segment, stray] = chord;
   GapBounds bounds =
-      bounds_to_edge(hull, node.chord, {question.upper_below - node.stray, question.lower_from + node.stray});
-  bounds.lower = std::max(0.0, bounds.lower - node.stray);
-  bounds.upper += node.stray;
+      bounds_to_edge(hull, segment, {question.upper_below - stray, question.lower_from + stray});
+  bounds.lower = std::max(0.0, bounds.lower - stray);
+  bounds.upper += stray;
   return bounds;
 }
 
@@ -290,15 +284,16 @@ void Subdivision::decide_node(std::uint32_t node, const Meeting& meeting, Decisi
                               Lists& next) const {
   const auto& [between, hull, obstacle, needed, question] = meeting;
   const EdgeTree::Node& here = obstacle.edges.node(node);
+  const EdgeTree::Chord& chord = obstacle.edges.chord(node);
   if (here.edges > 1) {
     if (distance_from_box(hull, here.box) - hull.reach() >= question.lower_from) return;
-    if (here.stray > most_stray * hull.reach() && diagonal(here.box) > hull.reach()) {
+    if (chord.stray > most_stray * hull.reach() && diagonal(here.box) > hull.reach()) {
       decide_node(EdgeTree::left(node), meeting, decision, next);
       if (!decision.in_contact) decide_node(obstacle.edges.right(node), meeting, decision, next);
       return;
     }
   }
-  const GapBounds bounds = bounds_to_node(hull, obstacle.edges, here, question);
+  const GapBounds bounds = bounds_to_edges(hull, chord, question);
   if (bounds.upper < question.upper_below) {
     decision.in_contact = true;
     decision.between = between;

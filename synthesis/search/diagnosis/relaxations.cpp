@@ -54,7 +54,7 @@ void Questions::keep(std::optional<Relaxation> found) {
 
 bool Questions::permits(const FoundDesign& design) {
   const DesignCheck check = check_design(spec(), limits(), design.linkage, design.layers);
-  if (!check.feasible) return false;
+  if (!check.feasible || !keeps_stock_lengths(design.linkage, spec().links.stock_lengths)) return false;
   Attained attained = check.attained;
   if (!task_.space().obstacles().empty()) {
     const ObstacleCheck obstacles = check_obstacles(task_.space().spec(), limits(), design.linkage,

@@ -7,7 +7,7 @@
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
-#include "synthesis/problem/slack.hpp"
+#include "synthesis/search/steps/slack.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
@@ -99,6 +99,24 @@ DesignCheck check_design(const Spec& spec, const Requirements& limits, const Cop
   check.broken = first_broken(spec, limits, linkage, check);
   check.feasible = !check.broken;
   return check;
+}
+
+bool keeps_stock_lengths(const CopyingLinkage& linkage, const StockLengths& stock_lengths) {
+  const auto are_one = [](double a, double b) {
+    return std::abs(a - b) <= slack::same_length * std::max(a, b);
+  };
+  const auto is_in_stock = [&](double length) {
+    const auto& [grid, stock, locked] = stock_lengths;
+    if (grid && !are_one(length, std::max(1.0, std::round(length / *grid)) * *grid)) return false;
+    return stock.empty() ||
+           std::any_of(stock.begin(), stock.end(), [&](double one) { return are_one(length, one); });
+  };
+  const LinkLengths lengths = linkage.lengths();
+  const auto values = lengths.values();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (stock_lengths.locked[i] && !are_one(values[i], *stock_lengths.locked[i])) return false;
+  return is_in_stock(lengths.VA) && is_in_stock(lengths.VB) && is_in_stock(lengths.AX) &&
+         is_in_stock(lengths.BY);
 }
 
 }  // namespace kempe

@@ -20,4 +20,7 @@ struct DesignCheck {
 DesignCheck check_design(const Spec& spec, const Requirements& limits, const CopyingLinkage& linkage,
                          const LayerAssignment& layers);
 
+/// True if VA, VB, AX and BY, and AC and BC with them, are lengths of the grid or the list, and every locked length is as it was locked.
+bool keeps_stock_lengths(const CopyingLinkage& linkage, const StockLengths& stock_lengths);
+
 }  // namespace kempe

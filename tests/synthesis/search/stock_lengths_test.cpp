@@ -222,6 +222,30 @@ TEST(StockLengthSearch, AGridOrAStockKeepsEveryLockedLength) {
   EXPECT_GT(others, test::samples(24) / 3);
 }
 
+TEST(StockLengthSearch, ADesignWithOtherLengthsIsNotHandedOut) {
+  Spec spec = quarter_turn();
+  const auto any = found_for(spec);
+  ASSERT_TRUE(any);
+  MapOptions map;
+  map.largest_sheets = false;
+  EXPECT_TRUE(certified_design(spec, *any, map));
+  const auto refused = [&](const StockLengths& stock_lengths) {
+    spec.links.stock_lengths = stock_lengths;
+    EXPECT_FALSE(keeps_stock_lengths(any->linkage, stock_lengths));
+    return !certified_design(spec, *any, map);
+  };
+  const LinkLengths lengths = any->linkage.lengths();
+  EXPECT_TRUE(refused({.grid = 0.97 * lengths.VA, .stock = {}, .locked = {}}));
+  EXPECT_TRUE(refused({.grid = {}, .stock = {lengths.VA, lengths.VB, lengths.AX}, .locked = {}}));
+  for (std::size_t i = 0; i < 8; ++i) {
+    StockLengths one;
+    one.locked[i] = lengths.values()[i];
+    EXPECT_TRUE(keeps_stock_lengths(any->linkage, one));
+    one.locked[i] = 1.0001 * lengths.values()[i];
+    EXPECT_TRUE(refused(one)) << LinkLengths::names[i];
+  }
+}
+
 TEST(StockLengthSearch, ALockedLengthMayLieOnTheLimit) {
   Spec spec = quarter_turn();
   const auto free = found_for(spec);
