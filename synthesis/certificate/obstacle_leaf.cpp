@@ -36,15 +36,42 @@ double least_width(const Ring& outline) {
   return least;
 }
 
-/// Distance of a point from the axis of a link: its bars, or its triangle.
-double axis_distance(PartName part, PlateStyle plate, const std::array<Point, 6>& joints, const Point& from) {
+/// The axis of a part: a point, its bars, or its triangle.
+struct Axis {
+  std::array<Hull, 2> pieces;
+  int count = 1;
+};
+
+Axis axis_of(PartName part, PlateStyle plate, const std::array<Point, 6>& joints) {
   const auto at = [&](Joint joint) { return joints[static_cast<std::size_t>(joint)]; };
-  if (part.number == 0) return distance(from, at(Joint::V), at(Joint::A));
-  if (part.number == 1) return distance(from, at(Joint::V), at(Joint::B));
-  const Point first = at(part.number == 2 ? Joint::A : Joint::B), C = at(Joint::C),
-              tip = at(part.number == 2 ? Joint::X : Joint::Y);
-  if (plate == PlateStyle::triangle) return distance(Hull{{first, C, tip}, 3}, Hull{{from, from, from}, 1});
-  return std::sqrt(std::min(squared_distance(from, first, C), squared_distance(from, first, tip)));
+  const Part named = part_of(part);
+  const auto hull_of = [&](Joint one, Joint other) { return Hull{{at(one), at(other), at(other)}, 2}; };
+  if (named.kind != Part::Kind::link) return {{Hull{{at(named.joint), at(named.joint), at(named.joint)}, 1}}};
+  if (named.link == Link::VA) return {{hull_of(Joint::V, Joint::A)}};
+  if (named.link == Link::VB) return {{hull_of(Joint::V, Joint::B)}};
+  const Joint first = named.link == Link::ACX ? Joint::A : Joint::B,
+              tip = named.link == Link::ACX ? Joint::X : Joint::Y;
+  if (plate == PlateStyle::triangle) return {{Hull{{at(first), at(Joint::C), at(tip)}, 3}}};
+  return {{hull_of(first, Joint::C), hull_of(first, tip)}, 2};
+}
+
+double axis_distance(const Axis& axis, const Hull& hull) {
+  const double first = distance(axis.pieces[0], hull);
+  return axis.count == 1 ? first : std::min(first, distance(axis.pieces[1], hull));
+}
+
+/// True if all of an axis lies farther than `away` from the line through two points, on one side of it.
+bool keeps_to_one_side(const Axis& axis, const Point& from, const Point& to, double away) {
+  const Point along = to - from;
+  const double least = away * along.norm();
+  double lowest = infinity, highest = -infinity;
+  for (int piece = 0; piece < axis.count; ++piece)
+    for (const Point& corner : axis.pieces[static_cast<std::size_t>(piece)].at) {
+      const double height = cross(along, corner - from);
+      lowest = std::min(lowest, height);
+      highest = std::max(highest, height);
+    }
+  return lowest > least || highest < -least;
 }
 
 }  // namespace
@@ -292,17 +319,42 @@ std::optional<ObstacleLeaves::Middle> ObstacleLeaves::middle_at(const DesignCell
   return middle;
 }
 
+/// Where the joint is that carries a target; 0 for what rests on the table.
+Point ObstacleLeaves::place_of(const Target& target, const Middle& middle) {
+  return target.seen_from ? middle.joints[static_cast<std::size_t>(*target.seen_from)] : Point(Point::Zero());
+}
+
 /// True if no point of the part can lie so deep in the obstacle that it does all over the cell.
 bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Middle& middle) const {
   const Target& target = targets_[obstacle];
   const double need = needed(part, obstacle);
-  const Point origin =
-      target.seen_from ? middle.joints[static_cast<std::size_t>(*target.seen_from)] : Point(Point::Zero());
   if (!target.seen_from && of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest)
     return true;
   if (points_[part.number].size() == 1) return false;  // as quickly looked at
-  return axis_distance(part, task_.spec.links.style.plate, middle.joints, origin + target.centre) >
-         need + target.radius;
+  const Point centre = place_of(target, middle) + target.centre;
+  return axis_distance(axis_of(part, task_.spec.links.style.plate, middle.joints),
+                       Hull{{centre, centre, centre}, 1}) > need + target.radius;
+}
+
+/// The edges of a target that the part comes near enough to, or all of it where it is looked at as a whole.
+std::vector<std::optional<std::size_t>> ObstacleLeaves::edges_in_reach(PartName part, std::size_t obstacle,
+                                                                       const Middle& middle) const {
+  constexpr double rounding = 1 + 1e-9;
+  const Target& target = targets_[obstacle];
+  if (!target.edges.front()) return target.edges;
+  const Axis axis = axis_of(part, task_.spec.links.style.plate, middle.joints);
+  const Point origin = place_of(target, middle);
+  const double need = needed(part, obstacle) * rounding;
+  std::vector<std::optional<std::size_t>> near;
+  const auto corner = [&](std::size_t i) {
+    return Point(origin + as_point(target.corners[i % target.corners.size()]));
+  };
+  for (const auto& edge : target.edges) {
+    const Point from = corner(*edge), to = corner(*edge + 1);
+    if (!keeps_to_one_side(axis, from, to, need) && axis_distance(axis, Hull{{from, to, to}, 2}) <= need)
+      near.push_back(edge);
+  }
+  return near;
 }
 
 /// On each bar of a part's axis the points nearest to an outline's corners, centre and, where it crosses them, edges. Points spread
@@ -332,6 +384,8 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
                                                              const KnownPlace& place,
                                                              const Middle& middle) const {
   if (out_of_reach(part, obstacle, middle)) return std::nullopt;
+  const auto edges = edges_in_reach(part, obstacle, middle);
+  if (edges.empty()) return std::nullopt;
   const double need = needed(part, obstacle);
   const Target& target = targets_[obstacle];
   const bounding::MaterialPoint from = origin_of(target), pole = pole_point();
@@ -349,7 +403,7 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
     const double share = target.seen_from ? std::abs((m.of_a - from.of_a) - (m.of_b - from.of_b)) : strays;
     const double least = of_the_way * share * middle.unsteady;
     if (!(circle_depth(at, obstacle, need) > most + least)) return;
-    for (const auto& edge : target.edges)
+    for (const auto& edge : edges)
       if (const double here = depth_by_few(at, obstacle, edge, need) - least; here > most) {
         most = here;
         best = {{obstacle, edge, place.place, point}, place.at};

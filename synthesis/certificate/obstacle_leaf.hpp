@@ -56,6 +56,8 @@ class ObstacleLeaves {
   };
   std::vector<Meeting> meetings_in(const Assignments& assignments) const;
   bool out_of_reach(PartName part, std::size_t obstacle, const Middle& middle) const;
+  std::vector<std::optional<std::size_t>> edges_in_reach(PartName part, std::size_t obstacle,
+                                                         const Middle& middle) const;
   /// A point of a part in an obstacle, and how much deeper than it strays, mm.
   struct Depth {
     ObstacleGuess guess;
@@ -76,6 +78,7 @@ class ObstacleLeaves {
     double left_out = 0;               ///< mm: no place of the outline is farther from that of `few`
     std::optional<Joint> seen_from{};  ///< the joint that carries it; absent: it rests on the table
   };
+  static Point place_of(const Target& target, const Middle& middle);
   std::vector<PartPoint> nearest_points(PartName part, const Target& target,
                                         const std::function<Point(const PartPoint&)>& place_of) const;
   static Target target_of(const Ring& outline, bool by_edges_alone);
