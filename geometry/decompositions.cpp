@@ -34,4 +34,6 @@ Eigen::VectorXd solution_of(const Eigen::FullPivLU<Eigen::MatrixXd>& matrix, con
   return matrix.solve(right);
 }
 
+Eigen::VectorXd Elimination::solution(const Eigen::VectorXd& right) const { return factors_.solve(right); }
+
 }  // namespace kempe

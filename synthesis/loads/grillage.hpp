@@ -8,12 +8,15 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "geometry/point.hpp"
 
 namespace kempe {
+
+class Elimination;
 
 /// A straight piece of a link between two of its nodes.
 struct GrillageBeam {
@@ -52,11 +55,11 @@ struct GrillageState {
   Eigen::VectorXd reactions;  ///< N at each joint, upwards; 0 where nothing stands under it
 };
 
-/// A grillage with its equations solved for every load. A value.
+/// A grillage with its equations factored, for any load. A value.
 class Grillage {
  public:
   /// `props`: joints that stand on something which holds their height, from below and from above. Where rounding leaves less than six
-  /// digits of the solution, as with arms far shorter than the others, every figure is NaN.
+  /// digits of the movements under a load, as with arms far shorter than the others, every figure of that load is NaN.
   Grillage(const GrillagePlan& plan, const std::vector<int>& props);
 
   /// Under its weights and `extra`, N at each joint, downwards; empty: none.
@@ -88,7 +91,8 @@ class Grillage {
       1;  ///< mm; slopes are counted in rises over this length, so that all unknowns are of one size
   double unit_ = 1;  ///< N/mm; moments are counted in this times scale_
   std::vector<bool> held_;
-  Eigen::MatrixXd balance_, response_;
+  Eigen::MatrixXd balance_, free_;  ///< the equations, without and with held joints
+  std::shared_ptr<const Elimination> solved_;
   Eigen::VectorXd weights_;
 };
 
