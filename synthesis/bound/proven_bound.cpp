@@ -83,7 +83,7 @@ class Tree {
   }
 
   void grow_until(double tolerance) {
-    while (!is_closed(tolerance) && boxes_ < options_.boxes && !options_.stop()) {
+    while (!is_closed(tolerance) && boxes_ < options_.boxes && !designs_.in_vain() && !options_.stop()) {
       if (opened_ % told_every == 0) tell_progress(tolerance);
       TreeNode node = open_.top();
       open_.pop();

@@ -24,6 +24,7 @@ RelaxedDesigns::RelaxedDesigns(const Spec& spec, bool by_size, const BoundOption
 
 void RelaxedDesigns::try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles,
                             const LoadFloor* loads) {
+  if (trials_are_used_up()) return;
   const auto range = places_.distances_from(node.pole());
   if (!range) return;
   const PoleDistances exact{range->nearest, range->farthest, 1,
@@ -96,7 +97,6 @@ void RelaxedDesigns::try_design(const Box& box, double t, double w) {
 
 /// Tries a design out in the search: what it leads to is known, and where it fails is looked at from now on.
 void RelaxedDesigns::try_out(ObstacleTest* obstacles, std::size_t layers, const RelaxedDesign& design) {
-  if (tried_out_ >= trials_->most) return;
   ++tried_out_;
   const Trial trial = trials_->run(design);
   if (trial.best) best_ = std::min(best_, by_size_ ? *trial.best : -*trial.best);

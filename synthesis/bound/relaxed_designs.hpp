@@ -29,6 +29,9 @@ class RelaxedDesigns {
     return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_);
   }
   const std::optional<RelaxedDesign>& design() const { return design_; }
+  /// True once all trials are used up and none led to a design: what the search asks for beside the relaxation's limits fails them, and
+  /// no box will tell why.
+  bool in_vain() const { return trials_are_used_up() && !(best_ < infinity); }
 
   /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`, `loads`: null if there are none to be
   /// seen.
@@ -39,6 +42,7 @@ class RelaxedDesigns {
   void try_freest(const Box& box, const PoleDistances& exact, LengthBox line);
   void try_design(const Box& box, double t, double w);
   void try_out(ObstacleTest* obstacles, std::size_t layers, const RelaxedDesign& design);
+  bool trials_are_used_up() const { return trials_ != nullptr && tried_out_ >= trials_->most; }
 
   const Spec& spec_;
   const BoundOptions& options_;

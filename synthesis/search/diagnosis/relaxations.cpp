@@ -21,7 +21,7 @@ SearchResult Questions::best(const SearchTask& asked) {
   SearchResult found = best_design(asked);
   if (thorough_ && !found.design && !found.proven_none)
     found = searched_again(asked, std::move(found), has_design);
-  count(found.evaluations);
+  count(asked, found.evaluations);
   return found;
 }
 
@@ -30,9 +30,11 @@ std::optional<FoundDesign> Questions::best_of(const Spec& other) {
   return best(pose(other, task_.control.silent_part())).design;
 }
 
-void Questions::count(std::uint64_t evaluations) {
+void Questions::count(const SearchTask& asked, std::uint64_t evaluations) {
   evaluations_ += evaluations;
-  spent_ += std::max(evaluations, budget().least_of_search);
+  const std::uint64_t weight = (asked.space().obstacles().empty() ? 0 : budget().among_obstacles) +
+                               (asked.limits.sag ? budget().of_sag : 0);
+  spent_ += std::max(evaluations * std::max<std::uint64_t>(weight, 1), budget().least_of_search);
   if (progress_)
     progress_(std::min(1.0, static_cast<double>(spent_) / static_cast<double>(budget().evaluations)));
 }

@@ -35,8 +35,8 @@ class Questions {
   SearchResult best(const SearchTask& asked);
   /// The best design for another spec.
   std::optional<FoundDesign> best_of(const Spec& other);
-  /// Counts the work of a search made elsewhere.
-  void count(std::uint64_t evaluations);
+  /// Counts the work of a search, by what an evaluation of its task costs.
+  void count(const SearchTask& asked, std::uint64_t evaluations);
   /// Adds the evaluations of the round before, which this one's budget does not pay for.
   void add_earlier(std::uint64_t evaluations) { evaluations_ += evaluations; }
 

@@ -35,7 +35,7 @@ std::optional<FoundDesign> nearer(Questions& questions, const MovableLimit& limi
     if (!found) continue;
     if (has_stock_lengths(task.spec())) return found;  // polished lengths are none of the stock
     const SearchResult polished = best_from(start_at(found->linkage), task.with(narrowed, limit.goal), {});
-    questions.count(polished.evaluations);
+    questions.count(task, polished.evaluations);
     return polished.design ? polished.design : found;
   }
   return std::nullopt;
@@ -201,14 +201,15 @@ void relax_longest(Questions& questions) {
 
 }  // namespace
 
+/// First the limits that take longest to evaluate: without them a search is quick.
 void relax_limits(Questions& questions) {
+  relax_sag(questions);
+  questions.keep(relaxed(questions, limit_of(Goal::load_error)));
   for (const Goal goal : {Goal::transmission, Goal::clearance})
     questions.keep(relaxed(questions, limit_of(goal)));
   relax_longest(questions);
   relax_copy_gap(questions);
   relax_copy_error(questions);
-  questions.keep(relaxed(questions, limit_of(Goal::load_error)));
-  relax_sag(questions);
   questions.keep(relaxed(questions, limit_of(Goal::pole_margin)));
 }
 

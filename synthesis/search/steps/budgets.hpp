@@ -140,8 +140,11 @@ struct StockBudget {
 struct DiagnosisBudget {
   /// Evaluations of all questions of one round: once they are spent no other search begins.
   std::uint64_t evaluations = 3'000'000;
+  /// What takes several times as long counts as so many: an evaluation beside obstacles, bodies or a table, one with a limit on the sag, and
+  /// one with both as their sum. So a round takes about a minute of one core at most, whatever the spec.
+  std::uint64_t among_obstacles = 3, of_sag = 3;
   /// Share of them that the search for the least change of one limit may have: the other limits are to have their turn.
-  double one_limit = 0.5;
+  double one_limit = 0.3;
   /// A search counts as at least so many: its proof takes about their time, and is often all that there is of it.
   std::uint64_t least_of_search = 20'000;
   int rounds = 8;  ///< of looking for a design nearer to what is demanded

@@ -411,6 +411,23 @@ TEST(Diagnosis, EndsWithItsBudgetAndSaysWhatNeedNotBeTheLeast) {
   EXPECT_GT(not_least, 0);
 }
 
+TEST(Diagnosis, AnEvaluationAmongObstaclesCountsAsSeveral) {
+  Spec spec = example("clamped-plate");
+  spec.limits.transmission = radians(75);
+  const auto counted_as = [&](std::uint64_t several) {
+    SearchOptions options;
+    options.budgets.diagnosis.among_obstacles = several;
+    const SearchOutcome outcome = synthesize(spec, options);
+    const auto* none = std::get_if<NoDesign>(&outcome);
+    EXPECT_TRUE(none) << "there is a design";
+    return none ? *none : NoDesign{};
+  };
+  const NoDesign whole = counted_as(DiagnosisBudget{}.among_obstacles), cut = counted_as(1'000'000);
+  EXPECT_TRUE(whole.diagnosed);
+  EXPECT_FALSE(cut.diagnosed);
+  EXPECT_LE(cut.evaluations, whole.evaluations);
+}
+
 /// Every single key that restricts designs, left out or at the loosest value that a spec may state.
 std::vector<std::pair<std::string, Spec>> each_left_out(const Spec& spec) {
   std::vector<std::pair<std::string, Spec>> specs;
