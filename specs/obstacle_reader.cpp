@@ -114,7 +114,7 @@ bool carries(Link link, Carrier at, Grounding grounding) {
   return has_joint(link, at == Carrier::tracer ? roles.tracer : roles.pen);
 }
 
-/// "VA or VB, which carry the pen"
+/// "VA or VB (a link that holds the pen with the pen at the vertex)"
 std::string links_that_carry(Carrier at, const std::vector<Grounding>& groundings) {
   std::string names;
   for (const Link link : all_links)
@@ -124,7 +124,7 @@ std::string links_that_carry(Carrier at, const std::vector<Grounding>& grounding
   std::string vertices;
   for (const Grounding each : groundings)
     vertices += (vertices.empty() ? "" : " or ") + std::string(name(each));
-  return fmt::format("{}, which has the {} with the {} at the vertex", names,
+  return fmt::format("{} (a link that holds the {} with the {} at the vertex)", names,
                      at == Carrier::tracer ? "tracer" : "pen", vertices);
 }
 
