@@ -4,17 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "specs/spec_reader.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 
 namespace kempe::certificate {
 namespace {
 
-Spec example(const std::string& name) {
-  return read_spec_file(std::string(KEMPE_SOURCE_DIR "/specs/examples/") + name + ".toml").value();
-}
-
 TEST(ProofTree, ABoundThatIsFalseGivesWayUntilItHasALog) {
-  const Spec spec = example("plagiograph");
+  const Spec spec = test::shipped_spec("plagiograph");
   const auto size = prove(spec, Objective::size, 1e6, {.lines = 20});
   ASSERT_TRUE(size);
   EXPECT_LT(*size->bound, 1e6);
@@ -25,12 +21,12 @@ TEST(ProofTree, ABoundThatIsFalseGivesWayUntilItHasALog) {
 }
 
 TEST(ProofTree, AVerdictThatIsFalseHasNone) {
-  const auto log = prove(example("plagiograph"), Objective::size, std::nullopt, {.lines = 100});
+  const auto log = prove(test::shipped_spec("plagiograph"), Objective::size, std::nullopt, {.lines = 100});
   EXPECT_FALSE(log);
 }
 
 TEST(ProofTree, APostInTheOriginalIsAFewLines) {
-  Spec spec = example("nameplate");
+  Spec spec = test::shipped_spec("nameplate");
   Obstacle post{.shape = Region::circle({54, 135}, 15).polygons.front()};
   post.highest_layer = 8;  // all of them
   spec.obstacles.push_back(post);
@@ -41,7 +37,7 @@ TEST(ProofTree, APostInTheOriginalIsAFewLines) {
 
 /// Wherever the pole may stand, the copy is nowhere on the table: poles alone are cut, which takes few lines.
 TEST(ProofTree, ACopyOffTheTableIsProvenByAreasOfPoles) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.copy = Copy::of(3);
   spec.region = Region{{{{{-40, 60}, {40, 60}, {40, 140}, {-40, 140}}, {}}}};
   spec.pole.place = Region{{{{{-60, -60}, {60, -60}, {60, 60}, {-60, 60}}, {}}}};

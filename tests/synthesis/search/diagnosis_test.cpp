@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "specs/hardware.hpp"
-#include "specs/spec_reader.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/pareto.hpp"
@@ -17,13 +16,10 @@
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 
 namespace kempe {
 namespace {
-
-Spec example(const std::string& name) {
-  return *read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
-}
 
 Requirements with(Requirements limits, Goal goal, double value) {
   switch (goal) {
@@ -140,7 +136,7 @@ void check(const Spec& spec, const NoDesign& none) {
 }
 
 TEST(Diagnosis, OfTooLargeATransmissionAngle) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.limits.transmission = radians(75);
   const NoDesign none = nothing_for(spec);
   ASSERT_FALSE(none.relaxations.empty());
@@ -150,7 +146,7 @@ TEST(Diagnosis, OfTooLargeATransmissionAngle) {
 }
 
 TEST(Diagnosis, OfLinksTooShortForTheRegion) {
-  Spec spec = example("nameplate");
+  Spec spec = test::shipped_spec("nameplate");
   spec.links.longest = 60;
   const NoDesign none = nothing_for(spec);
   ASSERT_FALSE(none.relaxations.empty());
@@ -159,7 +155,7 @@ TEST(Diagnosis, OfLinksTooShortForTheRegion) {
 }
 
 TEST(Diagnosis, OfAStripTooShortForTheRegion) {
-  Spec spec = example("nameplate");
+  Spec spec = test::shipped_spec("nameplate");
   spec.limits.longest_strip = 60 + spec.links.style.width;
   const NoDesign none = nothing_for(spec);
   ASSERT_FALSE(none.relaxations.empty());
@@ -170,7 +166,7 @@ TEST(Diagnosis, OfAStripTooShortForTheRegion) {
 
 /// A plagiograph with lengths up to 72 mm, which leave joints 41.8 mm apart at most.
 Spec short_arms(double pin, std::optional<double> wall = std::nullopt) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.links.longest = 72;
   spec.links.shortest = 0.5;
   spec.links.style.width = 44.5;
@@ -213,7 +209,7 @@ TEST(Diagnosis, OfHolesThatKeepJointsApartNamesWallOrPin) {
 }
 
 TEST(Diagnosis, AStockLengthNearerThanItsHolesIsNamedWithoutASearch) {
-  const Spec base = example("plagiograph");
+  const Spec base = test::shipped_spec("plagiograph");
   const double pin = base.links.style.pin_diameter;
   std::vector<Spec> specs(4, base);
   specs[0].links.stock_lengths.locked[4] = 1.05 * pin;
@@ -239,7 +235,7 @@ TEST(Diagnosis, AStockLengthNearerThanItsHolesIsNamedWithoutASearch) {
 }
 
 TEST(Diagnosis, OfATightCopyError) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.tolerance = Tolerance{0.1, 0.05};
   spec.limits.copy_error = 0.01;
   const NoDesign none = nothing_for(spec);
@@ -264,7 +260,7 @@ TEST(Diagnosis, OfRandomSpecs) {
 }
 
 TEST(Diagnosis, AnObstacleInTheWayIsNamed) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.obstacles.push_back(
       {{{{-200, -200}, {-190, -200}, {-190, -190}, {-200, -190}}, {}}, 1, 8, "harmless block"});
   const Point corner = spec.region.polygons[0].outer[0];
@@ -278,7 +274,7 @@ TEST(Diagnosis, AnObstacleInTheWayIsNamed) {
 }
 
 TEST(Diagnosis, AnObstacleOverThePoleIsNamedWithoutASearch) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.obstacles.push_back({{{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}}, {}}, 1, 1, "vice"});
   const SearchOutcome outcome = synthesize(spec, {.diagnose = false});
   ASSERT_TRUE(std::holds_alternative<NoDesign>(outcome));
@@ -292,7 +288,7 @@ TEST(Diagnosis, AnObstacleOverThePoleIsNamedWithoutASearch) {
 
 TEST(Diagnosis, APoleInTheRegionIsToldWithItsPlaceAndWhereItCouldStand) {
   for (const Point& off : {Point(0, 0), Point(7000, -3000)}) {
-    Spec spec = example("plagiograph");
+    Spec spec = test::shipped_spec("plagiograph");
     spec.region = Region::rectangle(off - Point(10, 10), {20, 20});
     spec.pole.place = Point(off + Point(2, 3));
     const NoDesign none = nothing_for(spec);
@@ -308,7 +304,7 @@ TEST(Diagnosis, APoleInTheRegionIsToldWithItsPlaceAndWhereItCouldStand) {
 
 /// The copy of x 100..300 at scale 1/2 lies at 50..150: half of it on the original, wherever links can stand.
 Spec copy_on_its_original(double gap) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.copy = Copy::of(0.5, 0);
   spec.region = Region::rectangle({100, -60}, {200, 120});
   spec.pole.place = Point(0, 0);
@@ -374,9 +370,9 @@ bool says_it_may_be_smaller(const std::string& sentence) {
 
 /// Too short links, and too large an angle of transmission.
 std::vector<Spec> specs_without_designs() {
-  Spec short_links = example("nameplate");
+  Spec short_links = test::shipped_spec("nameplate");
   short_links.links.longest = 60;
-  Spec large_angle = example("plagiograph");
+  Spec large_angle = test::shipped_spec("plagiograph");
   large_angle.limits.transmission = radians(75);
   return {short_links, large_angle};
 }
@@ -412,7 +408,7 @@ TEST(Diagnosis, EndsWithItsBudgetAndSaysWhatNeedNotBeTheLeast) {
 }
 
 TEST(Diagnosis, AnEvaluationAmongObstaclesCountsAsSeveral) {
-  Spec spec = example("clamped-plate");
+  Spec spec = test::shipped_spec("clamped-plate");
   spec.limits.transmission = radians(75);
   const auto counted_as = [&](std::uint64_t several) {
     SearchOptions options;

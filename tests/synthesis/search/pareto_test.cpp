@@ -6,15 +6,15 @@
 #include <algorithm>
 
 #include "specs/spec.hpp"
-#include "specs/spec_reader.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 
 namespace kempe {
 namespace {
 
-Spec example(const std::string& name) {
-  Spec spec = *read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
+Spec tolerant_example(const std::string& name) {
+  Spec spec = test::shipped_spec(name);
   if (!spec.tolerance) spec.tolerance = Tolerance{0.05, 0.02};
   return spec;
 }
@@ -53,20 +53,20 @@ void check_front(const Spec& spec, Objective a, Objective b, int points) {
 }
 
 TEST(Pareto, BetweenSizeAndTransmission) {
-  check_front(example("nameplate"), Objective::size, Objective::transmission, 9);
+  check_front(tolerant_example("nameplate"), Objective::size, Objective::transmission, 9);
 }
 
 TEST(Pareto, BetweenSizeAndCopyError) {
-  check_front(example("plagiograph"), Objective::size, Objective::copy_error, 9);
+  check_front(tolerant_example("plagiograph"), Objective::size, Objective::copy_error, 9);
 }
 
 TEST(Pareto, BetweenTransmissionAndCopyErrorWithAFreePole) {
-  check_front(example("sixty"), Objective::transmission, Objective::copy_error, 6);
+  check_front(tolerant_example("sixty"), Objective::transmission, Objective::copy_error, 6);
 }
 
 /// The front of several sections holds what no section's own front beats.
 TEST(Pareto, OfSeveralSectionsIsOfThemAll) {
-  Spec spec = example("plagiograph");
+  Spec spec = tolerant_example("plagiograph");
   spec.material = Material{"steel", 200e3, 7850, 235};
   spec.load = Load{10};
   const auto front_with = [&](const std::vector<LinkSection>& sections) {
@@ -91,7 +91,7 @@ TEST(Pareto, OfSeveralSectionsIsOfThemAll) {
 }
 
 TEST(Pareto, OfASpecWithoutDesignsSaysWhy) {
-  Spec spec = example("plagiograph");
+  Spec spec = tolerant_example("plagiograph");
   spec.limits.transmission = radians(80);
   const auto front = pareto_front(spec, Objective::size, Objective::transmission, 5, {});
   ASSERT_FALSE(front);

@@ -5,7 +5,6 @@
 
 #include <thread>
 
-#include "specs/spec_reader.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/steps/design_check.hpp"
@@ -13,6 +12,7 @@
 #include "synthesis/verification/verification.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/footprint.hpp"
 #include "workspace/reach.hpp"
@@ -31,12 +31,6 @@ std::optional<FoundDesign> found_for(const Spec& spec, int threads = 1) {
   const SearchOutcome outcome = synthesize(spec, quick(threads));
   const auto* design = std::get_if<FoundDesign>(&outcome);
   return design ? std::optional(*design) : std::nullopt;
-}
-
-Spec example(const std::string& name) {
-  auto spec = read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
-  EXPECT_TRUE(spec) << spec.error().message();
-  return *spec;
 }
 
 Design assembled(const Spec& spec, const FoundDesign& found) {
@@ -221,7 +215,7 @@ TEST(Search, NoRandomPairOfLengthsIsBetter) {
 
 TEST(Search, IsTheSameForAnyNumberOfThreads) {
   test::SpecDice dice(23);
-  std::vector<Spec> specs{example("sixty"), example("clamped-plate")};
+  std::vector<Spec> specs{test::shipped_spec("sixty"), test::shipped_spec("clamped-plate")};
   for (int i = 0; i < 6; ++i) specs.push_back(dice.spec());
   for (const Spec& spec : specs) {
     const auto one = found_for(spec, 1), two = found_for(spec, 2), seven = found_for(spec, 7);
@@ -263,7 +257,7 @@ TEST(Search, GoesRoundObstacles) {
 
 /// A post between pole and original: the best designs swing past it with a plate's side, all along a curve of tracer places.
 TEST(Search, GoesRoundAPostBesideThePole) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   Obstacle post{.shape = Region::circle({21, 3}, 8).polygons.front()};
   post.highest_layer = 8;  // all of them
   spec.obstacles.push_back(post);
@@ -336,7 +330,7 @@ TEST(Search, MakesTheCopyErrorSmall) {
 
 TEST(Search, MakesTheFootprintSmall) {
   test::SpecDice dice(43);
-  std::vector<Spec> specs{example("plagiograph")};
+  std::vector<Spec> specs{test::shipped_spec("plagiograph")};
   for (int i = 0; i < test::samples(6); ++i) {
     specs.push_back(dice.spec());
     specs.back().pole.place = Point(Point::Zero());
@@ -360,7 +354,7 @@ TEST(Search, MakesTheFootprintSmall) {
 }
 
 TEST(Search, ContradictoryLimitsAreProvenToHaveNoDesign) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   spec.limits.transmission = radians(80);
   const SearchOutcome outcome = synthesize(spec, quick());
   const auto* none = std::get_if<NoDesign>(&outcome);
@@ -372,7 +366,7 @@ TEST(Search, StopsAtOnceAndSaysSo) {
   const std::atomic<bool> stop{true};
   SearchOptions options = quick();
   options.stop = &stop;
-  Spec spec = example("clamped-plate");
+  Spec spec = test::shipped_spec("clamped-plate");
   const SearchOutcome outcome = synthesize(spec, options);
   if (const auto* design = std::get_if<FoundDesign>(&outcome))
     EXPECT_FALSE(design->complete);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "specs/spec_check.hpp"
-#include "specs/spec_reader.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
 #include "synthesis/search/steps/local_search.hpp"
@@ -14,15 +13,10 @@
 #include "tests/random.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/kept_limits.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 
 namespace kempe {
 namespace {
-
-Spec example(const std::string& name) {
-  auto spec = read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
-  EXPECT_TRUE(spec) << spec.error().message();
-  return *spec;
-}
 
 std::optional<FoundDesign> searched(const Spec& spec) {
   SearchOptions options;
@@ -67,7 +61,7 @@ TEST(Sketch, KeepsEveryLimit) {
   std::mt19937_64 random(7);
   for (const char* name :
        {"plagiograph", "nameplate", "half-turn", "sixty", "clamped-plate", "pantorouter"}) {
-    const Spec spec = example(name);
+    const Spec spec = test::shipped_spec(name);
     SketchedDesign last = sketch_of(*searched(spec));
     int sketches = 0;
     for (int i = 0; i < test::samples(40); ++i) {
@@ -95,7 +89,7 @@ TEST(Sketch, IsNearTheSearchsDesign) {
   std::mt19937_64 random(8);
   for (const char* name :
        {"plagiograph", "nameplate", "half-turn", "sixty", "clamped-plate", "pantorouter"}) {
-    Spec spec = example(name);
+    Spec spec = test::shipped_spec(name);
     SketchedDesign last = sketch_of(*searched(spec));
     for (int i = 0; i < test::samples(10); ++i) {
       spec = beside(spec, random);
@@ -119,7 +113,7 @@ TEST(Sketch, IsNearTheSearchsDesign) {
 }
 
 TEST(Sketch, IsTheSameForTheSameArguments) {
-  const Spec spec = example("clamped-plate");
+  const Spec spec = test::shipped_spec("clamped-plate");
   std::mt19937_64 random(9);
   const SketchedDesign start = sketch_of(*searched(spec));
   const Spec moved = beside(spec, random);
@@ -134,7 +128,7 @@ TEST(Sketch, IsTheSameForTheSameArguments) {
 
 // A hand that drags a handle into what cannot be, and back.
 TEST(Sketch, FindsItsWayBack) {
-  const Spec spec = example("plagiograph");
+  const Spec spec = test::shipped_spec("plagiograph");
   SketchedDesign last = sketch_of(*searched(spec));
   const double size = last.design->value;
   Spec impossible = spec;
@@ -149,7 +143,7 @@ TEST(Sketch, FindsItsWayBack) {
 
 // The follower's holder, which the tracer carries, would run into the template's holder: the copy decides that, no length does.
 TEST(Sketch, EndsWithoutDesignWhereTheCopyDrivesABodyIntoAnObstacle) {
-  const Spec spec = example("pantorouter");
+  const Spec spec = test::shipped_spec("pantorouter");
   SketchedDesign last = sketch_of(*searched(spec));
   Spec blocked = spec;
   shift(blocked.region.polygons.front().outer, {-8, 0});
@@ -162,7 +156,7 @@ TEST(Sketch, EndsWithoutDesignWhereTheCopyDrivesABodyIntoAnObstacle) {
 
 // What layers share at a point saves work and changes no figure.
 TEST(Sketch, SharedGapsChangeNoMerit) {
-  const Spec spec = example("pantorouter");
+  const Spec spec = test::shipped_spec("pantorouter");
   SearchOptions options;
   const SearchTask task = pose(spec, SearchControl(options));
   const std::vector<Subproblem> choices = task.subproblems();
@@ -181,21 +175,21 @@ TEST(Sketch, SharedGapsChangeNoMerit) {
 }
 
 TEST(Sketch, LeavesStockLengthsToTheSearch) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   const SketchedDesign start = sketch_of(*searched(spec));
   spec.links.stock_lengths.grid = 5;
   EXPECT_FALSE(sketched(spec, start).design);
 }
 
 TEST(Sketch, LeavesRobustDesignsToTheSearch) {
-  Spec spec = example("plagiograph");
+  Spec spec = test::shipped_spec("plagiograph");
   const SketchedDesign start = sketch_of(*searched(spec));
   spec.tolerance = Tolerance{.length = 0.05, .play = 0.05, .robust = true};
   EXPECT_FALSE(sketched(spec, start).design);
 }
 
 TEST(Sketch, EndsWhenItIsTold) {
-  const Spec spec = example("clamped-plate");
+  const Spec spec = test::shipped_spec("clamped-plate");
   const SketchedDesign start = sketch_of(*searched(spec));
   EXPECT_FALSE(sketched(spec, start, {}, [] { return true; }).design);
 }

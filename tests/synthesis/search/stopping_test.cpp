@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "specs/spec_reader.hpp"
 #include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/certificate/proof_tree.hpp"
 #include "synthesis/design/assemble.hpp"
@@ -18,6 +17,7 @@
 #include "synthesis/verification/verification.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 #include "workspace/obstructions.hpp"
 
 namespace kempe {
@@ -41,25 +41,19 @@ class CountingStop {
 
 constexpr std::size_t never = ~std::size_t{0};
 
-Spec example(const std::string& name) {
-  auto spec = read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/" + name + ".toml");
-  EXPECT_TRUE(spec) << spec.error().message();
-  return *spec;
-}
-
 /// Specs whose searches are as different as can be: obstacles, four layers, footprint, stock lengths, no design.
 std::vector<Spec> specimens() {
-  Spec clamped = example("clamped-plate");
-  Spec layers = example("nameplate");
+  Spec clamped = test::shipped_spec("clamped-plate");
+  Spec layers = test::shipped_spec("nameplate");
   layers.links.layers = 4;
-  Spec footprint = example("plagiograph");
+  Spec footprint = test::shipped_spec("plagiograph");
   footprint.objective.objective = Objective::footprint;
-  Spec stock_lengths = example("plagiograph");
+  Spec stock_lengths = test::shipped_spec("plagiograph");
   stock_lengths.links.stock_lengths.grid = 5;
-  Spec impossible = example("clamped-plate");
+  Spec impossible = test::shipped_spec("clamped-plate");
   impossible.links.longest = 0.7 * impossible.links.longest;
   impossible.limits.clearance = 4;
-  return {clamped, layers, footprint, stock_lengths, impossible, example("robust-plagiograph")};
+  return {clamped, layers, footprint, stock_lengths, impossible, test::shipped_spec("robust-plagiograph")};
 }
 
 SearchOutcome outcome_of(const Spec& spec, CountingStop& stop, double time_limit) {
@@ -141,7 +135,7 @@ TEST(Stopping, ATimeLimitThatIsNotReachedChangesNothing) {
 TEST(Stopping, UnderATimeLimitADesignIsFoundWithinItsShare) {
   const double share = SearchBudgets{}.time.first_design;
   for (const std::string name : {"clamped-plate", "plagiograph"}) {
-    const Spec spec = example(name);
+    const Spec spec = test::shipped_spec(name);
     CountingStop none(never);
     outcome_of(spec, none, very_long);
     CountingStop early(static_cast<std::size_t>(share * static_cast<double>(none.polls())));
@@ -175,7 +169,7 @@ TEST(Stopping, ABoundStoppedEarlyIsABound) {
 }
 
 TEST(Stopping, AMapStoppedEarlyCallsNothingFreeThatIsNot) {
-  const Spec spec = example("clamped-plate");
+  const Spec spec = test::shipped_spec("clamped-plate");
   SearchOptions options;
   options.diagnose = false;
   const auto found = std::get<FoundDesign>(synthesize(spec, options));
@@ -200,7 +194,7 @@ TEST(Stopping, AMapStoppedEarlyCallsNothingFreeThatIsNot) {
 }
 
 TEST(Stopping, WithoutTimeEveryPhaseAfterTheSearchEndsAtOnceAndSaysSo) {
-  const Spec spec = example("clamped-plate");
+  const Spec spec = test::shipped_spec("clamped-plate");
   CountingStop stop(1);
   const auto linkage = given_linkage(spec, "");
   ASSERT_TRUE(linkage);
@@ -215,7 +209,7 @@ TEST(Stopping, WithoutTimeEveryPhaseAfterTheSearchEndsAtOnceAndSaysSo) {
 }
 
 TEST(Stopping, WithoutTimeNoProofIsBegunAndNoOutlineIsTakenApart) {
-  Spec spec = example("clamped-plate");
+  Spec spec = test::shipped_spec("clamped-plate");
   CountingStop proof(1), shapes(1);
   const auto log =
       certificate::prove(spec, Objective::size, std::nullopt, {.lines = 1000, .stop = proof.flag()});
@@ -227,7 +221,7 @@ TEST(Stopping, WithoutTimeNoProofIsBegunAndNoOutlineIsTakenApart) {
 }
 
 TEST(Stopping, WithoutTimeFewPlacesAreDrivenTo) {
-  const Spec spec = example("clamped-plate");
+  const Spec spec = test::shipped_spec("clamped-plate");
   SearchOptions options;
   options.diagnose = false;
   const auto found = std::get<FoundDesign>(synthesize(spec, options));
@@ -239,7 +233,7 @@ TEST(Stopping, WithoutTimeFewPlacesAreDrivenTo) {
 }
 
 TEST(Stopping, AFrontStoppedEarlyIsWhatThereWas) {
-  const Spec spec = example("plagiograph");
+  const Spec spec = test::shipped_spec("plagiograph");
   CountingStop none(never);
   SearchOptions options;
   options.stop = none.flag();

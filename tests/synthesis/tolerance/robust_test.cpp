@@ -7,10 +7,10 @@
 #include <cmath>
 #include <functional>
 
-#include "specs/spec_reader.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
 #include "tests/samples.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 #include "tests/synthesis/tolerance/wrong_instruments.hpp"
 #include "workspace/contact/self_contact.hpp"
 #include "workspace/reach.hpp"
@@ -322,9 +322,9 @@ SearchOptions quick(int threads = 1) {
 
 /// Wide strips, so that the clearance is what limits the optimum.
 Spec plagiograph(const Tolerance& tolerance) {
-  auto spec = read_spec_file(std::string(KEMPE_SOURCE_DIR) + "/specs/examples/robust-plagiograph.toml");
-  spec->tolerance = tolerance;
-  return *spec;
+  Spec spec = test::shipped_spec("robust-plagiograph");
+  spec.tolerance = tolerance;
+  return spec;
 }
 
 RobustCheck check_of(const Spec& spec, const FoundDesign& found) {
