@@ -40,7 +40,7 @@ struct Trial {
 /// obstacles where and as far away as the search keeps them, until it closes on the search's own optimum.
 struct Trials {
   std::function<Trial(const RelaxedDesign&)> run;
-  int most = 0;                 ///< trials
+  int most = 0;  ///< trials, all of the last box included; the tree ends with them where none led to a design
   std::vector<Point> places{};  ///< of the tracer: where the search looks at obstacles
   double margin = 0;            ///< mm that it keeps away from them beyond the clearance
   double tolerance = 0;         ///< share of the best value known: nothing better by more is to be left

@@ -29,8 +29,8 @@ class RelaxedDesigns {
     return by_size_ ? spec_.limits.transmission : std::max(spec_.limits.transmission, -best_);
   }
   const std::optional<RelaxedDesign>& design() const { return design_; }
-  /// True once all trials are used up and none led to a design: what the search asks for beside the relaxation's limits fails them, and
-  /// no box will tell why.
+  /// True once all trials are used up and none led to a design: they fail by what the search asks for beside the relaxation's limits, so
+  /// more boxes are of no use.
   bool in_vain() const { return trials_are_used_up() && !(best_ < infinity); }
 
   /// Tries designs of the box: its smallest by reach, and its middle. `obstacles`, `loads`: null if there are none to be

@@ -36,41 +36,24 @@ double least_width(const Ring& outline) {
   return least;
 }
 
-/// The axis of a part: a point, its bars, or its triangle.
-struct Axis {
-  std::array<Hull, 2> pieces;
-  int count = 1;
-};
-
-Axis axis_of(PartName part, PlateStyle plate, const std::array<Point, 6>& joints) {
-  const auto at = [&](Joint joint) { return joints[static_cast<std::size_t>(joint)]; };
-  const Part named = part_of(part);
-  const auto hull_of = [&](Joint one, Joint other) { return Hull{{at(one), at(other), at(other)}, 2}; };
-  if (named.kind != Part::Kind::link) return {{Hull{{at(named.joint), at(named.joint), at(named.joint)}, 1}}};
-  if (named.link == Link::VA) return {{hull_of(Joint::V, Joint::A)}};
-  if (named.link == Link::VB) return {{hull_of(Joint::V, Joint::B)}};
-  const Joint first = named.link == Link::ACX ? Joint::A : Joint::B,
-              tip = named.link == Link::ACX ? Joint::X : Joint::Y;
-  if (plate == PlateStyle::triangle) return {{Hull{{at(first), at(Joint::C), at(tip)}, 3}}};
-  return {{hull_of(first, Joint::C), hull_of(first, tip)}, 2};
+/// A piece of a part's axis in a design, by its joints' places.
+Hull placed(const JointHull& piece, const std::array<Point, 6>& joints) {
+  Hull hull{{}, piece.count};
+  for (std::size_t i = 0; i < hull.at.size(); ++i)
+    hull.at[i] = joints[static_cast<std::size_t>(piece.joints[i])];
+  return hull;
 }
 
-double axis_distance(const Axis& axis, const Hull& hull) {
-  const double first = distance(axis.pieces[0], hull);
-  return axis.count == 1 ? first : std::min(first, distance(axis.pieces[1], hull));
-}
-
-/// True if all of an axis lies farther than `away` from the line through two points, on one side of it.
-bool keeps_to_one_side(const Axis& axis, const Point& from, const Point& to, double away) {
+/// True if all of a hull lies farther than `away` from the line through two points, on one side of it.
+bool keeps_to_one_side(const Hull& hull, const Point& from, const Point& to, double away) {
   const Point along = to - from;
   const double least = away * along.norm();
   double lowest = infinity, highest = -infinity;
-  for (int piece = 0; piece < axis.count; ++piece)
-    for (const Point& corner : axis.pieces[static_cast<std::size_t>(piece)].at) {
-      const double height = cross(along, corner - from);
-      lowest = std::min(lowest, height);
-      highest = std::max(highest, height);
-    }
+  for (int i = 0; i < hull.count; ++i) {
+    const double height = cross(along, hull.at[static_cast<std::size_t>(i)] - from);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
   return lowest > least || highest < -least;
 }
 
@@ -142,6 +125,7 @@ ObstacleLeaves::ObstacleLeaves(const RootTask& task)
   const Complex shape = task.root.mode.s;
   const bounding::MaterialPoint pole = pole_point();
   for (std::uint8_t part = 0; part < part_count; ++part) {
+    axes_[part] = axis_of(part_of({part}), shape, task.spec.links.style.plate);
     steadiest_[part] = infinity;
     for (const PartPoint& point : points_along({part}, task.spec.links.style.plate)) {
       const bounding::MaterialPoint at = material_point(point, shape);
@@ -320,7 +304,7 @@ std::optional<ObstacleLeaves::Middle> ObstacleLeaves::middle_at(const DesignCell
 }
 
 /// Where the joint is that carries a target; 0 for what rests on the table.
-Point ObstacleLeaves::place_of(const Target& target, const Middle& middle) {
+Point ObstacleLeaves::carrier_place(const Target& target, const Middle& middle) {
   return target.seen_from ? middle.joints[static_cast<std::size_t>(*target.seen_from)] : Point(Point::Zero());
 }
 
@@ -331,9 +315,11 @@ bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Mid
   if (!target.seen_from && of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest)
     return true;
   if (points_[part.number].size() == 1) return false;  // as quickly looked at
-  const Point centre = place_of(target, middle) + target.centre;
-  return axis_distance(axis_of(part, task_.spec.links.style.plate, middle.joints),
-                       Hull{{centre, centre, centre}, 1}) > need + target.radius;
+  const Point centre = carrier_place(target, middle) + target.centre;
+  const auto is_away = [&](const JointHull& piece) {
+    return distance(placed(piece, middle.joints), Hull{{centre, centre, centre}, 1}) > need + target.radius;
+  };
+  return std::all_of(axes_[part.number].begin(), axes_[part.number].end(), is_away);
 }
 
 /// The edges of a target that the part comes near enough to, or all of it where it is looked at as a whole.
@@ -342,17 +328,19 @@ std::vector<std::optional<std::size_t>> ObstacleLeaves::edges_in_reach(PartName 
   constexpr double rounding = 1 + 1e-9;
   const Target& target = targets_[obstacle];
   if (!target.edges.front()) return target.edges;
-  const Axis axis = axis_of(part, task_.spec.links.style.plate, middle.joints);
-  const Point origin = place_of(target, middle);
+  const Point origin = carrier_place(target, middle);
   const double need = needed(part, obstacle) * rounding;
-  std::vector<std::optional<std::size_t>> near;
   const auto corner = [&](std::size_t i) {
     return Point(origin + as_point(target.corners[i % target.corners.size()]));
   };
+  std::vector<std::optional<std::size_t>> near;
   for (const auto& edge : target.edges) {
     const Point from = corner(*edge), to = corner(*edge + 1);
-    if (!keeps_to_one_side(axis, from, to, need) && axis_distance(axis, Hull{{from, to, to}, 2}) <= need)
-      near.push_back(edge);
+    const auto is_near = [&](const JointHull& piece) {
+      const Hull hull = placed(piece, middle.joints);
+      return !keeps_to_one_side(hull, from, to, need) && distance(hull, Hull{{from, to, to}, 2}) <= need;
+    };
+    if (std::any_of(axes_[part.number].begin(), axes_[part.number].end(), is_near)) near.push_back(edge);
   }
   return near;
 }
@@ -394,7 +382,7 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
   const auto joint = [&](Joint name) { return as_complex(middle.joints[static_cast<std::size_t>(name)]); };
   const Complex V = joint(Joint::V), p = joint(Joint::A) - V,
                 q = joint(Joint::X) - joint(Joint::A);  // q: q/s
-  const Complex origin = target.seen_from ? joint(*target.seen_from) : 0;
+  const Complex origin = as_complex(carrier_place(target, middle));
   const auto seen = [&](const bounding::MaterialPoint& m) {
     return as_point(V + m.of_a * p + m.of_b * q - origin);
   };

@@ -78,7 +78,7 @@ class ObstacleLeaves {
     double left_out = 0;               ///< mm: no place of the outline is farther from that of `few`
     std::optional<Joint> seen_from{};  ///< the joint that carries it; absent: it rests on the table
   };
-  static Point place_of(const Target& target, const Middle& middle);
+  static Point carrier_place(const Target& target, const Middle& middle);
   std::vector<PartPoint> nearest_points(PartName part, const Target& target,
                                         const std::function<Point(const PartPoint&)>& place_of) const;
   static Target target_of(const Ring& outline, bool by_edges_alone);
@@ -99,6 +99,7 @@ class ObstacleLeaves {
 
   const RootTask& task_;
   std::vector<Target> targets_;  ///< of each obstacle, body and the table's edge, by their numbers in the log
+  std::array<std::vector<JointHull>, part_count> axes_;
   std::array<std::vector<AxisPoint>, part_count> points_;
   std::array<double, part_count> steadiest_{};  ///< the least share of its points
 };

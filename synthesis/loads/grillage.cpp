@@ -49,7 +49,7 @@ Grillage::Grillage(const GrillagePlan& plan, const std::vector<int>& props)
     free_.col(joint).setZero();
     free_(joint, joint) = unit_;
   }
-  solved_ = std::make_shared<Elimination>(free_);
+  factors_ = std::make_shared<Elimination>(free_);
 }
 
 /// A beam's part of the equations: its six unknowns, their stiffness and the forces of its weight.
@@ -132,19 +132,20 @@ void Grillage::add_pin(const GrillagePlan& plan, const GrillagePin& pin, int num
   if (!pin.other) held_[static_cast<std::size_t>(plan.joint(pin.node))] = true;
 }
 
-/// Solved, and twice more for loads as large as the rounding of each equation: one way in all, and to and fro. Of 4800 random linkages with
-/// ratios from 2 to 1.0001 the rises and slopes of none were off by more than 1.3 of what these loads move (against 64 bits).
+/// Solved for the forces, and twice more for loads as large as the rounding of each equation: of one sign, and of alternating signs. Compared
+/// with long double, the rises and slopes of none of 4800 random linkages with ratios from 2 to 1.0001 were off by more than 1.3 times what
+/// these loads move. So with `largest_share` six digits are left.
 Eigen::VectorXd Grillage::moved_by(Eigen::VectorXd forces) const {
   constexpr double largest_share = 5e-7;
   for (int joint = 0; joint < joints_; ++joint)
     if (held_[static_cast<std::size_t>(joint)]) forces[joint] = 0;
-  Eigen::VectorXd moved = solved_->solution(forces);
+  Eigen::VectorXd moved = factors_->solution(forces);
   const double most = largest_share * moved.head(first_moment_).norm();
   Eigen::VectorXd rounding =
       std::numeric_limits<double>::epsilon() * (free_.cwiseAbs() * moved.cwiseAbs() + forces.cwiseAbs());
-  bool is_solved = solved_->solution(rounding).head(first_moment_).norm() <= most;
+  bool is_solved = factors_->solution(rounding).head(first_moment_).norm() <= most;
   for (Eigen::Index i = 1; i < rounding.size(); i += 2) rounding[i] = -rounding[i];
-  is_solved = is_solved && solved_->solution(rounding).head(first_moment_).norm() <= most;
+  is_solved = is_solved && factors_->solution(rounding).head(first_moment_).norm() <= most;
   if (!is_solved) moved.setConstant(std::numeric_limits<double>::quiet_NaN());
   return moved;
 }

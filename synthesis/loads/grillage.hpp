@@ -91,8 +91,8 @@ class Grillage {
       1;  ///< mm; slopes are counted in rises over this length, so that all unknowns are of one size
   double unit_ = 1;  ///< N/mm; moments are counted in this times scale_
   std::vector<bool> held_;
-  Eigen::MatrixXd balance_, free_;  ///< the equations, without and with held joints
-  std::shared_ptr<const Elimination> solved_;
+  Eigen::MatrixXd balance_, free_;              ///< the equations, without and with held joints
+  std::shared_ptr<const Elimination> factors_;  ///< of `free_`
   Eigen::VectorXd weights_;
 };
 

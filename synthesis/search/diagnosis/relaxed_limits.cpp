@@ -201,7 +201,7 @@ void relax_longest(Questions& questions) {
 
 }  // namespace
 
-/// First the limits that take longest to evaluate: without them a search is quick.
+/// First the limits that take longest to evaluate: a search without them is quick.
 void relax_limits(Questions& questions) {
   relax_sag(questions);
   questions.keep(relaxed(questions, limit_of(Goal::load_error)));

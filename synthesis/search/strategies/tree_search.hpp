@@ -11,8 +11,8 @@ namespace kempe {
 bool suits_tree_search(const SearchTask& task);
 
 /// The best design that the tree leads to, with its bound. `exhausted`: no other choice and no other place is better by more
-/// than slack::tree_search, and the bound is within slack::tree_bound; else the boxes allowed (TreeBudget) were not
-/// enough, and the design is a start. `proven_none`: no box is left, and no design exists.
+/// than slack::tree_search, and the bound is within slack::tree_bound; else the boxes or trials allowed (TreeBudget)
+/// were not enough, and the design is a start. `proven_none`: no box is left, and no design exists.
 SearchResult best_by_tree(const SearchTask& task);
 
 }  // namespace kempe

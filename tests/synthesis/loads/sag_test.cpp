@@ -93,11 +93,11 @@ TEST(Sag, OfRatiosNextToOneIsRightToSixDigitsOrNotStated) {
                                    .G = 77e3,
                                    .density = 7850,
                                    .grip = 5};
-    const Complex k =
-        1.0 + std::polar(std::pow(10, test::uniform(random, -3.5, 0)), test::uniform(random, -pi, pi));
+    const double away = std::pow(10, test::uniform(random, -3.5, 0));
+    const Complex k = 1.0 + std::polar(away, test::uniform(random, -pi, pi));
     const SagProfile profile(k, all_groundings[random() % all_groundings.size()], conditions);
-    GrillagePlan plan = profile.plan(test::uniform(random, 20, 300), test::uniform(random, 20, 300),
-                                     test::uniform(random, 0.1, 3));
+    const double VA = test::uniform(random, 20, 300), VB = test::uniform(random, 20, 300);
+    GrillagePlan plan = profile.plan(VA, VB, test::uniform(random, 0.1, 3));
     const Eigen::VectorXd rises = Grillage(plan, {}).loaded().rises;
     const Complex turn = std::polar(1.0, test::uniform(random, -pi, pi));
     for (Complex& joint : plan.joints) joint *= turn;

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "synthesis/bound/proven_bound.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/search/steps/obstacle_check.hpp"
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
+#include "tests/synthesis/shipped_spec.hpp"
 
 namespace kempe {
 namespace {
@@ -82,6 +84,20 @@ TEST(TreeSearch, TellsTheSameTwice) {
     EXPECT_EQ(one.design->linkage, other.design->linkage);
     EXPECT_EQ(one.design->layers, other.design->layers);
   }
+}
+
+TEST(TreeSearch, EndsWithItsLastTrialWhereNoneLedToADesign) {
+  const Spec spec = test::shipped_spec("clamped-plate");
+  const BoundOptions options{.boxes = 60000};
+  int trials = 0;
+  const auto fails = [&](const RelaxedDesign&) { return ++trials, Trial{}; };
+  const auto tree = searched_by_tree(spec, Objective::size, options, {.run = fails, .most = 5});
+  ASSERT_TRUE(tree);
+  constexpr int of_one_box = 16;
+  EXPECT_GE(trials, 5);
+  EXPECT_LT(trials, 5 + of_one_box);
+  EXPECT_FALSE(tree->no_design);
+  EXPECT_LT(tree->boxes, options.boxes / 10);
 }
 
 TEST(TreeSearch, IsForObstaclesAndGoalsThatTheTreeKnows) {
