@@ -14,23 +14,30 @@ std::size_t member_of(const Part& part) {
                                        : first_joint + static_cast<std::size_t>(part.joint);
 }
 
-/// The member and, of a link, the joints' pins and posts that its outline holds.
-std::vector<std::size_t> held_by(std::size_t member) {
-  std::vector<std::size_t> held{member};
-  if (member >= first_joint) return held;
-  const LinkJoints joints = joints_of(all_links[member]);
-  for (int i = 0; i < joints.count; ++i)
-    held.push_back(first_joint + static_cast<std::size_t>(joints.joints[static_cast<std::size_t>(i)]));
+/// Of each member those that its outline holds: itself and, of a link, the pins and posts at its joints.
+std::array<LayerMembers, layer_members> held_members() {
+  std::array<LayerMembers, layer_members> held;
+  for (std::size_t member = 0; member < layer_members; ++member) held[member].set(member);
+  for (const Link link : all_links) {
+    const LinkJoints joints = joints_of(link);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(joints.count); ++i)
+      held[static_cast<std::size_t>(link)].set(first_joint + static_cast<std::size_t>(joints.joints[i]));
+  }
   return held;
 }
 
-/// Links hold their joints and share joints with their neighbours: they are never kept apart.
-bool are_joined(std::size_t one, std::size_t other) {
-  const auto of_one = held_by(one), of_other = held_by(other);
-  return std::any_of(of_one.begin(), of_one.end(), [&](std::size_t member) {
-    return std::find(of_other.begin(), of_other.end(), member) != of_other.end();
-  });
+const std::array<LayerMembers, layer_members> held_by = held_members();
+
+/// Of each member those that are never kept apart from it: links hold their joints and share joints with their neighbours.
+std::array<LayerMembers, layer_members> joined_members() {
+  std::array<LayerMembers, layer_members> joined;
+  for (std::size_t one = 0; one < layer_members; ++one)
+    for (std::size_t other = 0; other < layer_members; ++other)
+      joined[one].set(other, (held_by[one] & held_by[other]).any());
+  return joined;
 }
+
+const std::array<LayerMembers, layer_members> joined_with = joined_members();
 
 struct Candidate {
   LayerAssignment layers;
@@ -84,8 +91,8 @@ LayerDemands::LayerDemands(const CopyingLinkage& linkage, const LayerAssignment&
                            const ObstacleLayers& obstacles) {
   for (const ContactPair& pair : contact_pairs(linkage, layers)) {
     const std::size_t first = member_of(pair.first), second = member_of(pair.second);
-    pairs_[first] = static_cast<std::uint16_t>(pairs_[first] | 1u << second);
-    pairs_[second] = static_cast<std::uint16_t>(pairs_[second] | 1u << first);
+    pairs_[first].set(second);
+    pairs_[second].set(first);
   }
   for (const Part& part : parts_of(linkage, layers))
     for (std::size_t i = 0; i < obstacles.ranges.size(); ++i) {
@@ -98,21 +105,22 @@ LayerDemands::LayerDemands(const CopyingLinkage& linkage, const LayerAssignment&
 
 LayerDemands LayerDemands::implied() const {
   LayerDemands all;
-  for (std::size_t one = 0; one < members; ++one)
-    for (const std::size_t held : held_by(one)) {
+  for (std::size_t one = 0; one < layer_members; ++one) {
+    LayerMembers apart;  // from this one, with what these hold
+    for (std::size_t other = 0; other < layer_members; ++other)
+      if (pairs_[one][other]) apart |= held_by[other];
+    for (std::size_t held = 0; held < layer_members; ++held) {
+      if (!held_by[one][held]) continue;
       all.obstacles_[held] |= obstacles_[one];
-      for (std::size_t other = 0; other < members; ++other)
-        if (pairs_[one] >> other & 1)
-          for (const std::size_t of_other : held_by(other))
-            if (!are_joined(held, of_other))
-              all.pairs_[held] = static_cast<std::uint16_t>(all.pairs_[held] | 1u << of_other);
+      all.pairs_[held] |= apart & ~joined_with[held];
     }
+  }
   return all;
 }
 
 bool LayerDemands::within(const LayerDemands& other) const {
-  for (std::size_t i = 0; i < members; ++i)
-    if ((pairs_[i] & ~other.pairs_[i]) != 0 || (obstacles_[i] & ~other.obstacles_[i]).any()) return false;
+  for (std::size_t i = 0; i < layer_members; ++i)
+    if ((pairs_[i] & ~other.pairs_[i]).any() || (obstacles_[i] & ~other.obstacles_[i]).any()) return false;
   return true;
 }
 

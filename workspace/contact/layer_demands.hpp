@@ -8,7 +8,6 @@
 
 #include <array>
 #include <bitset>
-#include <cstdint>
 #include <vector>
 
 #include "workspace/obstructions.hpp"
@@ -31,7 +30,11 @@ struct ObstacleLayers {
   std::vector<LayerRange> ranges;
 };
 
-/// What must keep its clearance, as sets. A member is a link, or the pin or post at a joint (both have one diameter).
+/// A member is a link, or the pin or post at a joint (both have one diameter): four links, then six joints.
+constexpr std::size_t layer_members = 10;
+using LayerMembers = std::bitset<layer_members>;
+
+/// What must keep its clearance, as sets.
 class LayerDemands {
  public:
   LayerDemands(const CopyingLinkage& linkage, const LayerAssignment& layers, const ObstacleLayers& obstacles);
@@ -43,10 +46,10 @@ class LayerDemands {
   bool operator==(const LayerDemands&) const = default;
 
  private:
-  static constexpr std::size_t members = 10;  // four links, six joints
   LayerDemands() = default;
-  std::array<std::uint16_t, members> pairs_{};                          // of each: bit j stands for member j
-  std::array<std::bitset<ObstacleLayers::most>, members> obstacles_{};  // of each: bit i stands for range i
+  std::array<LayerMembers, layer_members> pairs_{};  ///< of each
+  std::array<std::bitset<ObstacleLayers::most>, layer_members>
+      obstacles_{};  ///< of each: by the range's number
 };
 
 /// Assignments of layer_assignments(layers) of which none implies the demands of another, in that order: if no design
