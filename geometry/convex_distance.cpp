@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kempe {
 namespace {
@@ -83,25 +84,36 @@ bool is_beyond(double separation, double enough) {
   return separation - separation_rounding * std::abs(separation) > enough;
 }
 
+/// The direction of a set's edge, of size 1; 0 if the edge has no length.
+Complex direction_of(ConvexCorners set, std::size_t edge) {
+  const Complex along = next(set, edge) - set[edge];
+  const double length = std::sqrt(std::norm(along));
+  return length > 0 ? along / length : 0;
+}
+
 /// The wider of `widest` and the separations along the normals of `edges`' edges; the first one beyond `enough`, if any is.
-double separation(ConvexCorners edges, ConvexCorners corners, double widest, double enough) {
-  const double outward = free_side(edges);
+template <typename DirectionOf>
+double separation(ConvexCorners edges, double free_side, const DirectionOf& direction_of,
+                  ConvexCorners corners, double widest, double enough) {
   for (std::size_t i = 0; i < edge_count(edges); ++i) {
-    const Complex edge = next(edges, i) - edges[i];
-    const double length = std::sqrt(std::norm(edge));
-    if (!(length > 0)) continue;
-    const Complex along = edge / length;
+    const Complex along = direction_of(i);
+    if (along == 0.0) continue;
     double lowest = infinity, highest = -infinity;
     for (const Complex& corner : corners) {
       const double height = cross(along, corner - edges[i]);
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
-    if (outward >= 0) widest = std::max(widest, lowest);
-    if (outward <= 0) widest = std::max(widest, -highest);
+    if (free_side >= 0) widest = std::max(widest, lowest);
+    if (free_side <= 0) widest = std::max(widest, -highest);
     if (is_beyond(widest, enough)) return widest;
   }
   return widest;
+}
+
+double separation(ConvexCorners edges, ConvexCorners corners, double widest, double enough) {
+  const auto direction = [&](std::size_t i) { return direction_of(edges, i); };
+  return separation(edges, free_side(edges), direction, corners, widest, enough);
 }
 
 /// Of two sets that are apart.
@@ -127,14 +139,32 @@ double squared_apart(ConvexCorners first, ConvexCorners second) {
   return least;
 }
 
+/// The distance of two sets whose widest separation is known.
+double with_separation(ConvexCorners first, ConvexCorners second, double widest, double enough) {
+  if (is_beyond(widest, enough) || (widest < 0 && widest > -infinity)) return widest;
+  return std::sqrt(squared_apart(first, second));
+}
+
 }  // namespace
 
 double convex_distance(ConvexCorners first, ConvexCorners second, double enough) {
   double widest = separation(first, second, -infinity, enough);
   if (is_beyond(widest, enough)) return widest;
   widest = separation(second, first, widest, enough);
-  if (is_beyond(widest, enough) || (widest < 0 && widest > -infinity)) return widest;
-  return std::sqrt(squared_apart(first, second));
+  return with_separation(first, second, widest, enough);
+}
+
+FixedConvex::FixedConvex(std::vector<Complex> corners)
+    : corners_(std::move(corners)), free_side_(kempe::free_side(corners_)) {
+  for (std::size_t i = 0; i < edge_count(corners_); ++i) directions_.push_back(direction_of(corners_, i));
+}
+
+double convex_distance(ConvexCorners moving, const FixedConvex& fixed, double enough) {
+  const auto direction = [&](std::size_t i) { return fixed.directions()[i]; };
+  double widest = separation(fixed.corners(), fixed.free_side(), direction, moving, -infinity, enough);
+  if (is_beyond(widest, enough)) return widest;
+  widest = separation(moving, fixed.corners(), widest, enough);
+  return with_separation(moving, fixed.corners(), widest, enough);
 }
 
 double distance_from(Complex point, ConvexCorners set) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "geometry/complex_vectors.hpp"
 
@@ -31,6 +32,24 @@ NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second);
 /// nearest_features(first, second).distance to the last bit, and quicker. Where it is beyond `enough`, mm, some number that is, too,
 /// and is no larger but for rounding.
 double convex_distance(ConvexCorners first, ConvexCorners second, double enough = infinity);
+
+/// A convex set that stays where it is, with the directions of its edges, which are worked out once.
+class FixedConvex {
+ public:
+  explicit FixedConvex(std::vector<Complex> corners);
+  const std::vector<Complex>& corners() const { return corners_; }
+  /// Of each edge, of size 1; 0 for an edge without a length.
+  const std::vector<Complex>& directions() const { return directions_; }
+  /// Of its edges, the side on which the set does not lie: 1 left, -1 right; 0 for a segment, which has two free sides.
+  double free_side() const { return free_side_; }
+
+ private:
+  std::vector<Complex> corners_, directions_;
+  double free_side_;
+};
+
+/// As for two sets, several times as quick where the distance is beyond `enough`.
+double convex_distance(ConvexCorners moving, const FixedConvex& fixed, double enough = infinity);
 
 /// The distance of a point alone, without the features; as nearest_features({&point, 1}, set).distance but for rounding, and
 /// several times as quick.

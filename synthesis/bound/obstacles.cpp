@@ -134,6 +134,7 @@ struct ObstacleTest::Look {
   const DesignBox& box;
   LayerSet& alive;
   LogLengths middle{};
+  SideLengths sides{};
   double nearest = std::numeric_limits<double>::infinity();  ///< mm, of a gap with what the joints move added
   std::optional<Hit> hit{};
   double moved = 0;  ///< mm, the most that joints were found to move; infinite where that could not be said
@@ -141,10 +142,11 @@ struct ObstacleTest::Look {
   Look(const ObstacleTest& of, const DesignBox& all, LayerSet& left) : test(of), box(all), alive(left) {
     const double t = box.t(), w = box.w();
     middle = {std::log(std::sqrt(w / t / 2)), std::log(std::sqrt(w * t / 2) * std::abs(test.mode_.s))};
+    sides = test.reach_.sides(middle);
   }
 
   PlacedJoints joints_at(std::size_t place) const {
-    return {test.reach_, test.roles_, middle, box.pole, test.places_[place].at};
+    return {test.reach_, test.roles_, middle, sides, box.pole, test.places_[place].at};
   }
 
   std::optional<JointMoves> moved_at(std::size_t place, const PlacedJoints& joints,
@@ -244,9 +246,10 @@ void ObstacleTest::demand_more(double margin, const std::vector<Point>& places) 
 bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t layers,
                             const std::optional<Hit>& first) {
   const LogLengths lengths{std::log(VA), std::log(VB)};
+  const SideLengths sides = reach_.sides(lengths);
   const auto is_clear_at = [&](const Point& place) {
     if (stop_()) return false;
-    const PlacedJoints joints(reach_, roles_, lengths, pole, place);
+    const PlacedJoints joints(reach_, roles_, lengths, sides, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
       return term.layers.has(layers) && obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints,
                                                      clearance_, Beyond::anything) < clearance_;

@@ -117,8 +117,9 @@ double DesignProblem::smallest_obstacle_gap(const DesignPoint& point, double eno
     for (const ObstacleTerm& term : terms_.obstacles) smallest = std::min(smallest, shared->of(term));
     known = shared->places();
   }
+  const SideLengths sides = reach_.sides(point.lengths);
   for (std::size_t i = known; i < places_.size(); ++i) {
-    const PlacedJoints joints(reach_, roles_, point.lengths, point.pole, places_[i]);
+    const PlacedJoints joints(reach_, roles_, point.lengths, sides, point.pole, places_[i]);
     for (const ObstacleTerm& term : terms_.obstacles)
       smallest = std::min(smallest, obstacle_gap(term, space_.obstacles()[term.obstacle], joints, smallest,
                                                  Beyond::anything));

@@ -126,8 +126,10 @@ void DesignProblem::add_obstacles(std::vector<Row>& rows, const DesignVector& x,
                         (band + slack::inward_obstacle) * unit;
   std::vector<double> smallest(terms_.obstacles.size(), enough);
   std::vector<Row> worst(terms_.obstacles.size(), {Row::Kind::obstacle});
+  const LogLengths lengths = lengths_of(x);
+  const SideLengths sides = reach_.sides(lengths);
   for (std::size_t p = 0; p < places_.size(); ++p) {
-    const PlacedJoints joints(reach_, roles_, lengths_of(x), layout_.pole(x), places_[p]);
+    const PlacedJoints joints(reach_, roles_, lengths, sides, layout_.pole(x), places_[p]);
     for (std::size_t t = 0; t < terms_.obstacles.size(); ++t) {
       const ObstacleTerm& term = terms_.obstacles[t];
       const double gap =

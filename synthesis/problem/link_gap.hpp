@@ -9,6 +9,7 @@
 // as the depth with a minus. Source of the depth: separating axes of convex polygons, whose Minkowski
 // difference has the edges of both.
 
+#include <cmath>
 #include <vector>
 
 #include "synthesis/problem/smooth_reach.hpp"
@@ -36,7 +37,9 @@ std::vector<GapTerm> gap_terms(const CopyingLinkage& linkage, const LayerAssignm
 /// The joints at an opening, V at the origin and p along x.
 class JointFrame {
  public:
-  JointFrame(Complex shape, const LogLengths& lengths, double opening);
+  JointFrame(Complex shape, double VA, double VB, double opening);
+  JointFrame(Complex shape, const LogLengths& lengths, double opening)
+      : JointFrame(shape, std::exp(lengths.u), std::exp(lengths.v), opening) {}
   Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }
   /// The part of a joint's place that grows with VA (m p) and with VB (n q).
   Complex of_p(Joint joint) const { return of_p_[static_cast<std::size_t>(joint)]; }

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "geometry/complex_vectors.hpp"
-#include "geometry/convex_distance.hpp"
 #include "geometry/region_reach.hpp"
+#include "geometry/regions/convex_parts.hpp"
 #include "synthesis/problem/slack.hpp"
 
 namespace kempe {
@@ -71,6 +71,18 @@ double distance_below(const PieceCorners& piece, Complex point) {
   const Complex axis = piece.at[1] - from;  // of two joints that are apart: nearest_share() without its test
   const double share = std::clamp(dot(axis, to_point) / std::norm(axis), 0.0, 1.0);
   return std::sqrt(std::norm(to_point - share * axis));
+}
+
+/// True if a bar's axis, or a plate's, is farther from a point than `distance`; a square root and a division less than to ask how far.
+bool is_farther(const PieceCorners& piece, Complex point, double distance) {
+  if (piece.count > 2) return distance_from(point, piece.span()) > distance;
+  const double squared = distance * std::abs(distance);  // of a negative distance negative: all is farther
+  const Complex to_point = point - piece.at[0];
+  if (piece.count == 1) return std::norm(to_point) > squared;
+  const Complex axis = piece.at[1] - piece.at[0];
+  const double length_squared = std::norm(axis);
+  const double along = std::clamp(dot(axis, to_point), 0.0, length_squared);
+  return std::norm(length_squared * to_point - along * axis) > squared * length_squared * length_squared;
 }
 
 /// The middle of the corners' box, and the radius around it that holds them.
@@ -172,6 +184,35 @@ void for_each_part(const ObstacleShape& obstacle, const PieceCorners& piece, con
   }
 }
 
+/// The distance of a piece from an obstacle, or a lower bound that is close to it where it is larger than `up_to`.
+double distance_near(const PieceCorners& piece, const ObstacleShape& obstacle, double up_to) {
+  const double below = distance_below(piece, obstacle.centre) - obstacle.radius;
+  if (below > up_to) return below;
+  double least = infinity;
+  const auto skips = [&](double group_below) { return group_below > least; };
+  for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
+    const double part_below = distance_below(piece, part.centre) - part.radius;
+    least =
+        std::min(least, part_below > std::min(least, up_to) ? part_below
+                                                            : convex_distance(piece.span(), part.outline));
+  });
+  return least;
+}
+
+/// The distance of a piece from an obstacle, or something that is larger than `up_to` as it is. Quicker than distance_near().
+double distance_up_to(const PieceCorners& piece, const ObstacleShape& obstacle, double up_to) {
+  if (is_farther(piece, obstacle.centre, obstacle.radius + up_to)) return infinity;
+  double least = infinity;
+  const auto skips = [&](double group_below) { return group_below > std::min(least, up_to); };
+  const bool is_one = obstacle.parts.size() == 1;  // its circle is the obstacle's
+  for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
+    const double needed = std::min(least, up_to);
+    if (is_one || !is_farther(piece, part.centre, part.radius + needed))
+      least = std::min(least, convex_distance(piece.span(), part.outline, needed));
+  });
+  return least;
+}
+
 void add_line(const Ring& ring, double step, std::vector<Point>& places) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -202,7 +243,7 @@ std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstr
       for (ConvexPart& whole : convex_parts(polygon))
         for (ConvexPart& part : cut_to_arcs(std::move(whole))) {
           const auto [centre, radius] = circle_around(part);
-          shape.parts.push_back({std::move(part), centre, radius});
+          shape.parts.push_back({FixedConvex(std::move(part)), centre, radius});
         }
     }
     std::tie(shape.centre, shape.radius) = circle_around(outer);
@@ -218,7 +259,11 @@ std::vector<ObstacleShape> obstacle_shapes(const std::vector<Obstruction>& obstr
 std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const LayerAssignment& layers,
                                          const LinkStyle& style, const std::vector<Obstruction>& obstructions,
                                          const std::vector<Body>& bodies) {
+  const std::vector<Part> parts = parts_of(linkage, layers);
+  std::vector<std::vector<JointHull>> axes;
+  for (const Part& part : parts) axes.push_back(axis_of(part, linkage.shape(), style.plate));
   std::vector<ObstacleTerm> terms;
+  terms.reserve(parts.size() * obstructions.size());
   for (std::size_t i = 0; i < obstructions.size(); ++i) {
     const Obstruction& obstruction = obstructions[i];
     const auto seen_from =
@@ -241,18 +286,18 @@ std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const La
       const Joint joint = joint_of(obstruction.met->by, linkage);
       add({{joint, joint, joint}, 1}, 0);
     }
-    for (const Part& part : parts_of(linkage, layers))
-      if (may_meet(part, obstruction, linkage))
-        for (const JointHull& hull : axis_of(part, linkage.shape(), style.plate))
-          add(hull, half_width(part, style));
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      if (may_meet(parts[part], obstruction, linkage))
+        for (const JointHull& hull : axes[part]) add(hull, half_width(parts[part], style));
   }
   return terms;
 }
 
 PlacedJoints::PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths,
-                           const Point& pole, const Point& tracer)
+                           const SideLengths& sides, const Point& pole, const Point& tracer)
     : reach_(reach), roles_(roles), lengths_(lengths), reach_vector_(as_complex(tracer - pole)),
-      opening_(reach.opening_at(lengths, std::abs(reach_vector_))), frame_(reach.shape(), lengths, opening_) {
+      opening_(reach.opening_at(sides, std::abs(reach_vector_))),
+      frame_(reach.shape(), sides.VA, sides.VB, opening_) {
   const Complex ground = frame_[roles.pole], arm = frame_[roles.tracer] - ground;
   // Where the opening had to be clamped the arm is too long or too short: its direction is right, which is enough.
   const Complex turn = reach_vector_ / arm;
@@ -300,23 +345,10 @@ PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
 double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
                     double enough, Beyond beyond) {
   const PieceCorners piece(term, joints);
-  const double below = distance_below(piece, obstacle.centre) - obstacle.radius - term.piece.half_width;
-  if (below > enough) return below;
-  double gap = std::numeric_limits<double>::infinity();
-  const auto skips = [&](double group_below) {
-    if (group_below > gap) return true;
-    if (beyond == Beyond::near_it || !(group_below > enough + term.piece.half_width)) return false;
-    gap = group_below;
-    return true;
-  };
-  for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
-    const double part_below = distance_below(piece, part.centre) - part.radius;
-    const double needed = std::min(gap, enough + term.piece.half_width);
-    const double exact_up_to = beyond == Beyond::anything ? needed : infinity;
-    gap = std::min(
-        gap, part_below > needed ? part_below : convex_distance(piece.span(), part.corners, exact_up_to));
-  });
-  return gap - term.piece.half_width;
+  const double half_width = term.piece.half_width, up_to = enough + half_width;
+  return (beyond == Beyond::anything ? distance_up_to(piece, obstacle, up_to)
+                                     : distance_near(piece, obstacle, up_to)) -
+         half_width;
 }
 
 PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,
@@ -326,8 +358,8 @@ PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstac
   const ConvexPart* of_part = nullptr;
   const auto skips = [&](double group_below) { return group_below > nearest.distance; };
   for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
-    const NearestFeatures here = nearest_features(piece.span(), part.corners);
-    if (here.distance < nearest.distance) nearest = here, of_part = &part.corners;
+    const NearestFeatures here = nearest_features(piece.span(), part.outline.corners());
+    if (here.distance < nearest.distance) nearest = here, of_part = &part.outline.corners();
   });
   PlacedJet jet{.value = nearest.distance - term.piece.half_width};
   if (!of_part) return jet;  // nothing stands there, or lengths overflow: no slope to go by
@@ -361,7 +393,8 @@ SmallestGaps::SmallestGaps(const Reach& reach, const JointRoles& roles, const Lo
                            const std::vector<ObstacleShape>& obstacles, double up_to)
     : obstacles_(obstacles), up_to_(up_to) {
   joints_.reserve(places.size());
-  for (const Point& place : places) joints_.emplace_back(reach, roles, lengths, pole, place);
+  const SideLengths sides = reach.sides(lengths);
+  for (const Point& place : places) joints_.emplace_back(reach, roles, lengths, sides, pole, place);
 }
 
 double SmallestGaps::smallest(const ObstacleTerm& term) const {

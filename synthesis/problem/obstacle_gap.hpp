@@ -20,7 +20,7 @@
 #include <tuple>
 #include <vector>
 
-#include "geometry/regions/convex_parts.hpp"
+#include "geometry/convex_distance.hpp"
 #include "kinematics/stop_flag.hpp"
 #include "synthesis/problem/link_gap.hpp"
 #include "workspace/obstructions.hpp"
@@ -29,7 +29,7 @@ namespace kempe {
 
 /// Convex corners with a circle around them.
 struct EncircledPart {
-  ConvexPart corners;
+  FixedConvex outline;
   Complex centre;
   double radius = 0;
 };
@@ -86,7 +86,11 @@ struct PlacedJet {
 class PlacedJoints {
  public:
   PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths, const Point& pole,
-               const Point& tracer);
+               const Point& tracer)
+      : PlacedJoints(reach, roles, lengths, reach.sides(lengths), pole, tracer) {}
+  /// `sides`: reach.sides(lengths), worked out once for many places.
+  PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths,
+               const SideLengths& sides, const Point& pole, const Point& tracer);
   Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }
   const std::array<Complex, 6>& all() const { return at_; }  ///< in the order of Joint
   /// The direction of the x axis of what is fixed to the link at its end, of size 1.
@@ -112,10 +116,10 @@ class PlacedJoints {
   std::array<Complex, 6> at_;
 };
 
-/// What is told of a gap larger than `enough`: a lower bound that is close to it, or any that is larger than `enough`, which is quicker.
+/// What is told of a gap larger than `enough`: a lower bound that is close to it, or anything larger than `enough`, which is quicker.
 enum class Beyond { near_it, anything };
 
-/// A lower bound of the gap where it is larger than `enough`, else the gap, mm; negative: depth.
+/// The gap, mm; negative: depth. Where it is larger than `enough`, what `beyond` says.
 double obstacle_gap(const ObstacleTerm& term, const ObstacleShape& obstacle, const PlacedJoints& joints,
                     double enough, Beyond beyond = Beyond::near_it);
 PlacedJet obstacle_gap_jet(const ObstacleTerm& term, const ObstacleShape& obstacle,

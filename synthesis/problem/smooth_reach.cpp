@@ -44,9 +44,13 @@ double Reach::radius_value(const LogLengths& lengths, double opening) const {
   return std::abs(a + std::polar(b, opening - arg_s_)) / chain_;
 }
 
-double Reach::opening_at(const LogLengths& lengths, double radius) const {
+SideLengths Reach::sides(const LogLengths& lengths) const {
+  return {std::exp(lengths.u), std::exp(lengths.v), std::exp(lengths.v - log_s_)};
+}
+
+double Reach::opening_at(const SideLengths& sides, double radius) const {
   // tan^2(e/2) = ((a+b)^2 - w^2) / (w^2 - (a-b)^2) keeps its digits at both dead points, unlike acos.
-  const double a = std::exp(lengths.u), b = std::exp(lengths.v - log_s_), w = radius * chain_;
+  const double a = sides.VA, b = sides.b, w = radius * chain_;
   const double outer = std::max(0.0, (a + b - w) * (a + b + w));
   const double inner = std::max(0.0, (w - std::abs(a - b)) * (w + std::abs(a - b)));
   double opening = arg_s_ + bend_ * 2 * std::atan2(std::sqrt(outer), std::sqrt(inner));

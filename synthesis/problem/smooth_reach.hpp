@@ -32,6 +32,11 @@ struct LogLengths {
   double u = 0, v = 0;
 };
 
+/// The same in millimetres, and b = VB / |s|.
+struct SideLengths {
+  double VA = 0, VB = 0, b = 0;
+};
+
 struct LogRange {
   double lower = 0, upper = 0;
   bool empty() const { return !(lower <= upper); }
@@ -56,8 +61,12 @@ class Reach {
   /// Tracer's distance from the pole, mm, with exact derivatives.
   LinkageJet radius(const LogLengths& lengths, double opening) const;
   double radius_value(const LogLengths& lengths, double opening) const;
+  SideLengths sides(const LogLengths& lengths) const;
   /// The opening at a distance (mm), clamped to the interval where it is out of reach.
-  double opening_at(const LogLengths& lengths, double radius) const;
+  double opening_at(const LogLengths& lengths, double radius) const {
+    return opening_at(sides(lengths), radius);
+  }
+  double opening_at(const SideLengths& sides, double radius) const;
 
   /// How far an opening stands from the interval's near or far end, rad (negative outside).
   double from_near_end(double opening) const;

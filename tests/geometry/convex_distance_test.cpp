@@ -47,14 +47,17 @@ TEST(ConvexDistance, WithoutItsFeaturesItIsTheSameToTheLastBit) {
   for (int n = 0; n < test::samples(5000); ++n) {
     std::vector<Complex> first = convex_corners(chance), second = convex_corners(chance);
     const double exact = nearest_features(first, second).distance;
+    const FixedConvex fixed(second);
     EXPECT_EQ(convex_distance(first, second), exact);
-    const double enough = exact + chance.symmetric(10), told = convex_distance(first, second, enough);
-    if (exact <= enough) {
-      EXPECT_EQ(told, exact);
-    } else {
-      EXPECT_GT(told, enough);
-      EXPECT_LE(told, exact + 1e-9);
-    }
+    EXPECT_EQ(convex_distance(first, fixed), exact);
+    const double enough = exact + chance.symmetric(10);
+    for (const double told : {convex_distance(first, second, enough), convex_distance(first, fixed, enough)})
+      if (exact <= enough) {
+        EXPECT_EQ(told, exact);
+      } else {
+        EXPECT_GT(told, enough);
+        EXPECT_LE(told, exact + 1e-9);
+      }
     overlapping += exact < 0;
     beyond += exact > enough;
   }

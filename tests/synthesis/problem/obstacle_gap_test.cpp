@@ -75,11 +75,14 @@ TEST(ObstacleGap, OfManyCornersIsTheDistanceToTheNearestEdge) {
       EXPECT_NEAR(by_jet, gap, 1e-9) << i;
       const double enough = gap + dice.between(-20, 20);
       const double any = obstacle_gap(term, shapes.front(), joints, enough, Beyond::anything);
-      EXPECT_LE(any, gap + 1e-9) << i;
+      const double near = obstacle_gap(term, shapes.front(), joints, enough);
+      EXPECT_LE(near, gap + 1e-9) << i;
       if (gap <= enough) {
         EXPECT_NEAR(any, gap, 1e-9) << i;
+        EXPECT_NEAR(near, gap, 1e-9) << i;
       } else {
         EXPECT_GT(any, enough) << i;
+        EXPECT_GT(near, enough) << i;
         ++beyond;
       }
     }
