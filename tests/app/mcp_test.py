@@ -139,6 +139,11 @@ class Protocol(Case):
         client.begin()
         self.assertCode(client.ask("initialize", {"protocolVersion": NEWEST}), -32600)
 
+    def test_it_waits_with_one_thread(self):
+        """No BLAS behind it keeps threads of its own busy."""
+        status = pathlib.Path(f"/proc/{self.client.server.pid}/status").read_text()
+        self.assertIn("Threads:\t1\n", status)
+
     def test_every_tool_has_a_schema_made_of_the_keys(self):
         answer = self.client.ask("tools/list")
         tools = {tool["name"]: tool for tool in answer["result"]["tools"]}
