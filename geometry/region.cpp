@@ -143,6 +143,14 @@ Box bounding_box(const Region& region) {
   return box;
 }
 
+double grid_step(const Region& region, double places) {
+  constexpr double most = 100'000;
+  const Box box = bounding_box(region);
+  const Point size = box.upper - box.lower;
+  return std::max(
+      {std::sqrt(area(region) / places), std::sqrt(size.x() * size.y() / most), size.maxCoeff() / most});
+}
+
 bool contains(const Region& region, const Point& point) {
   return std::any_of(region.polygons.begin(), region.polygons.end(), [&](const Polygon& polygon) {
     return squared_distance_to_box(box_of(polygon.outer), point) == 0 &&

@@ -14,6 +14,9 @@ struct Box {
 double signed_area(const Ring& ring);
 /// Area of the region, mm^2.
 double area(const Region& region);
+/// The side of the squares of a grid, mm, of which about `places` corners lie in the region; larger where that grid over the region's box
+/// would have more than some 100,000 corners, as of two specks far apart. The region must not be empty.
+double grid_step(const Region& region, double places);
 /// The ring without corners nearer than `detail` (mm, >= 0) to the last one kept: for pictures and
 /// first guesses, never for a part.
 Ring thinned(const Ring& ring, double detail);

@@ -63,8 +63,8 @@ PlacedJoints::Motion motion_of(const ObstacleTerm& term, std::size_t corner, Com
   return motion;
 }
 
-/// Distance of a point from a bar's axis, or a lower bound of it from a plate's.
-double distance_below(const PieceCorners& piece, Complex point) {
+/// Distance of a point from a bar's axis, or from a plate; negative: how deep it lies in the plate.
+double distance_to_axis(const PieceCorners& piece, Complex point) {
   if (piece.count > 2) return distance_from(point, piece.span());
   const Complex from = piece.at[0], to_point = point - from;
   if (piece.count == 1) return std::sqrt(std::norm(to_point));
@@ -73,7 +73,7 @@ double distance_below(const PieceCorners& piece, Complex point) {
   return std::sqrt(std::norm(to_point - share * axis));
 }
 
-/// True if a bar's axis, or a plate's, is farther from a point than `distance`; a square root and a division less than to ask how far.
+/// True if distance_to_axis() of the point is more than `distance`. Of points and bars it needs no square root and no division.
 bool is_farther(const PieceCorners& piece, Complex point, double distance) {
   if (piece.count > 2) return distance_from(point, piece.span()) > distance;
   const double squared = distance * std::abs(distance);  // of a negative distance negative: all is farther
@@ -165,7 +165,7 @@ void for_each_part(const ObstacleShape& obstacle, const PieceCorners& piece, con
   };
   const auto look_at = [&](std::uint32_t index) {
     const PartGroup& group = obstacle.groups[index];
-    return Open{index, distance_below(piece, group.centre) - group.radius};
+    return Open{index, distance_to_axis(piece, group.centre) - group.radius};
   };
   std::array<Open, 64> open{look_at(0)};  // halves of 2^32 parts are at most 32 deep
   std::size_t count = 1;
@@ -186,12 +186,12 @@ void for_each_part(const ObstacleShape& obstacle, const PieceCorners& piece, con
 
 /// The distance of a piece from an obstacle, or a lower bound that is close to it where it is larger than `up_to`.
 double distance_near(const PieceCorners& piece, const ObstacleShape& obstacle, double up_to) {
-  const double below = distance_below(piece, obstacle.centre) - obstacle.radius;
+  const double below = distance_to_axis(piece, obstacle.centre) - obstacle.radius;
   if (below > up_to) return below;
   double least = infinity;
   const auto skips = [&](double group_below) { return group_below > least; };
   for_each_part(obstacle, piece, skips, [&](const EncircledPart& part) {
-    const double part_below = distance_below(piece, part.centre) - part.radius;
+    const double part_below = distance_to_axis(piece, part.centre) - part.radius;
     least =
         std::min(least, part_below > std::min(least, up_to) ? part_below
                                                             : convex_distance(piece.span(), part.outline));
@@ -199,7 +199,7 @@ double distance_near(const PieceCorners& piece, const ObstacleShape& obstacle, d
   return least;
 }
 
-/// The distance of a piece from an obstacle, or something that is larger than `up_to` as it is. Quicker than distance_near().
+/// The distance of a piece from an obstacle, or any number above `up_to` where it is larger than that. Quicker than distance_near().
 double distance_up_to(const PieceCorners& piece, const ObstacleShape& obstacle, double up_to) {
   if (is_farther(piece, obstacle.centre, obstacle.radius + up_to)) return infinity;
   double least = infinity;
@@ -427,7 +427,7 @@ std::vector<Point> tracer_places(const Region& region, int about) {
     for (const Ring& hole : polygon.holes) add_line(hole, outline / (0.6 * about), places);
   }
   const Box box = bounding_box(region);
-  const double step = std::sqrt(area(region) / (0.4 * about));
+  const double step = grid_step(region, 0.4 * about);
   const RegionReach reach(
       region);  // asked some thousand times: contains() would look at all corners each time
   for (double x = box.lower.x() + step / 2; x < box.upper.x(); x += step)

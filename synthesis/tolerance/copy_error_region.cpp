@@ -104,7 +104,7 @@ bool is_in(const Region& region, const RegionReach& reach, const Point& place) {
 
 void append_lattice(const Region& region, const RegionReach& reach, std::size_t about,
                     std::vector<Point>& places) {
-  const double step = std::sqrt(area(region) / static_cast<double>(about));
+  const double step = grid_step(region, static_cast<double>(about));
   if (!(step > 0)) return;
   const Box box = bounding_box(region);
   const Point size = box.upper - box.lower;

@@ -22,6 +22,21 @@ TEST(Region, AreaKeepsItsDigitsFarFromTheOrigin) {
   EXPECT_DOUBLE_EQ(signed_area(far), 100);
 }
 
+TEST(Region, AGridHasThePlacesAskedForOrNotTooMany) {
+  EXPECT_DOUBLE_EQ(grid_step(frame, 24), 2);
+  const Region flat{{{{{0, 0}, {300, 0}, {300, 1e-10}, {0, 1e-10}}, {}}}};
+  const Region slanting{{{{{0, 0}, {200, 200}, {200, 200 + 1e-7}}, {}}}};
+  Ring far = square;
+  for (Point& corner : far) corner += Point(1e6, 1e6);
+  const Region specks{{{square, {}}, {far, {}}}};
+  for (const Region& region : {flat, slanting, specks}) {
+    const Box box = bounding_box(region);
+    const double step = grid_step(region, 800);
+    EXPECT_LE(((box.upper.x() - box.lower.x()) / step + 1) * ((box.upper.y() - box.lower.y()) / step + 1),
+              400'000);
+  }
+}
+
 TEST(Region, ContainsItsBoundaryAndNotItsHoles) {
   EXPECT_TRUE(contains(frame, {1, 1}));
   EXPECT_TRUE(contains(frame, {0, 0}));
