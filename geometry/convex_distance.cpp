@@ -40,6 +40,20 @@ void separate(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, 
   }
 }
 
+/// Share of a separation: by more no distance is smaller than it, whatever was rounded.
+constexpr double separation_rounding = 1e-12;
+
+/// True if two sets with this widest separation overlap. Of two segments in one line it is 0 but for rounding, however far apart they
+/// are: there is no edge across the line.
+bool overlap(ConvexCorners first, ConvexCorners second, double widest) {
+  if (!(widest < 0) || widest == -infinity) return false;
+  if (first.size() > 2 || second.size() > 2) return true;
+  double extent = 0;
+  for (const ConvexCorners& set : {first, second})
+    for (const Complex& corner : set) extent = std::max(extent, std::abs(corner - first[0]));
+  return widest < -separation_rounding * extent;
+}
+
 /// The smallest distance of `corners` from the corners and edges of `edges`; squared in `best` on the way.
 void approach(ConvexCorners edges, ConvexCorners corners, bool corner_of_first, NearestFeatures& best) {
   for (std::size_t j = 0; j < corners.size(); ++j)
@@ -67,7 +81,7 @@ NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second) {
   NearestFeatures best{.distance = -infinity};
   separate(first, second, false, best);
   separate(second, first, true, best);
-  if (best.is_edge && best.distance < 0) return best;
+  if (best.is_edge && overlap(first, second, best.distance)) return best;
   best = {.distance = infinity};
   approach(first, second, false, best);
   approach(second, first, true, best);
@@ -76,9 +90,6 @@ NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second) {
 }
 
 namespace {
-
-/// Share of a separation: by more no distance is smaller than it, whatever was rounded.
-constexpr double separation_rounding = 1e-12;
 
 bool is_beyond(double separation, double enough) {
   return separation - separation_rounding * std::abs(separation) > enough;
@@ -141,7 +152,7 @@ double squared_apart(ConvexCorners first, ConvexCorners second) {
 
 /// The distance of two sets whose widest separation is known.
 double with_separation(ConvexCorners first, ConvexCorners second, double widest, double enough) {
-  if (is_beyond(widest, enough) || (widest < 0 && widest > -infinity)) return widest;
+  if (is_beyond(widest, enough) || overlap(first, second, widest)) return widest;
   return std::sqrt(squared_apart(first, second));
 }
 

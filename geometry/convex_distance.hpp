@@ -29,8 +29,8 @@ struct NearestFeatures {
 
 NearestFeatures nearest_features(ConvexCorners first, ConvexCorners second);
 
-/// nearest_features(first, second).distance to the last bit, and quicker. Where it is beyond `enough`, mm, some number that is, too,
-/// and is no larger but for rounding.
+/// nearest_features(first, second).distance to the last bit, and quicker. Where that is larger than `enough`, mm, a number above `enough`
+/// that is no larger than the distance but for rounding.
 double convex_distance(ConvexCorners first, ConvexCorners second, double enough = infinity);
 
 /// A convex set that stays where it is, with the directions of its edges, which are worked out once.

@@ -65,6 +65,21 @@ TEST(ConvexDistance, WithoutItsFeaturesItIsTheSameToTheLastBit) {
   EXPECT_GT(beyond, test::expected(500));
 }
 
+TEST(ConvexDistance, OfSegmentsInOneLineIsTheGapBetweenThem) {
+  Chance chance(14);
+  for (int n = 0; n < test::samples(20000); ++n) {
+    const Complex origin(chance.symmetric(100), chance.symmetric(100));
+    const Complex along = std::polar(1.0, chance.symmetric(pi));
+    const double first_length = std::abs(chance.symmetric(50)), gap = std::abs(chance.symmetric(10)),
+                 second_length = std::abs(chance.symmetric(50));
+    const std::vector<Complex> first{origin, origin + along * first_length};
+    const std::vector<Complex> second{origin + along * (first_length + gap),
+                                      origin + along * (first_length + gap + second_length)};
+    EXPECT_NEAR(nearest_features(first, second).distance, gap, 1e-9);
+    EXPECT_NEAR(convex_distance(first, FixedConvex(second)), gap, 1e-9);
+  }
+}
+
 TEST(ConvexDistance, NoPlaceOfTheOutlineIsNearer) {
   Chance chance(12);
   for (int n = 0; n < test::samples(300); ++n) {
