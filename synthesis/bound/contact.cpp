@@ -119,13 +119,14 @@ PairKey key_of(const ContactPair& pair) { return std::minmax(part_key(pair.first
 
 std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
                                        const std::vector<Obstacle>& obstacles,
-                                       const std::vector<Body>& bodies, bool as_searched) {
+                                       const std::vector<Body>& bodies,
+                                       std::optional<SagCounts> as_searched) {
   const auto any = CopyingLinkage::make(k, grounding, 100, 100, 0);
   std::vector<LayerChoice> choices;
   if (!any) return choices;
-  for (const LayerAssignment& each : as_searched
-                                         ? assignments_worth_trying(*any, layers, obstacles, bodies)
-                                         : least_demanding_assignments(*any, layers, obstacles, bodies)) {
+  for (const LayerAssignment& each :
+       as_searched ? assignments_worth_trying(*any, layers, obstacles, bodies, *as_searched)
+                   : least_demanding_assignments(*any, layers, obstacles, bodies)) {
     choices.push_back({each, keys_of(contact_pairs(*any, each))});
     const auto like = std::find_if(choices.begin(), choices.end(), [&](const LayerChoice& other) {
       return other.pairs == choices.back().pairs;

@@ -2,11 +2,13 @@
 // Contact for the proven bound: which pairs of parts can matter, and which two points of theirs are nearest.
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "synthesis/bound/box.hpp"
+#include "workspace/contact/layer_demands.hpp"
 #include "workspace/contact/self_contact.hpp"
 
 namespace kempe::bounding {
@@ -26,11 +28,12 @@ struct LayerChoice {
 };
 
 /// The least demanding layer assignments of a grounding (layer_demands.hpp): if no design keeps its clearance in one of
-/// these, none does in any. With obstacles or bodies more contact among the links may be worth it. `as_searched`: those that the
-/// search looks at, the lower of two that are as good among them.
+/// these, none does in any. With obstacles or bodies more contact among the links may be worth it. `as_searched`: those that a search
+/// in which the sag counts, or not, looks at.
 std::vector<LayerChoice> layer_choices(Complex k, Grounding grounding, int layers,
                                        const std::vector<Obstacle>& obstacles,
-                                       const std::vector<Body>& bodies, bool as_searched = false);
+                                       const std::vector<Body>& bodies,
+                                       std::optional<SagCounts> as_searched = {});
 
 /// A joint as a material point, for plates of shape s.
 MaterialPoint material_point(Joint joint, Complex s);

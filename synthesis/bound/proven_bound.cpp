@@ -103,10 +103,11 @@ class Tree {
       if (std::find(permitted.begin(), permitted.end(), grounding) == permitted.end()) continue;
       // A bound leaves turning bodies out; designs that are tried keep clear of them, in layers that know them.
       const auto bodies = trials_ != nullptr ? spec_.bodies : that_keep_direction(spec_.bodies);
-      const auto layers =
-          bounding::layer_choices(spec_.copy.k(), grounding, spec_.links.layers,
-                                  sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
-                                  sees_obstacles() ? bodies : std::vector<Body>{}, trials_ != nullptr);
+      const auto layers = bounding::layer_choices(
+          spec_.copy.k(), grounding, spec_.links.layers,
+          sees_obstacles() ? spec_.obstacles : std::vector<Obstacle>{},
+          sees_obstacles() ? bodies : std::vector<Body>{},
+          trials_ != nullptr ? std::optional(sag_counts(spec_.limits)) : std::nullopt);
       for (const AssemblyMode& mode : assembly_modes(shape_of(spec_.copy.k(), grounding))) {
         if (options_.stop()) return false;
         branches_.push_back(bounding::make_branch(spec_, grounding, mode, layers, options_.shortest));

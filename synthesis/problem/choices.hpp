@@ -19,7 +19,8 @@ struct ContactChoice {
 
 /// Every grounding that the spec permits, assembly mode and layer assignment, in that order, without those that
 /// cannot be better than one before or after them: where another assignment of the same grounding and
-/// assembly mode, no higher, demands only what this one demands too (layer_demands.hpp).
+/// assembly mode, no higher and with no longer pins if the sag is limited, demands only what this one demands too
+/// (layer_demands.hpp).
 std::vector<ContactChoice> choices_of(const Spec& spec);
 
 }  // namespace kempe

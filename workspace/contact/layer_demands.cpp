@@ -1,6 +1,8 @@
 #include "workspace/contact/layer_demands.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
 
 #include "workspace/contact/self_contact.hpp"
 
@@ -39,6 +41,18 @@ std::array<LayerMembers, layer_members> joined_members() {
 
 const std::array<LayerMembers, layer_members> joined_with = joined_members();
 
+/// How long its pins at A, B, C and V and the pole's post are, in thicknesses.
+std::array<int, 5> pin_lengths(const LayerAssignment& layers, Joint pole) {
+  const auto apart = [&](Link one, Link other) { return std::abs(layers[one] - layers[other]); };
+  std::array<int, 5> lengths{apart(Link::VA, Link::ACX), apart(Link::VB, Link::BCY),
+                             apart(Link::ACX, Link::BCY)};
+  if (pole == Joint::V)  // both bars turn on the post
+    lengths[3] = layers[Link::VA], lengths[4] = layers[Link::VB];
+  else
+    lengths[3] = apart(Link::VA, Link::VB), lengths[4] = layers[Link::ACX];
+  return lengths;
+}
+
 struct Candidate {
   LayerAssignment layers;
   LayerDemands implied;
@@ -48,7 +62,8 @@ std::vector<Candidate> candidates(const CopyingLinkage& linkage, int layers,
                                   const std::vector<Obstacle>& obstacles, const std::vector<Body>& bodies) {
   const ObstacleLayers of_obstacles(obstacles, bodies, layers);
   std::vector<Candidate> result;
-  // Without obstacles and bodies links above an empty layer may move down: what shared no layer before shares none then.
+  // Without obstacles and bodies links above an empty layer may move down: what shared no layer before shares none then,
+  // and pins get shorter.
   const bool are_alike = of_obstacles.ranges.empty();
   for (const LayerAssignment& each : layer_assignments(are_alike ? std::min(layers, 4) : layers)) {
     if (are_alike && !each.is_stacked()) continue;
@@ -134,10 +149,16 @@ std::vector<LayerAssignment> least_demanding_assignments(const CopyingLinkage& l
 
 std::vector<LayerAssignment> assignments_worth_trying(const CopyingLinkage& linkage, int layers,
                                                       const std::vector<Obstacle>& obstacles,
-                                                      const std::vector<Body>& bodies) {
+                                                      const std::vector<Body>& bodies, SagCounts sag) {
+  const auto is_nowhere_longer = [&](const LayerAssignment& one, const LayerAssignment& other) {
+    const auto of_one = pin_lengths(one, linkage.pole_joint()),
+               of_other = pin_lengths(other, linkage.pole_joint());
+    return std::equal(of_one.begin(), of_one.end(), of_other.begin(), std::less_equal<int>());
+  };
   return unbeaten(
-      candidates(linkage, layers, obstacles, bodies), [](const Candidate& less, const Candidate& more) {
-        return less.layers.highest() <= more.layers.highest() && less.implied.within(more.implied);
+      candidates(linkage, layers, obstacles, bodies), [&](const Candidate& less, const Candidate& more) {
+        return less.layers.highest() <= more.layers.highest() && less.implied.within(more.implied) &&
+               (sag == SagCounts::no || is_nowhere_longer(less.layers, more.layers));
       });
 }
 

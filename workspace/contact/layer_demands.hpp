@@ -1,9 +1,9 @@
 #pragma once
 // What an assignment of the links to layers demands, and which assignments are worth a look.
 //
-// An assignment decides which parts meet in a layer, and which parts meet which obstacles; all else is the same in
-// every layer. So one whose demands another's imply cannot be worse, wherever the linkage stands. Two demands of parts
-// follow from those of links: a link's outline holds the discs of pins and posts at its joints (a pin is no wider than
+// An assignment decides which parts meet in a layer, and which parts meet which obstacles; all else but the sag is the
+// same in every layer. So one whose demands another's imply cannot be worse, wherever the linkage stands. Some demands of
+// parts follow from those of links: a link's outline holds the discs of pins and posts at its joints (a pin is no wider than
 // a link), so that what stays clear of the link stays clear of them.
 
 #include <array>
@@ -24,8 +24,8 @@ struct ObstacleLayers {
     std::optional<Link> turns_with;
     bool operator==(const LayerRange&) const = default;
   };
-  /// Of obstacles, tracer's bodies, pen's bodies and those that turn with each of the four links, which one of the two has, 36 each: there
-  /// are at most most_layers layers.
+  /// Ranges of each of seven kinds: obstacles, bodies of the tracer and of the pen that keep their direction, and bodies that turn with one of
+  /// the four links, which carries one of the two at most.
   static constexpr std::size_t most = 7 * (most_layers * (most_layers + 1)) / 2;
   std::vector<LayerRange> ranges;
 };
@@ -58,10 +58,16 @@ std::vector<LayerAssignment> least_demanding_assignments(const CopyingLinkage& l
                                                          const std::vector<Obstacle>& obstacles,
                                                          const std::vector<Body>& bodies = {});
 
+/// Whether the sag is limited. It depends on how long pins and posts are.
+enum class SagCounts { no, yes };
+inline SagCounts sag_counts(const Limits& limits) { return limits.sag ? SagCounts::yes : SagCounts::no; }
+
 /// The same where of two linkages as good as each other the lower one is wanted: no assignment is left out for one that
-/// is higher.
+/// is higher, and where the sag counts for none with a longer pin at A, B, C or V or a longer post at the pole. (Shorter ones bend less,
+/// but the point that sinks most may sink a little more.)
 std::vector<LayerAssignment> assignments_worth_trying(const CopyingLinkage& linkage, int layers,
                                                       const std::vector<Obstacle>& obstacles,
-                                                      const std::vector<Body>& bodies = {});
+                                                      const std::vector<Body>& bodies = {},
+                                                      SagCounts sag = SagCounts::no);
 
 }  // namespace kempe

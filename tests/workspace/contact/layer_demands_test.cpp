@@ -305,6 +305,8 @@ TEST(LayerDemands, WithoutObstaclesNoLayerIsLeftEmptyAndMoreThanFourAreOfNoUse) 
   const CopyingLinkage linkage = *CopyingLinkage::make({0, 1.4}, Grounding::pole, 50, 35, 2);
   for (const LayerAssignment& one : assignments_worth_trying(linkage, 8, {})) EXPECT_TRUE(one.is_stacked());
   EXPECT_EQ(assignments_worth_trying(linkage, 8, {}), assignments_worth_trying(linkage, 4, {}));
+  EXPECT_GT(assignments_worth_trying(linkage, 4, {}, {}, SagCounts::yes).size(),
+            assignments_worth_trying(linkage, 4, {}).size());
   EXPECT_EQ(assignments_worth_trying(linkage, 2, {}).size(), 2u);
 }
 
