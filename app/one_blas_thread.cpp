@@ -1,7 +1,7 @@
-// Ipopt's BLAS may be OpenBLAS. Before main() begins that starts a thread for each core, and each waits for work in a busy loop, for
-// about 70 ms of CPU time: as much as many a command takes. Nothing here is large enough for a second thread. main() is too late
-// to say so by OPENBLAS_NUM_THREADS, but the program's own symbols come before those of its libraries: OpenBLAS asks this
-// function how many threads that variable wishes for. Another BLAS never asks.
+// Ipopt may use OpenBLAS. While that is loaded it starts a thread for each core, and each waits for work in a busy loop, for about 70 ms
+// of CPU time: as much as many a command takes. Nothing here is large enough for a second thread. To set OPENBLAS_NUM_THREADS in
+// main() is too late; but OpenBLAS calls this function for the variable's value, and of a shared library's functions the
+// program's own definition is taken. Another BLAS never calls it.
 
 extern "C" {
 __attribute__((visibility("default"))) int openblas_num_threads_env(void);

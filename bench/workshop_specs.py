@@ -11,6 +11,7 @@ usage: workshop_specs.py KEMPE [COUNT] [SEED] [FOLDER]
 import math
 import pathlib
 import random
+import shutil
 import sys
 import tempfile
 
@@ -163,16 +164,19 @@ def spec(rng):
 
 def checked(out, with_design):
     """Exit code and CPU seconds of the checker, and what it should have proven; None without a file that it reads."""
-    files = [out / name for name in ("design.json", "certificate.jsonl")[not with_design:] if (out / name).exists()]
+    names = ("design.json", "certificate.jsonl") if with_design else ("certificate.jsonl",)
+    files = [out / name for name in names if (out / name).exists()]
     if not files:
         return None
     run = measure.metered([sys.executable, CHECKER, *files])
     left = [line for line in run.stdout.splitlines() if not line.startswith("not looked at") and ": proven" not in line]
-    return run, run.stderr + "; ".join(line for line in left if not any(key in line for key in NOT_CHECKED))
+    ended = "" if run.code in (0, 1) else f"the checker ended with code {run.code} "
+    return run, ended + run.stderr + "; ".join(line for line in left if not any(key in line for key in NOT_CHECKED))
 
 
 def row(kempe, path, out):
     """What came of one spec: outcome, CPU seconds, words for the rest, faults."""
+    shutil.rmtree(out, ignore_errors=True)  # of an earlier run
     run = measure.metered([kempe, "synthesize", path, "-o", out, "--threads", "1"])
     outcome = SETTLED.get(run.code, f"exit code {run.code}")
     words, faults = [], [] if run.code in SETTLED else [run.stderr[:200]]

@@ -14,8 +14,8 @@
 namespace kempe::certificate {
 namespace {
 
-/// What the way from the middle design is multiplied by before it is compared with a depth: another order of the same operations may
-/// find the way this much longer.
+/// Safety factor on the way from the middle design before it is compared with a depth: the checker does the same operations in another order
+/// and may find a longer one. A cell in which twice the way is too much is split.
 constexpr double of_the_way = 2;
 /// A table of more edges is left out of the log: every part is looked at beside every edge.
 constexpr std::size_t most_table_edges = 64;
@@ -241,7 +241,7 @@ double ObstacleLeaves::depth(const Point& at, std::size_t obstacle, const std::o
   return needed - distance_from(as_complex(at), ends);
 }
 
-/// No more than the depth: a convex outline holds that of some of its corners.
+/// Never more than depth(): the polygon of some corners lies inside the convex outline.
 double ObstacleLeaves::depth_by_few(const Point& at, std::size_t obstacle,
                                     const std::optional<std::size_t>& edge, double needed) const {
   if (edge) return depth(at, obstacle, edge, needed);
@@ -263,7 +263,8 @@ bool ObstacleLeaves::hits(const ObstacleGuess& guess, const DesignCell& cell) co
   const double need = needed(point.part, guess.leaf.obstacle);
   const double enough = of_the_way * range->away + slack::in_hand;
   const double by_few = depth_by_few(range->middle, guess.leaf.obstacle, guess.leaf.edge, need);
-  if (by_few > enough || !(by_few + target.left_out > enough)) return by_few > enough;
+  if (by_few > enough) return true;
+  if (by_few + target.left_out <= enough) return false;
   return depth(range->middle, guess.leaf.obstacle, guess.leaf.edge, need) > enough;
 }
 

@@ -45,8 +45,8 @@ class ObstacleLeaves {
   /// The middle design with the tracer at a place.
   struct Middle {
     std::array<Point, 6> joints;  ///< by their numbers
-    double unsteady =
-        0;  ///< mm: V + of_a p + of_b q/s strays by |of_a - of_b| of it at least, the pole's joint being at 0
+    /// mm: over the cell the point V + of_a p + of_b q/s moves by at least |of_a - of_b| times this, both counted from the pole's joint.
+    double unsteady = 0;
   };
   std::optional<Middle> middle_at(const DesignCell& cell, const Point& place) const;
   /// A part and an obstacle that share a layer in some assignment.

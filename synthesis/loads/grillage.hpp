@@ -111,11 +111,11 @@ class NearbyDrop {
   Eigen::VectorXd pushed_, moved_, tilted_;  ///< by 1 N on the joint; by the weights; by the pins' tilts
 };
 
-/// The grillage on props that push and do not pull: those of `props` under which a joint stays. Nothing else is left standing on one.
+/// The grillage on props that can push but not pull.
 struct StandingGrillage {
   Grillage grillage;
   GrillageState state;
-  std::vector<int> props;  ///< that bear
+  std::vector<int> props;  ///< that bear; from the others the joint is lifted off
 };
 StandingGrillage standing(const GrillagePlan& plan, const std::vector<int>& props);
 

@@ -191,6 +191,7 @@ SagJet SagProfile::jet(double VA, double VB, double opening, Carrier point) cons
   const int joint = number_of(point == Carrier::tracer ? roles_.tracer : roles_.pen);
   const StandingGrillage stood = stands(plan(VA, VB, opening));
   SagJet jet;
+  if (!stood.state.rises.allFinite()) return {.value = infinity};
   if (std::find(stood.props.begin(), stood.props.end(), joint) != stood.props.end()) return jet;
   const double tilt = conditions_.play / conditions_.grip;
   jet.value = -stood.state.rises[joint];

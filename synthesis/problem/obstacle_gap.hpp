@@ -4,7 +4,7 @@
 //
 // In the linkage's own frame (link_gap.hpp) a joint stands at F_j(u, v, d); seen from pole and tracer it stands at
 //     z_j = P + (T - P) xi_j,   xi_j = (F_j - F_pole) / (F_tracer - F_pole),
-// where the opening d(u, v, P) is that at which the tracer is |T - P| from the pole, so that with r(u, v, d) of reach.hpp
+// where the opening d(u, v, P) is that at which the tracer is |T - P| from the pole, so that with r(u, v, d) of smooth_reach.hpp
 //     d_u = -r_u / r_d,   d_v = -r_v / r_d,   grad_P d = -(T - P) / (|T - P| r_d).
 // Solids that tracer or pen carries are at rest in a frame at that joint: there a joint stands at the difference of two such places,
 // and where the frame turns with a link whose x axis has the direction e, |e| = 1, at that difference times conj(e). A corner c of a body
@@ -116,7 +116,7 @@ class PlacedJoints {
   std::array<Complex, 6> at_;
 };
 
-/// What is told of a gap larger than `enough`: a lower bound that is close to it, or anything larger than `enough`, which is quicker.
+/// What is returned for a gap larger than `enough`: a lower bound that is close to it, or any number above `enough`, which is quicker.
 enum class Beyond { near_it, anything };
 
 /// The gap, mm; negative: depth. Where it is larger than `enough`, what `beyond` says.

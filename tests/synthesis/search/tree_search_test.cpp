@@ -48,6 +48,7 @@ int closed_without_a_better_one(test::SpecDice& dice, int specs, const MakeSpec&
     if (!suits_tree_search(task)) continue;
     const SearchResult by_tree = best_by_tree(task);
     if (by_tree.design) expect_sound(task, *by_tree.design);
+    EXPECT_FALSE(by_tree.proven_none && best_by_choices(task).design) << "spec " << i;
     if (!by_tree.exhausted) continue;
     ++exhausted;
     const SearchResult by_choices = best_by_choices(task);
@@ -93,7 +94,7 @@ TEST(TreeSearch, EndsWithItsLastTrialWhereNoneLedToADesign) {
   const auto fails = [&](const RelaxedDesign&) { return ++trials, Trial{}; };
   const auto tree = searched_by_tree(spec, Objective::size, options, {.run = fails, .most = 5});
   ASSERT_TRUE(tree);
-  constexpr int of_one_box = 16;
+  constexpr int of_one_box = 16;  // four shapes of its lengths, each with at most four sizes
   EXPECT_GE(trials, 5);
   EXPECT_LT(trials, 5 + of_one_box);
   EXPECT_FALSE(tree->no_design);
