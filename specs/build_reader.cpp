@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinematics/grounding.hpp"
+#include "specs/grid_lengths.hpp"
 #include "specs/hardware.hpp"
 #include "specs/load_reader.hpp"
 
@@ -88,7 +89,7 @@ class LinkChecks {
     const StockLengths& stock_lengths = links_.stock_lengths;
     if (stock_lengths.grid && !stock_lengths.stock.empty())
       refuse("stock_mm", "it beside grid_mm", "one of grid_mm and stock_mm");
-    if (stock_lengths.grid && !fits(std::floor(links_.longest / *stock_lengths.grid) * *stock_lengths.grid)) {
+    if (stock_lengths.grid && !fits(longest_multiple(*stock_lengths.grid, links_.longest))) {
       refuse("grid_mm", fmt::format("{}, of which no multiple is a length allowed", *stock_lengths.grid),
              "lengths from " + range());
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/regions/region_algebra.hpp"
+#include "specs/grid_lengths.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/bound/copy_gap.hpp"
 #include "synthesis/search/diagnosis/relaxation_words.hpp"
@@ -34,8 +35,7 @@ MostLength least_most_length(const Spec& spec) {
   };
   take("limits.longest_strip_mm", largest_joint_distance(spec));
   const StockLengths& stock_lengths = links.stock_lengths;
-  if (stock_lengths.grid)
-    take("links.grid_mm", std::floor(links.longest / *stock_lengths.grid) * *stock_lengths.grid);
+  if (stock_lengths.grid) take("links.grid_mm", longest_multiple(*stock_lengths.grid, links.longest));
   double stock = 0;
   for (const double length : stock_lengths.stock)
     if (length <= links.longest) stock = std::max(stock, length);
