@@ -100,6 +100,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
     SearchOptions options;
     options.seed = arguments.seed;
     options.threads = arguments.threads;
+    options.time_limit = stopping.left();
     options.stop = stopping.flag();
     options.progress = [&](double share, std::string_view what) { progress.show(share, what); };
     front = pareto_front(loaded->spec, *first, *second, arguments.points, options);
@@ -147,9 +148,7 @@ void add_pareto_command(CLI::App& program, Session& session) {
       ->check(CLI::Range(2, 200))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->folder, "Folder for the front's files")->required();
-  command
-      ->add_option("--seed", arguments->seed,
-                   "Seed of the random numbers; the same seed gives the same front")
+  add_seed_option(*command, arguments->seed, "Seed of the random numbers; the same seed gives the same front")
       ->capture_default_str();
   add_threads_option(*command, arguments->threads);
   add_time_limit(*command, arguments->time_limit,

@@ -110,7 +110,7 @@ Front front_of_sections(const Spec& spec, Objective a, Objective b, int points,
   const auto start = std::chrono::steady_clock::now();
   std::vector<ParetoPoint> all;
   std::optional<NoDesign> none;
-  bool proven = true;
+  bool proven = true, any_front = false;  // the front of a section that was stopped is empty
   const std::size_t count = spec.links.sections.size();
   for (std::size_t i = 0; i < count; ++i) {
     const LinkSection& section = spec.links.sections[i];
@@ -120,6 +120,7 @@ Front front_of_sections(const Spec& spec, Objective a, Objective b, int points,
     part.diagnose = options.diagnose && i + 1 == count && all.empty();
     Front front = front_of(with_section(spec, section), a, b, points, part);
     if (front) {
+      any_front = true;
       for (ParetoPoint& point : *front) {
         point.design.section = section;
         all.push_back(std::move(point));
@@ -130,7 +131,7 @@ Front front_of_sections(const Spec& spec, Objective a, Objective b, int points,
     for (Relaxation& relaxation : front.error().relaxations) relaxation.design.section = section;
     none = std::move(front.error());
   }
-  if (!all.empty() || !none) return undominated(std::move(all), a, b);
+  if (any_front || !none) return undominated(std::move(all), a, b);
   none->proven = proven;
   none->sentence = of_no_section(spec, none->sentence);
   return tl::unexpected(*std::move(none));
