@@ -286,11 +286,11 @@ class Search {
   /// All sets of as many readings could have been picked: together they must be less likely than one in as many.
   bool beyond_chance(const Rows& outside, const Rows& inside) const {
     const double rest = square_sum_of(inside), drop = square_sum_of(all_) - rest;
-    double sets = 1;
+    double log_sets = 0;  // of many readings the number of sets itself is too large
     for (std::size_t k = 0; k < outside.size(); ++k)
-      sets *= static_cast<double>(count_ - k) / static_cast<double>(k + 1);
+      log_sets += std::log(static_cast<double>(count_ - k) / static_cast<double>(k + 1));
     const auto by = judge_.yardstick(rest, linear_.freedom(inside.size()));
-    return Judge::chance(drop, outside.size(), by) * sets < slack::named_by_chance;
+    return std::log(Judge::chance(drop, outside.size(), by)) + log_sets < std::log(slack::named_by_chance);
   }
 
   /// False if another reading in place of one of these would explain nearly as much: which is wrong cannot be told.
