@@ -147,8 +147,8 @@ double grid_step(const Region& region, double places) {
   constexpr double most = 100'000;
   const Box box = bounding_box(region);
   const Point size = box.upper - box.lower;
-  return std::max(
-      {std::sqrt(area(region) / places), std::sqrt(size.x() * size.y() / most), size.maxCoeff() / most});
+  return std::max({std::sqrt(std::max(0.0, area(region)) / places), std::sqrt(size.x() * size.y() / most),
+                   size.maxCoeff() / most});
 }
 
 bool contains(const Region& region, const Point& point) {

@@ -58,8 +58,9 @@ void sweep_rings(const std::vector<GrownPiece>& pieces, const std::vector<Bearin
                  double step, Visit visit) {
   std::vector<Bearings> found;
   for (const GrownPiece& piece : pieces) {
-    const int first = std::max(0, static_cast<int>(piece.nearest() / step) - 1);
-    const int last = std::min(rings - 1, static_cast<int>(piece.farthest() / step) + 1);
+    // Next to a dead point a piece may be larger than any int counts.
+    const int first = static_cast<int>(std::clamp(piece.nearest() / step - 1, 0.0, 1.0 * rings));
+    const int last = static_cast<int>(std::min(piece.farthest() / step + 1, rings - 1.0));
     for (int ring = first; ring <= last; ++ring) {
       piece.angles_in((ring + 0.5) * step, found);
       for (const Bearings& angles : found)

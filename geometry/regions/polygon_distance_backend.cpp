@@ -94,7 +94,8 @@ std::optional<NearestPlaces> nearest_places(const Region& one, const Region& oth
   const EdgeTree tree(other, Point::Zero());
   NearestPlaces best{std::numeric_limits<double>::infinity(), Point::Zero(), Point::Zero()};
   for_near_pairs(
-      one, tree, [&] { return best.distance; },
+      one, tree,
+      [&] { return best.distance > 0 ? best.distance : -1.0; },  // nothing is nearer than a crossing
       [&](const EdgeTree::Edge& a, const EdgeTree::Edge& b) { offer(best, a, b); });
   return best;
 }

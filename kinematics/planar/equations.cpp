@@ -444,6 +444,7 @@ ClosureError closure_error(const PlanarLinkage& linkage, const PlanarPosition& p
   for (int i = 0; i < static_cast<int>(linkage.constraints().size()); ++i) {
     const double error = gap_of(linkage, i, position, driver_values).as_length(linkage.size());
     if (!(error <= result.largest)) result = {error, i};
+    if (std::isnan(error)) break;  // nothing is larger
   }
   return result;
 }

@@ -125,7 +125,8 @@ Decided decide_region(const MapTask& task, const Subdivision& chart, const StopF
     if (!cells.split(unless(stop))) break;
   Decided decided;
   if (cells.region_in_contact()) decided.in_contact = cells.region_in_contact()->second;
-  if (!cells.open().empty()) decided.open = cells.region_point_in(cells.open().front());
+  for (const OpenCell& cell : cells.open())
+    if ((decided.open = cells.region_point_in(cell))) break;
   decided.free = cells.free();
   return decided;
 }
