@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "specs/text/printable.hpp"
 #include "specs/text/text_file.hpp"
@@ -108,6 +111,28 @@ CLI::Option* add_threads_option(CLI::App& command, int& threads) {
   return command
       .add_option("-j,--threads", threads, "Threads to search on, 1 to 256; left out: one for each core")
       ->check(CLI::Range(1, 256));
+}
+
+std::string shell_word(std::string_view text) {
+  const auto is_plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("._-/+,=@%").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+CLI::Option* add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& description) {
+  const auto is_seed = [](const std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [read, fault] = std::from_chars(text.data(), end, value);
+    if (fault == std::errc() && read == end) return {};
+    return fmt::format("found {}; allowed: a whole number from 0 to 18446744073709551615", text);
+  };
+  return command.add_option("--seed", seed, description)->check(CLI::Validator(is_seed, "NUMBER"));
 }
 
 CLI::Validator number_between(double lowest, double highest) {

@@ -3,10 +3,12 @@
 // line to all_commands.hpp.
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
 #include "kempe/input_error.hpp"
@@ -75,6 +77,11 @@ CLI::Validator number_between(double lowest, double highest);
 
 /// The option -j of a command that searches.
 CLI::Option* add_threads_option(CLI::App& command, int& threads);
+/// A file's name as one word of a command that a shell reads: in single quotes where it has other characters than letters, digits and
+/// . _ - / + , = @ %.
+std::string shell_word(std::string_view text);
+/// --seed, a whole number from 0 to 2^64 - 1.
+CLI::Option* add_seed_option(CLI::App& command, std::uint64_t& seed, const std::string& description);
 
 /// Prints to stdout, what could mislead on a terminal written out; a closed stdout makes the program end with `cannot_write`.
 void print(const std::string& text);

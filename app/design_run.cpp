@@ -226,8 +226,15 @@ std::string tool_lines(const std::optional<ToolAdvice>& tool) {
 }
 
 /// The command that checks the proof's log, with the design or alone.
+/// With four decimals, or of what is smaller three digits.
+std::string error_text(double error) {
+  return error == 0 || error >= 0.001 ? fmt::format("{:.4f}", error) : fmt::format("{:.3g}", error);
+}
+
 std::string how_to_check(const std::filesystem::path& folder, bool with_design) {
-  const auto path = [&](std::string_view name) { return " " + printable((folder / name).string()); };
+  const auto path = [&](std::string_view name) {
+    return " " + printable(shell_word((folder / name).string()));
+  };
   return "check it with: " + checker_command() + (with_design ? path("design.json") : "") +
          path(certificate_name);
 }
@@ -257,9 +264,10 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
     text += "clearance    NOT MEASURED: stopped early; the limit is kept where the region is covered\n";
   if (q.copy_error_worst)
     text += fmt::format(
-        "copy error   {:.4f} mm in the worst case, {:.4f} mm typically (root of the sum of squares)\n"
-        "             {:.4f} mm of distortion, which no change of scale, rotation and origin removes\n",
-        *q.copy_error_worst, q.copy_error_rss.value_or(0), q.distortion_worst.value_or(0));
+        "copy error   {} mm in the worst case, {} mm typically (root of the sum of squares)\n"
+        "             {} mm of distortion, which no change of scale, rotation and origin removes\n",
+        error_text(*q.copy_error_worst), error_text(q.copy_error_rss.value_or(0)),
+        error_text(q.distortion_worst.value_or(0)));
   text += loads_lines(design);
   text += weight_lines(design);
   text += budget_lines(design);
@@ -359,9 +367,15 @@ int tell_no_design(const Session& session, const NoDesign& none, const std::opti
 }
 
 CLI::Option* add_paper_option(CLI::App& command, Paper& paper) {
-  const std::map<std::string, Paper> papers{{"A4", Paper::A4}, {"A3", Paper::A3}};
-  return command.add_option("--paper", paper, "Paper of workshop.pdf: A4 or A3")
-      ->transform(CLI::CheckedTransformer(papers, CLI::ignore_case))
+  const auto read = [&paper](const std::string& text) {
+    if (text == "A4" || text == "a4")
+      paper = Paper::A4;
+    else if (text == "A3" || text == "a3")
+      paper = Paper::A3;
+    else
+      throw CLI::ValidationError("--paper", fmt::format("found {}; allowed: A4 or A3", text));
+  };
+  return command.add_option_function<std::string>("--paper", read, "Paper of workshop.pdf: A4 or A3")
       ->option_text("A4|A3");
 }
 

@@ -104,7 +104,7 @@ void add_calibrate_command(CLI::App& program, Session& session) {
       ->check(CLI::Range(1, 100));
   command->add_flag("--simulate", arguments->choices.simulate,
                     "Simulate instruments with hidden errors ([simulate])");
-  command->add_option("--seed", arguments->seed, "Seed of the random numbers of the simulation");
+  add_seed_option(*command, arguments->seed, "Seed of the random numbers of the simulation");
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -60,8 +60,7 @@ void add_centres_command(CLI::App& program, Session& session) {
   command->add_option("--at", arguments->step, "Step of the motion")->capture_default_str();
   command->add_option("-o,--svg", arguments->picture, "Draw them too: FILE.svg");
   command->add_option("--page", arguments->page, "Write a page that finds them step by step: FILE.html");
-  command
-      ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for assembly modes")
+  add_seed_option(*command, arguments->seed, "Seed of the random numbers in the search for assembly modes")
       ->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });

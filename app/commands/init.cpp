@@ -50,7 +50,7 @@ int write_spec(const Session& session, const SpecTemplate& chosen, const std::st
     return fail(session, {file, 0, "", "a file that is there already", "a name that is free"});
   if (const auto written = write_whole(std::filesystem::path(file), chosen.spec); !written)
     return fail(session, cannot_write, written.error());
-  const std::string next = fmt::format("kempe synthesize {} -o {}", file, chosen.name);
+  const std::string next = fmt::format("kempe synthesize {} -o {}", shell_word(file), chosen.name);
   print(session.json ? json_text({{"name", chosen.name}, {"file", file}, {"next", next}})
                      : fmt::format("{}\nwritten  {}\nnext     {}\n", chosen.purpose, file, next));
   return done;

@@ -48,8 +48,7 @@ void add_mobility_command(CLI::App& program, Session& session) {
   command->add_option("--dof", arguments->freedoms, "Number synthesis: chains of so many freedoms")
       ->check(CLI::Range(0, 40))
       ->needs(links);
-  command
-      ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for closed positions")
+  add_seed_option(*command, arguments->seed, "Seed of the random numbers in the search for closed positions")
       ->capture_default_str();
   linkage->excludes(links);
   command->callback([&session, arguments, linkage, links] {

@@ -159,8 +159,8 @@ tl::expected<std::string, int> linkage_text(const Session& session, const PathAr
   if (arguments.cognate == 0) return path_linkage(answer);
   if (!answer.cognates)
     return tl::unexpected(
-        fail(session, bad_input,
-             "--cognate: the coupler point lies on a joint, so a cognate has a link without length"));
+        fail(session, {"", 0, "--cognate", fmt::format("{}", arguments.cognate),
+                       "none: the coupler point lies on a joint, so a cognate has a link without length"}));
   return path_linkage(answer, static_cast<std::size_t>(arguments.cognate - 1));
 }
 
@@ -171,8 +171,8 @@ int write_answer(const Session& session, const PathArguments& arguments,
                  const WantedOf& wanted_of) {
   if (arguments.linkage_file.empty() && arguments.animations.empty()) return done;
   if (arguments.answer > std::ssize(answers))
-    return fail(session, bad_input,
-                fmt::format("--answer {}: there are {} answers", arguments.answer, answers.size()));
+    return fail(session, {"", 0, "--answer", fmt::format("{}", arguments.answer),
+                          fmt::format("1 to {}, the answers found", answers.size())});
   const auto text = linkage_text(session, arguments, answers, copies);
   if (!text) return text.error();
   if (!arguments.linkage_file.empty())

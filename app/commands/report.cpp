@@ -29,7 +29,6 @@ LoadedSpec spec_in(const Design& design, const std::string& file) {
 }
 
 int run(const Session& session, const ReportArguments& arguments) {
-  const Stopping stopping(arguments.time_limit);
   const auto text = read_text_file(arguments.design);
   if (!text) return fail(session, text.error());
   const auto stored = read_design(*text, arguments.design);
@@ -40,6 +39,8 @@ int run(const Session& session, const ReportArguments& arguments) {
     return fail(
         session, verification_failed,
         broken_text(*found, arguments.design) + "\n  nothing is written of a design that does not hold");
+  // What is not verified is not written, whatever the limit: until here Ctrl-C ends the program at once.
+  const Stopping stopping(arguments.time_limit);
   const StopFlag to_map = stopping.flag(time_to_map(stopping.limit()));
   auto design = restored_design(*stored, arguments.design, to_map);
   if (!design) return fail(session, design.error());
@@ -60,7 +61,9 @@ void add_report_command(CLI::App& program, Session& session) {
   auto arguments = std::make_shared<ReportArguments>();
   command->add_option("DESIGN", arguments->design, "A design.json; it is verified first")->required();
   command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
-  add_time_limit(*command, arguments->time_limit, "Seconds; then a coarser map, marked as such");
+  add_time_limit(
+      *command, arguments->time_limit,
+      "Seconds, from when the file is verified; then a coarser map, marked as such, and files are left out");
   add_studio_option(*command, arguments->studio);
   add_paper_option(*command, arguments->paper);
   command->callback(

@@ -193,8 +193,7 @@ void add_solve_command(CLI::App& program, Session& session) {
       ->delimiter(',');
   command->add_option("--steps", arguments->steps, "Equal parts of the motion, instead of the file's")
       ->check(CLI::Range(1, 1000000));
-  command
-      ->add_option("--seed", arguments->seed, "Seed of the random numbers in the search for assembly modes")
+  add_seed_option(*command, arguments->seed, "Seed of the random numbers in the search for assembly modes")
       ->capture_default_str();
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });

@@ -92,9 +92,8 @@ void add_synthesize_command(CLI::App& program, Session& session) {
       "Many specs: a folder of *.toml, a .jsonl file or a sweep (.json); resumable (docs/batch.md)");
   spec->excludes(batch);
   command->add_option("-o,--output", arguments->folder, "Folder for the design's files")->required();
-  command
-      ->add_option("--seed", arguments->seed,
-                   "Seed of the random numbers; the same seed gives the same design")
+  add_seed_option(*command, arguments->seed,
+                  "Seed of the random numbers; the same seed gives the same design")
       ->capture_default_str();
   add_threads_option(*command, arguments->threads);
   add_time_limit(*command, arguments->time_limit,

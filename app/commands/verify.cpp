@@ -22,8 +22,8 @@ std::string proof_line(const StoredDesign& design, const std::string& file) {
   const auto log = std::filesystem::path(file).parent_path() / certificate_name;
   std::error_code unknown;
   if (!design.quality.proven_bound || !std::filesystem::is_regular_file(log, unknown)) return "";
-  return fmt::format("proof        check the bound with: {} {} {}\n", checker_command(), printable(file),
-                     printable(log.string()));
+  return fmt::format("proof        check the bound with: {} {} {}\n", checker_command(),
+                     printable(shell_word(file)), printable(shell_word(log.string())));
 }
 
 int check_file(const Session& session, const std::string& file) {

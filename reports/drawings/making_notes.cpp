@@ -21,10 +21,10 @@ std::vector<std::string> making_notes(const Design& design) {
     if (pins[i] < style.pin_diameter) thinner += fmt::format(" {}", letter(all_joints[i]));
   }
   if (on_pins && design.cutting.hole_fit == 0)
-    notes.push_back(fmt::format(
-        "holes are drawn as wide as their pins, {} mm: cutting.process or cutting.hole_fit_mm gives "
-        "them room to turn",
-        by_joint(pins, [](double pin) { return fmt::format("{}", pin); })));
+    notes.push_back(
+        fmt::format("holes are as wide as their pins, {} mm: cutting.process or cutting.hole_fit_mm gives "
+                    "them room to turn",
+                    by_joint(pins, [](double pin) { return fmt::format("{}", pin); })));
   if (design.hardware.differs())
     notes.push_back(
         fmt::format("hardware differs from joint to joint: contact takes every pin for one of {} mm{}, "

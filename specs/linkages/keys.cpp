@@ -100,7 +100,7 @@ constexpr LinkageKey known_keys[] = {
     {"masses.*", "kg_m2", "the moment of inertia about the centre of mass, >= 0"},
 
     {"motion", "steps", "a whole number, 1 to 1000000, and 10000000 over the number of links"},
-    {"motion", "duration_s", "seconds, > 0"},
+    {"motion", "duration_s", "seconds, at least 1e-6"},
 
     {"guess", "*", "a place [x, y]"},
     {"bounds", "*", "a table such as {x = [0, 1], y = [0, 2]} of a point or {angle_deg = [0, 90]} of a link"},

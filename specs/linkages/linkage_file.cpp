@@ -386,11 +386,12 @@ class LinkageReader {
   }
 
   void read_motion() {
+    constexpr double shortest_motion = 1e-6;  // s; accelerations are counted by its square
     const toml::table* inner = root_.inner("motion");
     if (!inner) return;
     const LinkageTable table(*inner, "motion", "motion", complaints_);
     result_.steps = table.whole("steps", 1, 1000000).value_or(result_.steps);
-    result_.duration = table.positive("duration_s").value_or(result_.duration);
+    result_.duration = table.positive("duration_s", shortest_motion).value_or(result_.duration);
   }
 
   void read_guess() {

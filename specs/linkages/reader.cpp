@@ -86,9 +86,9 @@ std::optional<double> LinkageTable::number(std::string_view key) const {
   return std::nullopt;
 }
 
-std::optional<double> LinkageTable::positive(std::string_view key) const {
+std::optional<double> LinkageTable::positive(std::string_view key, double least) const {
   const auto value = number(key);
-  if (value && !(*value > 0)) {
+  if (value && !(*value > 0 && *value >= least)) {
     refuse(key, describe(*find(key)));
     return std::nullopt;
   }

@@ -36,8 +36,8 @@ class LinkageTable {
 
   /// A finite number in [-1e9, 1e9]; nothing if absent or wrong.
   std::optional<double> number(std::string_view key) const;
-  /// A number > 0.
-  std::optional<double> positive(std::string_view key) const;
+  /// A number > 0 and at least `least`.
+  std::optional<double> positive(std::string_view key, double least = 0) const;
   std::optional<int> whole(std::string_view key, int lower, int upper) const;
   std::optional<std::string> text(std::string_view key) const;
   std::optional<std::string> one_of(std::string_view key, const std::vector<std::string_view>& words) const;

@@ -294,6 +294,25 @@ class BadInput(Case):
         text = TEN_LINES.replace("[links]", "[links]\nVA_mm = 16\nwall_mm = 13.5")
         self.assertRefused(self.synthesize(text), 3, "links.wall_mm = 13.5", "links.VA_mm", "13 would fit", "proven")
 
+    def test_the_longest_multiple_of_a_grid_counts_although_it_is_rounded(self):
+        """301.2 / 100.4 is below 3 in doubles."""
+        text = """
+[copy]
+scale = 1
+rotation_deg = 60
+[region]
+rectangle_mm = {at = [415, -5], size = [10, 10]}
+[links]
+grid_mm = 100.4
+longest_mm = 301.2
+WALL
+[limits]
+transmission_deg = 20
+"""
+        for key in ("wall_mm", "shortest_mm"):
+            run = self.synthesize(text.replace("WALL", f"{key} = 250"), "--quiet")
+            self.assertEqual(run.returncode, 0, run.stderr)
+
     def test_a_copy_on_its_original_is_told_with_what_helps(self):
         def spec(gap, pole="[0, 0]"):
             return ("[copy]\nscale = 0.5\n[region]\nrectangle_mm = {at = [100, -60], size = [200, 120]}\n"
@@ -413,6 +432,22 @@ class TimeLimits(Case):
         run = kempe("synthesize", "--batch", specs, "-o", out, "--time-limit", "0.001")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(json.loads((out / "results.jsonl").read_text())["status"], "stopped")
+
+    def test_a_front_of_sections_that_was_stopped_is_no_proof(self):
+        spec = self.spec("""
+[copy]
+scale = 1.4
+rotation_deg = 90
+[region]
+polygon_mm = [[62, -5], [70, -5], [70, 5], [62, 5]]
+[links]
+sections_mm = [[12, 4], [200, 4]]
+[limits]
+longest_strip_mm = 205
+""")
+        front = ("pareto", spec, "--between", "size,transmission", "--points", "3", "-o", self.scratch / "out")
+        self.assertNotEqual(kempe(*front, "--time-limit", "0.01").returncode, 3)
+        self.assertEqual(kempe(*front, "--quiet").returncode, 0)
 
     def test_of_a_front_and_of_a_map(self):
         spec, out = self.spec(LONG_SEARCH), self.scratch / "out"
@@ -651,6 +686,20 @@ class Words(Case):
         for fault, line in zip(faults, lines):
             self.assertEqual(list(fault), ["file", "line", "key", "found", "allowed"])
             self.assertTrue(line.endswith(f"found {fault['found']}; allowed: {fault['allowed']}"), line)
+
+    def test_values_of_options_that_are_none(self):
+        spec = self.spec()
+        for option, value in (("--seed", "-5"), ("--seed", "99999999999999999999"), ("--seed", "1e3"), ("--paper", "A5"), ("--paper", "1")):
+            run = kempe("synthesize", spec, "-o", self.scratch / "out", option, value)
+            self.assertRefused(run, 2, option, f"found {value}; allowed: ")
+
+    def test_commands_that_are_told_can_be_typed(self):
+        for name in ("a b.toml", "it's.toml", "a;b.toml"):
+            folder = self.scratch / name
+            run = kempe("init", "plagiograph", "-o", folder)
+            line = next(line for line in run.stdout.splitlines() if line.startswith("next"))
+            words = subprocess.run(["sh", "-c", f"printf '%s\\n' {line[4:]}"], capture_output=True, text=True).stdout.splitlines()
+            self.assertEqual(words[:3], ["kempe", "synthesize", str(folder)])
 
     def test_a_fault_is_json_for_every_command(self):
         bad = self.spec("[copy\n", "bad.toml")

@@ -359,6 +359,11 @@ class Path(Case):
         self.assertRefused(kempe("path", self.file(poses + "\nground_deg = 3\n")), 2, "limits.ground_deg", "poses_mm")
         self.assertRefused(kempe("path", self.LINE, "--cognate", "1"), 2)
 
+    def test_a_number_of_no_answer_is_a_fault_of_the_option(self):
+        run = kempe("path", GENERATORS / "straight-line.toml", "-o", self.scratch / "line.toml", "--answer", "6", "--json")
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual([fault["key"] for fault in json.loads(run.stdout)["error"]["faults"]], ["--answer"])
+
     def test_nothing_found_is_not_said_to_be_nothing_there(self):
         spec = self.file("[path]\nposes_mm = [[0, 0, 5], [10, 3, 5], [20, 12, 5], [30, 27, 5], [40, 48, 5]]\n")
         self.assertRefused(kempe("path", spec, "-o", self.scratch / "none.toml"), 6, "Searched:", "not a proof that none exists")

@@ -416,6 +416,10 @@ class WorkIsBounded(Case):
         run = kempe("centres", linkage, "--at", 999999.5)
         self.assertEqual(run.returncode, 0, run.stderr)
 
+    def test_a_motion_too_short_for_its_accelerations_is_refused(self):
+        run = kempe("solve", self.linkage(BARS + TURN + "[motion]\nduration_s = 1e-155\n"))
+        self.assertRefused(run, 2, "motion.duration_s", "1e-155", "at least 1e-6")
+
     def test_a_long_motion_obeys_ctrl_c(self):
         table = self.scratch / "t.csv"
         process = subprocess.Popen([KEMPE, "solve", self.linkage(BARS + TURN), "--steps", "1000000", "-o", table],

@@ -70,7 +70,7 @@ std::optional<Goal> first_broken(const Spec& spec, const Requirements& limits, c
   if (below(limits.longest, has.longest)) return Goal::longest;
   if (below(limits.pole_margin + slack::pole_rounding * has.size, has.pole_margin)) return Goal::pole_margin;
   if (check.needed.empty() || below(has.transmission, limits.transmission)) return Goal::transmission;
-  if (has.clearance < limits.clearance || check.opening.empty()) return Goal::clearance;
+  if (!(has.clearance >= limits.clearance) || check.opening.empty()) return Goal::clearance;
   if (limits.copy_error && below(*limits.copy_error, has.copy_error)) return Goal::copy_error;
   if (limits.load_error && below(*limits.load_error, has.load_error)) return Goal::load_error;
   if (limits.mass && below(*limits.mass, has.mass)) return Goal::mass;
