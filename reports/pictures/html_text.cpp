@@ -106,7 +106,10 @@ std::string number_text(double value, int decimals) {
 }
 
 std::string length_text(double length, int decimals) {
-  return fmt::format("{}{}mm", number_text(length, decimals), no_break_space);
+  constexpr double noise = 1e-9;  // mm: what rounding leaves
+  const std::string text = number_text(length, decimals);
+  const bool hides_it = std::abs(length) > noise && std::abs(length) < 0.5 * std::pow(10, -decimals);
+  return fmt::format("{}{}mm", hides_it ? fmt::format("{:.2g}", length) : text, no_break_space);
 }
 
 std::string angle_text(double angle, int decimals) { return number_text(degrees(angle), decimals) + "°"; }

@@ -27,7 +27,7 @@ std::string coordinate(double value, int decimals = 3);
 /// The same at a text's end.
 void append_coordinate(std::string& to, double value, int decimals = 3);
 
-/// "12.34 mm" with a no-break space.
+/// "12.34 mm" with a no-break space. What the decimals would round to 0 has two digits instead, "6.8e-06 mm", down to a millionth of a micrometre.
 std::string length_text(double length, int decimals = 3);
 /// "90°" from radians.
 std::string angle_text(double angle, int decimals = 2);

@@ -7,6 +7,7 @@ import csv
 import json
 import math
 import pathlib
+import random
 import re
 import subprocess
 import sys
@@ -487,6 +488,22 @@ class Calibrate(Case):
         for one in answer["unidentifiable"]:
             self.assertIn("together with", one["in_words"])
             self.assertIn("measure", one["what_would_tell"][0]["measure"])
+
+    def test_hundreds_of_wrong_readings_among_thousands_are_left_out(self):
+        """There are more sets of 300 among 2400 than a double counts."""
+        rng = random.Random(7)
+        wrong = set(rng.sample(range(2400), 300))
+        text = "[instrument]\narm_mm = 500\nratio = 0.5\n[fit]\nreading_uncertainty_mm = 0.05\nmethod = \"least_squares\"\n"
+        for i in range(2400):
+            x, y = rng.gauss(0, 0.05), rng.gauss(0, 0.05)
+            off = 3 if i in wrong else 0
+            text += f"[[reading]]\narm_angle_deg = {10 + i / 35:.4f}\nerror_mm = [{x + off:.4f}, {y - 0.7 * off:.4f}]\n"
+        path = self.scratch / "many.toml"
+        path.write_text(text)
+        answer = self.answer("calibrate", path)
+        self.assertEqual([one["name"] for one in answer["outliers"]], [f"reading {i + 1}" for i in sorted(wrong)])
+        for error in answer["errors_mm"].values():
+            self.assertLess(abs(error), 0.02)
 
     def test_a_mistyped_reading_is_named_although_the_noise_is_stated(self):
         right = self.answer("calibrate", self.plotter(12, True))
