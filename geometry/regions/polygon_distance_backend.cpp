@@ -58,18 +58,48 @@ void offer(NearestPlaces& best, const EdgeTree::Edge& one, const EdgeTree::Edge&
   for (const Point& end : {other.from, other.to}) offer_pair(on(one, end), end);
 }
 
-/// A corner of one region inside the other: then they overlap though no edges cross.
-std::optional<Point> corner_inside(const Region& one, const Region& other) {
+/// A corner of one region inside the other and no nearer than `depth` to its edges: then they overlap though no edges
+/// cross.
+std::optional<Point> corner_inside(const Region& one, const Region& other, double depth = 0) {
   std::optional<Point> found;
   const EdgeTree tree(other, Point::Zero());
+  const auto is_deep = [&](const Point& corner) {
+    bool deep = true;
+    for_each_edge(
+        tree,
+        [&](const Box& box) {
+          return deep && distance(box, {corner, corner}) < depth;
+        },
+        [&](const EdgeTree::Edge& edge) { deep = deep && distance(corner, edge.from, edge.to) >= depth; });
+    return deep;
+  };
   for_each_ring(one, [&](const Ring& ring) {
-    if (!found && tree.winds_around(ring.front())) found = ring.front();
+    if (!found && tree.winds_around(ring.front()) && is_deep(ring.front())) found = ring.front();
   });
   return found;
 }
 
 Kernel::Segment_2 exact_segment(const EdgeTree::Edge& edge) {
   return {{edge.from.x(), edge.from.y()}, {edge.to.x(), edge.to.y()}};
+}
+
+/// Edges of the two cross, exactly: then their interiors meet beside the crossing.
+bool boundaries_cross(const Region& one, const Region& other) {
+  const EdgeTree tree(other, Point::Zero());
+  const auto parts = [](const EdgeTree::Edge& edge, const EdgeTree::Edge& ends) {
+    const Kernel::Segment_2 along = exact_segment(edge), across = exact_segment(ends);
+    const auto left = [&](const Kernel::Point_2& end) {
+      return CGAL::orientation(along.source(), along.target(), end);
+    };
+    return left(across.source()) * left(across.target()) < 0;
+  };
+  bool cross = false;
+  for_near_pairs(
+      one, tree, [&] { return cross ? -1.0 : 0.0; },
+      [&](const EdgeTree::Edge& a, const EdgeTree::Edge& b) {
+        cross = cross || (parts(a, b) && parts(b, a));
+      });
+  return cross;
 }
 
 /// No two edges are nearer than `gap`, exactly.
@@ -110,6 +140,8 @@ bool are_apart(const Region& one, const Region& other, double gap) {
   if (nearest->distance < gap - slack) return false;
   if (gap > slack) return edges_are_apart(one, other, gap, slack);
   // Interiors must be disjoint: a matter of areas, not of distance.
+  if (corner_inside(one, other, slack) || corner_inside(other, one, slack) || boundaries_cross(one, other))
+    return false;
   return intersection(as_arcs(one), as_arcs(other)).empty() && edges_are_apart(one, other, gap, slack);
 }
 

@@ -4,7 +4,6 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
 #include <CGAL/convex_hull_2.h>
-#include <CGAL/minkowski_sum_2.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,22 +35,6 @@ ExactRing exact(const Ring& ring) {
   return result;
 }
 
-/// Whether the disc is higher or wider than the hole, which growth then fills.
-bool is_filled(const ExactRing& hole, const ExactRing& disc) {
-  const CGAL::Bbox_2 of_hole = hole.bbox(), of_disc = disc.bbox();
-  return of_hole.ymax() - of_hole.ymin() < of_disc.ymax() - of_disc.ymin() ||
-         of_hole.xmax() - of_hole.xmin() < of_disc.xmax() - of_disc.xmin();
-}
-
-/// The polygon grown by the disc. Holes that it fills are left out beforehand: CGAL 5.5 erases them one by one through
-/// iterators that the first erasure has made invalid (Hole_filter_2.h), and with two of them memory is wrong.
-ExactPart grown(const Polygon& polygon, const ExactRing& disc) {
-  ExactPart open(exact(polygon.outer));
-  for (const Ring& hole : polygon.holes)
-    if (ExactRing ring = exact(hole); !is_filled(ring, disc)) open.add_hole(std::move(ring));
-  return CGAL::minkowski_sum_2(open, disc);
-}
-
 Ring rounded(const ExactRing& ring) {
   Ring result;
   for (const ExactPoint& corner : ring.container()) {
@@ -71,6 +54,70 @@ std::vector<ExactPoint> around_disc(const Point& centre, double radius) {
   }
   return corners;
 }
+
+/// What growth by a convex polygon around the origin adds beside a ring that runs with the region to its left: beside
+/// each edge what its way to the polygon's outermost corner there passes, and at each convex corner the sector
+/// between the outermost corners of its two edges. What is reached a share of the way lies there too, as the outline
+/// grown by that share is made of the same corners; so region and additions together are Minkowski's sum.
+class RingGrowth {
+ public:
+  RingGrowth(const Ring& ring, const std::vector<ExactPoint>& convex) : convex_(convex) {
+    for (const Point& corner : ring) corners_.emplace_back(corner.x(), corner.y());
+  }
+
+  void append_to(std::vector<ExactPart>& parts) const {
+    const std::size_t count = corners_.size();
+    Outermost before = outermost(corners_[count - 1], corners_[0]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const ExactPoint &from = corners_[i], &to = corners_[(i + 1) % count];
+      const Outermost here = outermost(from, to);
+      if (CGAL::left_turn(corners_[(i + count - 1) % count], from, to) && before.last != here.first)
+        parts.emplace_back(sector(from, before.last, here.first));
+      ExactRing& beside = parts.emplace_back().outer_boundary();
+      for (const ExactPoint& corner : {from, moved(from, here.first), moved(to, here.last), to})
+        beside.push_back(corner);
+      before = here;
+    }
+  }
+
+ private:
+  /// The polygon's corners farthest to the right of an edge: two where the edge is parallel to one of its own.
+  struct Outermost {
+    std::size_t first, last;
+  };
+
+  std::size_t next(std::size_t corner) const { return (corner + 1) % convex_.size(); }
+
+  Outermost outermost(const ExactPoint& from, const ExactPoint& to) const {
+    const auto along = to - from;
+    const auto turn_after = [&](std::size_t corner) {
+      return CGAL::orientation(convex_[next(corner)] - convex_[corner], along);
+    };
+    const auto before = [&](std::size_t corner) { return (corner + convex_.size() - 1) % convex_.size(); };
+    const double bearing = std::atan2(CGAL::to_double(along.y()), CGAL::to_double(along.x())) - pi / 2;
+    const double size = static_cast<double>(convex_.size());
+    auto corner =
+        static_cast<std::size_t>(std::lround(bearing / (2 * pi) * size + 2 * size)) % convex_.size();
+    while (turn_after(corner) == CGAL::LEFT_TURN) corner = next(corner);
+    while (turn_after(before(corner)) != CGAL::LEFT_TURN) corner = before(corner);
+    return {corner, turn_after(corner) == CGAL::COLLINEAR ? next(corner) : corner};
+  }
+
+  ExactPoint moved(const ExactPoint& corner, std::size_t by) const {
+    return corner + (convex_[by] - ExactPoint(0, 0));
+  }
+
+  ExactRing sector(const ExactPoint& corner, std::size_t first, std::size_t last) const {
+    ExactRing result;
+    result.push_back(corner);
+    for (std::size_t i = first; i != last; i = next(i)) result.push_back(moved(corner, i));
+    result.push_back(moved(corner, last));
+    return result;
+  }
+
+  const std::vector<ExactPoint>& convex_;
+  std::vector<ExactPoint> corners_;
+};
 
 ExactRing around_stroke_edge(const Point& from, const Point& to, double margin) {
   std::vector<ExactPoint> corners = around_disc(from, margin);
@@ -118,10 +165,15 @@ tl::expected<Region, std::string> grown(const Region& region, double margin) {
   const std::size_t corners = corner_count(region);
   if (corners > most_grown_corners)
     return tl::unexpected(too_many("corners to grow", corners, most_grown_corners));
-  const std::vector<ExactPoint> disc_ring = around_disc(Point::Zero(), margin);
-  const ExactRing disc(disc_ring.begin(), disc_ring.end());
+  const std::vector<ExactPoint> disc = around_disc(Point::Zero(), margin);
   std::vector<ExactPart> parts;
-  for (const Polygon& polygon : region.polygons) parts.push_back(grown(polygon, disc));
+  for (const Polygon& polygon : region.polygons) {
+    ExactPart whole(exact(polygon.outer));
+    for (const Ring& hole : polygon.holes) whole.add_hole(exact(hole));
+    parts.push_back(std::move(whole));
+    RingGrowth(polygon.outer, disc).append_to(parts);
+    for (const Ring& hole : polygon.holes) RingGrowth(hole, disc).append_to(parts);
+  }
   ExactRegion sum;
   sum.join(parts.begin(), parts.end());
   return rounded(sum);

@@ -84,6 +84,19 @@ TEST(RegionAlgebra, RegionsAreApartIfTheirNearestPointsAre) {
   EXPECT_FALSE(are_apart(a, {{box(0, 0, 10, 10)}}, 0));
 }
 
+// Combs of so many teeth take minutes to be cut with each other exactly.
+TEST(RegionAlgebra, LargeRegionsThatOverlapAreToldAtOnce) {
+  Ring comb;
+  constexpr int teeth = 20'000;
+  for (int i = 0; i < teeth; ++i)
+    for (const Point& corner : {Point(0, 0), Point(0.001, -40), Point(0.001, 0)})
+      comb.push_back(Point(0.002 * i, 0) + corner);
+  for (const Point& corner : {Point(40, 0), Point(40, 1), Point(0, 1)}) comb.push_back(corner);
+  const Region region{{{comb, {}}}};
+  for (const auto& k : {std::complex(1.0001, 0.0), std::complex(0.01, 0.0), std::complex(0.0, 1.0)})
+    EXPECT_FALSE(are_apart(region, similar_image(region, k, Point(20, 0.5)), 0));
+}
+
 TEST(RegionAlgebra, NearestPlacesAgreeWithASampling) {
   Dice dice(42);
   for (int i = 0; i < 60; ++i) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/regions/region_algebra.hpp"
 #include "specs/drawings/drawing_cover.hpp"
 #include "tests/geometry/grid_outlines.hpp"
 #include "tests/geometry/random_rings.hpp"
@@ -81,6 +82,45 @@ TEST(Grown, OfScribblesWithManySmallHolesContainsAllPointsWithinTheMargin) {
     }
   }
   EXPECT_GT(holes, 40U);
+}
+
+// The region united with its boundary, each edge of which is grown as a stroke.
+TEST(Grown, IsTheRegionAndItsGrownBoundary) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 100; ++i) {
+    Region region{{test::grid_polygon_about(random, Point::Zero(), 50)}};
+    if (i % 2) region.polygons[0] = {star_ring(random, 4 + i % 20, 50), {}};
+    std::vector<Stroke> boundary;
+    const auto add = [&](const Ring& ring) {
+      boundary.push_back(ring);
+      boundary.back().push_back(ring.front());
+    };
+    add(region.polygons[0].outer);
+    for (const Ring& hole : region.polygons[0].holes) add(hole);
+    const double margin = i % 5 == 0 ? 5 : uniform(random, 0.5, 30);
+    const auto larger = grown(region, margin), around = grown(boundary, margin);
+    ASSERT_TRUE(larger && around);
+    EXPECT_TRUE(keeps_invariant(*larger));
+    const double both = area(united({as_arcs(region), as_arcs(*around)}));
+    EXPECT_NEAR(area(*larger), both, 1e-9 * both) << i;
+  }
+}
+
+// Each edge is nearer than the margin to hundreds of others.
+TEST(Grown, OfACombFinerThanTheMarginIsFilled) {
+  Ring comb;
+  constexpr int teeth = 1000;
+  for (int i = 0; i < teeth; ++i)
+    for (const Point& corner : {Point(0, 0), Point(0.018, 40), Point(0.022, 40)})
+      comb.push_back(Point(0.04 * i, 0) + corner);
+  for (const Point& corner : {Point(40, 0), Point(40, -1), Point(0, -1)}) comb.push_back(corner);
+  std::reverse(comb.begin(), comb.end());
+  const auto larger = grown(Region{{{comb, {}}}}, 10);
+  ASSERT_TRUE(larger) << larger.error();
+  ASSERT_EQ(larger->polygons.size(), 1u);
+  EXPECT_TRUE(larger->polygons[0].holes.empty());
+  EXPECT_LT(larger->polygons[0].outer.size(), 2 * teeth + 100);
+  EXPECT_NEAR(area(*larger), 40 * 41 + 2 * 10 * 81 + pi * 100, 3);
 }
 
 TEST(Grown, StrokesCoverTheirNeighbourhood) {
