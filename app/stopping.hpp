@@ -10,10 +10,10 @@
 
 namespace kempe::app {
 
-/// Counts the time from when it is made.
+/// Notes signals from when it is made: until then, while files are read, Ctrl-C ends the program at once.
 class Stopping {
  public:
-  explicit Stopping(double seconds = Deadline::unlimited) : deadline_(seconds) {}
+  explicit Stopping(Deadline deadline = Deadline()) : deadline_(deadline) {}
 
   /// Set by a signal, or `grace` seconds after the limit.
   StopFlag flag(double grace = 0) const { return deadline_.flag(&interrupt_.requested(), 1, grace); }

@@ -81,6 +81,7 @@ std::string summary_text(const ParetoFront& front, int asked, bool complete, con
 }
 
 int run(const Session& session, const ParetoArguments& arguments) {
+  const Deadline deadline(arguments.time_limit);
   const auto loaded = load_spec(session, arguments.spec_file);
   if (!loaded) return fail(session, loaded.error());
   const auto first = objective_named(arguments.between.front()),
@@ -93,7 +94,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
     fault->file = loaded->file;
     return fail(session, *fault);
   }
-  const Stopping stopping(arguments.time_limit);
+  const Stopping stopping(deadline);
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
   {
     Progress progress(session.quiet);

@@ -40,7 +40,7 @@ int run(const Session& session, const ReportArguments& arguments) {
         session, verification_failed,
         broken_text(*found, arguments.design) + "\n  nothing is written of a design that does not hold");
   // What is not verified is not written, whatever the limit: until here Ctrl-C ends the program at once.
-  const Stopping stopping(arguments.time_limit);
+  const Stopping stopping{Deadline(arguments.time_limit)};
   const StopFlag to_map = stopping.flag(time_to_map(stopping.limit()));
   auto design = restored_design(*stored, arguments.design, to_map);
   if (!design) return fail(session, design.error());

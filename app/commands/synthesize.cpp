@@ -43,12 +43,13 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   if (!arguments.batch_source.empty() && arguments.only.empty())
     return run_batch(session, {arguments.batch_source, arguments.folder, arguments.threads, arguments.seed,
                                arguments.time_limit});
-  const Stopping stopping(arguments.time_limit);
+  const Deadline deadline(arguments.time_limit);
   const auto loaded = arguments.batch_source.empty() ? load_spec(session, arguments.spec_file)
                                                      : spec_of_batch(arguments.batch_source, arguments.only);
   if (!loaded) return fail(session, loaded.error());
   const auto studio = studio_page_if(arguments.studio, *loaded);
   if (!studio) return fail(session, failed, studio.error());
+  const Stopping stopping(deadline);
   SearchOutcome outcome = NoDesign{};
   {
     Progress progress(session.quiet);

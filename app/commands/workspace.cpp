@@ -49,7 +49,7 @@ int tell_why_of_design(const Session& session, const std::string& text, const st
 }
 
 int run(const Session& session, const WorkspaceArguments& arguments) {
-  const Stopping stopping(arguments.time_limit);
+  const Deadline deadline(arguments.time_limit);
   const std::optional<Point> place =
       arguments.why.empty() ? std::nullopt : std::optional(Point(arguments.why[0], arguments.why[1]));
   const auto text = input_text(session, arguments.spec_file);
@@ -63,6 +63,7 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   const auto linkage = given_linkage(loaded->spec, loaded->file);
   if (!linkage) return fail(session, linkage.error());
   if (const auto none = pole_blocked(loaded->spec)) return tell_no_design(session, *none);
+  const Stopping stopping(deadline);
   Design design = assemble_given(loaded->spec, *linkage,
                                  {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});
   if (place) return tell_why(session, map_task(design), *place);
