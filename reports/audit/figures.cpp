@@ -87,7 +87,7 @@ bool is_covered(const AuditTask& task) {
   if (!task.map.coverage.covered) return false;
   MapTask mapped = task.map_task;
   mapped.limits.copy_gap = task.design.limits ? task.design.limits->copy_gap : std::nullopt;
-  return !copy_overlap(mapped);
+  return !copy_overlap(mapped, OverlapArea::left_out);
 }
 
 void check_coverage_claim(const AuditTask& task, AuditRecord& record) {

@@ -232,7 +232,8 @@ bool drive_over(const std::vector<Point>& stations, const VerificationTask& task
     else if (task.region_covered) {
       checks.fail({"region", std::nullopt, std::nullopt, stations[i], arrived.error()});
       break;
-    }
+    } else if (step > 1)
+      break;  // the way to where it cannot get is the longest
   }
   return step == 1;
 }

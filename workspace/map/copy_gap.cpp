@@ -22,7 +22,7 @@ std::size_t corners_of(const Region& region) {
 
 }  // namespace
 
-std::optional<CopyOverlap> copy_overlap(const MapTask& task) {
+std::optional<CopyOverlap> copy_overlap(const MapTask& task, OverlapArea area) {
   if (!task.limits.copy_gap || task.region.empty()) return std::nullopt;
   const Region copy = similar_image(task.region, task.linkage.k(), task.linkage.pole());
   if (are_apart(task.region, copy, *task.limits.copy_gap)) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<CopyOverlap> copy_overlap(const MapTask& task) {
                   *task.limits.copy_gap),
       nearest.on_one,
       {}};
-  if (corners_of(task.region) > most_region_corners) return overlap;
+  if (area == OverlapArea::left_out || corners_of(task.region) > most_region_corners) return overlap;
   if (const auto around = grown(copy, *task.limits.copy_gap))
     overlap.area = intersection(as_arcs(task.region), as_arcs(*around));
   return overlap;

@@ -11,8 +11,11 @@ namespace kempe {
 struct CopyOverlap {
   std::string sentence;  ///< with figures
   Point at;              ///< the region's place nearest to the copy, or in it
-  ArcRegion area;  ///< the part of the region nearer to the copy than the gap; empty for very large regions
+  /// The part of the region nearer to the copy than the gap; empty for very large regions, and where left out.
+  ArcRegion area;
 };
-std::optional<CopyOverlap> copy_overlap(const MapTask& task);
+/// The area takes exact Boolean operations: up to some seconds.
+enum class OverlapArea { wanted, left_out };
+std::optional<CopyOverlap> copy_overlap(const MapTask& task, OverlapArea area);
 
 }  // namespace kempe

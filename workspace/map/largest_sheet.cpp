@@ -33,8 +33,8 @@ Point turned_by(const Point& point, double cosine, double sine) {
 /// Rectangles of one proportion in a region.
 class SheetFinder {
  public:
-  SheetFinder(const Region& region, double proportion)
-      : tree_(region, Point::Zero()), proportion_(proportion), box_(bounding_box(region)) {}
+  SheetFinder(const Region& region, double proportion, const StopFlag& stop)
+      : tree_(region, Point::Zero()), proportion_(proportion), box_(bounding_box(region)), stop_(stop) {}
 
   /// Half the height of the largest rectangle about a centre at a turn; 0 if the centre lies outside.
   double half_height_at(const Point& centre, double turn, double at_most) const {
@@ -45,7 +45,8 @@ class SheetFinder {
   /// The best places of a coarse search, best first.
   std::vector<Place> candidates(const std::vector<double>& at_turns) const {
     std::vector<Place> places;
-    for (const double turn : at_turns) places.push_back(coarse(turn));
+    for (const double turn : at_turns)
+      if (!stop_()) places.push_back(coarse(turn));
     std::stable_sort(places.begin(), places.end(),
                      [](const Place& a, const Place& b) { return a.half_height > b.half_height; });
     places.resize(std::min<std::size_t>(places.size(), kept));
@@ -53,13 +54,13 @@ class SheetFinder {
   }
 
   /// Moves (and turns) a rectangle to where it can be larger, by random steps that shrink when they stop
-  /// helping.
+  /// helping or the search is stopped.
   Place improved(Place place, bool may_turn) const {
     InTheWay in_the_way;
     const double size = (box_.upper - box_.lower).norm();
     Chance chance(1);
     place.half_height = half_height_at(place.centre, place.turn, size);
-    for (double step = size / pixels; step > finest_step * size; step *= 0.5) {
+    for (double step = size / pixels; step > finest_step * size && !stop_(); step *= 0.5) {
       for (int failures = 0; failures < 24;) {
         const double down = chance.symmetric(), across = chance.symmetric();
         const Point centre = place.centre + step * Point(across, down);
@@ -138,6 +139,7 @@ class SheetFinder {
   EdgeTree tree_;
   double proportion_;
   Box box_;
+  StopFlag stop_;
 };
 
 /// The raster of one turn: for each pixel, whether its middle lies inside.
@@ -229,9 +231,9 @@ std::vector<double> turns_to_try(bool turned) {
   return all;
 }
 
-std::optional<Place> best_place(const Region& region, double proportion, bool turned) {
+std::optional<Place> best_place(const Region& region, double proportion, bool turned, const StopFlag& stop) {
   if (region.empty()) return std::nullopt;
-  const SheetFinder finder(region, proportion);
+  const SheetFinder finder(region, proportion, stop);
   Place best;
   for (const Place& place : finder.candidates(turns_to_try(turned))) {
     const Place better = finder.improved(place, turned);
@@ -266,12 +268,12 @@ constexpr std::array<IsoSheet, 9> iso_sheets{{{"A0", 1189, 841},
                                               {"A7", 105, 74},
                                               {"A8", 74, 52}}};
 
-std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned) {
-  const auto place = best_place(region, std::sqrt(2.0), turned);
+std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned, const StopFlag& stop) {
+  const auto place = best_place(region, std::sqrt(2.0), turned, stop);
   if (!place) return std::nullopt;
   for (const IsoSheet& sheet : iso_sheets) {
     if (place->half_height < 0.49 * sheet.height) continue;  // 2 % of room for the sheets' own proportions
-    const SheetFinder finder(region, sheet.width / sheet.height);
+    const SheetFinder finder(region, sheet.width / sheet.height, stop);
     const Place own = finder.improved(*place, turned);
     if (own.half_height * (1 - enlarged_by) < 0.5 * sheet.height) continue;
     return FittingSheet{sheet.name, sheet.width, sheet.height, own.centre, reduced(own.turn)};
@@ -281,28 +283,29 @@ std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned)
 
 }  // namespace
 
-std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned) {
-  const auto place = best_place(flattened_finely(region), proportion, turned);
+std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned,
+                                              const StopFlag& stop) {
+  const auto place = best_place(flattened_finely(region), proportion, turned, stop);
   if (!place) return std::nullopt;
   return sheet_at(*place, proportion);
 }
 
-std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region) {
+std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region, const StopFlag& stop) {
   const Region flattened_once = flattened_finely(region);
-  const auto upright = largest_iso_sheet(flattened_once, false),
-             turned = largest_iso_sheet(flattened_once, true);
+  const auto upright = largest_iso_sheet(flattened_once, false, stop),
+             turned = largest_iso_sheet(flattened_once, true, stop);
   return turned && (!upright || turned->width > upright->width) ? turned : upright;
 }
 
-std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like) {
+std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like, const StopFlag& stop) {
   std::vector<FittingSheet> sheets;
-  if (auto iso = largest_iso_sheet(free)) sheets.push_back(std::move(*iso));
+  if (auto iso = largest_iso_sheet(free, stop)) sheets.push_back(std::move(*iso));
   if (like.empty()) return sheets;
   const Box box = bounding_box(like);
   const Point size = box.upper - box.lower;
   if (!(size.minCoeff() > 0)) return sheets;
-  auto upright = largest_rectangle(free, size.x() / size.y(), false);
-  auto turned = largest_rectangle(free, size.x() / size.y(), true);
+  auto upright = largest_rectangle(free, size.x() / size.y(), false, stop);
+  auto turned = largest_rectangle(free, size.x() / size.y(), true, stop);
   if (turned && (!upright || turned->width > 1.01 * upright->width)) upright = std::move(turned);
   if (upright) {
     upright->name = "region's proportions";

@@ -191,8 +191,8 @@ void add_losses(WorkspaceMap& map, const Region& region) {
 }
 
 /// Sheets that overlap are a fault of the region and the pole, wherever the linkage can go.
-void add_copy_overlap(WorkspaceMap& map, const MapTask& task) {
-  auto overlap = copy_overlap(task);
+void add_copy_overlap(WorkspaceMap& map, const MapTask& task, const StopFlag& stop) {
+  auto overlap = copy_overlap(task, stop() ? OverlapArea::left_out : OverlapArea::wanted);
   if (!overlap) return;
   add_lost(map, Cause::copy_overlap, {}, std::move(overlap->area));
   if (map.coverage.covered)
@@ -239,11 +239,15 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   for (const Subdivision& chart : charts) add_cells(map, prepared.scene, chart);
   map.coverage = coverage_of(task, charts, prepared.region, options.stop);
   if (!map.coverage.covered && !options.stop()) add_losses(map, task.region);
-  add_copy_overlap(map, task);
+  add_copy_overlap(map, task, options.stop);
   map.complete = !options.stop();
   tell(options, after_coverage);
   if (options.largest_sheets && map.complete)
-    map.largest_sheets = largest_sheets(map.collision_free, task.region);
+    map.largest_sheets = largest_sheets(map.collision_free, task.region, options.stop);
+  if (options.largest_sheets && options.stop()) {  // what was found by then need not be the largest
+    map.largest_sheets.clear();
+    map.complete = false;
+  }
   tell(options, 1);
   return map;
 }
