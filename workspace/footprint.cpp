@@ -39,9 +39,11 @@ std::vector<GrownPiece> pieces_at(const Sweep& sweep, const LinkageMotion& motio
       std::array<Point, 3> corners;
       double half_width = 0.5 * sweep.style.width, strays = 0;
       for (int i = 0; i < hull.count; ++i) {
-        const MovingJoint& joint = joints[static_cast<std::size_t>(hull.joints[static_cast<std::size_t>(i)])];
+        const Joint name = hull.joints[static_cast<std::size_t>(i)];
+        const MovingJoint& joint = joints[static_cast<std::size_t>(name)];
         corners[static_cast<std::size_t>(i)] = joint.at;
-        strays = std::max(strays, joint.reach);
+        // Next to a dead point rates have no limit, places have.
+        strays = std::max(strays, std::min(joint.reach, joint.at.norm() + motion.farthest(name)));
       }
       if (hull.count == 3 && cross(corners[1] - corners[0], corners[2] - corners[0]) < 0)
         std::swap(corners[1], corners[2]);

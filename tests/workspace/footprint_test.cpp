@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "tests/geometry/random_rings.hpp"
 #include "tests/workspace/sampled_mechanism.hpp"
+#include "workspace/sweep/region_bearings.hpp"
 
 namespace kempe {
 namespace {
@@ -113,6 +115,57 @@ TEST(Footprint, OfARegionAroundThePoleIsAWholeTurn) {
     const double area = footprint(linkage, style, Region{{ring}}).area;
     EXPECT_GT(area, 0.99 * raster.area());
     EXPECT_LT(area, 1.06 * raster.area()) << linkage.k();
+  }
+}
+
+// Of a polygon's edges only those count that come as near: boxes around slanted ones do long before.
+TEST(RegionBearings, AreThoseOfPlacesAtTheDistances) {
+  const sweep::RegionBearings slanted(Region{{{{{40, 158}, {158, 40}, {99.5, 99.5}}, {}}}}, Point::Zero());
+  EXPECT_TRUE(slanted.between(60, 62).empty());
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 300; ++i) {
+    Ring ring = star_ring(random, 3 + i % 9, 50);
+    const double right = uniform(random, 20, 90), up = uniform(random, -40, 40);
+    for (Point& corner : ring) corner += Point(right, up);
+    const Region region{{{ring, {}}}};
+    const double inner = uniform(random, 5, 100), outer = inner + uniform(random, 0.1, 10);
+    const auto seen = sweep::RegionBearings(region, Point::Zero()).between(inner, outer);
+    const auto is_seen = [&](double bearing) {
+      return std::any_of(seen.begin(), seen.end(), [&](const sweep::Bearings& some) {
+        const double after = std::remainder(bearing - 0.5 * (some.from + some.to), 2 * pi);
+        return std::abs(after) <= 0.5 * (some.to - some.from) + 1e-9;
+      });
+    };
+    const auto has_place = [&](double bearing) {
+      for (int share = 0; share <= 40; ++share)
+        if (contains(region, as_point(std::polar(inner + (outer - inner) * share / 40, bearing))))
+          return true;
+      return false;
+    };
+    constexpr int steps = 2000;
+    double sampled = 0, widths = 0;
+    for (int step = 0; step < steps; ++step) {
+      const double bearing = 2 * pi * step / steps;
+      if (!has_place(bearing)) continue;
+      EXPECT_TRUE(is_seen(bearing)) << i << ": " << bearing;
+      sampled += 2 * pi / steps;
+    }
+    for (const sweep::Bearings& some : seen) widths += some.to - some.from;
+    EXPECT_LT(widths, sampled + 0.02) << i;
+  }
+}
+
+TEST(Footprint, NextToTheFoldedDeadPointIsWhatTheBarsPassOver) {
+  const CopyingLinkage linkage = *CopyingLinkage::make({0.5, 0}, Grounding::pole, 100, 50, 0, Point::Zero());
+  for (const double nearest : {1e-2, 1e-5, 1e-8}) {
+    const Region region{{{{{nearest, -1}, {20, -1}, {20, 1}, {nearest, 1}}, {}}}};
+    Raster raster;
+    for (int x = 0; x <= 80; ++x)
+      for (int y = 0; y <= 8; ++y)
+        add_pose(raster, linkage, {nearest + (20 - nearest) * x / 80, -1 + y / 4.0});
+    const double area = footprint(linkage, style, region).area;
+    EXPECT_GT(area, 0.97 * raster.area()) << nearest;
+    EXPECT_LT(area, 1.2 * raster.area()) << nearest;
   }
 }
 

@@ -98,7 +98,7 @@ std::vector<std::vector<ScenePiece>> turning_pieces_of(const MapTask& task) {
       PointHull hull;
       hull.count = static_cast<int>(piece.size());
       for (std::size_t corner = 0; corner < piece.size(); ++corner)
-        hull.points[corner] = static_cast<std::uint16_t>(number++);
+        hull.points[corner] = static_cast<std::uint32_t>(number++);
       of_bodies[i].push_back({mount_of(body.at, task.linkage), hull, all.grown, body_name(task.bodies, i)});
     }
   }
@@ -151,7 +151,7 @@ ContactScene::ContactScene(const MapTask& task, double within)
       const Apart apart{nearest, farthest_of(motion_in(frame), one.hull) + one.half_width};
       if (!apart.may_come_within(within)) return;
       encounters.pairs.push_back(
-          {static_cast<std::uint16_t>(piece), static_cast<std::uint16_t>(obstacles.size())});
+          {static_cast<std::uint32_t>(piece), static_cast<std::uint32_t>(obstacles.size())});
       apart_.push_back(apart);
     };
     for (std::size_t i = 0; i < of_linkage; ++i) {

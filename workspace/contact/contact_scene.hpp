@@ -41,7 +41,7 @@ struct SceneObstacle {
 
 /// A piece that shares a layer with an obstruction and may come near it.
 struct Encounter {
-  std::uint16_t piece, obstacle;
+  std::uint32_t piece, obstacle;
 };
 
 /// What may meet, and the frames in which it does.

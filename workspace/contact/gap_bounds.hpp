@@ -32,11 +32,11 @@ struct HalfSides {
 
 /// The hull of one, two or three joints or other points of the linkage, by their numbers in MovingJoints::of().
 struct PointHull {
-  std::array<std::uint16_t, 3> points{};
+  std::array<std::uint32_t, 3> points{};
   int count = 0;
   PointHull() = default;
   PointHull(const JointHull& hull) : count(hull.count) {
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = static_cast<std::uint16_t>(hull.joints[i]);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = static_cast<std::uint32_t>(hull.joints[i]);
   }
 };
 

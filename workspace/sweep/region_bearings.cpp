@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/segment_distance.hpp"
 #include "workspace/sweep/slack.hpp"
 
 namespace kempe::sweep {
@@ -42,6 +43,7 @@ void add_piece(const Point& a, const Point& b, double from, double to, std::vect
 void add_edge(const Point& a, const Point& b, double inner, double outer, std::vector<Bearings>& found) {
   const double far2 = std::max(a.squaredNorm(), b.squaredNorm());
   if (far2 < inner * inner || !((b - a).squaredNorm() > 0)) return;
+  if (distance(Point::Zero(), a, b) > outer * (1 + box_rounding)) return;
   const auto out = shares_at(a, b, outer), in = shares_at(a, b, inner);
   const double from = std::max(0.0, out[0]), to = std::min(1.0, out[1]);
   const bool passes_hole = in[1] > in[0];
