@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/orientation.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "geometry/regions/ring_loops.hpp"
 #include "kinematics/grounding.hpp"
@@ -108,6 +109,21 @@ std::vector<Body> read_body(const TableView& table, std::size_t number, Complain
   return bodies;
 }
 
+/// Where bodies meet others in more corners than this, the map takes more than a gigabyte.
+constexpr std::size_t most_corners_met = 4'000'000;
+
+/// What an outline is in a Minkowski difference.
+struct OutlineSize {
+  std::size_t corners, parts;  ///< parts: an upper bound of its convex ones (convex_parts.hpp)
+};
+
+OutlineSize size_of(const Ring& ring) {
+  std::size_t reflex = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    reflex += orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) < 0;
+  return {ring.size(), 1 + 2 * reflex};
+}
+
 /// True if the link has the joint that carries the body.
 bool carries(Link link, Carrier at, Grounding grounding) {
   const JointRoles roles = roles_of(grounding);
@@ -175,6 +191,24 @@ std::vector<Body> read_bodies(const toml::array& tables, Complaints& complaints)
     for (Body& body : read_body(table, i + 1, complaints)) bodies.push_back(std::move(body));
   }
   return bodies;
+}
+
+void check_body_outlines(const Spec& spec, Complaints& complaints) {
+  std::vector<OutlineSize> met;
+  for (const Obstacle& obstacle : spec.obstacles) met.push_back(size_of(obstacle.shape.outer));
+  if (spec.table) met.push_back(size_of(spec.table->outer));
+  std::size_t corners = 0;
+  for (const Body& body : spec.bodies) {
+    const auto* polygon = std::get_if<Polygon>(&body.shape);
+    const OutlineSize own = polygon ? size_of(polygon->outer) : OutlineSize{1, 1};
+    for (const OutlineSize& other : met)  // one that turns is met triangle by triangle, as it stands
+      corners += body.turns_with ? own.corners : own.parts * other.corners + other.parts * own.corners;
+    met.push_back(own);
+    if (corners > most_corners_met)
+      return complaints.add(
+          0, "bodies", fmt::format("outlines that meet others in {} or more corners", corners),
+          fmt::format("at most {}: simpler outlines of bodies and obstacles", most_corners_met));
+  }
 }
 
 std::optional<Polygon> read_table_edge(const TableView& table, Complaints& complaints) {

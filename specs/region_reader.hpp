@@ -26,6 +26,10 @@ std::vector<Obstacle> read_obstacles(const toml::array& tables, Complaints& comp
 /// Reads the [[bodies]] tables in the same way; a circle stays one.
 std::vector<Body> read_bodies(const toml::array& tables, Complaints& complaints);
 
+/// Complains about bodies whose outlines meet obstacles, the table's edge and each other in more corners than can be dealt
+/// with: a body is taken away from each of them, convex part by convex part.
+void check_body_outlines(const Spec& spec, Complaints& complaints);
+
 /// Those of the groundings in which every link that a body turns with has the body's point; none after a complaint about a link that has
 /// it in none of those that the bodies before leave.
 std::vector<Grounding> groundings_with_links_of(const toml::array& tables, std::vector<Grounding> groundings,

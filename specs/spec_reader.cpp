@@ -142,6 +142,7 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
   if (sound("obstacles")) spec.obstacles = read_obstacles(*root.get_as<toml::array>("obstacles"), complaints);
   if (sound("bodies")) read_bodies_into(spec, *root.get_as<toml::array>("bodies"), complaints);
   if (sound("table")) spec.table = read_table_edge(table("table"), complaints);
+  check_body_outlines(spec, complaints);
   check_robust_surroundings(spec, root, complaints);
   if (sound("region")) spec.region = read_region(table("region"), folder, complaints).value_or(Region{});
   return spec;

@@ -401,6 +401,23 @@ TEST(SpecReader, ReadsRegionsOfAMillionCorners) {
   EXPECT_EQ(spec.region.polygons[0].outer, ring);
 }
 
+// Thousands of convex parts, each taken away from thousands.
+TEST(SpecReader, RefusesBodiesThatMeetTooManyCorners) {
+  const auto saw = [](int teeth) {
+    std::string corners;
+    for (int i = 0; i < teeth; ++i) corners += fmt::format("[{0}, 0], [{0}.5, 3], ", i);
+    return fmt::format("polygon_mm = [{}[{}, 0], [{}, -1], [0, -1]]\n", corners, teeth, teeth);
+  };
+  const std::string start = shortest + "[[bodies]]\nat = 'pen'\nlayers = [1, 2]\n";
+  const std::string obstacle = "[[obstacles]]\nlayers = [1, 2]\n" + saw(3000);
+  EXPECT_TRUE(read_spec(start + saw(10) + obstacle, "-", {}));
+  const auto refused = read_spec(start + saw(3000) + obstacle, "-", {});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("bodies: found outlines that meet others in"), std::string::npos)
+      << refused.error().message();
+  EXPECT_TRUE(read_spec(start + "turns_with = 'BCY'\n" + saw(3000) + obstacle, "-", {}));
+}
+
 TEST(SpecReader, ReadsObstaclesOfManyCorners) {
   std::mt19937_64 random(7);
   const Ring ring = star_ring(random, 200'000, 40);
