@@ -66,10 +66,32 @@ std::vector<Subproblem> in_order(const SearchTask& task, const FoundDesign& last
   return all;
 }
 
+/// What a sketch does beside following the last design. Among obstacles a solution takes milliseconds, and little changes from
+/// one sketch to the next: there these take turns.
+struct Turn {
+  bool other_layers = true;              ///< where the last choice has no design any more
+  bool promising = true, others = true;  ///< of the choices at the bound's starts, where they are many
+  bool looks = true;                     ///< at another choice from anywhere
+  bool follows = true;    ///< instead of that, with a design at hand: a known one of another choice
+  std::size_t round = 0;  ///< how often it was this turn
+};
+
+Turn turn_of(std::size_t count, bool are_many, bool has_obstacles) {
+  if (are_many) {
+    const std::size_t phase = count % 4;
+    return {phase == 0, phase == 1, phase == 3, phase == 2, phase == 2 && count / 4 % 2 == 1, count / 4};
+  }
+  if (has_obstacles) {
+    const bool starts = count % 2 == 0;
+    return {true, starts, starts, !starts, count % 4 == 3, count / 2};
+  }
+  return {true, true, true, true, count % 2 == 1, count};
+}
+
 /// Of choices that differ in their layers alone those that a sketch solves near a point: the ones that promise most there, and
 /// some in turn.
-std::vector<Subproblem*> promising(const SearchTask& task, const std::vector<Subproblem*>& alike,
-                                   const DesignPoint& point, std::size_t turn, const SketchBudget& budget) {
+std::vector<Subproblem*> chosen_of(const SearchTask& task, const std::vector<Subproblem*>& alike,
+                                   const DesignPoint& point, const Turn& turn, const SketchBudget& budget) {
   if (alike.size() <= budget.promising + budget.in_turn) return alike;
   std::vector<std::pair<double, Subproblem*>> ranked;
   SmallestGaps shared = alike.front()->problem->gaps_at(point);
@@ -79,9 +101,11 @@ std::vector<Subproblem*> promising(const SearchTask& task, const std::vector<Sub
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Subproblem*> chosen;
   const std::size_t others = ranked.size() - budget.promising;
-  for (std::size_t i = 0; i < budget.promising; ++i) chosen.push_back(ranked[i].second);
-  for (std::size_t i = 0; i < budget.in_turn; ++i)
-    chosen.push_back(ranked[budget.promising + (turn * budget.in_turn + i) % others].second);
+  if (turn.other_layers || turn.promising)
+    for (std::size_t i = 0; i < budget.promising; ++i) chosen.push_back(ranked[i].second);
+  if (turn.other_layers || turn.others)
+    for (std::size_t i = 0; i < budget.in_turn; ++i)
+      chosen.push_back(ranked[budget.promising + (turn.round * budget.in_turn + i) % others].second);
   return chosen;
 }
 
@@ -146,18 +170,35 @@ void remember(std::optional<FoundDesign> other, Goal goal, SketchedDesign& resul
   if (!same_choice(*other, *result.design)) result.others.push_back(*std::move(other));
 }
 
+/// What a choice other than the sketch's has: one whose design is known is followed, or another one is looked at.
+std::optional<FoundDesign> of_another_choice(const SearchTask& task, std::vector<Subproblem>& choices,
+                                             const std::vector<Subproblem*>& open,
+                                             const SketchedDesign& result, const Turn& turn,
+                                             const ChoiceBudget& look) {
+  if (!turn.looks) return std::nullopt;
+  if (result.design && turn.follows && !result.others.empty()) {
+    const FoundDesign& known = result.others[turn.round / 2 % result.others.size()];
+    for (Subproblem& sub : choices)
+      if (is_choice(sub, known)) return design_near(task, sub, point_of(known.linkage));
+    return std::nullopt;
+  }
+  if (open.empty()) return std::nullopt;
+  return looked_for(task, *open[(result.design ? turn.round / 2 : turn.round) % open.size()], look);
+}
+
 /// `result` comes with the other choices' last designs.
 SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, SketchedDesign result,
                            std::size_t count, const SketchBudget& budget) {
   std::vector<Subproblem> choices = in_order(task, last);
   const bool any_possible = !choices.empty();
-  if (any_possible && choices.front().problem->has_obstacles())
-    leave_out_hopeless(choices, point_of(last.linkage).lengths);
+  const bool has_obstacles = any_possible && choices.front().problem->has_obstacles();
+  if (has_obstacles) leave_out_hopeless(choices, point_of(last.linkage).lengths);
   if (any_possible && choices.empty()) return result;  // no proof: these gaps are doubles
   const DesignPoint from = point_of(last.linkage);
   const bool are_many = choices.size() > budget.choices;
+  const Turn turn = turn_of(count, are_many, has_obstacles);
   const auto solved_of = [&](const std::vector<Subproblem*>& alike, const DesignPoint& point) {
-    return are_many ? promising(task, alike, point, count, budget) : alike;
+    return are_many ? chosen_of(task, alike, point, turn, budget) : alike;
   };
   std::vector<Subproblem*> other_layers;
   for (Subproblem& sub : choices) {
@@ -166,7 +207,7 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, Sket
     else if (is_of(sub, last.linkage))
       other_layers.push_back(&sub);
   }
-  if (!result.design)
+  if (!result.design && turn.other_layers)
     for (Subproblem* sub : solved_of(other_layers, from))
       if (!result.design && !task.stopped()) result.design = design_near(task, *sub, from);
   const auto bound = compared(task, result.design, budget);
@@ -179,10 +220,9 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, Sket
     return result.design && bound &&
            std::abs(result.design->value - bound->value) <= budget.near * std::abs(bound->value);
   };
-  // Places without contact that are better; then all choices in turn, a sketch each.
-  const bool switches = !are_many || count % 2 == 0;
+  // Places without contact that are better.
   std::vector<RelaxedDesign> starts;
-  if (bound && switches) starts = starts_of(*bound);
+  if (bound && (turn.promising || turn.others)) starts = starts_of(*bound);
   for (const RelaxedDesign& start : starts) {
     if (is_near() || task.stopped()) break;
     std::vector<Subproblem*> alike;
@@ -195,19 +235,11 @@ SketchedDesign sketch_here(const SearchTask& task, const FoundDesign& last, Sket
     for (Subproblem* sub : solved_of(alike, there))
       keep_better(task.goal, design_near(task, *sub, there, result.design), result.design);
   }
-  if (is_near() || task.stopped() || (are_many && switches)) return result;
+  if (is_near() || task.stopped()) return result;
   const std::vector<Subproblem*> open = worth_a_look(choices, task.goal, bound, result.design);
-  std::optional<FoundDesign> other;
-  const std::size_t looks = are_many ? count / 2 : count;  // so far
-  if (result.design && looks % 2 == 1 && !result.others.empty()) {
-    const FoundDesign known = result.others[looks / 2 % result.others.size()];
-    for (Subproblem& sub : choices)
-      if (is_choice(sub, known)) other = design_near(task, sub, point_of(known.linkage));
-  } else if (!open.empty()) {
-    other = looked_for(task, *open[(result.design ? looks / 2 : looks) % open.size()],
-                       are_many ? budget.brief_look : budget.look);
-  }
-  remember(other, task.goal, result);
+  remember(of_another_choice(task, choices, open, result, turn,
+                             has_obstacles || are_many ? budget.brief_look : budget.look),
+           task.goal, result);
   return result;
 }
 

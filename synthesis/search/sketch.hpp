@@ -28,10 +28,11 @@ struct SketchBudget {
   double near = 0.01;       ///< share of the bound: a design so near to it is not compared with others
   /// Of one choice a sketch, in turn, looked at as a search does, while the design is not near its bound.
   ChoiceBudget look{.poles = 4, .lattice = 8, .evaluations = 60, .starts = 3, .starts_if_none = 5};
-  /// With more choices than these, of those that differ in their layers alone a sketch solves so many that promise most, and so
-  /// many in turn; and what it looks at costs less.
+  /// With more choices than these, of those that differ in their layers alone a sketch solves so many that promise most, and
+  /// another one so many in turn.
   std::size_t choices = 24, promising = 2, in_turn = 2;
-  ChoiceBudget brief_look{.poles = 3, .lattice = 5, .evaluations = 20, .starts = 1, .starts_if_none = 2};
+  /// Among obstacles, and with many choices.
+  ChoiceBudget brief_look{.poles = 3, .lattice = 3, .evaluations = 10, .starts = 1, .starts_if_none = 2};
 };
 
 /// A sketch, and what the next one begins with.
