@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/deadline.hpp"
 #include "reports/linkages/generated.hpp"
 #include "reports/linkages/generator_answers.hpp"
 #include "reports/linkages/path_answers.hpp"
@@ -60,13 +61,18 @@ std::vector<GeneratedLinkage> linkages_of(const std::vector<PathAnswer>& answers
 }  // namespace
 
 std::variant<Generated, InputError, NothingGenerated> generate_function_text(std::string_view text,
-                                                                             const std::string& name) {
+                                                                             const std::string& name,
+                                                                             const Options& options) {
+  const Deadline deadline(options.time_limit.value_or(Deadline::unlimited));
   const auto spec = read_function_spec(text, name);
   if (!spec) return spec.error();
-  const auto task = function_task(*spec, name);
+  auto task = function_task(*spec, name);
   if (!task) return task.error();
+  task->stop = deadline.flag(options.stop ? StopFlag(options.stop) : StopFlag());
   const auto design = generate_function(*task);
-  if (!design) return NothingGenerated{design.error().sentence, design.error().proven};
+  if (!design && design.error().stopped)
+    return NothingGenerated{"stopped " + design.error().sentence, false, true};
+  if (!design) return NothingGenerated{why_none(*spec, design.error()), design.error().proven};
   const std::string wanted = wanted_text(*spec);
   return Generated{function_json(*task, *design, true),
                    {{"four_bar", function_linkage(*task, *design, wanted), {}}},
@@ -128,10 +134,11 @@ std::variant<Generated, InputError, NothingGenerated> generate_path(
   return generate_path_text(*text, file.string(), copy);
 }
 
-std::variant<Generated, InputError, NothingGenerated> generate_function(const std::filesystem::path& file) {
+std::variant<Generated, InputError, NothingGenerated> generate_function(const std::filesystem::path& file,
+                                                                        const Options& options) {
   const auto text = read_text_file(file);
   if (!text) return text.error();
-  return generate_function_text(*text, file.string());
+  return generate_function_text(*text, file.string(), options);
 }
 
 std::variant<Generated, InputError, NothingGenerated> generate_inversor(const std::filesystem::path& file) {

@@ -108,10 +108,23 @@ std::vector<PlaceAskedFor> places_of(const std::vector<PlaceTuple>& tuples) {
   return places;
 }
 
+/// With a time limit, s, and Ctrl-C.
+Options limited(const std::optional<double>& time_limit, Hooks& hooks) {
+  Options options;
+  options.time_limit = time_limit;
+  options.stop = [&hooks] { return hooks.stopped(); };
+  return options;
+}
+
 /// (json, [(kind, linkage file, places asked for)], plot); or a NothingGenerated; or faults.
 template <typename Generate>
 py::object generated(const Generate& generate) {
-  const auto found = at_work(py::none(), [&](Hooks&) { return generate(); });
+  const auto found = at_work(py::none(), [&](Hooks& hooks) {
+    if constexpr (std::is_invocable_v<Generate, Hooks&>)
+      return generate(hooks);
+    else
+      return generate();
+  });
   if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
   if (const auto* none = std::get_if<NothingGenerated>(&found)) return py::cast(*none);
   const auto& answer = std::get<Generated>(found);
@@ -129,7 +142,8 @@ void add_linkages(py::module_& module) {
       .def_property_readonly("stopped", [](const NoMotion& none) { return none.stopped; });
   py::class_<NothingGenerated>(module, "NothingGenerated")
       .def_property_readonly("sentence", [](const NothingGenerated& none) { return text_of(none.sentence); })
-      .def_property_readonly("proven", [](const NothingGenerated& none) { return none.proven; });
+      .def_property_readonly("proven", [](const NothingGenerated& none) { return none.proven; })
+      .def_property_readonly("stopped", [](const NothingGenerated& none) { return none.stopped; });
   py::class_<Linkage>(module, "Linkage")
       .def_property_readonly("text", &Linkage::text)
       .def_property_readonly("name", [](const Linkage& linkage) { return text_of(linkage.name()); })
@@ -192,12 +206,17 @@ void add_linkages(py::module_& module) {
       "links"_a, "freedoms"_a);
   module.def(
       "generate_function",
-      [](const std::filesystem::path& file) { return generated([&] { return generate_function(file); }); },
-      "file"_a);
+      [](const std::filesystem::path& file, const std::optional<double>& time_limit) {
+        return generated([&](Hooks& hooks) { return generate_function(file, limited(time_limit, hooks)); });
+      },
+      "file"_a, "time_limit"_a);
   module.def(
       "generate_function_text",
-      [](const std::string& spec) { return generated([&] { return generate_function_text(spec); }); },
-      "spec"_a);
+      [](const std::string& spec, const std::optional<double>& time_limit) {
+        return generated(
+            [&](Hooks& hooks) { return generate_function_text(spec, "", limited(time_limit, hooks)); });
+      },
+      "spec"_a, "time_limit"_a);
   module.def(
       "generate_inversor",
       [](const std::filesystem::path& file) { return generated([&] { return generate_inversor(file); }); },

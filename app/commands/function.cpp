@@ -7,6 +7,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
+#include "app/stopping.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/linkages/function_equations.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct FunctionArguments {
   std::string spec_file, plot_file, linkage_file;
   bool with_equations = false;
+  double time_limit = Deadline::unlimited;
 };
 
 std::string_view in_words(FunctionMethod method) {
@@ -72,18 +74,22 @@ std::string text_of(const FunctionSpec& spec, const FunctionTask& task, const Fu
 }
 
 int run(const Session& session, const FunctionArguments& arguments) {
+  const Stopping stopping(arguments.time_limit);
   if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file, arguments.linkage_file}))
     return fail(session, *clash);
   const auto text = read_text_file(arguments.spec_file);
   if (!text) return fail(session, text.error());
   const auto spec = read_function_spec(*text, arguments.spec_file);
   if (!spec) return fail(session, spec.error());
-  const auto task = function_task(*spec, arguments.spec_file);
+  auto task = function_task(*spec, arguments.spec_file);
   if (!task) return fail(session, task.error());
+  task->stop = stopping.flag();
   const auto design = generate_function(*task);
+  if (!design && design.error().stopped)
+    return tell_stopped(session, stopping, design.error().sentence + "; nothing is written");
   if (!design && design.error().proven)
-    return fail(session, no_design, "no design exists: " + design.error().sentence);
-  if (!design) return fail_unproven(session, "no design found: " + design.error().sentence);
+    return fail(session, no_design, "no design exists: " + why_none(*spec, design.error()));
+  if (!design) return fail_unproven(session, "no design found: " + why_none(*spec, design.error()));
   if (!arguments.plot_file.empty()) {
     const auto written = write_whole(arguments.plot_file, function_plot(*design, wanted_text(*spec)));
     if (!written) return fail(session, cannot_write, written.error());
@@ -99,7 +105,7 @@ int run(const Session& session, const FunctionArguments& arguments) {
   if (!session.json && !arguments.linkage_file.empty())
     print(fmt::format("linkage file {}: for kempe solve, mobility and centres\n",
                       printable(arguments.linkage_file)));
-  return done;
+  return stopping.interrupted() ? interrupted : done;
 }
 
 }  // namespace
@@ -117,6 +123,8 @@ void add_function_command(CLI::App& program, Session& session) {
   command->add_option("--plot", arguments->plot_file, "Write the structural error's curve as SVG");
   command->add_option("--linkage", arguments->linkage_file,
                       "Write the four-bar as a linkage file, for solve, mobility and centres");
+  add_time_limit(*command, arguments->time_limit,
+                 "Seconds; then the best four-bar so far, marked as such, or exit code 6 if there is none");
   command->callback(
       [&session, arguments] { session.chosen = [&session, arguments] { return run(session, *arguments); }; });
 }

@@ -10,6 +10,7 @@
 
 #include "kempe/export.hpp"
 #include "kempe/input_error.hpp"
+#include "kempe/options.hpp"
 #include "kempe/place_asked_for.hpp"
 
 namespace kempe {
@@ -34,15 +35,17 @@ struct Generated {
 struct NothingGenerated {
   std::string sentence;  ///< for a person
   bool proven = false;   ///< false: a search found none
+  bool stopped = false;  ///< by a time limit or `stop`, before anything was found
 };
 
 /// A four-bar whose output crank shows a function of its input crank (TOML, docs/function-generator.md), as `kempe function`
-/// designs it. Some seconds at most.
+/// designs it. Some seconds; minutes where the function bends a lot. Of the options the time limit and the stop count: the best so far
+/// then comes back, its JSON says "complete": false.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_function(
-    const std::filesystem::path& file);
+    const std::filesystem::path& file, const Options& options = {});
 /// The same of a file's text; `name` stands for the file in messages.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_function_text(
-    std::string_view spec, const std::string& name = "");
+    std::string_view spec, const std::string& name = "", const Options& options = {});
 
 /// The inversors for a lens (TOML, docs/inversor.md), as `kempe inversor` designs them: the smallest first.
 KEMPE_EXPORT std::variant<Generated, InputError, NothingGenerated> generate_inversor(

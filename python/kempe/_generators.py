@@ -8,7 +8,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Union
 import numpy as np
 
 from . import _core
-from ._answers import NoDesign, Point, error_of
+from ._answers import NoDesign, Point, Stopped, error_of
 from ._geometry import Array
 from ._linkage import Linkage, Wanted
 from ._spec import Path, text_of
@@ -39,6 +39,7 @@ class FunctionGenerator:
     rejected: Mapping[str, int] = field(repr=False)  #: candidates with defects, by defect
     equations: Mapping[str, Any] = field(repr=False)  #: as `kempe function --equations --json` has them
     reservation: str  #: what is not claimed; "" where nothing is left to say
+    complete: bool  #: False: the time limit came first, and this is the best found by then
     linkage: Linkage  #: the four-bar O-A-B-D, its input crank driven
     plot_svg: str = field(repr=False)  #: the structural error's curve, the text of an SVG file
     _curve: tuple[Mapping[str, float], ...] = field(repr=False)
@@ -228,17 +229,19 @@ def _tuples(row: Mapping[str, Any]) -> dict[str, Any]:
             for key, value in row.items()}
 
 
-def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionGenerator:
+def function_generator(spec: Optional[_Spec] = None, *, time_limit: Optional[float] = None, **tables: Any) -> FunctionGenerator:
     """A function-generating four-bar (docs/function-generator.md): from a TOML file, from its tables as a dict, or from keywords.
+    `time_limit`: seconds; then the best so far, its .complete being False.
 
-    Raises SpecError with all faults, and NoDesign where none is found (.proven: none exists).
+    Raises SpecError with all faults, NoDesign where none is found (.proven: none exists), and Stopped where the time limit came first.
 
     >>> dial = function_generator(function={"expression": "log10(x)", "x": [1, 2], "points": 3}, input={"range_deg": 60},
     ...                           output={"range_deg": 90})
     >>> len(dial.precision_points), dial.linkage.links
     (3, ['input', 'coupler', 'output'])
     """
-    found, linkages, _, plot = _generated(_core.generate_function, _core.generate_function_text, spec, tables)
+    found, linkages, _, plot = _generated(lambda file: _core.generate_function(file, time_limit),
+                                            lambda text: _core.generate_function_text(text, time_limit), spec, tables)
     return FunctionGenerator(
         method=found["method"], lengths_mm=found["lengths_mm"], branch=found["branch"], motion=found["motion"],
         input_start_deg=found["input"]["start_deg"], input_range_deg=found["input"]["range_deg"],
@@ -247,7 +250,7 @@ def function_generator(spec: Optional[_Spec] = None, **tables: Any) -> FunctionG
         structural_error_max_deg=found["structural_error_max_deg"], structural_error_rms_deg=found["structural_error_rms_deg"],
         transmission_min_deg=found["transmission_min_deg"], precision_points=tuple(found["precision_points"]),
         minimax=found.get("minimax"), rejected=found["rejected"], equations=found["equations"],
-        reservation=found.get("reservation", ""),
+        reservation=found.get("reservation", ""), complete=found.get("complete", True),
         linkage=linkages["four_bar"], plot_svg=plot, _curve=tuple(found["structural_error"]))
 
 
@@ -287,6 +290,8 @@ def _generated(of_file: Callable[[Path], _Found], of_text: Callable[[str], _Foun
     if isinstance(answer, list):
         raise error_of(answer, lines=is_file)
     if isinstance(answer, _core.NothingGenerated):
+        if answer.stopped:
+            raise Stopped(answer.sentence)
         raise NoDesign(answer.sentence, proven=answer.proven)
     text, linkages, plot = answer
     by_kind = {kind: Linkage.from_toml(linkage) for kind, linkage, _ in linkages}

@@ -17,6 +17,9 @@ FunctionMethod method_named(const std::string& method) {
   return FunctionMethod::precision_points;
 }
 
+/// Of the error: what its figures may be off by without a word; they are printed with four digits.
+constexpr double negligible_share = 1e-4;
+
 nlohmann::ordered_json answer_json(const InversorAnswer& answer) {
   nlohmann::ordered_json object{{"kind", std::string(name(answer.kind))}};
   if (!answer.design) {
@@ -68,10 +71,26 @@ std::string wanted_text(const FunctionSpec& spec) {
   return spec.expression.empty() ? "the table" : "y = " + spec.expression;
 }
 
+std::string why_none(const FunctionSpec& spec, const NoFunctionDesign& none) {
+  if (none.allowed.empty()) return none.sentence;
+  const std::string key = spec.expression.empty() ? "function.table" : "function.expression";
+  return InputError{"", 0, key, none.sentence, none.allowed}.message();
+}
+
 std::string reservation(const FunctionDesign& design) {
-  if (!design.optimum || design.optimum->proven) return "";
-  return "the best found, but not proven to be a local minimum: a linkage near it may have a smaller largest "
-         "error";
+  std::vector<std::string> words;
+  if (!design.complete)
+    words.emplace_back("the search was stopped before its end: this is the best four-bar it had found");
+  if (design.optimum && !design.optimum->proven)
+    words.emplace_back(
+        "the best found, but not proven to be a local minimum: a linkage near it may have a smaller largest "
+        "error");
+  if (design.unseen > negligible_share * design.error_rms)
+    words.push_back(
+        fmt::format("the function bends in more places than are looked at: its errors may be {:.2g} degrees "
+                    "off the figures told; those of a smoother function are not",
+                    degrees(design.unseen)));
+  return fmt::format("{}", fmt::join(words, "; "));
 }
 
 std::string function_json(const FunctionTask& task, const FunctionDesign& design, bool with_equations) {
@@ -101,6 +120,7 @@ std::string function_json(const FunctionTask& task, const FunctionDesign& design
                          {"unknowns", design.optimum->unknowns},
                          {"limits_at_work", design.optimum->limits},
                          {"local_minimum_proven", design.optimum->proven}};
+  if (!design.complete) object["complete"] = false;
   for (const StructuralErrorSample& at : design.curve)
     object["structural_error"].push_back({{"x", at.x},
                                           {"y", at.y_wanted},

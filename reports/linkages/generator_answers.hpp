@@ -17,10 +17,14 @@ tl::expected<FunctionTask, InputError> function_task(const FunctionSpec& spec, c
 /// "y = log10(x)", or "the table".
 std::string wanted_text(const FunctionSpec& spec);
 
+/// Why no design came out: the sentence, or where the function stands against it the key that gives it, what was found and what is
+/// allowed.
+std::string why_none(const FunctionSpec& spec, const NoFunctionDesign& none);
+
 /// What the answer does not claim; empty where it says all that is to be said.
 std::string reservation(const FunctionDesign& design);
 
-/// One JSON object: lengths, cranks, errors, transmission, the structural error's curve, the reservation if there is one, and on
+/// One JSON object: lengths, cranks, errors, transmission, the structural error's curve, "complete": false if the search was stopped, the reservation if there is one, and on
 /// request the equations (function_equations.hpp).
 std::string function_json(const FunctionTask& task, const FunctionDesign& design, bool with_equations);
 

@@ -71,24 +71,36 @@ tl::expected<FunctionDesign, NoFunctionDesign> verdict(const std::optional<Funct
   return design;
 }
 
+NoFunctionDesign without_dial(const NoDial& why) {
+  return {FunctionDefect::none, why.found, why.proven, why.allowed};
+}
+
+FunctionSearch searched(const FunctionTask& task, const WantedAngles& wanted) {
+  if (task.method != FunctionMethod::precision_points) return search_function(task, wanted);
+  PrecisionSearch precise = search_precision_points(task, wanted);
+  return {std::move(precise.best), precise.seen, std::move(precise.extent)};
+}
+
 }  // namespace
 
 tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& asked) {
   FunctionTask task = asked;
   if (task.method != FunctionMethod::precision_points) task.points = 3;  // of the starts of the search
   const WantedAngles wanted(task);
-  if (!wanted.usable())
-    return tl::unexpected(
-        NoFunctionDesign{FunctionDefect::none, "the function is constant or not finite on its range", true});
-  if (task.method == FunctionMethod::precision_points) {
-    PrecisionSearch precise = search_precision_points(task, wanted);
-    if (precise.best) complete_design(task, wanted, *precise.best);
-    return verdict(precise.best, precise.seen, precise.extent);
+  if (wanted.no_dial()) return tl::unexpected(without_dial(*wanted.no_dial()));
+  FunctionSearch search = task.stop() ? FunctionSearch{} : searched(task, wanted);
+  const bool stopped = task.stop();
+  if (!search.best && stopped) {
+    NoFunctionDesign none{FunctionDefect::none, "before a four-bar was found"};
+    none.stopped = true;
+    return tl::unexpected(none);
   }
-  FunctionSearch search = search_function(task, wanted);
   if (search.best) {
-    complete_design(task, wanted, *search.best);
-    search.best->precision_points = zeros_of(wanted, *search.best);
+    search.best->complete = !stopped;
+    if (const auto x = complete_design(task, wanted, *search.best))
+      return tl::unexpected(without_dial(not_finite_at(task, *x)));
+    if (task.method != FunctionMethod::precision_points)
+      search.best->precision_points = zeros_of(task, wanted, *search.best);
   }
   return verdict(search.best, search.seen, search.extent);
 }

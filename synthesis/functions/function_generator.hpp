@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kinematics/four_bar.hpp"
+#include "kinematics/stop_flag.hpp"
 #include "synthesis/functions/defects.hpp"
 
 namespace kempe {
@@ -36,6 +37,7 @@ struct FunctionTask {
   double ground = 100;        ///< mm, > 0
   double transmission = 0;    ///< rad, limit kept over the range
   double longest_ratio = 20;  ///< longest over shortest link, at most
+  StopFlag stop{};            ///< set: the best so far at once
 };
 
 /// What is known of a minimax design beyond its error: the conditions that hold it.
@@ -66,7 +68,10 @@ struct FunctionDesign {
   double error_rms = 0;                      ///< rad, the mean taken over x
   double transmission_min = 0;               ///< rad
   CrankMotion motion = CrankMotion::double_rocker;
-  std::optional<MinimaxOptimum> optimum;                                    ///< minimax only
+  std::optional<MinimaxOptimum> optimum;  ///< minimax only
+  bool complete = true;                   ///< false: the search was stopped, and this is the best it had
+  /// rad: so far the errors told may be off, about, where the function bends in more places than are looked at; else 0.
+  double unseen = 0;
   std::size_t rejected_branch = 0, rejected_order = 0, rejected_other = 0;  ///< candidates with defects
 };
 
@@ -75,11 +80,14 @@ struct NoFunctionDesign {
   FunctionDefect commonest = FunctionDefect::none;  ///< of the candidates
   std::string sentence;  ///< what was searched and what was found; claims no more than that
   bool proven = false;  ///< true: no four-bar can, because the function has no dial; else a search found none
+  std::string
+      allowed{};  ///< what the function may be, where it is the function that stands against every four-bar
+  bool stopped = false;  ///< before anything was found
 };
 
 /// The best design without defect that is found: smallest largest structural error (least squares: smallest mean
 /// square). Where finitely many four-bars pass the precision points all are looked at; free starts and free lengths are
-/// searched over their whole range. Deterministic.
+/// searched over their whole range. Deterministic, unless task.stop is set: then what was found by then.
 tl::expected<FunctionDesign, NoFunctionDesign> generate_function(const FunctionTask& task);
 
 /// Coefficients through three pairs of angles (Freudenstein's linear equations); nothing if they are

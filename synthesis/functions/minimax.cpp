@@ -72,7 +72,7 @@ std::optional<FunctionDesign> minimax_fit(const FunctionTask& task, const Wanted
   const std::vector<WantedPlace> places = wanted.some_places(own_places);
   Standing now(error, error.unknowns_of(start));
   double box = 0.05, weight = 1;
-  for (int i = 0; i < most_steps && box > slack::least_box; ++i) {
+  for (int i = 0; i < most_steps && box > slack::least_box && !task.stop(); ++i) {
     const auto step = solve_minimax_step(program_at(error, now, places, box));
     if (!step) {
       box *= now.broken() > 0 ? 2 : 0.25;

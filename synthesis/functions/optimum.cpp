@@ -116,7 +116,7 @@ std::optional<Balanced> balanced(const GeneratorError& error, GeneratorVector u,
   if (!conditions || k == 0 || m > n + 1) return std::nullopt;
   Eigen::VectorXd multipliers = balanced_multipliers(*conditions, k);
   double E = conditions->values.head(k).mean();
-  for (int iteration = 0; iteration < 25; ++iteration) {
+  for (int iteration = 0; iteration < 25 && !error.task().stop(); ++iteration) {
     const auto hessian = curvature_at(error, u, active, multipliers);
     if (!hessian) return std::nullopt;
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + m + 1, n + m + 1);  // unknowns: u, multipliers, E
@@ -179,7 +179,7 @@ std::vector<std::string> names_of(const GeneratorError& error, const GeneratorVe
 
 /// The conditions at work near u: those with negative multipliers are let go one by one.
 std::optional<Balanced> held(const GeneratorError& error, const GeneratorVector& u, ActiveSet active) {
-  while (active.size() > 1) {
+  while (active.size() > 1 && !error.task().stop()) {
     auto found = balanced(error, u, active);
     if (!found) return std::nullopt;
     Eigen::Index weakest = 0;

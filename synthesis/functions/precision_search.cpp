@@ -258,14 +258,15 @@ class Search {
     };
     std::vector<double> heights;
     for (int i = 0; i < curve_grid; ++i) heights.push_back(common_zero(pi * i / curve_grid).height);
-    for (int i = 0; i < curve_grid; ++i) {
+    for (int i = 0; i < curve_grid && !task_.stop(); ++i) {
       const double before = heights[at(i - 1)], now = heights[at(i)], after = heights[at(i + 1)];
       const bool dips = std::abs(now) <= std::abs(before) && std::abs(now) <= std::abs(after);
       if (!dips && (now < 0) == (after < 0)) continue;
       polish(common_zero(pi * i / curve_grid).starts);
       polish(common_zero(pi * (i + 0.5) / curve_grid).starts);
     }
-    for (const Starts& starts : found) add(starts);
+    for (const Starts& starts : found)
+      if (!task_.stop()) add(starts);
     search_.extent = fmt::format(
         "the {} four-bars through the five points that {} input starts and Newton's method "
         "find; not a proof that none exists",
@@ -321,11 +322,12 @@ class Search {
     };
     std::vector<double> costs;
     for (int i = 0; i < curve_grid; ++i) {
+      if (task_.stop()) return;
       const auto found = candidate(pi * i / curve_grid);
       if (found) search_.add(*found);
       costs.push_back(found ? found->cost() : std::numeric_limits<double>::infinity());
     }
-    for (int i = 0; i < curve_grid; ++i) {
+    for (int i = 0; i < curve_grid && !task_.stop(); ++i) {
       if (!std::isfinite(costs[at(i)]) || costs[at(i)] > costs[at(i - 1)] || costs[at(i)] > costs[at(i + 1)])
         continue;
       const double t = top_by_golden_section([&](double place) { return -cost(place); },
@@ -345,6 +347,7 @@ class Search {
     };
     for (int i = 0; i < surface_grid; ++i)
       for (int j = 0; j < surface_grid; ++j) {
+        if (task_.stop()) return;
         const FunctionCandidate found = judged(task_, wanted_, starts_at(i, j));
         search_.add(found);
         costs.push_back(found.cost());
@@ -364,8 +367,10 @@ class Search {
       }
     std::stable_sort(dips.begin(), dips.end(), [](const Dip& a, const Dip& b) { return a.cost < b.cost; });
     if (dips.size() > most_dips) dips.resize(most_dips);
-    for (const Dip& dip : dips)
+    for (const Dip& dip : dips) {
+      if (task_.stop()) return;
       search_.add(judged(task_, wanted_, refined_starts(task_, wanted_, dip.starts, pi / surface_grid)));
+    }
   }
 
   void add(const Starts& starts) { search_.add(judged(task_, wanted_, starts)); }

@@ -23,6 +23,13 @@ struct WantedPlace {
   double cosine = 1, sine = 0;             ///< of input_turn
 };
 
+/// Why a function cannot be shown by a dial, or not be followed.
+struct NoDial {
+  std::string found, allowed;
+  bool proven = true;  ///< false: it has more to it than is looked at
+};
+NoDial not_finite_at(const FunctionTask& task, double x);
+
 /// The wanted pairs of angles, measured from the starts.
 class WantedAngles {
  public:
@@ -33,22 +40,28 @@ class WantedAngles {
   WantedPlace place_at(double x) const;       ///< with weight 0
   double y_lower() const { return y_lower_; }
   double y_upper() const { return y_upper_; }
-  bool usable() const;                                                        ///< finite and not constant
+  /// What stands against the function, as far as samples show: a place without a value, a pole, no or too many ups and
+  /// downs. Nothing: it has a dial.
+  const std::optional<NoDial>& no_dial() const { return no_dial_; }
+  /// rad: how far the function strays from straight between two places where the places ran out; else 0.
+  double unseen() const { return unseen_; }
   const std::vector<double>& precision_points() const { return precision_; }  ///< ascending
 
   /// Ascending, both ends among them, so dense that the function is nearly straight between two: at least 129, more
-  /// where it is steep or bends. Simpson's weights; they add up to 1. Empty if not usable.
+  /// where it is steep or bends. Simpson's weights; they add up to 1. Empty without a dial.
   const std::vector<WantedPlace>& places() const { return places_; }
   /// About `count` of the places, both ends among them, spread evenly by a third each over x, over the way of the output
   /// dial, and towards the ends as Chebyshev does: ripples are narrow at the ends and where the function is steep.
   std::vector<WantedPlace> some_places(int count) const;
 
  private:
-  void lay_out_places();
+  std::optional<NoDial> sampled();
+  std::optional<NoDial> lay_out_places();
+  std::optional<NoDial> seen_whole() const;
 
   const FunctionTask& task_;
-  double y_lower_, y_upper_;
-  bool finite_ = true;
+  double y_lower_, y_upper_, unseen_ = 0;
+  std::optional<NoDial> no_dial_;
   std::vector<double> precision_;
   std::vector<WantedPlace> places_;
 };
@@ -82,11 +95,14 @@ FunctionDefect measure_design(const FunctionTask& task, const WantedAngles& want
 /// By how much a design exceeds its limits, see FunctionCandidate.
 double broken_limits(const FunctionTask& task, const WantedAngles& wanted, const FunctionDesign& design);
 
-/// Fills what a report needs besides: the curve, the error's mean square to rounding.
-void complete_design(const FunctionTask& task, const WantedAngles& wanted, FunctionDesign& design);
+/// Fills what a report needs besides: the curve, the error's mean square to rounding (as the search had it, if that was
+/// stopped). Gives a place where the function turned out not to be finite.
+std::optional<double> complete_design(const FunctionTask& task, const WantedAngles& wanted,
+                                      FunctionDesign& design);
 
-/// Where a design's error vanishes, ascending.
-std::vector<double> zeros_of(const WantedAngles& wanted, const FunctionDesign& design);
+/// Where a design's error vanishes, ascending; by straight lines between the places once the work is stopped.
+std::vector<double> zeros_of(const FunctionTask& task, const WantedAngles& wanted,
+                             const FunctionDesign& design);
 
 /// A linkage with its starts, not yet driven: nothing if the coefficients are none of a four-bar.
 std::optional<FunctionDesign> design_from(const FunctionTask& task, const WantedAngles& wanted,

@@ -22,13 +22,15 @@ using Solver = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 struct Program {
   GeneratorError error;
   std::vector<WantedPlace> places;
-  double unit;  // rad: errors are counted in it, so that the solver sees numbers near 1
+  double unit;                  // rad: errors are counted in it, so that the solver sees numbers near 1
+  nlopt_opt at_work = nullptr;  // the solver that asks
 
   GeneratorVector vector(const double* u) const { return Eigen::Map<const Eigen::VectorXd>(u, error.size()); }
 };
 
 double objective(unsigned n, const double* u, double* gradient, void* data) {
   const auto& program = *static_cast<const Program*>(data);
+  if (program.at_work != nullptr && program.error.task().stop()) nlopt_force_stop(program.at_work);
   if (gradient) std::fill(gradient, gradient + n, 0.0);
   const GeneratorVector at = program.vector(u);
   const double scale = 1 / (program.unit * program.unit);
@@ -63,7 +65,9 @@ void run(Program& program, GeneratorVector& u) {
   nlopt_set_xtol_rel(solver.get(), slack::variables_at_rest);
   nlopt_set_maxeval(solver.get(), 300);
   double value = 0;
+  program.at_work = solver.get();
   nlopt_optimize(solver.get(), all.data(), &value);
+  program.at_work = nullptr;
   if (std::all_of(all.begin(), all.end(), [](double v) { return std::isfinite(v) && std::abs(v) < 50; }))
     u = program.vector(all.data());
 }
@@ -71,6 +75,7 @@ void run(Program& program, GeneratorVector& u) {
 struct StartSearch {
   const FunctionTask& task;
   const WantedAngles& wanted;
+  nlopt_opt at_work = nullptr;  // the solver that asks
 
   Starts starts(const double* u) const {
     int next = 0;
@@ -83,6 +88,7 @@ struct StartSearch {
 
 double cost_of_starts(unsigned, const double* u, double*, void* data) {
   const auto& search = *static_cast<const StartSearch*>(data);
+  if (search.task.stop()) nlopt_force_stop(search.at_work);
   constexpr double far_beyond = 1e6;  // the solver wants finite figures
   return std::min(far_beyond, judged(search.task, search.wanted, search.starts(u)).cost());
 }
@@ -107,6 +113,7 @@ Starts refined_starts(const FunctionTask& task, const WantedAngles& wanted, cons
     nlopt_set_xtol_rel(solver.get(), slack::starts_at_rest);
     nlopt_set_maxeval(solver.get(), 200);
     double value = 0;
+    search.at_work = solver.get();
     nlopt_optimize(solver.get(), u.data(), &value);
   }
   return search.starts(u.data());
@@ -127,7 +134,7 @@ std::optional<FunctionDesign> least_squares_fit(const FunctionTask& task, const 
   std::optional<FunctionDesign> best;
   double least = 0;
   constexpr int most_rounds = 8;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_rounds && !task.stop(); ++round) {
     double unit = slack::least_unit;
     for (const WantedPlace& place : program.places)
       unit = std::max(unit, std::abs(program.error.at(u, place).value));

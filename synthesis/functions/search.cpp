@@ -87,7 +87,7 @@ void add_scattered(const FunctionTask& task, const CoarseLook& look, std::vector
   const auto length = [&](std::size_t n, unsigned base) {
     return task.ground * std::exp(reach * (2 * van_der_corput(n, base) - 1));
   };
-  for (std::size_t n = 1; n <= scattered_starts; ++n)
+  for (std::size_t n = 1; n <= scattered_starts && !task.stop(); ++n)
     for (const FourBarBranch branch : {FourBarBranch::first, FourBarBranch::second}) {
       Start start;
       start.design.linkage = {task.ground, length(n, 2), length(n, 3), length(n, 5), branch};
@@ -124,7 +124,10 @@ void add_precise(const FunctionTask& task, const WantedAngles& wanted, const Coa
   };
   const int places = task.input_start || task.output_start ? precise_line : precise_grid;
   for (const double input : starts_on_half_a_turn(task.input_start, places))
-    for (const double output : starts_on_half_a_turn(task.output_start, places)) add({input, output});
+    for (const double output : starts_on_half_a_turn(task.output_start, places)) {
+      if (task.stop()) return;
+      add({input, output});
+    }
 }
 
 /// How unlike two linkages are: the largest of their logarithms' and starts' differences.
@@ -138,12 +141,13 @@ double distance(const FunctionDesign& a, const FunctionDesign& b) {
 }
 
 /// The best of the starts that stand apart from each other.
-std::vector<FunctionDesign> chosen(std::vector<Start> starts, std::size_t count, double apart) {
+std::vector<FunctionDesign> chosen(std::vector<Start> starts, std::size_t count, double apart,
+                                   const StopFlag& stop) {
   std::stable_sort(starts.begin(), starts.end(),
                    [](const Start& a, const Start& b) { return a.score < b.score; });
   std::vector<FunctionDesign> result;
   for (const Start& start : starts) {
-    if (result.size() == count) break;
+    if (result.size() == count || (stop() && !result.empty())) break;
     const bool near = std::any_of(result.begin(), result.end(), [&](const FunctionDesign& other) {
       return distance(start.design, other) < apart;
     });
@@ -180,11 +184,12 @@ class Found {
 
   /// The best that stand apart from each other.
   std::vector<FunctionDesign> best(std::size_t count) const {
-    return chosen(all_, count, slack::designs_apart);
+    return chosen(all_, count, slack::designs_apart, task_.stop);
   }
 
  private:
   void keep(const std::optional<FunctionDesign>& design, const FunctionDesign& start) {
+    if (!design && task_.stop()) return;  // nothing is known of the start
     if (design) {
       all_.push_back({*design, cost(task_.method, *design)});
       return;
@@ -221,27 +226,33 @@ FunctionSearch search_function(const FunctionTask& task, const WantedAngles& wan
   add_scattered(task, look, starts);
   FunctionSearch search;
   Found found(task, wanted, search);
-  const std::vector<FunctionDesign> tried = chosen(std::move(starts), tried_starts, 0.2);
-  for (const FunctionDesign& start : tried) found.squares_from(start);
+  const std::vector<FunctionDesign> tried = chosen(std::move(starts), tried_starts, 0.2, task.stop);
+  const auto each = [&](const auto& designs, std::size_t count, const auto& fit) {
+    for (std::size_t i = 0; i < std::min(count, designs.size()) && !task.stop(); ++i) fit(designs[i]);
+  };
+  each(tried, tried.size(), [&](const FunctionDesign& start) { found.squares_from(start); });
   if (task.method == FunctionMethod::minimax) {
-    for (const FunctionDesign& squares : found.best(tried_by_minimax)) found.minimax_from(squares);
-    for (std::size_t i = 0; i < std::min(tried.size(), tried_by_minimax); ++i) found.minimax_from(tried[i]);
+    const auto minimax = [&](const FunctionDesign& start) { found.minimax_from(start); };
+    each(found.best(tried_by_minimax), tried_by_minimax, minimax);
+    each(tried, tried_by_minimax, minimax);
   }
   std::size_t number = 0;
   for (const FunctionDesign& design : found.best(tried_leaps_from))
-    for (int i = 0; i < leaps_each; ++i) found.fit_from(leap(task, design, ++number));
+    for (int i = 0; i < leaps_each && !task.stop(); ++i) found.fit_from(leap(task, design, ++number));
   search.extent = fmt::format(
       "{} four-bars scattered over all lengths and starts and those through three points; fits from the {} "
       "best that differ; not a proof that none exists",
       2 * scattered_starts, tried.size());
   for (const FunctionDesign& design : found.best(5)) {
+    if (search.best && task.stop()) break;
     auto last = task.method == FunctionMethod::minimax
                     ? minimax_fit(task, wanted, design)
                     : least_squares_fit(task, wanted, design, SquareWeights::even_in_x, all_places);
     if (!last || cost(task.method, design) < cost(task.method, *last)) last = design;
     if (!search.best || cost(task.method, *last) < cost(task.method, *search.best)) search.best = last;
   }
-  if (search.best && task.method == FunctionMethod::minimax) settle_optimum(task, wanted, *search.best);
+  if (search.best && task.method == FunctionMethod::minimax && !task.stop())
+    settle_optimum(task, wanted, *search.best);
   return search;
 }
 

@@ -12,6 +12,19 @@ inline constexpr double place_due = 1e-9;
 /// Of the output's range: what the function may stand off the straight line in the middle of a cell, so that sums over cells
 /// are those of the function to some thousandths of any error worth having.
 inline constexpr double nearly_straight = 2e-4;
+/// Of the output's range: where the places run out the function may stand off so far and is followed with a reservation; and so far
+/// from the dial's ends the places may stay.
+inline constexpr double strays_too_far = 0.02;
+/// Of the largest value; of y: functions that differ by less are constant but for rounding. Of y: the most a difference may be
+/// before products of it overflow.
+inline constexpr double constant = 1e-12, least_range = 1e-300, most_range = 1e300;
+/// Of what three halvings gain on a peak, and of how far the function falls beside it: three more leave less of a smooth one (1/64)
+/// and all of a pole. A pole still gains so much
+/// in the last third of the halvings of what it gained in the first; a root's cusp does not.
+inline constexpr double peak_settles = 0.2, pole_goes_on = 0.75;
+/// Of y's range: a pole that gains less in the last third of the halvings shows nowhere. A peak between samples that stands out
+/// by no more leaves the dial's ends where the samples have them.
+inline constexpr double pole_counts = 1e-3, peak_stands_out = 1e-4;
 /// Share of the mean square error: the integral's own error, with what rounding of the error and of its square leaves.
 inline constexpr double integral_share = 1e-10, integral_rounding = 1e-15, integral_floor = 1e-28;
 

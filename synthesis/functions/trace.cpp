@@ -11,6 +11,7 @@ namespace kempe {
 namespace {
 
 constexpr int curve_places = 181;
+constexpr int most_evaluations = 400000;  ///< of the integral of the squared error
 
 double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
 
@@ -77,29 +78,48 @@ double largest_cosine(const FunctionTask& task, const FunctionDesign& design) {
   return largest;
 }
 
-/// Adaptive Simpson: halves a cell until both halves agree with the whole.
+/// Adaptive Simpson: halves a cell until both halves agree with the whole. A function may bend everywhere, however small a cell
+/// is: once the evaluations are spent, or the work is stopped, cells stay as they are.
 class SquareIntegral {
  public:
-  SquareIntegral(const WantedAngles& wanted, const FunctionDesign& design, double tolerance)
-      : wanted_(wanted), design_(design), tolerance_(tolerance) {}
+  SquareIntegral(const FunctionTask& task, const WantedAngles& wanted, const FunctionDesign& design,
+                 double tolerance)
+      : task_(task), wanted_(wanted), design_(design), tolerance_(tolerance) {}
 
-  double over(double lower, double upper) const {
+  double over(double lower, double upper) {
     const double middle = 0.5 * (lower + upper);
     return halved(lower, upper, square(lower), square(middle), square(upper), 30);
   }
+  /// What the cells that stayed may be wrong by, together.
+  double doubt() const { return doubt_; }
+  /// A place where the error is no number.
+  const std::optional<double>& without_value() const { return without_value_; }
 
  private:
-  double square(double x) const { return std::pow(height_at(wanted_, design_, x), 2); }
-  double halved(double lower, double upper, double f0, double f2, double f4, int depth) const {
+  double square(double x) {
+    const double height = height_at(wanted_, design_, x);
+    if (!std::isfinite(height) && !without_value_) without_value_ = x;
+    return height * height;
+  }
+  double halved(double lower, double upper, double f0, double f2, double f4, int depth) {
     const double middle = 0.5 * (lower + upper), h = upper - lower;
     const double f1 = square(0.5 * (lower + middle)), f3 = square(0.5 * (middle + upper));
     const double whole = h / 6 * (f0 + 4 * f2 + f4), halves = h / 12 * (f0 + 4 * f1 + 2 * f2 + 4 * f3 + f4);
-    if (depth == 0 || std::abs(halves - whole) <= 15 * tolerance_ * h) return halves + (halves - whole) / 15;
+    const double better = halves + (halves - whole) / 15;
+    if (depth == 0 || without_value_ || std::abs(halves - whole) <= 15 * tolerance_ * h) return better;
+    left_ -= 4;
+    if (left_ < 0 || task_.stop()) {
+      doubt_ += std::abs(halves - whole);
+      return better;
+    }
     return halved(lower, middle, f0, f1, f2, depth - 1) + halved(middle, upper, f2, f3, f4, depth - 1);
   }
+  const FunctionTask& task_;
   const WantedAngles& wanted_;
   const FunctionDesign& design_;
-  double tolerance_;
+  double tolerance_, doubt_ = 0;
+  int left_ = most_evaluations;
+  std::optional<double> without_value_;
 };
 
 }  // namespace
@@ -160,7 +180,8 @@ double broken_limits(const FunctionTask& task, const WantedAngles& wanted, const
   return std::max(0.0, retreat);
 }
 
-void complete_design(const FunctionTask& task, const WantedAngles& wanted, FunctionDesign& design) {
+std::optional<double> complete_design(const FunctionTask& task, const WantedAngles& wanted,
+                                      FunctionDesign& design) {
   design.y_lower = wanted.y_lower();
   design.y_upper = wanted.y_upper();
   design.motion = design.linkage.motion();
@@ -172,26 +193,40 @@ void complete_design(const FunctionTask& task, const WantedAngles& wanted, Funct
     const double error = wrapped(psi - design.output_start - turn);
     design.curve.push_back({x, task.wanted(x), wanted.value_at(turn + error), phi, psi, error});
   }
+  design.unseen = wanted.unseen();
+  for (const StructuralErrorSample& sample : design.curve)
+    if (!std::isfinite(sample.y_wanted)) return sample.x;
+  if (!design.complete) return std::nullopt;
   const double rms = design.error_rms,
                tolerance = slack::integral_share * rms * rms + slack::integral_rounding * rms +
                            slack::integral_floor;  // rounding's share
-  const SquareIntegral square(wanted, design, tolerance);
+  SquareIntegral square(task, wanted, design, tolerance);
   double sum = 0;
   for (std::size_t i = 2; i < wanted.places().size(); i += 2)
     sum += square.over(wanted.places()[i - 2].x, wanted.places()[i].x);
-  design.error_rms = std::sqrt(sum / (task.x_upper - task.x_lower));
+  if (square.without_value()) return square.without_value();
+  const double width = task.x_upper - task.x_lower;
+  design.error_rms = std::sqrt(sum / width);
+  design.unseen = std::max(design.unseen, std::sqrt((sum + square.doubt()) / width) - design.error_rms);
+  return std::nullopt;
 }
 
-std::vector<double> zeros_of(const WantedAngles& wanted, const FunctionDesign& design) {
+std::vector<double> zeros_of(const FunctionTask& task, const WantedAngles& wanted,
+                             const FunctionDesign& design) {
   std::vector<double> x;
   const auto errors = errors_of(wanted, design);
   for (std::size_t i = 1; errors && i < errors->size(); ++i) {
-    if (((*errors)[i - 1] < 0) == ((*errors)[i] < 0)) continue;
+    const double before = (*errors)[i - 1], after = (*errors)[i];
+    if ((before < 0) == (after < 0)) continue;
     double lower = wanted.places()[i - 1].x, upper = wanted.places()[i].x;
+    if (task.stop()) {
+      x.push_back(lower + (upper - lower) * before / (before - after));
+      continue;
+    }
     for (int halving = 0; halving < 50; ++halving) {
       const double middle = 0.5 * (lower + upper);
       const double here = error_at(design, wanted.input_turn(middle), wanted.output_turn(middle)).value_or(0);
-      ((here < 0) == ((*errors)[i - 1] < 0) ? lower : upper) = middle;
+      ((here < 0) == (before < 0) ? lower : upper) = middle;
     }
     x.push_back(0.5 * (lower + upper));
   }

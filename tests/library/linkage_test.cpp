@@ -95,6 +95,11 @@ TEST(Generators, GiveLinkagesThatMove) {
   EXPECT_EQ(std::get<Generated>(dial).linkages.at(0).kind, "four_bar");
   EXPECT_NE(std::get<Generated>(dial).plot.find("<svg"), std::string::npos);
   EXPECT_EQ(std::get<InputError>(generate_function_text("", "dial.toml")).file, "dial.toml");
+  Options at_once;
+  at_once.time_limit = 0;
+  EXPECT_TRUE(std::get<NothingGenerated>(
+                  generate_function(KEMPE_SOURCE_DIR "/specs/examples/generators/table.toml", at_once))
+                  .stopped);
   EXPECT_EQ(std::get<InputError>(generate_inversor_text("", "lens.toml")).file, "lens.toml");
 }
 

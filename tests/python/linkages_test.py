@@ -510,6 +510,13 @@ class Faults(unittest.TestCase):
         with self.assertRaises(kempe.NoDesign) as none:
             kempe.function_generator(function={"expression": "0 * x", "x": [0, 1]}, input={"range_deg": 60}, output={"range_deg": 60})
         self.assertTrue(none.exception.proven)
+        self.assertIn("function.expression", str(none.exception))
+        slow = {"function": {"expression": "sin(100*x)", "x": [0, 1], "method": "least_squares"}, "input": {"range_deg": 60},
+                "output": {"range_deg": 10}}
+        with self.assertRaises(kempe.Stopped):
+            kempe.function_generator(slow, time_limit=0)
+        self.assertFalse(kempe.function_generator(slow, time_limit=2).complete)
+        self.assertTrue(kempe.function_generator(tomllib.loads(DIAL)).complete)
 
 
 class Values(unittest.TestCase):

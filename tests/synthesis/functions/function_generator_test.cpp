@@ -345,5 +345,136 @@ TEST(FunctionGenerator, SaysWhyThereIsNone) {
   EXPECT_EQ(none.error().commonest, FunctionDefect::transmission);
 }
 
+/// Why there is none for a function on [0, 1]; empty where there is one.
+NoFunctionDesign none_for(std::function<double(double)> wanted, double upper = 1) {
+  FunctionTask task = minimax_task(std::move(wanted), 0, upper, 0);
+  task.method = FunctionMethod::least_squares;
+  const auto design = generate_function(task);
+  return design ? NoFunctionDesign{} : design.error();
+}
+
+TEST(FunctionGenerator, PolesBetweenTheSamplesAreFound) {
+  const std::pair<std::function<double(double)>, double> poles[] = {
+      {[](double x) { return std::tan(x); }, 80},
+      {[](double x) { return 1 / (x - 1 / std::sqrt(5)); }, 1},
+      {[](double x) { return -1 / std::pow(x - 1 / std::sqrt(5), 2); }, 1},
+      {[](double x) { return std::log(std::abs(x - 1 / std::sqrt(5))); }, 1},
+      {[](double x) { return 1 / std::sqrt(std::abs(x - 1 / std::sqrt(5))); }, 1},
+      {[](double x) { return x + 1e-6 / (x - 1e-9 / std::sqrt(5)); }, 1}};
+  for (const auto& [wanted, upper] : poles) {
+    const NoFunctionDesign none = none_for(wanted, upper);
+    EXPECT_TRUE(none.proven) << none.sentence;
+    EXPECT_NE(none.sentence.find("values without end"), std::string::npos) << none.sentence;
+    EXPECT_NE(none.allowed.find("finite"), std::string::npos);
+  }
+}
+
+TEST(FunctionGenerator, CornersRootsAndJumpsAreNoPoles) {
+  const double at = 1 / std::sqrt(5);
+  for (const std::function<double(double)>& wanted : {
+           std::function<double(double)>([at](double x) { return std::sqrt(std::abs(x - at)); }),
+           std::function<double(double)>([at](double x) { return -std::abs(x - at); }),
+           std::function<double(double)>([at](double x) { return x < at ? x : x - 0.2; }),
+           std::function<double(double)>([](double x) { return std::pow(x, 0.1); }),
+           std::function<double(double)>([](double x) { return x * std::sin(1 / (x + 1e-3)); }),
+       }) {
+    FunctionTask task = minimax_task(wanted, 0, 1, 0);
+    task.output_range = radians(20);
+    task.method = FunctionMethod::precision_points;
+    const auto design = generate_function(task);
+    EXPECT_TRUE(design) << design.error().sentence;
+  }
+}
+
+TEST(FunctionGenerator, FunctionsConstantButForRoundingHaveNoDial) {
+  const auto nearly_one = [](double x) { return std::pow(std::sin(x), 2) + std::pow(std::cos(x), 2); };
+  for (const NoFunctionDesign& none :
+       {none_for(nearly_one), none_for([](double x) { return 1e13 + x; }),
+        none_for([](double x) { return 1e-310 * x; }), none_for([](double) { return 3; })}) {
+    EXPECT_TRUE(none.proven);
+    EXPECT_NE(none.sentence.find("constant"), std::string::npos) << none.sentence;
+  }
+}
+
+TEST(FunctionGenerator, WhatIsNotFollowedIsNotAnswered) {
+  const auto often = none_for([](double x) { return std::sin(1e6 * x); });
+  EXPECT_NE(often.sentence.find("ups and downs"), std::string::npos) << often.sentence;
+  const auto narrow = none_for([](double x) { return 1 / (1e-12 + std::pow(x - 1 / std::sqrt(5), 2)); });
+  EXPECT_NE(narrow.sentence.find("narrower"), std::string::npos) << narrow.sentence;
+  const auto vast = none_for([](double x) { return (2 * x - 1) * 1.7e308; });
+  EXPECT_NE(vast.sentence.find("1.7e+308"), std::string::npos) << vast.sentence;
+  // A part without values that no sample meets, but places where the function bends do.
+  const auto hole = none_for([](double x) {
+    return std::abs(x - 1 / std::sqrt(5)) < 1e-6 ? std::nan("") : std::sqrt(std::abs(x - 1 / std::sqrt(5)));
+  });
+  EXPECT_NE(hole.sentence.find("no finite value at x = 0.44721"), std::string::npos) << hole.sentence;
+  for (const NoFunctionDesign& none : {often, narrow, vast}) EXPECT_FALSE(none.proven);
+}
+
+TEST(FunctionGenerator, AFunctionThatBendsEverywhereEndsAndSaysWhatItsErrorsAreOffBy) {
+  FunctionTask task = logarithm();
+  task.input_start = radians(45);
+  task.output_start = radians(-40);
+  const auto smooth = generate_function(task);
+  std::size_t asked = 0;
+  task.wanted = [&asked](double x) {
+    ++asked;
+    return std::log10(x) + 1e-5 * std::sin(1e6 * x);
+  };
+  const auto design = generate_function(task);
+  ASSERT_TRUE(design && smooth);
+  EXPECT_LT(asked, 1'000'000U);
+  EXPECT_GT(design->unseen, 0);
+  EXPECT_EQ(smooth->unseen, 0);
+  EXPECT_NEAR(design->error_rms, smooth->error_rms, 5 * radians(90) * 1e-5 / std::log10(2));
+  EXPECT_LT(design->unseen, 0.5 * design->error_rms);
+}
+
+TEST(FunctionGenerator, TheDialReachesAPeakBetweenTheSamples) {
+  FunctionTask task =
+      minimax_task([](double x) { return 1 / (1e-6 + std::pow(x - 1 / std::sqrt(5), 2)); }, 0, 1, 0);
+  task.method = FunctionMethod::precision_points;
+  task.input_start = radians(45);
+  const auto design = generate_function(task);
+  ASSERT_TRUE(design) << design.error().sentence;
+  EXPECT_NEAR(design->y_upper, 1e6, 100);
+}
+
+TEST(FunctionGenerator, StoppedItHandsOutTheBestSoFar) {
+  for (const FunctionMethod method :
+       {FunctionMethod::precision_points, FunctionMethod::least_squares, FunctionMethod::minimax}) {
+    FunctionTask task = logarithm();
+    task.method = method;
+    const auto whole = generate_function(task);
+    ASSERT_TRUE(whole);
+    EXPECT_TRUE(whole->complete);
+    std::size_t asked = 0, last = 0;
+    task.stop = [&asked] {
+      ++asked;
+      return false;
+    };
+    const auto again = generate_function(task);
+    EXPECT_EQ(again->linkage.coupler, whole->linkage.coupler);
+    EXPECT_EQ(again->error_rms, whole->error_rms);
+    last = asked;
+    for (const double share : {0.0, 0.5, 0.95}) {
+      asked = 0;
+      task.stop = [&asked, end = share * static_cast<double>(last)] {
+        return static_cast<double>(++asked) > end;
+      };
+      const auto design = generate_function(task);
+      if (share == 0) {
+        ASSERT_FALSE(design);
+        EXPECT_TRUE(design.error().stopped);
+        continue;
+      }
+      ASSERT_TRUE(design) << design.error().sentence;
+      EXPECT_FALSE(design->complete);
+      EXPECT_GE(design->error_largest,
+                (method == FunctionMethod::least_squares ? 0.5 : 1 - 1e-6) * whole->error_largest);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kempe
