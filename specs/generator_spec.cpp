@@ -11,6 +11,7 @@
 #include "specs/file_kind.hpp"
 #include "specs/key_checks.hpp"
 #include "specs/text/complaints.hpp"
+#include "specs/text/expression.hpp"
 #include "specs/text/toml_access.hpp"
 
 namespace kempe {
@@ -91,8 +92,9 @@ class Reader {
     const toml::node* node = find(table, key);
     if (node == nullptr) return missing(dotted, allowed);
     const auto both = finite_point(*node);
-    if (!both || both->x() < lower || both->y() > upper || both->x() >= both->y())
-      return complaints_.add(line_of(*node), dotted, describe(*node), allowed);
+    if (!both) return complaints_.add(line_of(*node), dotted, describe(*node), allowed);
+    if (both->x() < lower || both->y() > upper || both->x() >= both->y())
+      return complaints_.add(line_of(*node), dotted, fmt::format("[{}, {}]", both->x(), both->y()), allowed);
     first = both->x();
     second = both->y();
   }
@@ -136,21 +138,48 @@ class Reader {
   std::vector<std::string> meant_;  ///< by keys that are unknown
 };
 
+constexpr double farthest_x = 1e9;
+
+/// Numbers far from nil that hardly differ leave no room for places between them.
+void check_width(int line, std::string_view key, double lower, double upper, Complaints& complaints) {
+  constexpr double least_share = 1e-10, least_width = 1e-30;
+  const double least = std::max(least_width, least_share * std::max(std::abs(lower), std::abs(upper)));
+  if (upper - lower < least)
+    complaints.add(line, std::string(key), fmt::format("x from {} to {}", lower, upper),
+                   fmt::format("an upper x at least {:.2g} above the lower", least));
+}
+
 void read_table(const Reader& reader, FunctionSpec& spec, Complaints& complaints) {
+  constexpr std::size_t least_rows = 4, most_rows = 10000;
+  constexpr double farthest_y = 1e290, nearest_rows = 1e-9;
   const toml::node* node = reader.find("function", "table");
-  const auto refuse = [&] {
-    complaints.add(line_of(*node), "function.table", describe(*node),
-                   "[[x, y], ...] with at least 4 rows, finite numbers, x rising");
+  const auto refuse = [&](int line, const std::string& found) {
+    complaints.add(line, "function.table", found,
+                   fmt::format("[[x, y], ...] with {} to {} rows, x rising from {} to {}, y from {} to {}",
+                               least_rows, most_rows, -farthest_x, farthest_x, -farthest_y, farthest_y));
   };
   const toml::array* rows = node->as_array();
-  if (rows == nullptr || rows->size() < 4 || rows->size() > 10000) return refuse();
+  if (rows == nullptr) return refuse(line_of(*node), describe(*node));
+  if (rows->size() < least_rows || rows->size() > most_rows)
+    return refuse(line_of(*node), fmt::format("{} rows", rows->size()));
   for (const toml::node& row : *rows) {
     const auto pair = finite_point(row);
-    if (!pair || (!spec.table.empty() && pair->x() <= spec.table.back().first)) return refuse();
+    if (!pair) return refuse(line_of(row), describe(row));
+    if (std::abs(pair->x()) > farthest_x || std::abs(pair->y()) > farthest_y)
+      return refuse(line_of(row), fmt::format("[{}, {}]", pair->x(), pair->y()));
+    if (!spec.table.empty() && pair->x() <= spec.table.back().first)
+      return refuse(line_of(row), fmt::format("x = {} after {}", pair->x(), spec.table.back().first));
     spec.table.emplace_back(pair->x(), pair->y());
   }
   spec.x_lower = spec.table.front().first;
   spec.x_upper = spec.table.back().first;
+  check_width(line_of(*node), "function.table", spec.x_lower, spec.x_upper, complaints);
+  for (std::size_t i = 1; i < spec.table.size(); ++i) {
+    const double before = spec.table[i - 1].first, after = spec.table[i].first;
+    if (after - before < nearest_rows * (spec.x_upper - spec.x_lower))
+      return complaints.add(line_of(*node), "function.table", fmt::format("x = {} after {}", after, before),
+                            fmt::format("rows at least {} of the whole range of x apart", nearest_rows));
+  }
 }
 
 void read_wanted(Reader& reader, FunctionSpec& spec, Complaints& complaints) {
@@ -162,10 +191,17 @@ void read_wanted(Reader& reader, FunctionSpec& spec, Complaints& complaints) {
                           "exactly one of them");
   if (table != nullptr) return read_table(reader, spec, complaints);
   spec.expression = expression->value_or(std::string());
-  if (spec.expression.empty() || spec.expression.size() > 1000)
+  constexpr std::size_t longest_expression = 1000;
+  if (spec.expression.empty() || spec.expression.size() > longest_expression) {
     complaints.add(line_of(*expression), "function.expression", describe(*expression),
-                   "an expression of x, as text");
-  reader.pair("function", "x", spec.x_lower, spec.x_upper, -1e9, 1e9);
+                   fmt::format("an expression of x, as text of at most {} characters", longest_expression));
+  } else if (const auto compiled = compile_expression(spec.expression); !compiled) {
+    complaints.add(line_of(*expression), "function.expression", compiled.error(),
+                   "an expression of x such as log10(x)");
+  }
+  reader.pair("function", "x", spec.x_lower, spec.x_upper, -farthest_x, farthest_x);
+  if (complaints.none_about("function.x"))
+    check_width(reader.line("function.x"), "function.x", spec.x_lower, spec.x_upper, complaints);
 }
 
 constexpr double farthest_path_mm = 1e6;
@@ -335,10 +371,12 @@ tl::expected<FunctionSpec, InputError> read_function_spec(std::string_view text,
   reader.number("links", "ground_mm", spec.ground, 1e-3, 1e6, false, " mm");
   reader.number("links", "longest_ratio", spec.longest_ratio, 1, 1e4, false, "");
   reader.angle("limits", "transmission_deg", spec.transmission, 0, 89, false);
+  constexpr double least_range_deg = 1e-6;  // far above the rounding of angles
   for (const auto& [key, range] :
        {std::pair("input.range_deg", spec.input_range), std::pair("output.range_deg", spec.output_range)})
-    if (complaints.none_about(key) && range == 0 && reader.has(key))
-      complaints.add(reader.line(key), key, "0", "a range other than 0");
+    if (complaints.none_about(key) && !(std::abs(range) >= radians(least_range_deg)) && reader.has(key))
+      complaints.add(reader.line(key), key, fmt::format("{:.6g}", degrees(range)),
+                     fmt::format("a range of at least {:g} degrees, either way", least_range_deg));
   const int given = (spec.input_start ? 1 : 0) + (spec.output_start ? 1 : 0);
   if (complaints.none_about("function") && spec.method == "precision_points" && spec.points == 5 && given > 0)
     complaints.add(0, "function.points", "5 with a start given", "no start_deg: five points decide both");

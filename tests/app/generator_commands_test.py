@@ -9,8 +9,10 @@ import math
 import pathlib
 import random
 import re
+import signal
 import subprocess
 import sys
+import time
 import unittest
 import xml.etree.ElementTree
 
@@ -137,14 +139,63 @@ class Function(Case):
         good = (GENERATORS / "logarithm.toml").read_text()
         for old, new, code, words in [
             ('"log10(x)"', '"log10(x"', 2, ["function.expression"]),
-            ('"log10(x)"', '"1/(x-1.5)"', 3, ["not finite"]),
-            ('"log10(x)"', '"3"', 3, ["constant"]),
-            ("x = [1, 2]", "x = [2, 1]", 2, ["function.x", "lower below upper"]),
+            ('"log10(x)"', '"1/(x-1.5)"', 3, ["function.expression", "no finite value at x = 1.5", "allowed"]),
+            ('"log10(x)"', '"3"', 3, ["function.expression", "constant", "allowed"]),
+            ('"log10(x)"', '"sin(x)^2 + cos(x)^2"', 3, ["function.expression", "constant", "allowed"]),
+            ('"log10(x)"', '"tan(40*x)"', 3, ["function.expression", "without end towards x = 1.0", "allowed: a function that is finite"]),
+            ('"log10(x)"', '"sin(1e6*x)"', 6, ["function.expression", "ups and downs", "allowed: a smoother function"]),
+            ('"log10(x)"', '"1e300*10000000*(x-1.5)"', 6, ["function.expression", "allowed: values that differ by at most 1e+300"]),
+            ('"log10(x)"', '"x = 3"', 2, ["toml:", "function.expression", "an assignment at position 2"]),
+            ('"log10(x)"', '"x, 2*x"', 2, ["function.expression", "2 values"]),
+            ('"log10(x)"', '"x\\u0000y"', 2, ["function.expression", "number 0"]),
+            ('"log10(x)"', '"' + "x+" * 600 + 'x"', 2, ["function.expression", "at most 1000 characters"]),
+            ("x = [1, 2]", "x = [999999999.9999999, 1000000000]", 2, ["function.x", "above the lower"]),
+            ("x = [1, 2]", "x = [0, 1e-300]", 2, ["function.x", "above the lower"]),
+            ("x = [1, 2]", "x = [2, 1]", 2, ["function.x", "found [2, 1]", "lower below upper"]),
             ("range_deg = 60", "range_deg = 0", 2, ["input.range_deg"]),
+            ("range_deg = 60", "range_deg = -1e-9", 2, ["input.range_deg", "found -1e-09", "at least 1e-06 degrees"]),
             ("ground_mm = 100", "ground_mm = nan", 2, ["links.ground_mm"]),
         ]:
             self.assertIn(old, good)
             self.assertRefused(kempe("function", self.file(good.replace(old, new))), code, *words)
+        table = (GENERATORS / "table.toml").read_text()
+        for rows, code, words in [
+            ("[0, 1], [1, 1], [2, 1], [3, 1]", 3, ["function.table", "constant"]),
+            ("[0, 1], [1, 2], [1, 3], [3, 4]", 2, ["function.table", "x = 1 after 1"]),
+            ("[0, 1], [1, 2], [1.0000000001, 3], [3, 4]", 2, ["function.table", "apart"]),
+            ("[0, 1], [1, 2], [2, 3], [1e200, 4]", 2, ["function.table", "1e+200"]),
+            ("[0, 1], [1, 2], [2, 3], [3, 1e300]", 2, ["function.table", "1e+300"]),
+            ("[0, 1], [1, 2], [2, nan], [3, 4]", 2, ["function.table", "x rising"]),
+            ("[0, 1], [1, 2]", 2, ["function.table", "found 2 rows"]),
+        ]:
+            text = re.sub(r"table = .*", f"table = [{rows}]", table)
+            self.assertRefused(kempe("function", self.file(text)), code, *words)
+
+    def test_a_time_limit_and_a_signal_hand_out_the_best_so_far(self):
+        slow = self.spec("sin(100*x)", [0, 1], 'method = "least_squares"', 60, 10, 20, 0)
+        self.assertRefused(kempe("function", slow, "--time-limit", "1e-6"), 6, "stopped (time limit of 1e-06 s)", "nothing is written")
+        self.assertRefused(kempe("function", slow, "--time-limit", "0"), 2)
+        run = kempe("function", slow, "--time-limit", 2, "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        answer = json.loads(run.stdout)
+        self.assertIs(answer["complete"], False)
+        self.assertIn("stopped", answer["reservation"])
+        self.assertIn("stopped", run.stderr)
+        whole = self.answer("function", GENERATORS / "logarithm.toml", "--time-limit", 1e6)
+        self.assertEqual(whole, self.answer("function", GENERATORS / "logarithm.toml"))
+        self.assertNotIn("complete", whole)
+        for number in signal.SIGINT, signal.SIGTERM:
+            process = subprocess.Popen([KEMPE, "function", slow, "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(2)
+            process.send_signal(number)
+            told, words = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130, words)
+            self.assertIs(json.loads(told)["complete"], False)
+
+    def test_a_function_that_bends_everywhere_ends_with_a_reservation(self):
+        run = kempe("function", self.spec("log10(x) + 1e-5*sin(1e6*x)", [1, 2], "points = 3", 60, 90, 20, 0), "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("bends in more places than are looked at", json.loads(run.stdout)["reservation"])
 
 
     def test_the_linkage_file_moves_as_the_function_says(self):
