@@ -21,7 +21,9 @@ Interrupt::Interrupt() {
   std::signal(SIGTERM, note_interrupt);
 }
 
-Interrupt::~Interrupt() {
+Interrupt::~Interrupt() { let_signals_end(); }
+
+void let_signals_end() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }

@@ -16,4 +16,7 @@ class Interrupt {
   const std::atomic<bool>& requested() const;
 };
 
+/// From here on SIGINT and SIGTERM end the program at once: for work that looks at no flag and has written nothing yet.
+void let_signals_end();
+
 }  // namespace kempe::app

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/all_commands.hpp"
+#include "app/interrupt.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "reports/linkages/centres_page.hpp"
@@ -30,6 +31,7 @@ int run(const Session& session, const CentresArguments& arguments) {
   if (!assembly_modes) return assembly_modes.error();
   const auto frame = frame_at(session, *loaded, assembly_modes->front(), arguments.step, "--at");
   if (!frame) return frame.error();
+  let_signals_end();
   const auto centres = instant_centres(loaded->model.linkage, frame->position, frame->rate);
   const std::vector<double> speeds = loaded->model.schedule.speeds_at(frame->share);
   const PlanarRun moment{{*frame}, std::nullopt};

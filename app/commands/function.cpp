@@ -74,7 +74,7 @@ std::string text_of(const FunctionSpec& spec, const FunctionTask& task, const Fu
 }
 
 int run(const Session& session, const FunctionArguments& arguments) {
-  const Stopping stopping(arguments.time_limit);
+  const Deadline deadline(arguments.time_limit);
   if (const auto clash = output_clash({arguments.spec_file}, {arguments.plot_file, arguments.linkage_file}))
     return fail(session, *clash);
   const auto text = read_text_file(arguments.spec_file);
@@ -83,6 +83,7 @@ int run(const Session& session, const FunctionArguments& arguments) {
   if (!spec) return fail(session, spec.error());
   auto task = function_task(*spec, arguments.spec_file);
   if (!task) return fail(session, task.error());
+  const Stopping stopping(deadline);
   task->stop = stopping.flag();
   const auto design = generate_function(*task);
   if (!design && design.error().stopped)

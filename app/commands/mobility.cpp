@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/all_commands.hpp"
+#include "app/interrupt.hpp"
 #include "app/linkage_run.hpp"
 #include "reports/linkages/json.hpp"
 #include "reports/linkages/text.hpp"
@@ -26,6 +27,7 @@ int run(const Session& session, const MobilityArguments& arguments) {
   if (!loaded) return loaded.error();
   const auto closed = closed_position(*loaded, arguments.seed, wish_to_stop());
   if (!closed) return tell(session, *loaded, closed.error());
+  let_signals_end();
   const Mobility mobility = mobility_of(loaded->model.linkage, *closed, arguments.seed);
   const auto answer = session.json ? mobility_json : mobility_text;
   print(answer(loaded->file, loaded->model, mobility));

@@ -80,7 +80,9 @@ AssembliesFound search_assembly_modes(const PlanarLinkage& linkage, const Planar
   std::vector<PlanarPosition>& found = result.assembly_modes;
   const double work_a_step = std::pow(linkage.unknown_count(), 3);
   double work = 0;
-  for (int start = 0; start <= search.starts && static_cast<int>(found.size()) < search.enough; ++start) {
+  bool has_wanted = !search.wanted;
+  const auto are_enough = [&] { return has_wanted && static_cast<int>(found.size()) >= search.enough; };
+  for (int start = 0; start <= search.starts && !are_enough(); ++start) {
     if (work > most_work || (search.stop && search.stop())) break;
     auto closed = solve_from(
         linkage, start == 0 ? guess : random_position(linkage.body_count(), about, chance), driver_values);
@@ -96,7 +98,9 @@ AssembliesFound search_assembly_modes(const PlanarLinkage& linkage, const Planar
     const bool known = std::any_of(found.begin(), found.end(), [&](const PlanarPosition& other) {
       return same_assembly_mode(linkage, closed->position, other);
     });
-    if (!known) found.push_back(std::move(closed->position));
+    if (known) continue;
+    has_wanted = has_wanted || search.wanted(closed->position);
+    found.push_back(std::move(closed->position));
   }
   return result;
 }

@@ -15,6 +15,8 @@ struct AssemblySearch {
   std::uint64_t seed = 1;           ///< same seed, same result
   int enough = 64;                  ///< ends once so many assembly modes are known
   std::function<bool()> stop = {};  ///< looked at before every start, if there is one: true ends the search
+  /// If there is one, `enough` ends the search only once an assembly mode is known of which this is true.
+  std::function<bool(const PlanarPosition&)> wanted = {};
 };
 
 struct AssembliesFound {

@@ -72,9 +72,13 @@ PlanarEquations::PlanarEquations(const PlanarLinkage& linkage)
     mark_bends(constraint);
   }
   driver_entries_ = linkage.drivers();
-  for (const int driver : driver_entries_)
-    has_distance_driver_ |=
-        std::holds_alternative<Distance>(entries_[static_cast<std::size_t>(driver)].constraint);
+  for (std::size_t driver = 0; driver < driver_entries_.size(); ++driver)
+    has_distance_driver_ |= is_distance(static_cast<int>(driver));
+}
+
+bool PlanarEquations::is_distance(int driver) const {
+  const auto entry = static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)]);
+  return std::holds_alternative<Distance>(entries_[entry].constraint);
 }
 
 void PlanarEquations::mark_bends(const Constraint& constraint) {
@@ -130,7 +134,7 @@ double PlanarEquations::value_slope(int constraint) const {
 
 double PlanarEquations::driver_bend(int driver, double speed) const {
   const Entry& entry = entries_[static_cast<std::size_t>(driver_entries_[static_cast<std::size_t>(driver)])];
-  return std::holds_alternative<Distance>(entry.constraint) ? speed * speed / entry.scale : 0;
+  return is_distance(driver) ? speed * speed / entry.scale : 0;
 }
 
 bool PlanarEquations::rescale_distances() {

@@ -99,6 +99,7 @@ class PlanarEquations {
   std::vector<std::vector<int>> columns_by_row() const;
 
   bool has_distance_driver() const { return has_distance_driver_; }
+  bool is_distance(int driver) const;
 
  private:
   struct Arm {  ///< a point as seen from its body's origin, turned into the table's frame

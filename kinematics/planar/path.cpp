@@ -13,7 +13,9 @@ constexpr double nearby = 0.01;          ///< omega times the distance at which 
 constexpr double least_bent_rows = 100;  ///< 1/rad: with omega below it steps are long enough
 constexpr int most_corrections = 24;
 constexpr double rounding = 2.220446049250313e-16;
-constexpr std::size_t looks_every = 64;  ///< steps between two looks at the caller's wish to stop
+/// Steps between two looks at the caller's wish to stop; with more unknowns than many each step takes milliseconds.
+constexpr std::size_t looks_every = 64;
+constexpr Eigen::Index many_unknowns = 60;
 
 std::vector<int> driver_rows(const PlanarEquations& equations) {
   std::vector<int> rows;
@@ -216,7 +218,7 @@ double PlanarPath::share_of(const Eigen::VectorXd& step) {
 /// Length of the first Newton step if one driver moves by at most `way`.
 double PlanarPath::reach_of(int driver, double way) {
   const double value = equations_.values()[static_cast<std::size_t>(driver)];
-  const double growth = equations_.has_distance_driver() ? std::max(1.0, 1 + way / std::abs(value)) : 1;
+  const double growth = equations_.is_distance(driver) ? std::max(1.0, 1 + way / std::abs(value)) : 1;
   step_.setZero(q_.size());
   step_[equations_.driver_row(driver)] = equations_.driver_slope(driver) * way * growth;
   factors_.solve(step_, trial_);
@@ -400,7 +402,8 @@ tl::expected<void, PathStop> PlanarPath::move(const Share& certified_share, cons
   };
   while (covered < 1) {
     if (tried_ >= most_tried) return stopped(PathEnd::gave_up);
-    if (++tried_ % looks_every == 0 && limits_.stop && limits_.stop()) return stopped(PathEnd::interrupted);
+    const bool looks = ++tried_ % looks_every == 0 || q_.size() > many_unknowns;
+    if (looks && limits_.stop && limits_.stop()) return stopped(PathEnd::interrupted);
     // The factors of the last correction will do where they are near enough.
     bool regular = (base_.size() > 0 && factors_.sign() != 0) || linearise();
     double share = regular ? certified_share(covered) : 0;

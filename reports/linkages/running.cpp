@@ -126,13 +126,16 @@ tl::expected<std::vector<PlanarPosition>, NoRun> assembled(const LoadedLinkage& 
   search.seed = seed;
   search.stop = stop;
   auto found = start_assembly_modes(loaded.file, loaded.model, search);
+  if (stop && stop()) return no_run(NoRun::Why::interrupted);
   if (found) return std::move(*found);
   const NoAssembly& none = found.error();
   if (!none.unmet.empty())
     return no_run(
-        NoRun::Why::impossible,
-        fmt::format("no closing of the linkage lies within the bounds of {}", fmt::join(none.unmet, ", ")));
-  if (stop && stop()) return no_run(NoRun::Why::interrupted);
+        NoRun::Why::gave_up,
+        fmt::format(
+            "of {} closings that were found none lies within all bounds; the nearest is outside those of {}; "
+            "there may be more closings: a [guess] leads to one",
+            none.closings, fmt::join(none.unmet, ", ")));
   return not_assembled(loaded, none.missing.value(), seed, stop);
 }
 

@@ -278,24 +278,26 @@ tl::expected<std::vector<PlanarPosition>, NoAssembly> start_assembly_modes(const
                                                                            const AssemblySearch& search) {
   const PlanarPosition guess = guessed_position(file, model);
   const std::vector<double> values = model.schedule.values_at(0);
-  AssembliesFound all = search_assembly_modes(model.linkage, guess, values, search);
-  std::vector<PlanarPosition>& found = all.assembly_modes;
-  if (found.empty()) {
-    NoAssembly none;
-    if (all.nearest) none.missing = missing_at(model.linkage, *all.nearest, values);
-    return tl::unexpected(none);
-  }
   const auto misses = [&](const PlanarPosition& position) {
     return std::count_if(file.bounds.begin(), file.bounds.end(),
                          [&](const FileBound& bound) { return !meets(bound, model, position); });
   };
+  AssemblySearch bounded = search;
+  bounded.wanted = [&](const PlanarPosition& position) { return misses(position) == 0; };
+  AssembliesFound all = search_assembly_modes(model.linkage, guess, values, bounded);
+  std::vector<PlanarPosition>& found = all.assembly_modes;
+  NoAssembly none;
+  none.closings = found.size();
+  if (found.empty()) {
+    if (all.nearest) none.missing = missing_at(model.linkage, *all.nearest, values);
+    return tl::unexpected(none);
+  }
   std::stable_sort(found.begin(), found.end(), [&](const PlanarPosition& a, const PlanarPosition& b) {
     const auto missed_a = misses(a), missed_b = misses(b);
     if (missed_a != missed_b) return missed_a < missed_b;
     return distance_to_guess(file, model, a) < distance_to_guess(file, model, b);
   });
   if (misses(found.front()) == 0) return std::move(found);
-  NoAssembly none;
   for (const FileBound& bound : file.bounds)
     if (!meets(bound, model, found.front())) none.unmet.push_back(bound.name);
   return tl::unexpected(none);

@@ -52,7 +52,8 @@ PlanarPosition guessed_position(const LinkageFile& file, const LinkageModel& mod
 struct NoAssembly {
   /// What remained open, if nothing closes; nothing if the search was stopped.
   std::optional<Missing> missing;
-  std::vector<std::string> unmet;  ///< bounds that no closing meets, as sentences; empty if nothing closes
+  std::size_t closings = 0;        ///< how many were found
+  std::vector<std::string> unmet;  ///< bounds that the best of them does not meet; empty if nothing closes
 };
 
 /// The closed positions at the start of the motion, the chosen one first: within all bounds, nearest to the

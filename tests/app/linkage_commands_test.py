@@ -121,6 +121,40 @@ class Solve(Case):
             for a, b, length in [(A, C, 45 + 2.5 * i), (A, B, 20), (B, C, 50), (D, C, 40)]:
                 self.assertAlmostEqual(math.dist(a, b), length, places=9)
 
+    def test_angles_and_places_pass_zero_beside_a_strut(self):
+        for driver, at in (('angle = "a"\nfrom_deg = -30\nto_deg = 30', lambda share: math.radians(60 * share - 30)),
+                           ('angle = "a"\nfrom_deg = 0\nto_deg = 10', lambda share: math.radians(10 * share)),
+                           ('coordinate = "B.y"\nfrom = -0.3\nto = 0.2', lambda share: math.asin(0.5 * share - 0.3))):
+            path = self.linkage(f"""
+[ground]
+A = [0, 0]
+[links]
+a = {{ joints = ["A", "B"], A-B = 1 }}
+b = {{ joints = ["B", "C"], B-C = 1 }}
+[guess]
+B = [1, 0]
+C = [0.5, 0.9]
+[[drivers]]
+distance = ["A", "C"]
+from = 1
+to = 1.1
+[[drivers]]
+{driver}
+[motion]
+steps = 7
+[output]
+points = ["B", "C"]
+""")
+            run = kempe("solve", path)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            rows = list(csv.DictReader(io.StringIO(run.stdout)))
+            self.assertEqual(len(rows), 8)
+            for step, row in enumerate(rows):
+                turn = at(step / 7)
+                self.assertAlmostEqual(float(row["B.x"]), math.cos(turn), places=6)
+                self.assertAlmostEqual(float(row["B.y"]), math.sin(turn), places=6)
+                self.assertAlmostEqual(math.hypot(float(row["C.x"]), float(row["C.y"])), 1 + 0.1 * step / 7, places=6)
+
     def test_a_slide_drives_the_piston(self):
         text = (LINKAGES / "slider-crank.toml").read_text()
         for old, new in [('angle = "crank"', 'slide = "piston"'), ("from_deg = 0", "from = 75"), ("to_deg = 360", "to = 125")]:
@@ -146,6 +180,24 @@ class Solve(Case):
         other = list(csv.DictReader(io.StringIO(kempe("solve", linkage, "--assembly", 1).stdout)))
         self.assertTrue(all(float(row["C_y_mm"]) < 0 for row in other))
         self.assertRefused(kempe("solve", linkage, "--assembly", 2), 2, "0 to 1")
+
+    def test_bounds_are_sought_among_many_closings(self):
+        """Of five four-bars that know nothing of each other, 32 closings; that there is none cannot be known."""
+        def text(height):
+            bars = range(5)
+            return "\n".join(
+                ["[ground]"] + [f"A{i} = [{4 * i}, 0]\nD{i} = [{4 * i + 3.5}, 0]" for i in bars] + ["[links]"] +
+                [f'a{i} = {{ joints = ["A{i}", "B{i}"], A{i}-B{i} = 1 }}\nb{i} = {{ joints = ["B{i}", "C{i}"], B{i}-C{i} = 3.5 }}\n'
+                 f'c{i} = {{ joints = ["D{i}", "C{i}"], D{i}-C{i} = 2 }}' for i in bars] +
+                [f'[[drivers]]\nangle = "a{i}"\nfrom_deg = 30\nto_deg = 40' for i in bars] + ["[bounds]"] +
+                [f"C{i} = {{ y = [{-height if i % 2 else 0}, {0 if i % 2 else height}] }}" for i in bars[:-1]] +
+                [f"C4 = {{ y = [{height - 5}, {height}] }}", "[output]", "points = " + json.dumps([f"C{i}" for i in bars])])
+        run = kempe("solve", self.linkage(text(5)), "--steps", 1)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        row = next(csv.DictReader(io.StringIO(run.stdout)))
+        for i in range(5):
+            self.assertEqual(float(row[f"C{i}.y"]) < 0, i % 2 == 1)
+        self.assertRefused(kempe("solve", self.linkage(text(50)), "--steps", 1), 6, "C4", "there may be more closings")
 
     def test_dead_point_is_named_and_the_table_kept(self):
         linkage, table = self.linkage(BARS.replace("A-B = 20", "A-B = 45") + TURN), self.scratch / "t.csv"
