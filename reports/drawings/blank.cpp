@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "reports/drawings/drawing.hpp"
+#include "synthesis/problem/local_frame.hpp"
 
 namespace kempe {
 namespace {
@@ -29,7 +30,10 @@ Point extent(Link link, const Pose& pose, const LinkStyle& style) {
 
 }  // namespace
 
-Pose lying_pose(Link link, const Pose& pose, const LinkStyle& style) {
+Pose lying_pose(const Design& design, Link link) {
+  const LinkStyle& style = design.style;
+  const CopyingLinkage about_origin = shifted(design.linkage, -design.linkage.pole());
+  const Pose pose = about_origin.pose_at(openings_to_show(design).middle(), 0);
   const LinkJoints of_link = joints_of(link);
   const auto count = static_cast<std::size_t>(of_link.count);
   const Joint origin = of_link.joints[0];
@@ -49,8 +53,7 @@ Pose lying_pose(Link link, const Pose& pose, const LinkStyle& style) {
 }
 
 Blank blank_of(const Design& design, Link link) {
-  const Pose pose = design.linkage.pose_at(openings_to_show(design).middle(), 0);
-  const Point size = extent(link, lying_pose(link, pose, design.style), design.style);
+  const Point size = extent(link, lying_pose(design, link), design.style);
   return {.length = size.x(), .width = size.y()};
 }
 

@@ -12,7 +12,9 @@ namespace kempe {
 /// joint is the origin. A side of that rectangle lies along a side of the joints' hull: between two such directions both
 /// sides of the rectangle are positive concave functions of the turn, so their product is smallest at an end (Freeman and
 /// Shapira, Communications of the ACM 18 (1975), for polygons; growing the hull by half a width adds a constant to both).
-Pose lying_pose(Link link, const Pose& pose, const LinkStyle& style);
+///
+/// It depends on the link alone, not on where the pole stands: far from the origin it loses no digits.
+Pose lying_pose(const Design& design, Link link);
 
 /// The rectangle of smallest area that holds a link's outline, without kerf, mm.
 struct Blank {

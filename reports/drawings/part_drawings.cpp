@@ -109,7 +109,7 @@ CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting) {
   const LinkStyle& style = design.style;
   LinkStyle as_cut = style;
   as_cut.width += cutting.kerf;
-  const Pose lying = lying_pose(link, design.linkage.pose_at(openings_to_show(design).middle(), 0), style);
+  const Pose lying = lying_pose(design, link);
   CutPart part;
   part.name = name(link);
   part.layer = design.layers[link];

@@ -123,6 +123,16 @@ class Examples(Case):
             for shown in (run.stdout, (out / "drawing.svg").read_text(), (out / "report.html").read_text()):
                 self.assertNotRegex(shown, r"57\.2958|57\.296|57\.3°")  # the bounds that stand for an empty interval
 
+    def test_ten_kilometres_from_the_origin_the_drawings_are_those_of_the_design(self):
+        """There places are rounded to 2e-9 mm, and parts are drawn to 1e-9 mm all the same."""
+        text = (EXAMPLES / "report-mechanism.toml").read_text()
+        out, far = self.scratch / "out", 9.9e6
+        region = [[x + far, y + far] for x, y in ((62, -5), (70, -5), (70, 5), (62, 5))]
+        text = re.sub(r"polygon_mm = .*", f"polygon_mm = {region}", text)
+        run = kempe("workspace", self.spec(text + f"[pole]\nat_mm = [{far}, {far}]\n"), "-o", out)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertTrue((out / "drawing.dxf").exists())
+
     def test_lengths_follow_the_shape(self):
         self.assertEqual(self.synthesize().returncode, 0)
         mechanism = json.loads((self.scratch / "out" / "design.json").read_text())["mechanism"]
