@@ -9,6 +9,7 @@
 #include "app/output_check.hpp"
 #include "app/own_files.hpp"
 #include "app/weight_lines.hpp"
+#include "app/words.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
@@ -19,6 +20,7 @@
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
 #include "specs/text/printable.hpp"
+#include "specs/unit_words.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/design/copy_overlap.hpp"
 
@@ -28,6 +30,12 @@ std::string shown_name(const std::string& file) {
   using Json = nlohmann::json;
   const Json name(std::filesystem::path(file).filename().string());
   return Json::parse(name.dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+InputError as_in_file(InputError fault, SpecUnit unit) {
+  fault.key = name_in(unit, fault.key);
+  fault.allowed = keys_in(unit, fault.allowed);
+  return fault;
 }
 
 tl::expected<LoadedSpec, InputError> load_spec(const Session& session, const std::string& file) {
@@ -41,6 +49,8 @@ tl::expected<LoadedSpec, InputError> spec_of_text(std::string text, const std::s
   if (!spec) return tl::unexpected(spec.error());
   return LoadedSpec{file, std::move(text), std::move(*spec)};
 }
+
+SpecUnit LoadedSpec::unit() const { return unit_of_spec(text); }
 
 std::vector<std::filesystem::path> LoadedSpec::inputs() const {
   std::vector<std::filesystem::path> all{file};
@@ -57,10 +67,7 @@ std::string grounding_sentence(const CopyingLinkage& linkage) {
                      letter(linkage.pen_joint()));
 }
 
-/// Decimals that show lengths of a linkage to its thousandths of a millimetre, or to five digits if it is small.
-int decimals_for(const CopyingLinkage& linkage) {
-  return std::max(3, 4 - static_cast<int>(std::floor(std::log10(linkage.size()))));
-}
+int decimals_for(const CopyingLinkage& linkage) { return decimals_of_size(linkage.size()); }
 
 std::string lengths_table(const Design& design) {
   const LinkLengths lengths = design.linkage.lengths();
@@ -72,14 +79,17 @@ std::string lengths_table(const Design& design) {
   return text;
 }
 
+std::string_view spoken(Objective objective) {
+  return objective == Objective::copy_error   ? "copy error"
+         : objective == Objective::load_error ? "load error"
+                                              : name(objective);
+}
+
 /// What was sought; its figure only where no other line has it.
 std::string objective_line(const SearchRecord& search, int decimals) {
   std::string text =
       fmt::format("{}objective    {} {}", search.complete ? "" : "STOPPED EARLY: the best so far\n",
-                  is_maximized(search.objective) ? "largest" : "smallest",
-                  search.objective == Objective::copy_error   ? "copy error"
-                  : search.objective == Objective::load_error ? "load error"
-                                                              : name(search.objective));
+                  is_maximized(search.objective) ? "largest" : "smallest", spoken(search.objective));
   if (search.objective == Objective::footprint)
     text += fmt::format(": {:.{}f} mm2", search.value, decimals + 1);
   return text + "\n";
@@ -117,10 +127,10 @@ std::string bound_line(const Design& design) {
   const bool angle = design.search->objective == Objective::transmission;
   const double bound = *design.quality.proven_bound;
   const double gap = std::abs(design.search->value - bound) / std::abs(design.search->value);
-  std::string text =
-      fmt::format("bound        no design {} than {:.{}f} {}", angle ? "has a larger angle" : "is smaller",
-                  in_file_unit(design.search->objective, bound),
-                  1 + (angle ? 3 : decimals_for(design.linkage)), angle ? "degrees" : "mm");
+  std::string text = fmt::format(
+      "bound        no design {} than {} {}", angle ? "has a larger angle" : "is smaller",
+      shown(in_file_unit(design.search->objective, bound), 1 + (angle ? 3 : decimals_for(design.linkage))),
+      angle ? "degrees" : "mm");
   if (gap > 0.005) text += fmt::format(": {:.1f} % away", 100 * gap);
   return text + "\n";
 }
@@ -130,12 +140,13 @@ std::string place_text(const Point& place, int decimals) {
   return "(" + fixed_text(place.x(), decimals) + ", " + fixed_text(place.y(), decimals) + ")";
 }
 
-std::string relaxation_line(const Relaxation& relaxation) {
+std::string relaxation_line(const Relaxation& relaxation, SpecUnit unit) {
   const CopyingLinkage& linkage = relaxation.design.linkage;
-  const int d = decimals_for(linkage);
-  return fmt::format("  {}: VA = {:.{}f} mm, VB = {:.{}f} mm, {} at the vertex, pole {}\n",
-                     relaxation.sentence, linkage.VA(), d, linkage.VB(), d, name(linkage.grounding()),
-                     place_text(linkage.pole(), d));
+  const int d = decimals_for(linkage) + (unit == SpecUnit::inch ? 1 : 0);
+  const double share = 1 / in_mm(unit);
+  return fmt::format("  {0}: VA = {1:.{3}f} {4}, VB = {2:.{3}f} {4}, {5} at the vertex, pole {6} {4}\n",
+                     relaxation.sentence, share * linkage.VA(), share * linkage.VB(), d, name(unit),
+                     name(linkage.grounding()), place_text(share * linkage.pole(), d));
 }
 
 std::string ratio_line(const Design& design) {
@@ -182,16 +193,20 @@ std::string robust_line(const Design& design, int decimals) {
         "robust       NO: not proven for every instrument within {:.4g} mm and {:.4g} mm of play\n",
         design.tolerance->length, design.tolerance->play);
   std::string text =
-      fmt::format("robust       every instrument within the tolerances keeps {:.{}f} mm of clearance",
-                  robust->clearance, decimals);
+      fmt::format("robust       every instrument within the tolerances keeps {} mm of clearance",
+                  shown(robust->clearance, decimals));
   if (robust->nominal_value && design.search) {
     const Objective objective = design.search->objective;
     const double value = design.search->value, without = *robust->nominal_value;
-    text += fmt::format("; its {} is {:.{}f} {} ({:.1f} %) {} than without", name(objective),
-                        std::abs(in_file_unit(objective, value) - in_file_unit(objective, without)), decimals,
-                        objective == Objective::transmission ? "degrees" : unit_of(objective),
-                        100 * std::abs(value - without) / std::abs(without),
-                        value < without ? "smaller" : "larger");
+    if (value == without)
+      text += fmt::format("; its {} is the same as without", spoken(objective));
+    else
+      text += fmt::format(
+          "; its {} is {} {} ({} %) {} than without", spoken(objective),
+          shown(std::abs(in_file_unit(objective, value) - in_file_unit(objective, without)), decimals),
+          objective == Objective::transmission ? "degrees" : unit_of(objective),
+          shown(100 * std::abs(value - without) / std::abs(without), 1),
+          value < without ? "smaller" : "larger");
   }
   return text + "\n";
 }
@@ -225,12 +240,12 @@ std::string tool_lines(const std::optional<ToolAdvice>& tool) {
   return text;
 }
 
-/// The command that checks the proof's log, with the design or alone.
 /// With four decimals, or of what is smaller three digits.
 std::string error_text(double error) {
   return error == 0 || error >= 0.001 ? fmt::format("{:.4f}", error) : fmt::format("{:.3g}", error);
 }
 
+/// The command that checks the proof's log, with the design or alone.
 std::string how_to_check(const std::filesystem::path& folder, bool with_design) {
   const auto path = [&](std::string_view name) {
     return " " + printable(shell_word((folder / name).string()));
@@ -241,12 +256,12 @@ std::string how_to_check(const std::filesystem::path& folder, bool with_design) 
 
 }  // namespace
 
-std::string summary_text(const Design& design, const std::filesystem::path& folder,
+std::string summary_text(const Design& design, SpecUnit unit, const std::filesystem::path& folder,
                          const std::vector<std::string>& files, const std::vector<std::string>& left_out) {
   const Quality& q = design.quality;
   const Point& pole = design.linkage.pole();
   const int decimals = decimals_for(design.linkage);
-  std::string text = ratio_line(design);
+  std::string text = keys_in(unit, ratio_line(design));
   text += fmt::format("grounding    {}\n", grounding_sentence(design.linkage));
   text += fmt::format("pole         {} mm\n", place_text(pole, decimals));
   text += "lengths\n" + lengths_table(design) + layers_line(design);
@@ -258,7 +273,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
                       q.size, decimals);
   text += transmission_line(design) + opening_line(design.opening);
   if (std::isfinite(q.clearance_min))
-    text += fmt::format("clearance    {:.{}f} mm at least, {}\n", q.clearance_min, decimals,
+    text += fmt::format("clearance    {} mm at least, {}\n", shown(q.clearance_min, decimals),
                         design.map.clearance_min_parts);
   else if (!design.map.complete && !design.region.empty())
     text += "clearance    NOT MEASURED: stopped early; the limit is kept where the region is covered\n";
@@ -270,17 +285,18 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
         error_text(q.distortion_worst.value_or(0)));
   text += loads_lines(design);
   text += weight_lines(design);
-  text += budget_lines(design);
+  text += keys_in(unit, budget_lines(design));
   text += robust_line(design, decimals);
   if (!design.map.complete) text += "map          STOPPED EARLY: coarser than asked for\n";
-  text += region_line(design);
+  text += keys_in(unit, region_line(design));
   text += tool_lines(design.tool);
   text += fmt::format(
       "verified     {} positions{} by the general solver: copy error {:.2g} mm, loop residual {:.2g} mm, {} "
       "changes of assembly mode\n",
       design.verification.samples, design.verification.over_workspace ? " of the free workspace" : "",
       design.verification.copy_error_max, design.verification.loop_residual_max, design.verification.flips);
-  for (const std::string& note : making_notes(design)) text += fmt::format("parts        {}\n", note);
+  for (const std::string& note : making_notes(design))
+    text += fmt::format("parts        {}\n", keys_in(unit, note));
   text += fmt::format("written      {}:", printable(folder.string()));
   bool has_parts = false;
   for (const std::string& file : files) {
@@ -291,7 +307,7 @@ std::string summary_text(const Design& design, const std::filesystem::path& fold
   text += "\n";
   if (std::find(files.begin(), files.end(), certificate_name) != files.end())
     text += "proof        " + how_to_check(folder, true) + "\n";
-  for (const std::string& sentence : left_out) text += "             " + sentence + "\n";
+  for (const std::string& sentence : left_out) text += "             " + keys_in(unit, sentence) + "\n";
   return text;
 }
 
@@ -319,7 +335,8 @@ std::string limit_word(const Relaxation& relaxation) {
 
 }  // namespace
 
-int tell_no_design(const Session& session, const NoDesign& none, const std::optional<ProofFolder>& proof) {
+int tell_no_design(const Session& session, const NoDesign& none, SpecUnit unit,
+                   const std::optional<ProofFolder>& proof) {
   const std::string verdict = none.proven ? "no design exists" : none_found;
   std::string message = verdict +
                         (none.proven ? " (proven: no linkage can): " : " (not proven: one may exist): ") +
@@ -341,7 +358,7 @@ int tell_no_design(const Session& session, const NoDesign& none, const std::opti
   }
   if (!none.diagnosed) message += "  ended before every limit was relaxed\n";
   if (!none.obstacles_out_of_reach.empty()) message += "  " + reach_line(none.obstacles_out_of_reach.size());
-  for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation);
+  for (const Relaxation& relaxation : none.relaxations) message += relaxation_line(relaxation, unit);
   message.pop_back();
   if (session.json) {
     nlohmann::ordered_json object{{"error", verdict},
@@ -404,8 +421,9 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
   if (drafted->has_parts && !time.enough())
     if (const auto lack = why_no_step()) told.push_back(*lack);
-  answer(session, summary_text(design, folder, files, told), summary_json(design, folder, files, told));
-  for (const std::string& sentence : left_out) say(sentence);
+  answer(session, summary_text(design, spec.unit(), folder, files, told),
+         summary_json(design, folder, files, told));
+  for (const std::string& sentence : left_out) say(keys_in(spec.unit(), sentence));
   return done;
 }
 

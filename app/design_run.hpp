@@ -21,10 +21,15 @@ struct LoadedSpec {
   Spec spec;
   /// The files that the run reads: the spec, and the drawing that it names.
   std::vector<std::filesystem::path> inputs() const;
+  /// Of the lengths in the text.
+  SpecUnit unit() const;
 };
 tl::expected<LoadedSpec, InputError> load_spec(const Session& session, const std::string& file);
 /// The same of its text, already read.
 tl::expected<LoadedSpec, InputError> spec_of_text(std::string text, const std::string& file);
+
+/// A fault found in what the file means, with its keys as the file has them.
+InputError as_in_file(InputError fault, SpecUnit unit);
 
 /// The file's name as a report may show it: bytes that are no UTF-8 become U+FFFD.
 std::string shown_name(const std::string& file);
@@ -46,13 +51,14 @@ struct ProofFolder {
   StopFlag stop;
 };
 
-/// Says why no design exists and what would make one possible; a proof's log goes into the folder, if one is given. Returns
+/// Says why no design exists and what would make one possible, the designs in `unit`, in which SearchOptions::unit has had the
+/// sentences; a proof's log goes into the folder, if one is given. Returns
 /// `no_design` where that is proven, else `stopped`: the search's work was spent without an answer; or `cannot_write`.
-int tell_no_design(const Session& session, const NoDesign& none,
+int tell_no_design(const Session& session, const NoDesign& none, SpecUnit unit,
                    const std::optional<ProofFolder>& proof = std::nullopt);
 
-/// The summary that a person reads, or with --json one object; `left_out`: sentences about files that are not there.
-std::string summary_text(const Design& design, const std::filesystem::path& folder,
+/// The summary that a person reads, in mm with the spec's keys as its file has them, or with --json one object; `left_out`: sentences about files that are not there.
+std::string summary_text(const Design& design, SpecUnit unit, const std::filesystem::path& folder,
                          const std::vector<std::string>& files, const std::vector<std::string>& left_out);
 std::string summary_json(const Design& design, const std::filesystem::path& folder,
                          const std::vector<std::string>& files, const std::vector<std::string>& left_out);

@@ -10,6 +10,7 @@
 #include "specs/grid_lengths.hpp"
 #include "specs/hardware.hpp"
 #include "specs/load_reader.hpp"
+#include "specs/unit_words.hpp"
 
 namespace kempe {
 namespace {
@@ -21,17 +22,17 @@ constexpr double most_grid_lengths = 1e5;
 class LinkChecks {
  public:
   LinkChecks(const LinkSpec& links, const TableView& table, Complaints& complaints)
-      : links_(links), table_(table), complaints_(complaints) {}
+      : links_(links), table_(table), complaints_(complaints), unit_(complaints.unit()) {}
 
   void run() {
     for (const std::string_view key : {"width_mm", "thickness_mm"})
       if (table_.has("sections_mm") && table_.has(key))
-        refuse(key, "it beside sections_mm", "one of the two");
+        refuse(key, "it beside " + named("sections_mm"), "one of the two");
     if (links_.style.pin_diameter > links_.style.width) {
-      refuse(
-          table_.has("pin_diameter_mm") ? "pin_diameter_mm" : width_key(),
-          fmt::format("a pin of {} mm in a link {} mm wide", links_.style.pin_diameter, links_.style.width),
-          "pin_diameter_mm <= width_mm");
+      refuse(table_.has("pin_diameter_mm") ? "pin_diameter_mm" : width_key(),
+             fmt::format("a pin of {} in a link {} wide", length(links_.style.pin_diameter),
+                         length(links_.style.width)),
+             named("pin_diameter_mm") + " <= " + named("width_mm"));
     }
     check_pins();
     std::vector<const Hardware*> checked;  // each once
@@ -44,14 +45,19 @@ class LinkChecks {
     }
     if (links_.shortest > links_.longest) {
       refuse(table_.has("shortest_mm") ? "shortest_mm" : "longest_mm",
-             fmt::format("shortest_mm {} above longest_mm {}", links_.shortest, links_.longest),
-             "shortest_mm <= longest_mm");
+             fmt::format("{} {} above {} {}", named("shortest_mm"), number(links_.shortest),
+                         named("longest_mm"), number(links_.longest)),
+             named("shortest_mm") + " <= " + named("longest_mm"));
       return;
     }
     check_stock_lengths();
   }
 
  private:
+  std::string named(std::string_view key) const { return name_in(unit_, key); }
+  std::string number(double length) const { return number_in(unit_, length); }
+  std::string length(double length) const { return length_in(unit_, length); }
+
   void refuse(std::string_view key, std::string found, std::string allowed) {
     complaints_.add(table_.line_of_key(key), table_.dotted(key), std::move(found), std::move(allowed));
   }
@@ -64,38 +70,44 @@ class LinkChecks {
     if (thickest == 0 || given == thickest || (has_plain && given > thickest)) return;
     refuse("pin_diameter_mm",
            links_.hardware.differs()
-               ? fmt::format("{} beside pins of {} mm in hardware", given, thickest)
-               : fmt::format("{} beside hardware = \"{}\"", given, links_.hardware.every),
-           fmt::format("{}{}, or left out", has_plain ? "at least " : "", thickest));
+               ? fmt::format("{} beside pins of {} in hardware", number(given), length(thickest))
+               : fmt::format("{} beside hardware = \"{}\"", number(given), links_.hardware.every),
+           fmt::format("{}{}, or left out", has_plain ? "at least " : "", number(thickest)));
   }
 
   void check_hardware(const Hardware& hardware) {
     if (hardware.seat >= links_.style.width)
-      refuse("hardware", fmt::format("\"{}\" in links {} mm wide", hardware.name, links_.style.width),
-             fmt::format("links.width_mm above {}", hardware.seat));
+      refuse("hardware", fmt::format("\"{}\" in links {} wide", hardware.name, length(links_.style.width)),
+             fmt::format("{} above {}", named("links.width_mm"), number(hardware.seat)));
     if (hardware.seat_width > links_.style.thickness)
-      refuse("hardware", fmt::format("\"{}\" in links {} mm thick", hardware.name, links_.style.thickness),
-             fmt::format("links.thickness_mm of at least {}", hardware.seat_width));
+      refuse("hardware",
+             fmt::format("\"{}\" in links {} thick", hardware.name, length(links_.style.thickness)),
+             fmt::format("{} of at least {}", named("links.thickness_mm"), number(hardware.seat_width)));
   }
 
   std::string_view width_key() const { return table_.has("sections_mm") ? "sections_mm" : "width_mm"; }
 
   bool fits(double length) const { return links_.shortest <= length && length <= links_.longest; }
   std::string range() const {
-    return fmt::format("{} to {} mm (shortest_mm, longest_mm)", links_.shortest, links_.longest);
+    return fmt::format("{} to {} ({}, {})", number(links_.shortest), length(links_.longest),
+                       named("shortest_mm"), named("longest_mm"));
   }
 
   void check_stock_lengths() {
     const StockLengths& stock_lengths = links_.stock_lengths;
     if (stock_lengths.grid && !stock_lengths.stock.empty())
-      refuse("stock_mm", "it beside grid_mm", "one of grid_mm and stock_mm");
+      refuse("stock_mm", "it beside " + named("grid_mm"),
+             fmt::format("one of {} and {}", named("grid_mm"), named("stock_mm")));
     if (stock_lengths.grid && !fits(longest_multiple(*stock_lengths.grid, links_.longest))) {
-      refuse("grid_mm", fmt::format("{}, of which no multiple is a length allowed", *stock_lengths.grid),
+      refuse("grid_mm",
+             fmt::format("{}, of which no multiple is a length allowed", number(*stock_lengths.grid)),
              "lengths from " + range());
     }
     if (stock_lengths.grid && links_.longest / *stock_lengths.grid > most_grid_lengths) {
-      refuse("grid_mm", fmt::format("{} beside longest_mm = {}", *stock_lengths.grid, links_.longest),
-             fmt::format("at least longest_mm / {:.0f}", most_grid_lengths));
+      refuse("grid_mm",
+             fmt::format("{} beside {} = {}", number(*stock_lengths.grid), named("longest_mm"),
+                         number(links_.longest)),
+             fmt::format("at least {} / {:.0f}", named("longest_mm"), most_grid_lengths));
     }
     if (!stock_lengths.stock.empty() && std::none_of(stock_lengths.stock.begin(), stock_lengths.stock.end(),
                                                      [&](double length) { return fits(length); })) {
@@ -107,8 +119,7 @@ class LinkChecks {
   void check_locked(const StockLengths& stock_lengths) {
     for (std::size_t i = 0; i < LinkLengths::names.size(); ++i) {
       if (!stock_lengths.locked[i] || fits(*stock_lengths.locked[i])) continue;
-      refuse(std::string(LinkLengths::names[i]) + "_mm", fmt::format("{}", *stock_lengths.locked[i]),
-             range());
+      refuse(std::string(LinkLengths::names[i]) + "_mm", number(*stock_lengths.locked[i]), range());
     }
     check_opposite(0, 3);
     check_opposite(1, 2);
@@ -120,13 +131,15 @@ class LinkChecks {
     if (!one || !other || *one == *other) return;
     const auto names = LinkLengths::names;
     refuse(std::string(names[second]) + "_mm",
-           fmt::format("{} beside {}_mm = {}", *other, names[first], *one),
+           fmt::format("{} beside {} = {}", number(*other), named(std::string(names[first]) + "_mm"),
+                       number(*one)),
            fmt::format("{} = {}: opposite sides of the parallelogram", names[second], names[first]));
   }
 
   const LinkSpec& links_;
   const TableView& table_;
   Complaints& complaints_;
+  SpecUnit unit_;
 };
 
 StockLengths read_stock_lengths(const TableView& table) {

@@ -8,14 +8,13 @@
 #include "specs/mirror_words.hpp"
 #include "specs/spec_keys.hpp"
 #include "specs/text/ratio.hpp"
+#include "specs/unit_words.hpp"
 
 namespace kempe {
 namespace {
 
 /// Ratios nearer to 1 than this need links a million times as long as the copy is large.
 constexpr double nearest_to_one = 1e-6;
-
-constexpr const char* ways_to_say_it = "scale and rotation_deg, or pairs_mm";
 
 /// Into (-180, 180], without rounding.
 double within_one_turn(double degrees_given) {
@@ -42,7 +41,7 @@ std::vector<PointPair> read_pairs(const toml::array& list, Complaints& complaint
     if (!pair) {
       complaints.add(line_of(node), "copy.pairs_mm",
                      fmt::format("pair {}: {}", pairs.size() + 1, describe(node)),
-                     describe_allowed(*find_spec_key("copy", "pairs_mm")));
+                     describe_allowed(*find_spec_key("copy", "pairs_mm"), complaints.unit()));
       return {};
     }
     pairs.push_back(*pair);
@@ -111,8 +110,9 @@ CopyReading read_copy(const TableView& table, Complaints& complaints) {
   const bool has_pairs = table.has("pairs_mm");
   const bool has_ratio = table.has("scale") || table.has("rotation_deg");
   if (has_pairs == has_ratio) {
-    complaints.add(table.line(), "copy", has_pairs ? "pairs_mm beside scale or rotation_deg" : "nothing",
-                   ways_to_say_it);
+    const std::string pairs = name_in(complaints.unit(), "pairs_mm");
+    complaints.add(table.line(), "copy", has_pairs ? pairs + " beside scale or rotation_deg" : "nothing",
+                   "scale and rotation_deg, or " + pairs);
     return {};
   }
   CopyReading reading = has_pairs ? read_copy_from_pairs(table, complaints) : read_copy_given(table);

@@ -7,6 +7,7 @@
 #include "geometry/regions/region_checks.hpp"
 #include "geometry/regions/region_growth.hpp"
 #include "specs/spec_keys.hpp"
+#include "specs/unit_words.hpp"
 
 namespace kempe {
 namespace {
@@ -123,14 +124,18 @@ std::optional<std::string_view> exactly_one_of(const TableView& table,
                                                const std::vector<std::string_view>& keys,
                                                Complaints& complaints) {
   std::vector<std::string_view> present;
+  std::vector<std::string> found, allowed;  // as the file names them
   for (const std::string_view key : keys) {
-    if (table.has(key)) present.push_back(key);
+    allowed.push_back(name_in(complaints.unit(), key));
+    if (!table.has(key)) continue;
+    present.push_back(key);
+    found.push_back(allowed.back());
   }
   if (present.size() == 1) return present[0];
   const int line = present.empty() ? table.line() : table.line_of_key(present[1]);
   complaints.add(line, table.path(),
-                 present.empty() ? "none of them" : fmt::format("{}", fmt::join(present, " and ")),
-                 fmt::format("exactly one of {}", fmt::join(keys, ", ")));
+                 present.empty() ? "none of them" : fmt::format("{}", fmt::join(found, " and ")),
+                 fmt::format("exactly one of {}", fmt::join(allowed, ", ")));
   return std::nullopt;
 }
 

@@ -41,10 +41,12 @@ void check_strip(const Spec& spec, const toml::table& root, Complaints& complain
   };
   if (std::any_of(spec.links.sections.begin(), spec.links.sections.end(), fits)) return;
   const TableView limits = table_in(root, "limits");
-  complaints.add(limits.line_of_key("longest_strip_mm"), limits.dotted("longest_strip_mm"),
-                 fmt::format("{}", *spec.limits.longest_strip),
-                 fmt::format("at least {} mm: links.shortest_mm and links.width_mm",
-                             spec.links.shortest + spec.links.style.width));
+  const SpecUnit unit = complaints.unit();
+  complaints.add(
+      limits.line_of_key("longest_strip_mm"), limits.dotted("longest_strip_mm"),
+      number_in(unit, *spec.limits.longest_strip),
+      fmt::format("at least {}: {} and {}", length_in(unit, spec.links.shortest + spec.links.style.width),
+                  name_in(unit, "links.shortest_mm"), name_in(unit, "links.width_mm")));
 }
 
 void check_tolerance(const Spec& spec, const toml::table& root, Complaints& complaints) {
@@ -52,14 +54,16 @@ void check_tolerance(const Spec& spec, const toml::table& root, Complaints& comp
   const bool by_limit = spec.limits.copy_error.has_value();
   const TableView asking = table_in(root, by_limit ? "limits" : "objective");
   const std::string_view key = by_limit ? "copy_error_mm" : "minimize";
+  const std::string length = name_in(complaints.unit(), "length_mm"),
+                    play = name_in(complaints.unit(), "play_mm");
   if (!spec.tolerance) {
     complaints.add(asking.line_of_key(key), asking.dotted(key),
                    "the copy error asked for without [tolerance]",
-                   "it with a table [tolerance]: length_mm, play_mm");
+                   fmt::format("it with a table [tolerance]: {}, {}", length, play));
   } else if (spec.tolerance->length == 0 && spec.tolerance->play == 0) {
     complaints.add(asking.line_of_key(key), asking.dotted(key),
                    "the copy error asked for with all tolerances 0",
-                   "length_mm or play_mm above 0 in [tolerance]");
+                   fmt::format("{} or {} above 0 in [tolerance]", length, play));
   }
 }
 
@@ -68,7 +72,8 @@ void check_robust(const Spec& spec, const toml::table& root, Complaints& complai
   if (spec.tolerance->length > 0 || spec.tolerance->play > 0) return;
   const TableView table = table_in(root, "tolerance");
   complaints.add(table.line_of_key("robust"), table.dotted("robust"), "true with all tolerances 0",
-                 "length_mm or play_mm above 0 beside it");
+                 fmt::format("{} or {} above 0 beside it", name_in(complaints.unit(), "length_mm"),
+                             name_in(complaints.unit(), "play_mm")));
 }
 
 /// The title, if it is a line that a page and a drawing can show.
@@ -95,12 +100,16 @@ void check_robust_surroundings(const Spec& spec, const toml::table& root, Compla
 }
 
 void require_tables(const toml::table& root, Complaints& complaints) {
+  const SpecUnit unit = spec_unit_of(root);
   if (!root.contains("copy") && !is_meant(root, "copy")) {
-    complaints.add(0, "copy", "nothing", "a table [copy] with scale and rotation_deg, or pairs_mm");
+    complaints.add(0, "copy", "nothing",
+                   "a table [copy] with scale and rotation_deg, or " + name_in(unit, "pairs_mm"));
   }
   if (!root.contains("region") && !root.contains("mechanism") && !is_meant(root, "region")) {
-    complaints.add(0, "region", "nothing",
-                   "a table [region] with exactly one of polygon_mm, rectangle_mm, circle_mm, file");
+    complaints.add(
+        0, "region", "nothing",
+        fmt::format("a table [region] with exactly one of {}, {}, {}, file", name_in(unit, "polygon_mm"),
+                    name_in(unit, "rectangle_mm"), name_in(unit, "circle_mm")));
   }
 }
 
@@ -152,7 +161,7 @@ Spec read_tables(const toml::table& root, const std::filesystem::path& folder, C
 void convert(toml::table& root, SpecUnit unit, Complaints& complaints) {
   if (unit == SpecUnit::mm) return;
   to_millimetres(root);
-  complaints.rename_keys([unit](const std::string& key) { return name_in(unit, key); });
+  complaints.state_in(unit, [unit](const std::string& key) { return name_in(unit, key); });
 }
 
 tl::expected<Spec, InputError> read_root(toml::table root, const std::string& file_name,
@@ -185,6 +194,13 @@ tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path)
   const auto text = read_text_file(path);
   if (!text) return tl::unexpected(text.error());
   return read_spec(*text, path.string(), path.parent_path());
+}
+
+SpecUnit unit_of_spec(std::string_view text) {
+  // Without the key's letters it can only be spelt with a backslash.
+  if (text.find("units") == text.npos && text.find('\\') == text.npos) return SpecUnit::mm;
+  const auto root = parse_toml(text, "");
+  return root ? spec_unit_of(*root) : SpecUnit::mm;
 }
 
 std::optional<std::filesystem::path> region_file_of(std::string_view text) {

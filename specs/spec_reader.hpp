@@ -9,6 +9,7 @@
 
 #include "kempe/input_error.hpp"
 #include "specs/spec.hpp"
+#include "specs/spec_keys.hpp"
 
 namespace kempe {
 
@@ -23,6 +24,9 @@ tl::expected<Spec, InputError> read_spec_file(const std::filesystem::path& path)
 /// The same from text. `file_name` is for error messages, region.file is looked for in `folder`.
 tl::expected<Spec, InputError> read_spec(std::string_view text, const std::string& file_name,
                                          const std::filesystem::path& folder);
+
+/// The unit of the lengths in a spec's text; mm if it does not say, or is not TOML.
+SpecUnit unit_of_spec(std::string_view text);
 
 /// The drawing that a spec's text names as region.file; nothing if it names none, or is not TOML.
 std::optional<std::filesystem::path> region_file_of(std::string_view text);

@@ -88,14 +88,6 @@ std::string name_in_mm(std::string_view name, SpecUnit unit) {
   return std::string(name.substr(0, name.size() - 2)) + "mm";
 }
 
-std::string name_in(SpecUnit unit, std::string_view dotted_name) {
-  std::string name(dotted_name);
-  if (unit == SpecUnit::mm) return name;
-  for (std::size_t at = name.find("_mm"); at != std::string::npos; at = name.find("_mm", at + 1))
-    if (at + 3 == name.size() || name[at + 3] == '.') name.replace(at, 3, "_in");
-  return name;
-}
-
 void to_millimetres(toml::table& spec) { convert_keys(spec); }
 
 }  // namespace kempe

@@ -19,6 +19,7 @@
 #include "app/batch/source.hpp"
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
+#include "app/words.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/solvers/parallel.hpp"
@@ -208,9 +209,11 @@ int run_batch(const Session& session, const BatchArguments& arguments) {
   if (!written) return fail(session, written.error().first, written.error().second);
   const nlohmann::ordered_json summary{
       {"specs", written->specs}, {"designs", written->designs}, {"folder", arguments.folder}};
-  print(session.json ? summary.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
-                     : fmt::format("{} specs, {} designs: {}/{}, {}\n", written->specs, written->designs,
-                                   printable(arguments.folder), lines_file, table_file));
+  print(session.json
+            ? summary.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+            : fmt::format("{}, {}: {}/{}, {}\n", counted(static_cast<std::size_t>(written->specs), "spec"),
+                          counted(static_cast<std::size_t>(written->designs), "design"),
+                          printable(arguments.folder), lines_file, table_file));
   return done;
 }
 

@@ -10,6 +10,7 @@
 #include "reports/data/csv_text.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "specs/objective_unit.hpp"
+#include "specs/spec_reader.hpp"
 #include "specs/text/json_text.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/verification/verification.hpp"
@@ -69,6 +70,7 @@ std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   const Spec& spec = read->spec;
   const Deadline deadline(given.time_limit);
   SearchOptions options = given;
+  options.unit = unit_of_spec(read->text);
   options.diagnose = false;  // of thousands of specs: `kempe synthesize` on one of them says why
   const SearchOutcome outcome = synthesize(spec, options);
   const auto* found = std::get_if<FoundDesign>(&outcome);

@@ -8,6 +8,7 @@
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
 #include "app/stopping.hpp"
+#include "app/words.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/linkages/function_equations.hpp"
@@ -38,7 +39,9 @@ std::string lengths_text(const FourBar& bar) {
   std::string text;
   const std::pair<const char*, double> lengths[] = {
       {"ground", bar.ground}, {"input", bar.input}, {"coupler", bar.coupler}, {"output", bar.output}};
-  for (const auto& [label, length] : lengths) text += fmt::format("  {:<8} {:10.3f} mm\n", label, length);
+  const int decimals = decimals_of_size(bar.ground + bar.input + bar.coupler + bar.output);
+  for (const auto& [label, length] : lengths)
+    text += fmt::format("  {:<8} {:10.{}f} mm\n", label, length, decimals);
   return text;
 }
 

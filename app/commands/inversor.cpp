@@ -7,6 +7,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
+#include "app/words.hpp"
 #include "reports/linkages/generated.hpp"
 #include "reports/linkages/generator_answers.hpp"
 #include "specs/text/printable.hpp"
@@ -32,11 +33,13 @@ std::string_view spoken_name(InversorKind kind) {
 std::string text_of(const InversorAnswer& answer) {
   if (!answer.design) return fmt::format("{:<12} none: {}\n", spoken_name(answer.kind), answer.why_not);
   const InversorDesign& design = *answer.design;
-  std::string text = fmt::format("{:<12} size {:.3f} mm, transmission {:.3f} degrees at least\n",
-                                 spoken_name(answer.kind), design.size, degrees(design.transmission_min));
+  std::string text =
+      fmt::format("{:<12} size {:.{}f} mm, transmission {:.3f} degrees at least\n", spoken_name(answer.kind),
+                  design.size, decimals_of_size(design.size), degrees(design.transmission_min));
   for (const InversorLength& length : design.lengths)
-    text += fmt::format("             {} x {:<23} {:10.3f} mm, wrong by 1 mm: image off by {:.3g} mm\n",
-                        length.count, length.name, length.value, length.sensitivity);
+    text += fmt::format("             {} x {:<23} {:10.{}f} mm, wrong by 1 mm: image off by {:.3g} mm\n",
+                        length.count, length.name, length.value, decimals_of_size(design.size),
+                        length.sensitivity);
   if (design.point_share > 0)
     text += fmt::format("             its points at {:.6f} of each bar\n", design.point_share);
   return text;
@@ -46,10 +49,11 @@ std::string text_of(const InversorTask& task, const std::vector<InversorAnswer>&
                     const InversorDesign& best) {
   std::string text = fmt::format("lens         focal length {:.6g} mm, magnification {:.6g} to {:.6g}\n",
                                  task.focal_length, task.magnification_lower, task.magnification_upper);
-  text += fmt::format("smallest     {}: size {:.3f} mm, the sum of all its lengths\n", spoken_name(best.kind),
-                      best.size);
-  text +=
-      fmt::format("travel       object {:.3f} mm, image {:.3f} mm\n", best.travel_object, best.travel_image);
+  const int decimals = decimals_of_size(best.size);
+  text += fmt::format("smallest     {}: size {:.{}f} mm, the sum of all its lengths\n",
+                      spoken_name(best.kind), best.size, decimals);
+  text += fmt::format("travel       object {1:.{0}f} mm, image {2:.{0}f} mm\n", decimals, best.travel_object,
+                      best.travel_image);
   for (const InversorAnswer& answer : answers) text += text_of(answer);
   return text;
 }

@@ -16,6 +16,7 @@
 #include "app/output_check.hpp"
 #include "app/progress.hpp"
 #include "app/stopping.hpp"
+#include "app/words.hpp"
 #include "reports/front_folder.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/design/assemble.hpp"
@@ -61,16 +62,16 @@ tl::expected<FrontFolder, std::string> draft_front(const std::vector<ParetoPoint
 std::string fewer_points(std::size_t found, int asked, bool complete) {
   if (!complete || found >= static_cast<std::size_t>(asked)) return "";
   return fmt::format(
-      "{} searches gave {} different designs that no other beats in both: the rest gave the same again, or "
-      "worse ones",
-      asked, found);
+      "{} searches gave {} that no other beats in both: the rest gave the same again, or worse ones", asked,
+      counted(found, "different design"));
 }
 
 /// The two figures of every point; front.csv has all digits, and lengths and pole.
 std::string summary_text(const ParetoFront& front, int asked, bool complete, const std::string& folder) {
-  std::string text = fmt::format("{}front        {} designs: {} in {}, {} in {}\n",
-                                 complete ? "" : "STOPPED EARLY: the front so far\n", front.rows.size(),
-                                 front.first_name, front.first_unit, front.second_name, front.second_unit);
+  std::string text =
+      fmt::format("{}front        {}: {} in {}, {} in {}\n",
+                  complete ? "" : "STOPPED EARLY: the front so far\n", counted(front.rows.size(), "design"),
+                  front.first_name, front.first_unit, front.second_name, front.second_unit);
   for (const ParetoRow& row : front.rows)
     text += fmt::format("  {} {:14.6g} {:14.6g}\n", row.name, row.first, row.second);
   if (const std::string why = fewer_points(front.rows.size(), asked, complete); !why.empty())
@@ -92,7 +93,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
                  "two of size, transmission, copy_error, footprint, load_error, mass, as size,copy_error"});
   if (auto fault = front_fault(loaded->spec, *first, *second)) {
     fault->file = loaded->file;
-    return fail(session, *fault);
+    return fail(session, as_in_file(*fault, loaded->unit()));
   }
   const Stopping stopping(deadline);
   tl::expected<std::vector<ParetoPoint>, NoDesign> front;
@@ -100,6 +101,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
     Progress progress(session.quiet);
     SearchOptions options;
     options.seed = arguments.seed;
+    options.unit = loaded->unit();
     options.threads = arguments.threads;
     options.time_limit = stopping.left();
     options.stop = stopping.flag();
@@ -107,7 +109,7 @@ int run(const Session& session, const ParetoArguments& arguments) {
     front = pareto_front(loaded->spec, *first, *second, arguments.points, options);
   }
   bool complete = !stopping.flag()();
-  if (!front) return tell_no_design(session, front.error());
+  if (!front) return tell_no_design(session, front.error(), loaded->unit());
   if (front->empty() && !complete)
     return tell_stopped(session, stopping, "before a point of the front was found; nothing is written");
   if (front->empty()) return fail_unproven(session, none_found);

@@ -9,6 +9,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
+#include "app/words.hpp"
 #include "geometry/fixed_text.hpp"
 #include "reports/linkages/generated.hpp"
 #include "reports/linkages/path_answers.hpp"
@@ -61,10 +62,11 @@ std::string copy_text(const CopiesOfAnswers& copies, std::size_t k) {
 std::string text_of(const PoseTask& task, const PoseSearch& search, const CopiesOfAnswers& copies) {
   std::string text = fmt::format("poses        {}, each taken exactly\n", task.poses.size());
   text += fmt::format(
-      "searched     {} dyads within the limits, {} four-bars of them; {} with poses on two branches or in "
+      "searched     {} within the limits, {} of them; {} with poses on two branches or in "
       "another order, {} "
       "against a limit\n",
-      search.dyads.size(), search.linkages, search.defective, search.limited);
+      counted(search.dyads.size(), "dyad"), counted(search.linkages, "four-bar"), search.defective,
+      search.limited);
   if (task.poses.size() == 5) {
     text += "dyads        centre, circle point in the coupler's frame, length\n";
     for (const Dyad& dyad : burmester_dyads(task.poses))

@@ -11,6 +11,7 @@
 #include "app/all_commands.hpp"
 #include "app/linkage_run.hpp"
 #include "app/output_check.hpp"
+#include "app/words.hpp"
 #include "reports/linkages/forces.hpp"
 #include "reports/linkages/loop_equations.hpp"
 #include "reports/linkages/solve_table.hpp"
@@ -115,7 +116,7 @@ Json summary_json(const LoadedLinkage& loaded, const SolveTable& table, const Pl
 
 /// Where the table is and what its forces come to.
 void tell_summary(const SolveArguments& arguments, const LoadedLinkage& loaded, const SolveTable& table) {
-  print(fmt::format("{}: {} positions in {}\n", loaded.file.name, table.rows.size(),
+  print(fmt::format("{}: {} in {}\n", loaded.file.name, counted(table.rows.size(), "position"),
                     printable(arguments.table_file)));
   for (const std::string& sentence : force_sentences(loaded.file, loaded.model, table))
     print(sentence + "\n");

@@ -15,6 +15,7 @@
 #include "app/progress.hpp"
 #include "app/stopping.hpp"
 #include "app/studio_page.hpp"
+#include "app/words.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
 
@@ -36,7 +37,7 @@ std::string known_bound(Objective objective, const std::optional<double>& bound)
   if (!bound || !std::isfinite(*bound)) return "";
   if (objective == Objective::transmission)
     return fmt::format("; none is larger than {:.4f} degrees", degrees(*bound));
-  return fmt::format("; none is smaller than {:.4f} mm", *bound);
+  return fmt::format("; none is smaller than {} mm", shown(*bound, 4));
 }
 
 int run(const Session& session, const SynthesizeArguments& arguments) {
@@ -55,6 +56,7 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
     Progress progress(session.quiet);
     SearchOptions options;
     options.seed = arguments.seed;
+    options.unit = loaded->unit();
     options.threads = arguments.threads;
     options.time_limit = stopping.left();
     options.stop = stopping.flag();
@@ -69,7 +71,7 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
                         early->proven_bound);
   const StopFlag to_map = stopping.flag(time_to_map(stopping.limit()));
   if (const auto* none = std::get_if<NoDesign>(&outcome))
-    return tell_no_design(session, *none, ProofFolder{*loaded, arguments.folder, to_map});
+    return tell_no_design(session, *none, loaded->unit(), ProofFolder{*loaded, arguments.folder, to_map});
   const auto& found = std::get<FoundDesign>(outcome);
   auto design =
       certified_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map});

@@ -7,6 +7,7 @@
 
 #include "app/all_commands.hpp"
 #include "app/output_check.hpp"
+#include "app/words.hpp"
 #include "geometry/regions/region_checks.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "reports/drawings/copied_drawing.hpp"
@@ -28,9 +29,6 @@ tl::expected<StoredDesign, InputError> load_design(const std::string& file) {
   return read_text_file(file).and_then([&](const std::string& text) { return read_design(text, file); });
 }
 
-/// "1 line", "2 lines"
-std::string lines(std::size_t count) { return fmt::format("{} line{}", count, count == 1 ? "" : "s"); }
-
 std::string hand_lines(const Trace& trace) {
   const HandForces forces = hand_forces(trace);
   std::string text;
@@ -38,25 +36,26 @@ std::string hand_lines(const Trace& trace) {
     text = fmt::format("hand         {:.3g} to {:.3g} N at the tracer, friction included\n", forces.least,
                        forces.most);
   if (forces.dead_points > 0)
-    text += fmt::format("dead points  {} positions where no force of the hand holds the pen\n",
-                        forces.dead_points);
+    text += fmt::format("dead points  {} where no force of the hand holds the pen\n",
+                        counted(forces.dead_points, "position"));
   return text;
 }
 
 std::string summary_text(const DrawingCopy& copy, const TraceArguments& arguments) {
   const auto& [drawing, trace, work] = copy;
-  std::string text =
-      fmt::format("drawn        {}, from {} in the drawing: {:.1f} mm of the original\n",
-                  lines(trace.drawn.size()), lines(drawing.strokes.size()), trace.drawn_length);
+  std::string text = fmt::format("drawn        {}, from {} in the drawing: {} mm of the original\n",
+                                 counted(trace.drawn.size(), "line"), counted(drawing.strokes.size(), "line"),
+                                 shown(trace.drawn_length, 1));
   text += fmt::format("poses        {}, the pen at most {:.2g} mm from the exact image{}\n",
                       trace.poses_tried - trace.poses_missed, trace.departure,
                       arguments.options.load ? " under the load" : "");
   if (arguments.options.load && trace.without_layers > 0)
-    text += fmt::format("layers       not counted at {} places, where their equations lose their digits\n",
-                        trace.without_layers);
+    text += fmt::format("layers       not counted at {}, where their equations lose their digits\n",
+                        counted(trace.without_layers, "place"));
   if (trace.poses_missed > 0)
-    text += fmt::format("left out     {}, {} positions, {:.1f} mm: {}\n", lines(trace.missing.size()),
-                        trace.poses_missed, trace.missing_length, causes(trace));
+    text +=
+        fmt::format("left out     {}, {}, {} mm: {}\n", counted(trace.missing.size(), "line"),
+                    counted(trace.poses_missed, "position"), shown(trace.missing_length, 1), causes(trace));
   if (!drawing.remark().empty()) text += "remark       " + drawing.remark() + "\n";
   text += hand_lines(trace);
   return text + "written      " + printable(arguments.copy) +
@@ -94,10 +93,11 @@ int run(const Session& session, TraceArguments arguments) {
     return fail(session, cannot_write, written.error());
   answer(session, summary_text(*copy, arguments), drawing_copy_json(*copy, options, arguments.copy));
   if (copy->trace.poses_missed == 0) return done;
-  return fail_told(verification_failed,
-                   fmt::format("{}: {} positions cannot be reached and are left out ({}); they are red in {}",
-                               printable(arguments.drawing), copy->trace.poses_missed, causes(copy->trace),
-                               printable(arguments.copy)));
+  return fail_told(
+      verification_failed,
+      fmt::format("{}: {} cannot be reached and {} left out ({}), red in {}", printable(arguments.drawing),
+                  counted(copy->trace.poses_missed, "position"), copy->trace.poses_missed == 1 ? "is" : "are",
+                  causes(copy->trace), printable(arguments.copy)));
 }
 
 CLI::Validator number_in(const OptionRange& range) { return number_between(range.lowest, range.highest); }

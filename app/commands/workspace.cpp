@@ -61,8 +61,9 @@ int run(const Session& session, const WorkspaceArguments& arguments) {
   const auto studio = studio_page_if(arguments.studio, *loaded);
   if (!studio) return fail(session, failed, studio.error());
   const auto linkage = given_linkage(loaded->spec, loaded->file);
-  if (!linkage) return fail(session, linkage.error());
-  if (const auto none = pole_blocked(loaded->spec)) return tell_no_design(session, *none);
+  const SpecUnit unit = loaded->unit();
+  if (!linkage) return fail(session, as_in_file(linkage.error(), unit));
+  if (const auto none = pole_blocked(loaded->spec, unit)) return tell_no_design(session, *none, unit);
   const Stopping stopping(deadline);
   Design design = assemble_given(loaded->spec, *linkage,
                                  {.map_tolerance = arguments.map_tolerance, .stop = stopping.flag()});

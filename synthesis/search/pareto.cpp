@@ -91,7 +91,7 @@ Front front_here(const Spec& spec, const Point& origin, Objective a, Objective b
 
 /// Of bounds and proofs what claim_no_more() leaves. Of one section.
 Front front_of(const Spec& spec, Objective a, Objective b, int points, const SearchOptions& options) {
-  if (auto none = plainly_impossible(spec)) return tl::unexpected(*std::move(none));
+  if (auto none = plainly_impossible(spec, options.unit)) return tl::unexpected(*std::move(none));
   const Point origin = local_origin(spec);
   if (origin.isZero(0)) return front_here(spec, origin, a, b, points, options);
   Front front = front_here(shifted(spec, -origin), origin, a, b, points, options);
@@ -133,7 +133,7 @@ Front front_of_sections(const Spec& spec, Objective a, Objective b, int points,
   }
   if (any_front || !none) return undominated(std::move(all), a, b);
   none->proven = proven;
-  none->sentence = of_no_section(spec, none->sentence);
+  none->sentence = of_no_section(spec, options.unit, none->sentence);
   return tl::unexpected(*std::move(none));
 }
 

@@ -12,6 +12,7 @@
 
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/best/improve.hpp"
+#include "synthesis/search/diagnosis/relaxation_words.hpp"
 #include "synthesis/search/steps/slack.hpp"
 #include "synthesis/tolerance/robust.hpp"
 
@@ -129,14 +130,16 @@ std::optional<Relaxation> closer_tolerances(const SearchTask& task, const FoundD
     evaluations += search.evaluations();
     if (!search.best()) continue;
     const Tolerance& asked = *task.spec().tolerance;
-    return Relaxation{
-        .key = asked.length > 0 ? "tolerance.length_mm" : "tolerance.play_mm",
-        .demanded = asked.length > 0 ? asked.length : asked.play,
-        .possible = asked.length > 0 ? spec.tolerance->length : spec.tolerance->play,
-        .sentence =
-            fmt::format("length_mm = {:.6g} and play_mm = {:.6g} are in the way; {:.6g} and {:.6g} would do",
-                        asked.length, asked.play, spec.tolerance->length, spec.tolerance->play),
-        .design = *search.best()};
+    const SpecUnit unit = task.control.options().unit;
+    return Relaxation{.key = asked.length > 0 ? "tolerance.length_mm" : "tolerance.play_mm",
+                      .demanded = asked.length > 0 ? asked.length : asked.play,
+                      .possible = asked.length > 0 ? spec.tolerance->length : spec.tolerance->play,
+                      .sentence = fmt::format("{} = {} and {} = {} are in the way; {} and {} would do",
+                                              name_in(unit, "length_mm"), six_digits(asked.length, unit),
+                                              name_in(unit, "play_mm"), six_digits(asked.play, unit),
+                                              six_digits(spec.tolerance->length, unit),
+                                              six_digits(spec.tolerance->play, unit)),
+                      .design = *search.best()};
   }
   return std::nullopt;
 }

@@ -79,7 +79,7 @@ namespace {
 /// Of a spec with one section.
 SearchOutcome synthesize_with_its_section(const Spec& spec, const SearchOptions& options) {
   const JointHardware& hardware = spec.links.hardware;
-  if (auto none = plainly_impossible(spec))
+  if (auto none = plainly_impossible(spec, options.unit))
     return claiming_no_more(diagnosed(spec, *std::move(none), options), hardware);
   const Point origin = local_origin(spec);
   if (origin.isZero(0)) return claiming_no_more(synthesize_here(spec, origin, options), hardware);

@@ -16,10 +16,10 @@ Spec with_section(Spec spec, const LinkSection& section) {
   return spec;
 }
 
-std::string of_no_section(const Spec& spec, const std::string& sentence) {
+std::string of_no_section(const Spec& spec, SpecUnit unit, const std::string& sentence) {
   const LinkSection& last = spec.links.sections.back();
-  return fmt::format("with none of the {} sections; with {:g} x {:g} mm: {}", spec.links.sections.size(),
-                     last.width, last.thickness, sentence);
+  return fmt::format("with none of the {} sections; with {:g} x {:g} {}: {}", spec.links.sections.size(),
+                     last.width / in_mm(unit), last.thickness / in_mm(unit), name(unit), sentence);
 }
 
 namespace {
@@ -85,7 +85,7 @@ SearchOutcome best_of_sections(
   if (!complete) return Stopped{evaluations, std::nullopt};
   auto& none = std::get<NoDesign>(*without);
   none.proven = proven;
-  none.sentence = of_no_section(spec, none.sentence);
+  none.sentence = of_no_section(spec, options.unit, none.sentence);
   return *std::move(without);
 }
 

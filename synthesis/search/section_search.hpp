@@ -13,7 +13,7 @@ namespace kempe {
 /// The spec with this section alone.
 Spec with_section(Spec spec, const LinkSection& section);
 /// A sentence about the last of several sections, as one that says that no other has a design either.
-std::string of_no_section(const Spec& spec, const std::string& sentence);
+std::string of_no_section(const Spec& spec, SpecUnit unit, const std::string& sentence);
 
 /// The best design with any of LinkSpec::sections (two or more): `search` is run for each, the lightest first, with an equal share of the
 /// time that is left. Of designs that are equally good the lighter one comes back. No bound is stated: each section's own bound says nothing

@@ -413,6 +413,70 @@ minimize = "footprint"
 """
 
 
+class Inches(Case):
+    """What a file in inches is told can be typed into it."""
+    TEXT = ('units = "in"\n[copy]\nscale = 2\n[region]\nrectangle_in = [8, 0, 4, 6]\n[links]\nwidth_in = 0.75\n'
+            "pin_diameter_in = 0.25\n")
+
+    def assertToldInInches(self, run):
+        self.assertIn(run.returncode, (3, 6), run.stderr)
+        self.assertNotRegex(run.stderr, "_mm|[0-9)] mm")
+
+    def test_a_value_that_would_do_is_one_of_the_file(self):
+        for table, key, value in (("links", "longest_in", "5"), ("limits", "sheets_gap_in", "9")):
+
+            def spec(number):
+                line = f"{key} = {number}\n"
+                return self.TEXT + (line if table == "links" else f"[{table}]\n" + line)
+
+            run = self.synthesize(spec(value))
+            self.assertToldInInches(run)
+            enough = re.search(rf"{table}\.{key} = {value} is in the way; ([0-9.]+) would do.*: VA = [0-9.]+ in, VB", run.stderr)
+            self.assertTrue(enough, run.stderr)
+            self.assertEqual(self.synthesize(spec(enough[1])).returncode, 0, enough[1])
+
+    def test_a_place_that_would_do_is_one_of_the_file(self):
+        def spec(place):
+            return self.TEXT + f"[pole]\nat_in = [{place}]\n"
+
+        run = self.synthesize(spec("10, 3"))
+        self.assertToldInInches(run)
+        self.assertIn("the pole at (10, 3) in stands inside the region", run.stderr)
+        place = re.search(r"pole.at_in is in the way; the pole at \((.*?)\) in would do", run.stderr)
+        self.assertTrue(place, run.stderr)
+        self.assertEqual(self.synthesize(spec(place[1])).returncode, 0, place[1])
+
+    def test_holes_too_near_are_told_in_inches(self):
+        run = self.synthesize(self.TEXT + "shortest_in = 0.3\nVA_in = 0.5\nwall_in = 0.4\n")
+        self.assertToldInInches(run)
+        words = ("links.wall_in = 0.4 is in the way: two holes of 0.25 in with a wall of 0.4 in between them stand 0.65 in apart, "
+                 "and links.VA_in leaves them 0.5 in; 0.25 would fit")
+        self.assertIn(words, run.stderr)
+
+    def test_programs_read_the_same_keys_as_ever(self):
+        run = self.synthesize(self.TEXT + "longest_in = 5\n", "--json")
+        said = json.loads(run.stdout)
+        self.assertEqual(said["requirement"], "links.longest_mm")
+        self.assertEqual(said["relaxations"][0]["key"], "links.longest_mm")
+        self.assertGreater(said["relaxations"][0]["VA_mm"], 127)
+        self.assertIn("links.longest_in = 5 is in the way", said["sentence"])
+
+    def test_a_mechanism_is_told_of_keys_of_the_file(self):
+        mechanism = '[mechanism]\nvertex = "pole"\nVA_in = 5\nVB_in = 5\nassembly = 0\n'
+        out = self.scratch / "out"
+        self.assertRefused(kempe("workspace", self.spec(self.TEXT), "-o", out), 2, "with vertex, VA_in, VB_in")
+        free = self.TEXT + "[pole]\nwithin_in = [[0, 0], [1, 0], [0, 1]]\n" + mechanism
+        self.assertRefused(kempe("workspace", self.spec(free), "-o", out), 2, "pole.within_in", "at_in:")
+        under = self.TEXT + mechanism + "[[obstacles]]\ncircle_in = [0, 0, 1]\n"
+        self.assertRefused(kempe("workspace", self.spec(under), "-o", out), 3, "the pole at (0, 0) in")
+
+    def test_the_summary_names_keys_of_the_file(self):
+        run = self.synthesize(self.TEXT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("cutting.hole_fit_in gives", run.stdout)
+        self.assertNotIn("hole_fit_mm", run.stdout)
+
+
 class TimeLimits(Case):
     def test_stopped_before_an_answer_is_exit_6(self):
         self.assertRefused(self.synthesize(LONG_SEARCH, "--time-limit", "0.001"), 6, "stopped (time limit of 0.001 s)")

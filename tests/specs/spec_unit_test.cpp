@@ -68,6 +68,65 @@ TEST(Inches, KeepTheLinesOfTheirFaults) {
   EXPECT_EQ(told, expected) << spec.error().messages();
 }
 
+/// "found; allowed" of the faults of a spec in inches, a line each.
+std::string told_of(const std::string& tables) {
+  const auto spec = read_spec("units = \"in\"\n" + tables, "spec.toml", ".");
+  if (spec) return "nothing";
+  std::string text = spec.error().found + "; " + spec.error().allowed + "\n";
+  for (const InputError& other : spec.error().others) text += other.found + "; " + other.allowed + "\n";
+  return text;
+}
+
+TEST(Inches, StandInEveryFaultWithTheKeysOfTheFile) {
+  const std::string copy = "[copy]\nscale = 2\n", region = "[region]\nrectangle_in = [8, 0, 4, 6]\n";
+  const auto links = [&](const std::string& keys) { return told_of(copy + region + "[links]\n" + keys); };
+  const std::string range = "2.3 to 10 in (shortest_in, longest_in)",
+                    joints = "shortest_in = 2.3\nlongest_in = 10\n";
+  EXPECT_EQ(links(joints + "VA_in = 30\n"), "30; " + range + "\n");
+  EXPECT_EQ(links(joints + "grid_in = 12.7\n"),
+            "12.7, of which no multiple is a length allowed; lengths from " + range + "\n");
+  EXPECT_EQ(links(joints + "grid_in = 4e-5\n"),
+            "4e-05 beside longest_in = 10; at least longest_in / 100000\n");
+  EXPECT_EQ(links(joints + "stock_in = [0.1, 11]\n"),
+            "no length that is allowed; at least one length from " + range + "\n");
+  EXPECT_EQ(links(joints + "stock_in = [4]\ngrid_in = 1\n"),
+            "it beside grid_in; one of grid_in and stock_in\n");
+  EXPECT_EQ(links(joints + "VA_in = 4\nCY_in = 3\n"), "nothing") << "no parallelogram's sides";
+  EXPECT_EQ(links(joints + "VA_in = 4\nBC_in = 4.7\n"),
+            "4.7 beside VA_in = 4; BC = VA: opposite sides of the parallelogram\n");
+  EXPECT_EQ(links("shortest_in = 2.3\nlongest_in = 1.1\n"),
+            "shortest_in 2.3 above longest_in 1.1; shortest_in <= longest_in\n");
+  EXPECT_EQ(links("width_in = 0.7\npin_diameter_in = 0.9\n"),
+            "a pin of 0.9 in in a link 0.7 in wide; pin_diameter_in <= width_in\n");
+  EXPECT_EQ(links("width_in = 0.7\nsections_in = [[0.7, 0.2]]\n"), "it beside sections_in; one of the two\n");
+  EXPECT_EQ(links("width_in = 0.2\nhardware = \"608 bearing\"\n"),
+            "a pin of 0.31496062992125984 in in a link 0.2 in wide; pin_diameter_in <= width_in\n"
+            "\"608 bearing\" in links 0.2 in wide; links.width_in above 0.8661417322834646\n"
+            "\"608 bearing\" in links 0.15748031496062992 in thick; links.thickness_in of at least "
+            "0.2755905511811024\n");
+  EXPECT_EQ(told_of(copy + region +
+                    "[links]\nshortest_in = 2\nwidth_in = 0.75\n[limits]\nlongest_strip_in = 2.5\n"),
+            "2.5; at least 2.75 in: links.shortest_in and links.width_in\n");
+  EXPECT_EQ(
+      told_of(copy + region + "[limits]\ncopy_error_in = 0.1\n"),
+      "the copy error asked for without [tolerance]; it with a table [tolerance]: length_in, play_in\n");
+  EXPECT_EQ(told_of(copy + region + "[tolerance]\nlength_in = 0\nrobust = true\n"),
+            "true with all tolerances 0; length_in or play_in above 0 beside it\n");
+  EXPECT_EQ(told_of(copy + region + "[pole]\nat_in = [1, 2]\nwithin_in = [[0, 0], [1, 0], [0, 1]]\n"),
+            "at_in and within_in; exactly one of at_in, within_in\n");
+  EXPECT_EQ(told_of("[copy]\n" + region), "nothing; scale and rotation_deg, or pairs_in\n");
+  EXPECT_EQ(told_of(copy),
+            "nothing; a table [region] with exactly one of polygon_in, rectangle_in, circle_in, file\n");
+}
+
+TEST(Inches, NameTheKeysOfASentenceAndNothingElse) {
+  const std::string sentence =
+      "hole_fit_mm of 2 mm (links.pin_diameter_mm), VA_mm; not area_mm2, my_mm or 3 mm.";
+  EXPECT_EQ(keys_in(SpecUnit::mm, sentence), sentence);
+  EXPECT_EQ(keys_in(SpecUnit::inch, sentence),
+            "hole_fit_in of 2 mm (links.pin_diameter_in), VA_in; not area_mm2, my_mm or 3 mm.");
+}
+
 TEST(ShortForms, MeanTheSameAsTheLongOnes) {
   const std::string head = "[copy]\nrotation_deg = 90\n",
                     region = "[region]\ncircle_mm = {centre = [60, -3.5], radius = 4}\n";

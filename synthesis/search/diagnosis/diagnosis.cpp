@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "specs/unit_words.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/search/diagnosis/relaxations.hpp"
 #include "synthesis/search/steps/slack.hpp"
@@ -65,8 +66,9 @@ void take_answers(const Questions& questions, NoDesign& none) {
 std::string in_vain(const NoDesign& none, const Questions& questions) {
   if (!none.diagnosed) return "; the diagnosis ended before it was known which limit to relax";
   if (questions.noted().empty()) return "";
-  return fmt::format("; none was found with one of these alone relaxed: {}",
-                     fmt::join(questions.noted(), ", "));
+  std::vector<std::string> keys;
+  for (const std::string& key : questions.noted()) keys.push_back(name_in(questions.unit(), key));
+  return fmt::format("; none was found with one of these alone relaxed: {}", fmt::join(keys, ", "));
 }
 
 }  // namespace

@@ -26,10 +26,16 @@ double possible_value(const MovableLimit& limit, double demanded, double attaine
   return at_least ? std::max(value, limit.loosest) : std::min(value, limit.loosest);
 }
 
-std::string sentence_of(const MovableLimit& limit, double demanded, double possible) {
+MovableLimit stated_in(SpecUnit unit, MovableLimit limit) {
+  if (limit.goal != Goal::transmission) limit.unit *= in_mm(unit);
+  return limit;
+}
+
+std::string sentence_of(const MovableLimit& limit, double demanded, double possible, SpecUnit unit) {
   if (limit.goal == Goal::pole_margin)
-    return fmt::format("{} is in the way; the pole {:.6g} mm outside it would do", limit.key, possible);
-  return would_do(limit.key, demanded / limit.unit, possible / limit.unit);
+    return fmt::format("{} is in the way; the pole {} {} outside it would do", name_in(unit, limit.key),
+                       six_digits(possible, unit), name(unit));
+  return would_do(name_in(unit, limit.key), demanded / limit.unit, possible / limit.unit);
 }
 
 }  // namespace kempe

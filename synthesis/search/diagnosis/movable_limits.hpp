@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "specs/spec_keys.hpp"
 #include "synthesis/problem/requirements.hpp"
 
 namespace kempe {
@@ -33,7 +34,10 @@ std::optional<double> value_of(const Requirements& limits, const Spec& spec, Goa
 /// unit; never past the loosest.
 double possible_value(const MovableLimit& limit, double demanded, double attained);
 
-/// "limits.transmission_deg = 30 is in the way; 27.4 would do"
-std::string sentence_of(const MovableLimit& limit, double demanded, double possible);
+/// The same limit where the spec's file has lengths in that unit; its key is named as ever.
+MovableLimit stated_in(SpecUnit unit, MovableLimit limit);
+
+/// "limits.transmission_deg = 30 is in the way; 27.4 would do"; of a limit stated in that unit.
+std::string sentence_of(const MovableLimit& limit, double demanded, double possible, SpecUnit unit);
 
 }  // namespace kempe

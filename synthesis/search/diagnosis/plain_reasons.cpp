@@ -47,40 +47,41 @@ MostLength least_most_length(const Spec& spec) {
 }
 
 /// Holes that need more than the stock lengths.
-std::optional<NoDesign> holes_too_near(const Spec& spec) {
+std::optional<NoDesign> holes_too_near(const Spec& spec, SpecUnit unit) {
   const MostLength most = least_most_length(spec);
   if (hole_distance(spec) <= most.length * (1 + slack::hole_rounding)) return std::nullopt;
   const double room = most.length - joint_width(spec), pin = pin_for_hole_distance(spec, most.length);
   const bool by_wall = spec.links.wall && room > slack::least_wall_share * joint_width(spec);
+  const std::string leave = fmt::format("{}, and {} leaves them {} {}", holes_sentence(spec, unit),
+                                        name_in(unit, most.key), six_digits(most.length, unit), name(unit));
   if (!by_wall && !spec.links.hardware.none())
-    return impossible("links.hardware",
-                      fmt::format("links.hardware = \"{}\" is in the way: {}, and {} leaves them {:.6g} mm",
-                                  words(spec.links.hardware), holes_sentence(spec), most.key, most.length));
+    return impossible("links.hardware", fmt::format("links.hardware = \"{}\" is in the way: {}",
+                                                    words(spec.links.hardware), leave));
   const std::string key = by_wall ? "links.wall_mm" : "links.pin_diameter_mm";
-  std::string sentence = fmt::format("{} = {:.6g} is in the way: {}, and {} leaves them {:.6g} mm", key,
-                                     by_wall ? *spec.links.wall : spec.links.style.pin_diameter,
-                                     holes_sentence(spec), most.key, most.length);
+  std::string sentence =
+      fmt::format("{} = {} is in the way: {}", name_in(unit, key),
+                  six_digits(by_wall ? *spec.links.wall : spec.links.style.pin_diameter, unit), leave);
   if (const double enough = by_wall ? room : pin; enough > 0)
-    sentence += fmt::format("; {:.6g} would fit", rounded_down(enough));
+    sentence += fmt::format("; {} would fit", six_digits(rounded_down(enough, unit), unit));
   return impossible(key, std::move(sentence));
 }
 
 /// An obstacle whose distance from the pole is less than its post and clearance need, by more than rounding.
-std::optional<NoDesign> pole_under_obstacle(const Spec& spec, const Point& pole) {
+std::optional<NoDesign> pole_under_obstacle(const Spec& spec, const Point& pole, SpecUnit unit) {
   const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
   const double rounding = slack::place_rounding * (needed + pole.norm());
   for (const Obstacle& obstacle : spec.obstacles)
     if (obstacle.lowest_layer == 1 && distance(Region{{obstacle.shape}}, pole) < needed - rounding)
       return impossible(
           "obstacles",
-          fmt::format("{} stands over the pole at {} mm, or within its clearance; the pole or the "
-                      "obstacle must move",
-                      obstacle.name, place_text(pole)));
+          fmt::format("{} stands over the pole at {}, or within its clearance; the pole or the obstacle "
+                      "must move",
+                      obstacle.name, place_text(pole, unit)));
   return std::nullopt;
 }
 
 /// A pole that does not stand on the table, its post and clearance included, by more than rounding.
-std::optional<NoDesign> pole_off_table(const Spec& spec, const Point& pole) {
+std::optional<NoDesign> pole_off_table(const Spec& spec, const Point& pole, SpecUnit unit) {
   if (!spec.table) return std::nullopt;
   const double needed = spec.links.style.pin_diameter / 2 + spec.limits.clearance;
   const double rounding = slack::place_rounding * (needed + pole.norm());
@@ -88,54 +89,55 @@ std::optional<NoDesign> pole_off_table(const Spec& spec, const Point& pole) {
       contains(Region{{*spec.table}}, pole))
     return std::nullopt;
   return impossible("table",
-                    fmt::format("the pole at {} mm stands off the table, or nearer to its edge than post and "
+                    fmt::format("the pole at {} stands off the table, or nearer to its edge than post and "
                                 "clearance need; the pole or the table must move",
-                                place_text(pole)));
+                                place_text(pole, unit)));
 }
 
 /// Original and copy as the pole alone places them: by places of the region that come too near (bound/copy_gap.hpp).
-std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole) {
+std::optional<NoDesign> copy_too_near(const Spec& spec, const Point& pole, SpecUnit unit) {
   if (!spec.limits.copy_gap || spec.region.empty()) return std::nullopt;
   const RegionReach region(spec.region);
   if (bounding::CopyGap(spec, region).verdict(pole, 0) != bounding::CopyGap::Verdict::too_near)
     return std::nullopt;
   const auto nearest = nearest_places(spec.region, similar_image(spec.region, spec.copy.k(), pole));
   const double apart = nearest ? nearest->distance : 0;
+  const std::string key = "limits.sheets_gap_mm";
   return impossible(
-      "limits.sheets_gap_mm",
-      fmt::format(
-          "limits.sheets_gap_mm = {:.6g} is in the way: with the pole at {} mm the copy {}, whatever the "
-          "links are; the pole must move (or be free), or limits.sheets_gap_mm must be {}",
-          *spec.limits.copy_gap, place_text(pole),
-          apart > 0 ? fmt::format("lies {:.6g} mm from the original", apart) : "overlaps the original",
-          apart > 0 ? "less or left out" : "left out"));
+      key,
+      fmt::format("{0} = {1} is in the way: with the pole at {2} the copy {3}, whatever the links are; "
+                  "the pole must move (or be free), or {0} must be {4}",
+                  name_in(unit, key), six_digits(*spec.limits.copy_gap, unit), place_text(pole, unit),
+                  apart > 0 ? fmt::format("lies {} {} from the original", six_digits(apart, unit), name(unit))
+                            : "overlaps the original",
+                  apart > 0 ? "less or left out" : "left out"));
 }
 
-std::optional<NoDesign> pole_impossible(const Spec& spec) {
+std::optional<NoDesign> pole_impossible(const Spec& spec, SpecUnit unit) {
   if (!spec.pole.is_fixed()) return std::nullopt;
   const Point& pole = std::get<Point>(spec.pole.place);
   if (contains(spec.region, pole))
     return impossible(
         "pole.at_mm",
-        fmt::format("the pole at {} mm stands inside the region, where no linkage brings its tracer "
-                    "to the pole; it must move out of the region (or be free)",
-                    place_text(pole)));
-  if (auto none = pole_blocked(spec)) return none;
-  return copy_too_near(spec, pole);
+        fmt::format("the pole at {} stands inside the region, where no linkage brings its tracer to the "
+                    "pole; it must move out of the region (or be free)",
+                    place_text(pole, unit)));
+  if (auto none = pole_blocked(spec, unit)) return none;
+  return copy_too_near(spec, pole, unit);
 }
 
 }  // namespace
 
-std::optional<NoDesign> pole_blocked(const Spec& spec) {
+std::optional<NoDesign> pole_blocked(const Spec& spec, SpecUnit unit) {
   if (!spec.pole.is_fixed()) return std::nullopt;
   const Point& pole = std::get<Point>(spec.pole.place);
-  if (auto none = pole_under_obstacle(spec, pole)) return none;
-  return pole_off_table(spec, pole);
+  if (auto none = pole_under_obstacle(spec, pole, unit)) return none;
+  return pole_off_table(spec, pole, unit);
 }
 
-std::optional<NoDesign> plainly_impossible(const Spec& spec) {
-  if (auto none = pole_impossible(spec)) return none;
-  return holes_too_near(spec);
+std::optional<NoDesign> plainly_impossible(const Spec& spec, SpecUnit unit) {
+  if (auto none = pole_impossible(spec, unit)) return none;
+  return holes_too_near(spec, unit);
 }
 
 }  // namespace kempe

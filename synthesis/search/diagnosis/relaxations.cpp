@@ -96,7 +96,7 @@ std::optional<ThinnedPart> thinned_at_first(Questions& questions, const With& wi
   if (!asks_for_stiff_parts(questions.limits())) return std::nullopt;
   for (const double share : questions.budget().thinner) {
     if (questions.stopped()) break;
-    const double value = rounded_down(demanded - share * (demanded - least));
+    const double value = rounded_down(demanded - share * (demanded - least), questions.unit());
     if (auto design = with(value)) return ThinnedPart{value, *std::move(design)};
   }
   return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<Thinned> thinned(Questions& questions, double LinkStyle::*part, do
   double too_much = questions.spec().links.style.*part;
   auto enough = thinned_at_first(questions, with, least, too_much);
   for (int i = 0; enough && i < questions.budget().halvings && !questions.stopped(); ++i) {
-    const double middle = rounded_down(0.5 * (enough->value + too_much));
+    const double middle = rounded_down(0.5 * (enough->value + too_much), questions.unit());
     if (middle <= enough->value) break;
     if (auto found = with(middle))
       enough = ThinnedPart{middle, *std::move(found)};

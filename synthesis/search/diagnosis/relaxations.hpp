@@ -21,6 +21,8 @@ class Questions {
   const Spec& spec() const { return task_.spec(); }
   const Requirements& limits() const { return task_.limits; }
   const DiagnosisBudget& budget() const { return task_.budgets().diagnosis; }
+  /// Of the lengths that sentences state.
+  SpecUnit unit() const { return task_.control.options().unit; }
   /// Of the task's coordinates on the table, mm.
   const Point& origin() const { return origin_; }
   /// True once no other search is to begin: the task is stopped, the budget of this round is spent, or there is nothing to

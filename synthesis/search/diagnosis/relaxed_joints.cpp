@@ -11,9 +11,10 @@
 namespace kempe {
 namespace {
 
-std::string holes_would_do(const Spec& spec, const char* key, double demanded, double possible) {
-  return fmt::format("{} = {:.6g} is in the way: {}; {:.6g} would do", key, demanded, holes_sentence(spec),
-                     possible);
+std::string holes_would_do(const Spec& spec, const char* key, double demanded, double possible,
+                           SpecUnit unit) {
+  return fmt::format("{} = {} is in the way: {}; {} would do", name_in(unit, key), six_digits(demanded, unit),
+                     holes_sentence(spec, unit), six_digits(possible, unit));
 }
 
 /// A thinner wall between two holes, of which something is left.
@@ -25,7 +26,8 @@ std::optional<Relaxation> thinner_wall(Questions& questions) {
       std::max({spec.links.shortest, (1 + slack::least_wall_share) * bore, slack::nearest_joints})};
   auto found = relaxed(questions, limit);
   if (!found) return std::nullopt;
-  found->sentence = holes_would_do(spec, limit.key, least_wall(spec), *found->possible - bore);
+  found->sentence =
+      holes_would_do(spec, limit.key, least_wall(spec), *found->possible - bore, questions.unit());
   return found;
 }
 
@@ -34,17 +36,19 @@ std::optional<Relaxation> thinner_pins(Questions& questions) {
   const Spec& spec = questions.spec();
   const double pin = spec.links.style.pin_diameter;
   questions.note("links.pin_diameter_mm");
-  auto found = thinned(questions, &LinkStyle::pin_diameter, rounded_down(slack::least_wall_share * pin));
+  auto found = thinned(questions, &LinkStyle::pin_diameter,
+                       rounded_down(slack::least_wall_share * pin, questions.unit()));
   if (!found) return std::nullopt;
   Spec with_thinner = spec;
   with_thinner.links.style.pin_diameter = found->value;
-  return Relaxation{.limit = Goal::shortest,
-                    .key = "links.pin_diameter_mm",
-                    .demanded = questions.limits().shortest,
-                    .possible = least_joint_distance(with_thinner),
-                    .sentence = holes_would_do(spec, "links.pin_diameter_mm", pin, found->value),
-                    .design = std::move(found->design),
-                    .is_least = found->is_least};
+  return Relaxation{
+      .limit = Goal::shortest,
+      .key = "links.pin_diameter_mm",
+      .demanded = questions.limits().shortest,
+      .possible = least_joint_distance(with_thinner),
+      .sentence = holes_would_do(spec, "links.pin_diameter_mm", pin, found->value, questions.unit()),
+      .design = std::move(found->design),
+      .is_least = found->is_least};
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ Relaxation moved_to(Questions& questions, const MovableLimit& limit, double dema
           .key = limit.key,
           .demanded = demanded,
           .possible = possible,
-          .sentence = sentence_of(limit, demanded, possible),
+          .sentence = sentence_of(limit, demanded, possible, questions.unit()),
           .design = again.value_or(best.design),
           .is_least = best.is_best};
 }
@@ -95,11 +95,17 @@ const MovableLimit& limit_of(Goal goal) {
   return *limit;
 }
 
-/// "; without it a design exists, whose copy overlaps the original"
-std::string without_gap(const Spec& spec, double demanded, const CopyingLinkage& linkage) {
+/// "limits.sheets_gap_mm = 5 is in the way; left out, a design exists"
+std::string left_out(const char* key, double demanded, SpecUnit unit) {
+  return fmt::format("{} = {} is in the way; left out, a design exists", name_in(unit, key),
+                     six_digits(demanded, unit));
+}
+
+/// The same with ", whose copy overlaps the original" where it does.
+std::string without_gap(const Spec& spec, double demanded, const CopyingLinkage& linkage, SpecUnit unit) {
   const bool apart = are_apart(spec.region, similar_image(spec.region, linkage.k(), linkage.pole()), 0);
-  return fmt::format("limits.sheets_gap_mm = {:.6g} is in the way; left out, a design exists{}", demanded,
-                     apart ? "" : ", whose copy overlaps the original");
+  return left_out("limits.sheets_gap_mm", demanded, unit) +
+         (apart ? "" : ", whose copy overlaps the original");
 }
 
 void without_copy_gap(Questions& questions, double demanded) {
@@ -110,7 +116,7 @@ void without_copy_gap(Questions& questions, double demanded) {
   questions.keep(Relaxation{.limit = Goal::copy_gap,
                             .key = "limits.sheets_gap_mm",
                             .demanded = demanded,
-                            .sentence = without_gap(spec, demanded, design->linkage),
+                            .sentence = without_gap(spec, demanded, design->linkage, questions.unit()),
                             .design = *design});
 }
 
@@ -119,13 +125,10 @@ void without_copy_error(Questions& questions, double demanded) {
   spec.limits.copy_error = std::nullopt;
   const auto design = questions.best_of(spec);
   if (!design) return;
-  questions.keep(
-      Relaxation{.key = "limits.copy_error_mm",
-                 .demanded = demanded,
-                 .sentence = fmt::format("limits.copy_error_mm = {:.6g} is in the way; left out, a design "
-                                         "exists",
-                                         demanded),
-                 .design = *design});
+  questions.keep(Relaxation{.key = "limits.copy_error_mm",
+                            .demanded = demanded,
+                            .sentence = left_out("limits.copy_error_mm", demanded, questions.unit()),
+                            .design = *design});
 }
 
 void relax_copy_error(Questions& questions) {
@@ -150,18 +153,20 @@ void relax_sag(Questions& questions) {
   if (!openings) return;
   const double sag = largest_sag(design->linkage, sag_conditions(spec, design->layers), *openings).sag.most();
   if (!std::isfinite(sag)) return;
-  const double possible = rounded_up(sag);
-  questions.keep(Relaxation{.key = "limits.sag_mm",
-                            .demanded = *demanded,
-                            .possible = possible,
-                            .sentence = would_do("limits.sag_mm", *demanded, possible),
-                            .design = *design,
-                            .is_least = false});
+  const double possible = rounded_up(sag, questions.unit());
+  questions.keep(
+      Relaxation{.key = "limits.sag_mm",
+                 .demanded = *demanded,
+                 .possible = possible,
+                 .sentence = length_would_do("limits.sag_mm", *demanded, possible, questions.unit()),
+                 .design = *design,
+                 .is_least = false});
 }
 
 }  // namespace
 
-std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& limit) {
+std::optional<Relaxation> relaxed(Questions& questions, const MovableLimit& in_mm_or_degrees) {
+  const MovableLimit limit = stated_in(questions.unit(), in_mm_or_degrees);
   const auto demanded = value_of(questions.limits(), questions.spec(), limit.goal);
   if (!demanded || has_loosest(limit, *demanded) || questions.stopped()) return std::nullopt;
   questions.note(limit.key);
@@ -188,8 +193,9 @@ std::optional<Relaxation> longer_strip(Questions& questions) {
   const MovableLimit limit{Goal::longest, "limits.longest_strip_mm", 1, spec.links.longest};
   auto found = relaxed(questions, limit);
   if (!found) return std::nullopt;
-  found->sentence =
-      would_do(limit.key, *spec.limits.longest_strip, rounded_up(*found->possible + spec.links.style.width));
+  found->sentence = length_would_do(limit.key, *spec.limits.longest_strip,
+                                    rounded_up(*found->possible + spec.links.style.width, questions.unit()),
+                                    questions.unit());
   return found;
 }
 

@@ -18,7 +18,7 @@ void thinner(Questions& questions, const char* key, double LinkStyle::*part, dou
   questions.note(key);
   if (auto found = thinned(questions, part, least))
     questions.keep(Relaxation{.key = key,
-                              .sentence = would_do(key, demanded, found->value),
+                              .sentence = length_would_do(key, demanded, found->value, questions.unit()),
                               .design = std::move(found->design),
                               .is_least = found->is_least});
 }
@@ -73,7 +73,7 @@ void relax_parts(Questions& questions) {
   const JointHardware& hardware = questions.spec().links.hardware;
   if (hardware.none())
     thinner(questions, "links.pin_diameter_mm", &LinkStyle::pin_diameter,
-            rounded_down(slack::least_wall_share * style.pin_diameter));
+            rounded_down(slack::least_wall_share * style.pin_diameter, questions.unit()));
   else
     questions.keep(smaller_hardware(questions));
   // A pin is no wider than its link, and a bearing narrower.

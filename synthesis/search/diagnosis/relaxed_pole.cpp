@@ -36,9 +36,10 @@ struct FixedPole {
 /// A place of few digits next to that of a design, with its own design.
 std::optional<FixedPole> fixed_near(Questions& questions, const Point& pole, double size) {
   Spec spec = questions.spec();
-  const double coarsest = std::floor(std::log10(size)) - 2;
+  const double unit = in_mm(questions.unit()), coarsest = std::floor(std::log10(size / unit)) - 2;
   for (int finer = 0; finer < questions.budget().pole_digits; ++finer)
-    for (const Point& place : rounded_places(pole + questions.origin(), std::pow(10, coarsest - finer))) {
+    for (const Point& place :
+         rounded_places(pole + questions.origin(), unit * std::pow(10, coarsest - finer))) {
       spec.pole.place = Point(place - questions.origin());
       if (auto design = questions.best_of(spec)) return FixedPole{place, *std::move(design)};
     }
@@ -49,17 +50,18 @@ std::optional<Relaxation> elsewhere(Questions& questions, double margin) {
   const auto free = questions.best_of(with_free_pole(questions.spec(), margin));
   if (!free) return std::nullopt;
   const bool was_fixed = questions.spec().pole.is_fixed();
-  const std::string key = was_fixed ? "pole.at_mm" : "pole.within_mm";
+  const SpecUnit unit = questions.unit();
+  const std::string key = was_fixed ? "pole.at_mm" : "pole.within_mm", named = name_in(unit, key);
   if (auto fixed = fixed_near(questions, free->linkage.pole(), free->linkage.size()))
     return Relaxation{.key = key,
-                      .sentence = fmt::format("{} is in the way; the pole at {} mm would do", key,
-                                              place_text(fixed->on_table)),
+                      .sentence = fmt::format("{} is in the way; the pole at {} would do", named,
+                                              place_text(fixed->on_table, unit)),
                       .design = std::move(fixed->design)};
   return Relaxation{
       .key = key,
-      .sentence = fmt::format("{} is in the way; with the pole free to stand within {:.6g} mm of the "
-                              "region a design exists",
-                              key, margin),
+      .sentence = fmt::format("{} is in the way; with the pole free to stand within {} {} of the region a "
+                              "design exists",
+                              named, six_digits(margin, unit), name(unit)),
       .design = *free};
 }
 

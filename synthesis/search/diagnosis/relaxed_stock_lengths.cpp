@@ -59,8 +59,8 @@ void relax_stock_lengths(Questions& questions) {
     if (questions.stopped()) return;
     questions.note(one.key);
     if (auto design = questions.best_of(one.without))
-      questions.keep(
-          Relaxation{.key = one.key, .sentence = without_it(one.key), .design = *std::move(design)});
+      questions.keep(Relaxation{
+          .key = one.key, .sentence = without_it(one.key, questions.unit()), .design = *std::move(design)});
   }
   more_layers(questions);
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "kinematics/deadline.hpp"
+#include "specs/spec_keys.hpp"
 #include "synthesis/search/steps/budgets.hpp"
 
 namespace kempe {
@@ -18,6 +19,9 @@ struct SearchOptions {
   StopFlag stop{};  ///< set: the same at once
   /// Share of the work done, 0..1, and what is being done; called from one thread at a time.
   std::function<void(double share, std::string_view what)> progress{};
+  /// Of the spec's file: in it, and by its keys, sentences on what is in the way state lengths. Figures and Relaxation::key do not
+  /// depend on it.
+  SpecUnit unit = SpecUnit::mm;
   bool diagnose = true;  ///< look for the least relaxations where there is no design
   /// False: the gap to obstacles of a design that keeps its clearance limit is told as that limit, unless it is the objective.
   bool measure_gaps = true;
