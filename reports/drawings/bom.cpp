@@ -31,6 +31,11 @@ double length_between(const LinkLengths& lengths, Link link) {
   return std::max({lengths.BC, lengths.BY, lengths.CY});
 }
 
+/// To a hundredth of a millimetre; three digits of what is shorter than a tenth.
+std::string sawn(double length) {
+  return length < 0.1 ? fmt::format("{:.3g}", length) : fmt::format("{:.2f}", length);
+}
+
 /// "draws the copy with a cutter of 6 mm, carries router".
 std::string use_of(const Design& design, Joint joint) {
   if (joint == design.linkage.pole_joint()) return "fixed in the table";
@@ -82,10 +87,10 @@ class Bill {
     const Strip strip = strip_of(design_);
     std::string cuts;
     for (const Strip::Piece& piece : strip.pieces)
-      cuts += fmt::format("{}{} {:.2f}", cuts.empty() ? "" : ", ", name(piece.link), piece.length);
+      cuts += fmt::format("{}{} {}", cuts.empty() ? "" : ", ", name(piece.link), sawn(piece.length));
     items_.push_back(
         {.item = "strip",
-         .name = fmt::format("strip {} x {}", strip.width, strip.thickness),
+         .name = fmt::format("strip {:.9g} x {:.9g}", strip.width, strip.thickness),
          .length = strip.length,
          .width = strip.width,
          .thickness = strip.thickness,
@@ -115,7 +120,7 @@ class Bill {
                  : "";
     std::string text = "; " + stack.fastener->name;
     if (stack.fastener->play > 0)
-      text += fmt::format(", {:.2f} mm play along the shoulder", stack.fastener->play);
+      text += fmt::format(", {} mm play along the shoulder", sawn(stack.fastener->play));
     return text;
   }
 
@@ -175,11 +180,11 @@ class Bill {
   std::string remark_on(const Hardware& hardware) const {
     std::string text(standards_of(hardware.kind));
     if (raised_ > 0)
-      text += fmt::format("; layer 1 stands {} mm above the table, for the heads under it", raised_);
+      text += fmt::format("; layer 1 stands {:.9g} mm above the table, for the heads under it", raised_);
     switch (hardware.kind) {
       case HardwareKind::bolt: return text + "; self-locking nuts or thread lock: the joints turn";
       case HardwareKind::bearing:
-        return text + fmt::format("; fill {} mm beside each inner ring with shim rings",
+        return text + fmt::format("; fill {:.9g} mm beside each inner ring with shim rings",
                                   style_.thickness - hardware.seat_width);
       case HardwareKind::shoulder_screw: return text;
       case HardwareKind::dowel:
@@ -201,7 +206,7 @@ class Bill {
   /// What a spacer as wide as a link must heed: contact is certified for pins and posts alone.
   std::string narrower() const {
     if (style_.width <= style_.pin_diameter + 2 * design_.quality.clearance_min) return "";
-    return fmt::format("; turn it down to {} mm where something passes", style_.pin_diameter);
+    return fmt::format("; turn it down to {:.9g} mm where something passes", style_.pin_diameter);
   }
 
   const Design& design_;

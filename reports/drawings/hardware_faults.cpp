@@ -34,7 +34,7 @@ std::vector<StackItem> standing_out(const JointStack& stack) {
 std::optional<std::string> meeting(const Design& design, const JointStack& one, const JointStack& other) {
   const double apart = least_distance(design, one.joint, other.joint);
   const auto sentence = [&](const StackItem& item, const std::string& what, double needed) {
-    return fmt::format("{} and {} come within {:.2f} mm of each other: {} of {} mm and {} need {:.2f} mm",
+    return fmt::format("{} and {} come within {:.2f} mm of each other: {} of {:.9g} mm and {} need {:.2f} mm",
                        one.name, other.name, apart, item.name, item.diameter, what, needed);
   };
   const auto others = standing_out(other);
@@ -82,8 +82,8 @@ void tell_links_beside(const Design& design, const JointStack& stack, std::vecto
       const double gap = gap_from_link(design, stack.joint, item.diameter, link);
       if (gap < design.limits.clearance)
         faults.push_back(
-            fmt::format("{}: {} of {} mm stands in layer {} and comes within {:.2f} mm of link {}; "
-                        "clearance is {} mm",
+            fmt::format("{}: {} of {:.9g} mm stands in layer {} and comes within {:.2f} mm of link {}; "
+                        "clearance is {:.9g} mm",
                         stack.name, item.name, item.diameter, layer, std::max(gap, 0.0), name(link),
                         design.limits.clearance));
     }
@@ -100,7 +100,7 @@ void tell_bodies_beside(const Design& design, const JointStack& stack, std::vect
                   heights_of(body.lowest_layer, body.highest_layer, design.style.thickness)) &&
           apart < reach + 0.5 * item.diameter + design.limits.clearance)
         faults.push_back(
-            fmt::format("{}: {} of {} mm may come too near to {}, which reaches {:.2f} mm from {}; "
+            fmt::format("{}: {} of {:.9g} mm may come too near to {}, which reaches {:.2f} mm from {}; "
                         "the two joints come within {:.2f} mm of each other",
                         stack.name, item.name, item.diameter, printable(body_name(design.bodies, i)), reach,
                         letter(carrier), apart));
@@ -143,9 +143,10 @@ void tell_obstacles_beside(const Design& design, const JointStack& stack, double
       for (const Point& place : places)
         gap = std::min(gap, distance(Region{{obstacle.shape}}, place) - 0.5 * item.diameter);
       if (gap < design.limits.clearance)
-        faults.push_back(fmt::format("{}: {} of {} mm comes within {:.2f} mm of {}; clearance is {} mm",
-                                     stack.name, item.name, item.diameter, std::max(gap, 0.0),
-                                     printable(obstacle_name(design.obstacles, i)), design.limits.clearance));
+        faults.push_back(
+            fmt::format("{}: {} of {:.9g} mm comes within {:.2f} mm of {}; clearance is {:.9g} mm",
+                        stack.name, item.name, item.diameter, std::max(gap, 0.0),
+                        printable(obstacle_name(design.obstacles, i)), design.limits.clearance));
     }
   }
 }
@@ -155,7 +156,7 @@ void tell_raised(const Design& design, double raised, std::vector<std::string>& 
   for (std::size_t i = 0; raised > 0 && i < design.obstacles.size(); ++i)
     if (design.obstacles[i].lowest_layer > 1)
       faults.push_back(fmt::format(
-          "layer 1 stands {} mm above the table, for the heads under it: {} must stand so much "
+          "layer 1 stands {:.9g} mm above the table, for the heads under it: {} must stand so much "
           "higher too, since it begins in layer {}",
           raised, printable(obstacle_name(design.obstacles, i)), design.obstacles[i].lowest_layer));
 }
@@ -187,8 +188,8 @@ std::vector<std::string> hardware_faults(const Design& design) {
     if (stacks[i].is_post) continue;
     const std::string& hardware = design.hardware[stacks[i].joint];
     if (!stacks[i].fastener && !hardware.empty())
-      faults.push_back(
-          fmt::format("{}: no \"{}\" is made that grips {} mm", stacks[i].name, hardware, stacks[i].grip()));
+      faults.push_back(fmt::format("{}: no \"{}\" is made that grips {:.9g} mm", stacks[i].name, hardware,
+                                   stacks[i].grip()));
     tell_links_beside(design, stacks[i], faults);
     tell_bodies_beside(design, stacks[i], faults);
     tell_obstacles_beside(design, stacks[i], raised, faults);

@@ -24,10 +24,10 @@ std::vector<std::string> making_notes(const Design& design) {
     notes.push_back(
         fmt::format("holes are as wide as their pins, {} mm: cutting.process or cutting.hole_fit_mm gives "
                     "them room to turn",
-                    by_joint(pins, [](double pin) { return fmt::format("{}", pin); })));
+                    by_joint(pins, [](double pin) { return fmt::format("{:.9g}", pin); })));
   if (design.hardware.differs())
     notes.push_back(
-        fmt::format("hardware differs from joint to joint: contact takes every pin for one of {} mm{}, "
+        fmt::format("hardware differs from joint to joint: contact takes every pin for one of {:.9g} mm{}, "
                     "joints stand as far apart as "
                     "holes of {:.6g} mm need; no bound is proven then",
                     style.pin_diameter, thinner.empty() ? "" : " (thinner:" + thinner + ")",

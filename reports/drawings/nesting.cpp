@@ -190,10 +190,11 @@ tl::expected<std::vector<NestedPart>, std::string> nest(const std::vector<CutPar
     const auto nested = nester.put(parts[i].outline);
     if (!nested) {
       const Box box = bounding_box(parts[i].outline);
-      return tl::unexpected(fmt::format(
-          "link {} ({:.1f} x {:.1f} mm) does not fit on a sheet of {} x {} mm with a gap of {} mm",
-          parts[i].name, box.upper.x() - box.lower.x(), box.upper.y() - box.lower.y(), size.x(), size.y(),
-          gap));
+      return tl::unexpected(
+          fmt::format("link {} ({:.1f} x {:.1f} mm) does not fit on a sheet of {:.9g} x {:.9g} mm with a gap "
+                      "of {:.9g} mm",
+                      parts[i].name, box.upper.x() - box.lower.x(), box.upper.y() - box.lower.y(), size.x(),
+                      size.y(), gap));
     }
     result[i] = *nested;
   }

@@ -25,7 +25,7 @@ std::vector<std::string> tool_words(const std::optional<ToolAdvice>& tool) {
         fmt::format("with a follower of radius {:.4g} mm a cutter of radius {:.4g} mm cuts the exact copy",
                     *tool->follower_radius, *tool->exact_cutter_radius));
   if (const std::string offset = template_words(tool); !offset.empty())
-    words.push_back(fmt::format("with the follower of {:.4g} mm the cut lies {:.4g} mm {}: {}",
+    words.push_back(fmt::format("with the follower of radius {:.4g} mm the cut lies {:.4g} mm {}: {}",
                                 *tool->follower_radius, std::abs(*tool->cut_outside),
                                 *tool->cut_outside > 0 ? "outside" : "inside", offset));
   return words;

@@ -31,11 +31,11 @@ std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const
   std::string lines, figures;
   for (const double value : x.ticks()) {
     lines += fmt::format("M{:.1f},{:.1f}V{:.1f}", x.at(value), y.from, y.to);
-    figures += text(x.at(value), y.from + 16, "tick", number_text(value, 6));
+    figures += text(x.at(value), y.from + 16, "tick", multiple_text(value, x.step, 6));
   }
   for (const double value : y.ticks()) {
     lines += fmt::format("M{:.1f},{:.1f}H{:.1f}", x.from, y.at(value), x.to);
-    figures += text(x.from - 6, y.at(value) + 4, "tick end", number_text(value, 6));
+    figures += text(x.from - 6, y.at(value) + 4, "tick end", multiple_text(value, y.step, 6));
   }
   const std::string beside = fmt::format("translate(12,{:.1f}) rotate(-90)", y.to);
   return svg_shape("grid-line", lines).line() + figures + text(x.to, y.from + 36, "tick end", x_name) +

@@ -21,6 +21,8 @@ namespace kempe {
 namespace {
 
 constexpr int shades = 40;
+/// Of a contour's words, in units of the picture (report.css).
+constexpr double level_letter_width = 10;
 
 /// An error where the tracer is at evenly spaced distances from the pole, the farthest first.
 struct Course {
@@ -86,22 +88,24 @@ std::string circle_line(const ContourCircle& circle, const Point& pole, double u
       .line();
 }
 
-/// A contour's words where it crosses the line from the pole to the region's middle, if that lies well inside the region and away from the
-/// words `before`.
-std::string circle_words(const ContourCircle& circle, const Design& design, const Point& middle, double unit,
-                         std::vector<Point>& before) {
-  const Point toward = (middle - design.linkage.pole()).normalized();
+/// A contour's level where it crosses the line from the pole to the region's middle, if that lies well inside the region, the words in the
+/// picture's box and away from those `before`.
+std::string circle_words(const ContourCircle& circle, const std::string& level, const Design& design,
+                         const PictureBox& box, double unit, std::vector<Point>& before) {
+  const Point toward = (box.centre - design.linkage.pole()).normalized();
   const Point at = design.linkage.pole() + circle.radius * toward, below = at - Point(0, 5 * unit);
-  const double apart = 22 * unit;
+  const double apart = 22 * unit,
+               half = 0.5 * level_letter_width * unit * static_cast<double>(characters_in(level));
+  if (std::abs(at.x() - box.centre.x()) + half > box.half.x()) return {};
   for (const double side : {-14.0, 14.0})
     if (!contains(design.region, at + Point(0, side * unit))) return {};
   for (const Point& other : before)
-    if ((other - at).norm() < apart) return {};
+    if (std::abs(other.y() - at.y()) < apart && std::abs(other.x() - at.x()) < 2 * half) return {};
   before.push_back(at);
   return SvgElement("text")
       .with("class", "load-words")
       .at("x", "y", {below.x(), -below.y()})
-      .saying(length_text(circle.level, 5))
+      .saying(level)
       .line();
 }
 
@@ -130,9 +134,11 @@ std::string panel_figure(const Design& design, const Panel& panel) {
   const double margin = 0.04 * box.half.maxCoeff(), unit = box.half.maxCoeff() / 220;
   std::string inside = rings(course, pole), words;
   std::vector<Point> placed;
-  for (const ContourCircle& circle : circles_of(course)) {
+  const std::vector<ContourCircle> circles = circles_of(course);
+  const double step = step_of_levels(circles);
+  for (const ContourCircle& circle : circles) {
     inside += circle_line(circle, pole, unit);
-    words += circle_words(circle, design, box.centre, unit, placed);
+    words += circle_words(circle, level_text(circle, step, 5), design, box, unit, placed);
   }
   const std::string outline = svg_path(design.region, unit);
   const std::string clip =

@@ -21,9 +21,9 @@ namespace kempe::report_sections {
 namespace {
 
 /// With three digits.
-std::string force_text(double force) {
+std::string force_words(double force) {
   const double grain = force > 0 ? std::pow(10, std::floor(std::log10(force)) - 2) : 1;
-  return fmt::format("{}\u00a0N", number_text(std::round(force / grain) * grain, 3));
+  return force_text(std::round(force / grain) * grain, 3);
 }
 
 std::string small_length(double length) {
@@ -31,7 +31,7 @@ std::string small_length(double length) {
 }
 
 std::string section_text(const LinkStyle& style) {
-  return fmt::format("{}\u00a0×\u00a0{}", number_text(style.width, 2), number_text(style.thickness, 2));
+  return fmt::format("{}\u00a0×\u00a0{}", figure_text(style.width, 2), figure_text(style.thickness, 2));
 }
 
 /// Plain words for a page: figures do not part from their units.
@@ -47,7 +47,7 @@ std::string source_words(const Design& design, ErrorSource source) {
   switch (source) {
     case ErrorSource::lengths: return "Lengths, ±" + length_text(design.tolerance->length);
     case ErrorSource::play: return "Play, " + length_text(design.tolerance->play) + " in each pin";
-    case ErrorSource::load: return "Load, " + force_text(design.load->pen_force) + " at the pen";
+    case ErrorSource::load: return "Load, " + force_words(design.load->pen_force) + " at the pen";
     case ErrorSource::pins: return "Pins, bent between their layers";
     case ErrorSource::layers: return "Layers: links bent out of the plane";
     case ErrorSource::weight: return "Weight";
@@ -75,11 +75,11 @@ void add_rows(const Design& design, const ErrorBudget& budget, bool in_plane,
     any = true;
     const double share = sum > 0 ? entry.error / sum : 0;
     rows.push_back({html_escaped(source_words(design, entry.source)) + share_bar(share),
-                    number_text(entry.error, 5), number_text(100 * share, 1), changes_text(entry)});
+                    figure_text(entry.error, 5), figure_text(100 * share, 1), changes_text(entry)});
   }
   if (any)
     rows.push_back({in_plane ? "<b>In the plane, all together</b>" : "<b>Down, all together</b>",
-                    "<b>" + number_text(sum, 4) + "</b>", "100", ""});
+                    "<b>" + figure_text(sum, 4) + "</b>", "100", ""});
 }
 
 std::string budget_table(const Design& design, const ErrorBudget& budget) {
@@ -96,7 +96,7 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   const double error = design.quality.loads->error_max;
   const std::string figure = fmt::format(
       "under {} at the pen it gives way by <b>{}</b> in the worst direction at the worst place of the region",
-      force_text(design.load->pen_force), small_length(error));
+      force_words(design.load->pen_force), small_length(error));
   if (const auto& limit = design.limits.load_error) {
     const std::string text = fmt::format("{}; {} are allowed.", figure, length_text(*limit));
     if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
@@ -116,7 +116,7 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   if (!design.tolerance) return fmt::format("U{}.", figure.substr(1));
   const double sum = budget.sum(true);
   return fmt::format("U{}: {} % of the whole error in the plane, {} at worst.", figure.substr(1),
-                     number_text(100 * error / sum, 1), small_length(sum));
+                     figure_text(100 * error / sum, 1), small_length(sum));
 }
 
 std::string sag_verdict(const Design& design) {
@@ -155,7 +155,10 @@ std::string verdict(const Design& design, const ErrorBudget& budget) {
 std::string share_of_strength(double stress, double strength, const std::string& material) {
   if (!std::isfinite(stress)) return "the hole leaves nothing";
   const double times = strength / stress;
-  return fmt::format("{} MPa; {} bears {} times as much", number_text(stress, stress < 10 ? 2 : 1), material,
+  if (times > 10000)
+    return fmt::format("{} MPa; {} bears more than {} times as much", figure_text(stress, 2), material,
+                       count_text(10000));
+  return fmt::format("{} MPa; {} bears {} times as much", figure_text(stress, stress < 10 ? 2 : 1), material,
                      number_text(times, times < 10 ? 1 : 0));
 }
 
@@ -192,11 +195,11 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
   const WorstForces worst = worst_forces(design, openings);
   const double force = design.load->pen_force, strength = design.material->strength;
   std::vector<std::vector<std::string>> rows{
-      {"Hand, at the tracer", force_text(design.quality.loads->hand_force_max), "the same everywhere"},
-      {"Pole's post", force_text(force * worst.pins.pole), "the same everywhere"},
-      {"Pins A and B", force_text(force * std::max(worst.pins.A, worst.pins.B)),
+      {"Hand, at the tracer", force_words(design.quality.loads->hand_force_max), "the same everywhere"},
+      {"Pole's post", force_words(force * worst.pins.pole), "the same everywhere"},
+      {"Pins A and B", force_words(force * std::max(worst.pins.A, worst.pins.B)),
        "grows towards the change points"},
-      {"Pin C", force_text(force * worst.pins.C), "grows towards the change points"}};
+      {"Pin C", force_words(force * worst.pins.C), "grows towards the change points"}};
   const LinkStresses& stress = worst.stresses;
   for (const auto& [link, value] : {std::pair{"Link VA", stress.VA}, std::pair{"Link VB", stress.VB},
                                     std::pair{"Link ACX", stress.ACX}, std::pair{"Link BCY", stress.BCY}})
@@ -204,8 +207,8 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
         {link, "", share_of_strength(force * value, strength, html_escaped(design.material->name))});
   const double longest = std::max(design.linkage.VA(), design.linkage.VB());
   rows.push_back(
-      {"Bars, pushed", force_text(force * worst.push),
-       fmt::format("buckle at {}", force_text(buckling_load(design.style, *design.material, longest)))});
+      {"Bars, pushed", force_words(force * worst.push),
+       fmt::format("buckle at {}", force_words(buckling_load(design.style, *design.material, longest)))});
   return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows);
 }
 

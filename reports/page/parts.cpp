@@ -148,7 +148,7 @@ std::string dimensioned_links(const Design& design) {
 /// What to saw: the blank of each link, and the strip for those that are straight.
 std::string cutting_list(const Design& design) {
   std::vector<std::vector<std::string>> rows;
-  const auto size = [](double length) { return number_text(length, 2); };
+  const auto size = [](double length) { return figure_text(length, 2); };
   for (const Link link : all_links) {
     const Blank blank = blank_of(design, link);
     rows.push_back(
@@ -174,8 +174,8 @@ std::string hardware(const Design& design) {
   for (const BomItem& item : bill_of_materials(design)) {
     if (item.item == "link" || item.item == "strip") continue;
     rows.push_back({html_escaped(item.name), std::to_string(item.quantity),
-                    item.diameter > 0 ? number_text(item.diameter, 3) : "–",
-                    item.length > 0 ? number_text(item.length, 3) : "–", html_escaped(item.remark)});
+                    item.diameter > 0 ? figure_text(item.diameter, 3) : "–",
+                    item.length > 0 ? figure_text(item.length, 3) : "–", html_escaped(item.remark)});
   }
   return "<h3>Pins, posts, spacers</h3>\n" +
          html_table(

@@ -142,7 +142,7 @@ std::string longest_piece(const Design& design) {
     }
   return html_key_figure(
       "Longest piece",
-      fmt::format("{} × {}\u00a0mm", number_text(longest.length, 1), number_text(longest.width, 1)),
+      fmt::format("{} × {}\u00a0mm", figure_text(longest.length, 1), figure_text(longest.width, 1)),
       fmt::format("link {}, {} thick", of, length_text(design.style.thickness)));
 }
 
@@ -174,7 +174,7 @@ std::string load_error_figure(const Design& design) {
   return html_key_figure(
       "Gives way at worst", length_text(error, error < 0.01 ? 4 : 3),
       fmt::format(
-          "by its links alone, under {} N{}", number_text(design.load->pen_force, 2),
+          "by its links alone, under {}{}", force_text(design.load->pen_force),
           design.limits.load_error ? ", limit " + length_text(*design.limits.load_error, 3) : std::string()));
 }
 

@@ -61,7 +61,7 @@ std::string bound_explanation(const Design& design, const std::string& proof_log
   const double share = value != 0 ? std::abs(value - bound) / std::abs(value) * 100 : 0;
   std::string text = fmt::format(
       "Proven: no design for this spec can do better than this figure. This one is within {}\u202f% of it.",
-      number_text(share, share < 1 ? 3 : 1));
+      figure_text(share, share < 1 ? 3 : 1));
   if (!proof_log.empty())
     text += fmt::format(
         " The proof's log is <code>{}</code>; the program kempe_check.py checks it without Kempe.",
@@ -93,7 +93,7 @@ std::string robust_explanation(const Design& design) {
   return text + fmt::format(" It costs {}, {}\u202f%: the best design found that need not be robust has {}.",
                             angle ? angle_text(std::abs(value - without), 3)
                                   : objective_value(design.search->objective, std::abs(value - without)),
-                            number_text(100 * std::abs(value - without) / std::abs(without), 1),
+                            figure_text(100 * std::abs(value - without) / std::abs(without), 1),
                             objective_value(design.search->objective, without));
 }
 
@@ -134,11 +134,11 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.loads && design.load) {
     add("Load error of the links, worst", length_text(q.loads->error_max, 5),
         at_most(q.loads->error_max, design.limits.load_error),
-        fmt::format("How far the links let the pen give way under {} N at the worst place of the region. "
+        fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
                     "Pins and layers add to it: see the error budget.",
-                    number_text(design.load->pen_force, 2)));
-    add("Largest force in a pin", fmt::format("{} N", number_text(q.loads->pin_force_max, 2)), {},
-        fmt::format("The hand holds {} N.", number_text(q.loads->hand_force_max, 2)));
+                    force_text(design.load->pen_force)));
+    add("Largest force in a pin", force_text(q.loads->pin_force_max), {},
+        fmt::format("The hand holds {}.", force_text(q.loads->hand_force_max)));
   }
   if (q.mass && design.material)
     add("Mass", fmt::format("{:.4g} kg", *q.mass), {},
@@ -161,7 +161,7 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.proven_bound)
     add("Best possible",
         design.search ? objective_value(design.search->objective, *q.proven_bound)
-                      : number_text(*q.proven_bound, 4),
+                      : figure_text(*q.proven_bound, 4),
         {}, bound_explanation(design, extras.proof_log));
   return html_section(
       "quality", "Quality",
@@ -214,7 +214,7 @@ std::string workspace(const Design& design) {
   }
   for (const FittingSheet& sheet : map.largest_sheets)
     rows.push_back({"Largest sheet",
-                    number_text(sheet.width, 1) + " × " + number_text(sheet.height, 1) + "\u00a0mm",
+                    figure_text(sheet.width, 1) + " × " + figure_text(sheet.height, 1) + "\u00a0mm",
                     fmt::format("{}, centred at ({}, {}), turned by {}.", html_escaped(sheet.name),
                                 number_text(sheet.centre.x(), 1), number_text(sheet.centre.y(), 1),
                                 angle_text(sheet.turn, 1))});

@@ -43,12 +43,20 @@ std::string budget_table(const CopyErrorOver& over) {
   std::vector<std::vector<std::string>> rows;
   for (const SourceContribution& source : sources)
     rows.push_back({html_escaped(source.name) + share_bar(source.worst / sources.front().worst),
-                    "±" + number_text(source.tolerance, 4), number_text(source.worst, 4),
-                    number_text(source.distortion_worst, 4)});
+                    "±" + figure_text(source.tolerance, 4), figure_text(source.worst, 4),
+                    figure_text(source.distortion_worst, 4)});
   return html_table(
       "budget",
       {{"Source, and its share"}, {"Off by, mm", true}, {"Moves the pen, mm", true}, {"Distorts, mm", true}},
       rows);
+}
+
+/// Lengths and pins, whichever of them err.
+std::string what_errs(const Tolerance& tolerance) {
+  const std::string lengths = "Lengths to ±" + length_text(tolerance.length),
+                    play = length_text(tolerance.play) + " of play (half of it to each side)";
+  if (tolerance.play == 0) return tolerance.length == 0 ? "No tolerances" : lengths + ", pins without play";
+  return tolerance.length == 0 ? "Lengths as drawn, pins with " + play : lengths + ", pins with " + play;
 }
 
 std::string what_is_absorbed(const CopyErrorOver& over) {
@@ -56,9 +64,9 @@ std::string what_is_absorbed(const CopyErrorOver& over) {
       "<p class=\"note\">A slightly different scale (by up to {1}\u202f%), rotation (by up to {2}) and "
       "origin absorb part of the worst "
       "case of {0}; {3} are left as distortion. The worst place is with the tracer at ({4}, {5}).</p>\n",
-      length_text(over.worst, 4), number_text(100 * over.scale_worst, 3), angle_text(over.rotation_worst, 3),
-      length_text(over.distortion_worst, 4), number_text(over.worst_at.x(), 1),
-      number_text(over.worst_at.y(), 1));
+      length_text(over.worst, 4), figure_text(100 * over.scale_worst, 3),
+      figure_text(degrees(over.rotation_worst), 3) + "°", length_text(over.distortion_worst, 4),
+      number_text(over.worst_at.x(), 1), number_text(over.worst_at.y(), 1));
 }
 
 }  // namespace
@@ -67,9 +75,9 @@ std::string tolerance(const Design& design) {
   if (!design.tolerance) return {};
   const CopyTolerance tolerance = CopyTolerance::uniform(*design.tolerance);
   std::string html = fmt::format(
-      "<p class=\"note\">Lengths to ±{}, pins with {} of play (half of it to each side). Each source alone, "
-      "at the place of the region where its effect is largest.</p>\n",
-      length_text(design.tolerance->length), length_text(design.tolerance->play));
+      "<p class=\"note\">{}. Each source alone, at the place of the region where its effect is "
+      "largest.</p>\n",
+      what_errs(*design.tolerance));
   std::string table, absorbed;
   if (const auto over = copy_error_over(design.linkage, tolerance, design.region)) {
     table = budget_table(*over);

@@ -8,6 +8,7 @@
 
 #include "geometry/fixed_text.hpp"
 #include "geometry/point.hpp"
+#include "reports/pictures/round_step.hpp"
 
 namespace kempe {
 namespace {
@@ -105,11 +106,25 @@ std::string number_text(double value, int decimals) {
   return text;
 }
 
+std::string figure_text(double value, int decimals) {
+  constexpr double noise = 1e-9;  // mm or N: what rounding leaves
+  const bool hides_it = std::abs(value) > noise && std::abs(value) < 0.5 * std::pow(10, -decimals);
+  return hides_it ? fmt::format("{:.2g}", value) : number_text(value, decimals);
+}
+
+std::string multiple_text(double value, double step, int decimals) {
+  const int needed = decimals_of_step(step);
+  if (needed <= decimals || value == 0) return number_text(value, decimals);
+  const int digits = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)) + needed + 1;
+  return fmt::format("{:.{}g}", value, std::max(1, digits));
+}
+
 std::string length_text(double length, int decimals) {
-  constexpr double noise = 1e-9;  // mm: what rounding leaves
-  const std::string text = number_text(length, decimals);
-  const bool hides_it = std::abs(length) > noise && std::abs(length) < 0.5 * std::pow(10, -decimals);
-  return fmt::format("{}{}mm", hides_it ? fmt::format("{:.2g}", length) : text, no_break_space);
+  return fmt::format("{}{}mm", figure_text(length, decimals), no_break_space);
+}
+
+std::string force_text(double force, int decimals) {
+  return fmt::format("{}{}N", figure_text(force, decimals), no_break_space);
 }
 
 std::string angle_text(double angle, int decimals) { return number_text(degrees(angle), decimals) + "°"; }

@@ -27,8 +27,15 @@ std::string coordinate(double value, int decimals = 3);
 /// The same at a text's end.
 void append_coordinate(std::string& to, double value, int decimals = 3);
 
-/// "12.34 mm" with a no-break space. What the decimals would round to 0 has two digits instead, "6.8e-06 mm", down to a millionth of a micrometre.
+/// The same of a figure, as of mm, N or percent: what the decimals would round to 0 has two digits instead, "6.8e-06", down to a billionth.
+std::string figure_text(double value, int decimals);
+/// One of the multiples of a step, with so many decimals; where these do not tell the multiples apart with as many digits as do,
+/// "1.05e-08".
+std::string multiple_text(double value, double step, int decimals);
+/// "12.34 mm" with a no-break space, as figure_text.
 std::string length_text(double length, int decimals = 3);
+/// "12.34 N", the same.
+std::string force_text(double force, int decimals = 2);
 /// "90°" from radians.
 std::string angle_text(double angle, int decimals = 2);
 /// The one unit in which the areas of a table or a legend are written: mm² where the largest is below 100 mm², else cm².

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "reports/pictures/html_text.hpp"
 #include "reports/pictures/round_step.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
@@ -67,6 +68,20 @@ std::vector<ContourCircle> circles_of(const Design& design, const Error& error_a
 }
 
 }  // namespace
+
+double step_of_levels(const std::vector<ContourCircle>& circles) {
+  double step = 0;
+  for (std::size_t i = 1; i < circles.size(); ++i)
+    if (const double apart = std::abs(circles[i].level - circles[i - 1].level);
+        apart > 0 && (step == 0 || apart < step))
+      step = apart;
+  return step;
+}
+
+std::string level_text(const ContourCircle& circle, double step, int decimals) {
+  if (step == 0) return length_text(circle.level, decimals);
+  return multiple_text(circle.level, step, decimals) + "\u00a0mm";
+}
 
 std::vector<ContourCircle> transmission_circles(const CopyingLinkage& linkage) {
   std::vector<ContourCircle> circles;

@@ -13,6 +13,11 @@ struct ContourCircle {
   double radius;  ///< mm
 };
 
+/// The least difference between the levels of neighbouring circles; 0 where they have one level.
+double step_of_levels(const std::vector<ContourCircle>& circles);
+/// A circle's level in mm, of those a step apart: "0.05 mm".
+std::string level_text(const ContourCircle& circle, double step, int decimals);
+
 /// Where the transmission angle is 10, 20 ... 80 degrees (level in rad); two circles a level.
 std::vector<ContourCircle> transmission_circles(const CopyingLinkage& linkage);
 

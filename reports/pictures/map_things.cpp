@@ -42,14 +42,14 @@ std::vector<PictureBox> places_in(const FittingSheet& sheet, const Point& half, 
 
 /// Circles about the pole, each with its level where there is room for it on the line, the way to the region's other side first.
 std::string contours(const MapScene& scene, const std::vector<ContourCircle>& circles, LabelPlacer& placer,
-                     const std::function<std::string(double)>& words) {
+                     const std::function<std::string(const ContourCircle&)>& words) {
   const Point pole = scene.design.linkage.pole();
   const double bearing = std::arg(as_complex(scene.tracer - pole)) + 0.75 * pi;
   constexpr int bearings = 24;
   std::string lines, figures;
   for (const ContourCircle& circle : circles) {
     lines += svg_disc("contour", pole, circle.radius).line();
-    const std::string level = words(circle.level);
+    const std::string level = words(circle);
     std::vector<PictureBox> places;
     for (int i = 0; i < bearings; ++i) {
       const int step = i % 2 == 0 ? (i + 1) / 2 : -(i + 1) / 2;
@@ -93,8 +93,8 @@ std::string map_things(const MapScene& scene, std::vector<MapLayer>& layers, Lab
     obstacles += map_path("thing", svg_path(obstacle.shape, scene.detail));
   for (const FittingSheet& sheet : scene.design.map.largest_sheets) {
     const Point size(sheet.width, sheet.height);
-    const std::string words = fmt::format("{}, {} × {}", sheet.name, number_text(size.maxCoeff(), 0),
-                                          number_text(size.minCoeff(), 0));
+    const std::string words = fmt::format("{}, {} × {}", sheet.name, figure_text(size.maxCoeff(), 0),
+                                          figure_text(size.minCoeff(), 0));
     sheets += map_path("sheet", svg_path(Polygon{corners(sheet), {}}, 0));
     const double unit = scene.view.unit;
     if (const auto at = placer.place_if_clear(places_in(sheet, half_of_small_words(words, unit), 10 * unit)))
@@ -126,16 +126,17 @@ std::string map_things(const MapScene& scene, std::vector<MapLayer>& layers, Lab
              scene.areas.text(scene.design.quality.footprint), false);
   svg += add("angle-lines", "Transmission angle",
              contours(scene, transmission_circles(scene.design.linkage), placer,
-                      [](double level) { return angle_text(level, 0); }),
+                      [](const ContourCircle& circle) { return angle_text(circle.level, 0); }),
              "10° steps", false);
-  svg += add("error-lines", "Copy error, worst",
-             contours(scene, copy_error_circles(scene.design), placer,
-                      [](double level) { return length_text(level); }),
-             "lines", false);
-  svg += add("load-lines", "Load error of the links",
-             contours(scene, load_error_circles(scene.design), placer,
-                      [](double level) { return length_text(level, 5); }),
-             "lines", false);
+  const auto lengths = [&](const std::vector<ContourCircle>& circles, int decimals) {
+    const double step = step_of_levels(circles);
+    return contours(scene, circles, placer,
+                    [&](const ContourCircle& circle) { return level_text(circle, step, decimals); });
+  };
+  svg +=
+      add("error-lines", "Copy error, worst", lengths(copy_error_circles(scene.design), 3), "lines", false);
+  svg += add("load-lines", "Load error of the links", lengths(load_error_circles(scene.design), 5), "lines",
+             false);
   svg += add("tightest", "Tightest place", tightest, length_text(scene.design.map.clearance_min, 2), false);
   return svg;
 }

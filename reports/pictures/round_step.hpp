@@ -14,6 +14,11 @@ inline double round_step(double wanted) {
   return 10 * power;
 }
 
+/// The decimals that tell multiples of a step apart.
+inline int decimals_of_step(double step) {
+  return step > 0 ? static_cast<int>(std::ceil(-std::log10(step) - 1e-9)) : 0;
+}
+
 /// The multiples of `step` from `lower` to `upper`; a billionth of a step outside still counts. Few are expected; none where
 /// there is no step to count in, as for a range of no width.
 inline std::vector<double> multiples_within(double step, double lower, double upper) {

@@ -8,7 +8,11 @@
   };
   const degrees = (angle) => (angle * 180) / Math.PI;
   const minus = (text) => text.replace("-", "\u2212");
-  const mm = (value, decimals = 2) => minus(value.toFixed(decimals)) + "\u00a0mm";
+  /** What the decimals would round to 0 has two digits, as in the page's tables. */
+  const mm = (value, decimals = 2) => {
+    const hidesIt = Math.abs(value) > 1e-9 && Math.abs(value) < 0.5 * 10 ** -decimals;
+    return minus(hidesIt ? String(Number(value.toPrecision(2))) : value.toFixed(decimals)) + "\u00a0mm";
+  };
 
   class Places {
     constructor(model, linkage, contacts, map) {

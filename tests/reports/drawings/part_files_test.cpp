@@ -9,6 +9,7 @@
 #include <fstream>
 #include <tuple>
 
+#include "kempe/units.hpp"
 #include "reports/audit/recheck.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/design_package.hpp"
@@ -254,6 +255,25 @@ TEST(Bom, HasLengthsToAThousandth) {
   EXPECT_THAT(bom_csv(design), HasSubstr("link,VA,1,,45.333,12,4,45.333,12,"));
   design.style = {.width = 0.001 / 3, .pin_diameter = 0.0001, .thickness = 0.0001};
   EXPECT_THAT(bom_csv(design), HasSubstr(",0.000333333,0.0001,"));
+}
+
+TEST(Bom, SaysHowLongThePiecesOfAStripAre) {
+  const auto remark = [](double size, double width) {
+    Design design = testing::sample_design(2.5, Grounding::tracer, 9 * size, 7 * size, 1);
+    design.style = {.width = width, .pin_diameter = width / 2, .thickness = 0.25 * inch};
+    return bom_csv(design);
+  };
+  EXPECT_THAT(remark(10, 0.75 * inch), HasSubstr("strip,strip 19.05 x 6.35,1,"));
+  EXPECT_THAT(remark(10, 0.75 * inch), HasSubstr("VB 89.05"));
+  EXPECT_THAT(remark(1e-4, 1e-4), HasSubstr("VB 0.0008"));
+}
+
+TEST(PartFiles, OfAPoleFarFromTheOriginAreAsExact) {
+  const Point far(9.9e6, 9.9e6);
+  const Design design =
+      testing::sample_design(copy_ratio(1.4, radians(90)), Grounding::pole, 50, 35, 3, PlateStyle::bent, far);
+  const PartFiles made = part_files(design, {});
+  EXPECT_THAT(recheck(with_drawing(made.files, design, {}), design, {}), IsEmpty());
 }
 
 TEST(Bom, LiftsALinkageOnSpacers) {

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <regex>
 
 #include "reports/pictures/html_text.hpp"
+#include "reports/pictures/map_contours.hpp"
 #include "reports/pictures/map_picture.hpp"
 #include "tests/reports/report_specimens.hpp"
 
@@ -164,6 +166,60 @@ TEST(HtmlText, EncodesBase64AsTheStandardSays) {
   EXPECT_EQ(base64("foob"), "Zm9vYg==");
   EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(HtmlText, ShowsFiguresThatItsDecimalsWouldRoundToZero) {
+  EXPECT_EQ(force_text(12.345), "12.35\u00a0N");
+  EXPECT_EQ(force_text(0.00123), "0.0012\u00a0N");
+  EXPECT_EQ(force_text(0), "0\u00a0N");
+  EXPECT_EQ(figure_text(0.00004, 4), "4e-05");
+  EXPECT_EQ(figure_text(0.00006, 4), "0.0001");
+  EXPECT_EQ(figure_text(1e-13, 4), "0");
+  EXPECT_EQ(multiple_text(0.35, 0.05, 3), "0.35");
+  EXPECT_EQ(multiple_text(0.0125, 0.0005, 3), "0.0125");
+  EXPECT_EQ(multiple_text(0.012, 0.0005, 3), "0.012");
+  EXPECT_EQ(multiple_text(1.05e-8, 5e-10, 3), "1.05e-08");
+  EXPECT_EQ(multiple_text(1e-8, 5e-10, 3), "1e-08");
+  EXPECT_EQ(multiple_text(0, 5e-10, 3), "0");
+}
+
+TEST(HtmlReport, SaysWhatTheHandHolds) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  specimen.design.load = Load{.pen_force = 0.001};
+  specimen.design.quality.loads = LoadFigures{.pin_force_max = 0.002, .hand_force_max = 0.0014};
+  const std::string page = report_of(specimen);
+  EXPECT_THAT(page, HasSubstr("The hand holds 0.0014\u00a0N."));
+  EXPECT_THAT(page, HasSubstr("way under 0.001\u00a0N at"));
+  EXPECT_THAT(page, Not(HasSubstr("holds 0 N")));
+}
+
+TEST(HtmlReport, NamesTheTolerancesThatThereAre) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  const auto page_with = [&](double length, double play) {
+    specimen.design.tolerance = Tolerance{.length = length, .play = play};
+    return report_of(specimen);
+  };
+  EXPECT_THAT(page_with(0.1, 0.05), HasSubstr("Lengths to ±0.1\u00a0mm, pins with 0.05\u00a0mm of play"));
+  EXPECT_THAT(page_with(0.1, 0), HasSubstr("Lengths to ±0.1\u00a0mm, pins without play."));
+  EXPECT_THAT(page_with(0, 0.05), HasSubstr("Lengths as drawn, pins with 0.05\u00a0mm of play"));
+  for (const auto& [length, play] : {std::pair{0.0, 0.05}, std::pair{0.1, 0.0}, std::pair{1e-5, 2e-5}})
+    EXPECT_THAT(page_with(length, play), Not(HasSubstr("±0\u00a0mm")));
+}
+
+TEST(MapPicture, TellsTheLevelsOfItsContoursApart) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  for (const double length : {0.1, 1e-3, 1e-5, 1e-7}) {
+    specimen.design.tolerance = Tolerance{.length = length, .play = 0};
+    const auto circles = copy_error_circles(specimen.design);
+    ASSERT_GE(circles.size(), 3U);
+    const double step = step_of_levels(circles);
+    std::map<std::string, double> levels;
+    for (const ContourCircle& circle : circles) {
+      const auto [same, is_new] = levels.emplace(level_text(circle, step, 3), circle.level);
+      EXPECT_NEAR(same->second, circle.level, 1e-9 * circle.level) << same->first;
+    }
+    for (const auto& [words, level] : levels) EXPECT_LT(words.size(), 13U) << words;
+  }
 }
 
 TEST(HtmlText, WritesNumbersAsAPersonWould) {
