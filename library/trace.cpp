@@ -75,6 +75,9 @@ std::variant<CopiedDrawing, InputError> trace(const FinishedDesign& design,
   if (const auto fault = fault_in(lines, step)) return *fault;
   std::vector<DrawnStroke> strokes;
   for (const Polyline& line : lines) strokes.push_back({line, false});
+  if (const double poses = poses_along(strokes, step); !(poses <= most_traced_poses))
+    return InputError{"", 0, "step", fmt::format("{:g} mm, which makes {:.3g} poses", step, poses),
+                      fmt::format("at most {:.0f} poses", most_traced_poses)};
   const Design& inside = Workings::inside(design);
   const Trace found = trace_drawing({map_task(inside), inside.opening}, strokes, {.step = step});
   return copied(found);

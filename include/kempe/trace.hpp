@@ -36,7 +36,8 @@ struct CopiedDrawing {
 /// Copies lines (mm, table frame), poses at most `step` (mm) apart. Every point of a drawn line is the pen's place in a
 /// pose whose loops close, without contact with an obstacle (docs/verification.md); the similarity is never used to place the
 /// pen. Where the tracer cannot follow, the line is cut to 1e-9 mm of the last place that it reaches; a place beyond reach is an
-/// outcome, told in `missing`. Errors: `step` that is not finite and > 0 (key "step"), a point that is not finite (key
+/// outcome, told in `missing`. An obstacle narrower than the step may stand between two poses. A line without points is left out. Errors:
+/// `step` that is not finite and > 0, or makes more than five million poses (key "step"), a point that is not finite (key
 /// "lines[2]" for the third line).
 KEMPE_EXPORT std::variant<CopiedDrawing, InputError> trace(const FinishedDesign& design,
                                                            const std::vector<Polyline>& lines,

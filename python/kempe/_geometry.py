@@ -27,6 +27,7 @@ def is_geometry(value: object) -> bool:
 def rings_of(shape: Any) -> Rings:
     """The rings of a Polygon, a MultiPolygon, or of a collection of them; anything else is a ValueError."""
     polygons = list(_polygons(shape if isinstance(shape, Mapping) else shape.__geo_interface__))
+    polygons = [polygon for polygon in polygons if polygon]  # an empty one has no rings
     outer = [polygon[0] for polygon in polygons]
     holes = [hole for polygon in polygons for hole in polygon[1:]]
     if any(_is_inside(ring[0], hole) for ring in outer for hole in holes):
@@ -37,17 +38,18 @@ def rings_of(shape: Any) -> Rings:
 def _polygons(shape: Mapping[str, Any]) -> Iterable[list[Ring]]:
     kind = shape.get("type")
     if kind == "Polygon":
-        yield [_ring(ring) for ring in shape["coordinates"]]
+        yield [_ring(ring) for ring in shape.get("coordinates") or []]
     elif kind == "MultiPolygon":
-        for rings in shape["coordinates"]:
+        for rings in shape.get("coordinates") or []:
             yield [_ring(ring) for ring in rings]
     elif kind == "Feature":
-        yield from _polygons(shape["geometry"])
+        if shape.get("geometry") is not None:  # a feature may have no place
+            yield from _polygons(shape["geometry"])
     elif kind == "FeatureCollection":
-        for feature in shape["features"]:
+        for feature in shape.get("features") or []:
             yield from _polygons(feature)
     elif kind == "GeometryCollection":
-        for geometry in shape["geometries"]:
+        for geometry in shape.get("geometries") or []:
             yield from _polygons(geometry)
     else:
         raise ValueError(f"a {kind} has no area: a Polygon or MultiPolygon is wanted")

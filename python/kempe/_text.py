@@ -42,7 +42,7 @@ def toml_of(tables: Tables) -> str:
             rest.append(f"\n[{_key(name)}]\n" + _lines(whole, name))
         else:
             head.append(f"{_key(name)} = {_value(whole, name)}\n")
-    return "".join(head + rest) or "title = \"\"\n"  # an empty text is no file
+    return "".join(head + rest) or "# nothing\n"  # an empty text is no file
 
 
 def _whole_table(name: str, given: Any, suffix: str) -> Any:

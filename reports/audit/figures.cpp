@@ -9,6 +9,7 @@
 #include "geometry/regions/region_algebra.hpp"
 #include "reports/audit/record.hpp"
 #include "reports/audit/slack.hpp"
+#include "specs/text/printable.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/footprint.hpp"
@@ -281,6 +282,12 @@ void audit_claims(const StoredDesign& design, const Verification& drive, AuditRe
   const Verification& stated = design.verification;
   double size = 0;
   for (const double length : design.mechanism.lengths.values()) size += length;
+  record.checked("verification.certified");
+  if (!stated.holds && drive.holds)
+    record.broken({.limit = "verification.certified",
+                   .sentence = "the file states that its verification failed" +
+                               (stated.failure.empty() ? std::string() : ": " + printable(stated.failure)) +
+                               "; it holds"});
   record.figure("verification.flips", stated.flips, drive.flips, 0);
   record.figure("verification.scale", stated.scale, drive.scale, ratio_rounding * (1 + drive.scale));
   record.figure("verification.rotation_deg",

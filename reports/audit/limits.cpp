@@ -231,7 +231,18 @@ void check_robust_claim(const AuditTask& task, AuditRecord& record) {
                    .sentence = robust_fault(found, task.map_task.limits.clearance)});
   const auto& stated = design.quality.robust;
   if (!stated) return;
-  record.checked("quality.robust");
+  record.checked("quality.robust.holds");
+  // A search gives no design that does not hold; of a given mechanism one right at the limit may be stated either way.
+  const bool holds_surely =
+      holds &&
+      (design.objective || found.keeps(task.map_task.limits.clearance + task.slack + found.sharpness));
+  if (!stated->holds && holds_surely)
+    record.broken({.limit = "quality.robust.holds",
+                   .attained = found.clearance,
+                   .allowed = task.map_task.limits.clearance,
+                   .sentence = "it is stated not to hold, but it does"});
+  if (stated->nominal_value)
+    record.not_checked("quality.robust.nominal_value", "it is of another design, which need not be robust");
   if (!found.closes) return;
   const double rounding =
       found.sharpness + task.slack + (task.map_task.obstacles.empty() ? 0 : 2 * certain_gap);

@@ -112,6 +112,10 @@ tl::expected<DrawingCopy, InputError> copy_drawing(const StoredDesign& design, c
         InputError{drawing_file, 0, "", "a drawing without lines",
                    "paths, lines or shapes" + (drawing->remark().empty() ? "" : "; " + drawing->remark())});
   place_on_table(drawing->strokes, options, design.region);
+  if (const double poses = poses_along(drawing->strokes, *options.step); !(poses <= most_traced_poses))
+    return tl::unexpected(InputError{"", 0, "step_mm",
+                                     fmt::format("{:g} mm, which makes {:.3g} poses", *options.step, poses),
+                                     fmt::format("at most {:.0f} poses", most_traced_poses)});
   TraceOptions how;
   how.step = *options.step;
   how.keep_poses = options.keep_joints || options.keep_forces;

@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "geometry/chance.hpp"
+#include "geometry/segment_distance.hpp"
 #include "kinematics/instrument.hpp"
 #include "synthesis/verification/slack.hpp"
 
@@ -85,6 +86,9 @@ class MeasuresInUse {
 
 using Reached = tl::expected<Pose, NotReached>;
 
+/// At least 1; as a double, for it may be beyond every int.
+double steps_over(double length, double step) { return std::max(1.0, std::ceil(length / step)); }
+
 class Tracing {
  public:
   Tracing(const TraceTask& task, const TraceOptions& options)
@@ -132,6 +136,7 @@ class Tracing {
   }
 
   void follow(std::size_t index, const DrawnStroke& stroke) {
+    if (stroke.points.empty()) return;
     stroke_ = index;
     Stroke points = stroke.points;
     if (stroke.closed) points.push_back(points.front());
@@ -155,7 +160,7 @@ class Tracing {
   Reached follow_segment(const Point& from, const Point& to, Reached here) {
     const double length = (to - from).norm();
     turn_to(from, to, here);
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / options_.step)));
+    const int steps = static_cast<int>(steps_over(length, options_.step));
     Point last = from;
     for (int i = 1; i <= steps; ++i) {
       const Point place = i == steps ? to : Point(from + (to - from) * i / steps);
@@ -230,6 +235,14 @@ class Tracing {
 
   void go(const Point& from, const Reached& here, const Point& to, const Reached& there) {
     if (here.has_value() == there.has_value()) {
+      // Of a straight way the place nearest to the pole may lie inside the inner reach, or alone be within reach.
+      if (const auto nearest = between_nearest_to_pole(from, to)) {
+        const Reached at_nearest = closed(*nearest);
+        if (at_nearest.has_value() != here.has_value()) {
+          go(from, here, *nearest, at_nearest);
+          return go(*nearest, at_nearest, to, there);
+        }
+      }
       add(to, there);
       (there ? trace_.drawn_length : trace_.missing_length) += (to - from).norm();
       return;
@@ -245,6 +258,13 @@ class Tracing {
     add(to, there);
     (here ? trace_.drawn_length : trace_.missing_length) += (edge - from).norm();
     (there ? trace_.drawn_length : trace_.missing_length) += (to - edge).norm();
+  }
+
+  /// The place of a segment nearest to the pole, if that is none of its ends.
+  std::optional<Point> between_nearest_to_pole(const Point& from, const Point& to) const {
+    const double share = nearest_share(task_.mechanism.linkage.pole(), from, to);
+    if (!(share > 0 && share < 1)) return std::nullopt;
+    return from + share * (to - from);
   }
 
   /// The last place reached and the first one not, nearer to each other than slack::cut_precision.
@@ -270,6 +290,18 @@ class Tracing {
 };
 
 }  // namespace
+
+double poses_along(const std::vector<DrawnStroke>& strokes, double step) {
+  double poses = 0;
+  for (const DrawnStroke& stroke : strokes) {
+    const std::size_t count = stroke.points.size();
+    if (count == 0) continue;
+    poses += 1;
+    for (std::size_t i = stroke.closed ? 0 : 1; i < count; ++i)
+      poses += steps_over((stroke.points[i] - stroke.points[(i + count - 1) % count]).norm(), step);
+  }
+  return poses;
+}
 
 Trace trace_drawing(const TraceTask& task, const std::vector<DrawnStroke>& strokes,
                     const TraceOptions& options) {

@@ -84,6 +84,10 @@ struct Trace {
   double departure = 0;  ///< mm, largest distance of the pen from the similar image at any pose
 };
 
+/// How many poses trace_drawing() tries; where they are more than `most_traced_poses`, it must not be asked.
+double poses_along(const std::vector<DrawnStroke>& strokes, double step);
+inline constexpr double most_traced_poses = 5e6;
+
 /// Copies the strokes (mm, table frame).
 ///  1. Every point of a drawn line is the pen's place in a pose whose loops close and whose opening lies in
 ///     `task.opening`; the corners of the original are among the poses.

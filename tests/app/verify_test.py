@@ -165,6 +165,7 @@ def falsehoods(design):
         d["region"]["coordinates"][0][0] = [moved if p == ring[far] else p for p in ring]
     add("region", move_corner)
 
+    add("verification.certified", lambda d: d["verification"].update(certified=False, failure="broken"))
     add("limits.transmission_deg", lambda d: d["limits"].update(transmission_deg=quality["transmission_min_deg"] + 0.5))
     if quality["clearance_min_mm"] is not None:
         add("limits.clearance_mm", lambda d: d["limits"].update(clearance_mm=quality["clearance_min_mm"] + 0.05))
@@ -185,6 +186,8 @@ def falsehoods(design):
         add("tolerance.robust", lambda d: d.update(tolerance={"length_mm": 9, "play_mm": 0, "robust": True}))
     if "robust" in quality:
         add("tolerance.robust", lambda d: d["tolerance"].update(length_mm=1.5 * d["tolerance"]["length_mm"]))
+        if design["objective"]:
+            add("quality.robust.holds", lambda d: d["quality"]["robust"].update(holds=False))
         add("quality.robust.clearance_min_mm", lambda d: d["quality"]["robust"].update(
             clearance_min_mm=quality["robust"]["clearance_min_mm"] + 0.05))
         add("quality.robust.clearance_loss_mm", lambda d: d["quality"]["robust"].update(

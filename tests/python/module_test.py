@@ -156,6 +156,9 @@ class Specs(InAFolder):
                          "obstacles[0].polygon_mm")
         with self.assertRaisesRegex(ValueError, "in the hole of another"):
             kempe.Spec(copy=2, region=Shape("MultiPolygon", [[square(0, 0, 9), square(2, 2, 5)], [square(3, 3, 1)]]))
+        for empty in ({"type": "Polygon", "coordinates": []}, {"type": "Polygon"}, {"type": "Feature", "geometry": None}):
+            with self.assertRaisesRegex(kempe.SpecError, "region"):
+                kempe.Spec(copy=2, region=empty)
         with self.assertRaisesRegex(ValueError, "LineString has no area"):
             kempe.Spec(copy=2, region=Shape("LineString", [(0, 0), (1, 1)]))
 
@@ -296,6 +299,16 @@ class Designs(InAFolder):
             DESIGN.trace([[(66, 0)], [(np.nan, 0)]])
         with self.assertRaisesRegex(kempe.SpecError, "step"):
             DESIGN.trace([], step=0)
+
+    def test_traced_lines_of_all_kinds(self):
+        self.assertEqual(DESIGN.trace([[]]).poses, DESIGN.trace([]).poses)
+        through_the_pole = [(66, 0), (-66, 0)]  # the tracer cannot come to its middle, however long the steps are
+        fine, coarse = DESIGN.trace([through_the_pole]), DESIGN.trace([through_the_pole], step=1000)
+        self.assertGreater(fine.missing_length_mm, 100)
+        self.assertAlmostEqual(fine.missing_length_mm, coarse.missing_length_mm, places=6)
+        for line, step in ((through_the_pole, 1e-10), ([(65, 0), (1e300, 0)], 0.5)):
+            with self.assertRaisesRegex(kempe.SpecError, "step: found .* poses; allowed: at most 5000000 poses"):
+                DESIGN.trace([line], step=step)
 
     def test_drawings_that_cannot_be_traced(self):
         line = '<svg xmlns="http://www.w3.org/2000/svg" width="8mm" height="6mm" viewBox="0 0 8 6"><path d="M0 6L8 0"/></svg>'

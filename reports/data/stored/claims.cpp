@@ -58,7 +58,7 @@ Verification verification(const JsonField& field) {
   result.copy_error_max = field["copy_error_max_mm"].number_or_null().value_or(HUGE_VAL);
   result.loop_residual_max = field["loop_residual_max_mm"].number_or_null().value_or(HUGE_VAL);
   result.scale = field["scale"].number();
-  result.rotation = radians(field["rotation_deg"].number());
+  result.rotation = radians(field["rotation_deg"].number(-360, 360));
   result.flips = static_cast<int>(field["flips"].integer(0, most));
   result.holds = field["certified"].boolean();
   if (const auto over = field.find("driven_over")) result.over_workspace = over->text() == "workspace";
