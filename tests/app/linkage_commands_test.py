@@ -151,9 +151,9 @@ points = ["B", "C"]
             self.assertEqual(len(rows), 8)
             for step, row in enumerate(rows):
                 turn = at(step / 7)
-                self.assertAlmostEqual(float(row["B.x"]), math.cos(turn), places=6)
-                self.assertAlmostEqual(float(row["B.y"]), math.sin(turn), places=6)
-                self.assertAlmostEqual(math.hypot(float(row["C.x"]), float(row["C.y"])), 1 + 0.1 * step / 7, places=6)
+                self.assertAlmostEqual(float(row["B_x_mm"]), math.cos(turn), places=6)
+                self.assertAlmostEqual(float(row["B_y_mm"]), math.sin(turn), places=6)
+                self.assertAlmostEqual(math.hypot(float(row["C_x_mm"]), float(row["C_y_mm"])), 1 + 0.1 * step / 7, places=6)
 
     def test_a_slide_drives_the_piston(self):
         text = (LINKAGES / "slider-crank.toml").read_text()
@@ -196,7 +196,7 @@ points = ["B", "C"]
         self.assertEqual(run.returncode, 0, run.stderr)
         row = next(csv.DictReader(io.StringIO(run.stdout)))
         for i in range(5):
-            self.assertEqual(float(row[f"C{i}.y"]) < 0, i % 2 == 1)
+            self.assertEqual(float(row[f"C{i}_y_mm"]) < 0, i % 2 == 1)
         self.assertRefused(kempe("solve", self.linkage(text(50)), "--steps", 1), 6, "C4", "there may be more closings")
 
     def test_dead_point_is_named_and_the_table_kept(self):
