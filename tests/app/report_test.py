@@ -256,7 +256,7 @@ class Front(Case):
         self.assertEqual(run.returncode, 0, run.stderr)
         found = len((self.scratch / "few/front.csv").read_text().splitlines()) - 1
         self.assertLess(found, 9)
-        self.assertIn(f"9 searches gave {found} different designs", run.stdout)
+        self.assertIn(f"9 searches gave {found} different design{'' if found == 1 else 's'} that", run.stdout)
 
 
 if __name__ == "__main__":
