@@ -234,3 +234,9 @@ def error_of(rows: Sequence[tuple[str, int, str, str, str]], lines: bool = True)
     """The error that says these faults; without lines where the text is none that anybody wrote."""
     return SpecError([Fault(file or None, line if lines and line > 0 else None, key, found, allowed)
                       for file, line, key, found, allowed in rows])
+
+
+def check_time_limit(seconds: Optional[float]) -> None:
+    """Raises ValueError for what is no time: NaN and numbers below 0."""
+    if seconds is not None and not seconds >= 0:
+        raise ValueError(f"time_limit is a number of seconds >= 0; found {seconds}")

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._answers import (Audit, CopiedDrawing, CopiedLine, Loss, NotWritten, Point, Sheet, TracedDrawing, Verdict,
-                       Verification, broken_of, error_of)
+                       Verification, broken_of, error_of, check_time_limit)
 from ._geometry import Array, Region
 from ._program import studio_file
 from ._spec import Path
@@ -91,12 +91,12 @@ class Map:
         return self.reachable_within(TOLERANCE)
 
     def free_within(self, tolerance: float) -> Region:
-        """What is certainly free, with straight edges inside the true set, within `tolerance` (mm, > 0) of its arcs."""
-        return Region(self._inside.collision_free(_positive(tolerance)))
+        """What is certainly free, with straight edges inside the true set, within `tolerance` (mm, >= 1e-7) of its arcs."""
+        return Region(self._inside.collision_free(_length(tolerance)))
 
     def reachable_within(self, tolerance: float) -> Region:
-        """What is within reach, with straight edges around the true set, within `tolerance` (mm, > 0) of its arcs."""
-        return Region(self._inside.reachable(_positive(tolerance)))
+        """What is within reach, with straight edges around the true set, within `tolerance` (mm, >= 1e-7) of its arcs."""
+        return Region(self._inside.reachable(_length(tolerance)))
 
     @property
     def losses(self) -> list[Loss]:
@@ -169,6 +169,7 @@ class Design:
 
     @classmethod
     def _restored(cls, text: str | bytes, name: str, is_own: bool, time_limit: Optional[float] = None) -> Design:
+        check_time_limit(time_limit)
         found = _core.restore(text, name, is_own, time_limit)
         if isinstance(found, list):
             raise error_of(found)
@@ -465,9 +466,9 @@ def _own_design(text: str) -> Design:
     return Design._restored(text, "", True)
 
 
-def _positive(tolerance: float) -> float:
-    if not tolerance > 0:
-        raise ValueError(f"a tolerance is > 0 mm; found {tolerance}")
+def _length(tolerance: float) -> float:
+    if not tolerance >= 1e-7:  # below it arcs become millions of edges
+        raise ValueError(f"a tolerance is at least 1e-07 mm; found {tolerance}")
     return float(tolerance)
 
 

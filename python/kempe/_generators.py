@@ -8,7 +8,7 @@ from typing import Any, Callable, Iterator, Mapping, Optional, Union
 import numpy as np
 
 from . import _core
-from ._answers import NoDesign, Point, Stopped, error_of
+from ._answers import NoDesign, Point, Stopped, check_time_limit, error_of
 from ._geometry import Array
 from ._linkage import Linkage, Wanted
 from ._spec import Path, text_of
@@ -240,6 +240,7 @@ def function_generator(spec: Optional[_Spec] = None, *, time_limit: Optional[flo
     >>> len(dial.precision_points), dial.linkage.links
     (3, ['input', 'coupler', 'output'])
     """
+    check_time_limit(time_limit)
     found, linkages, _, plot = _generated(lambda file: _core.generate_function(file, time_limit),
                                             lambda text: _core.generate_function_text(text, time_limit), spec, tables)
     return FunctionGenerator(

@@ -1,13 +1,12 @@
 """The searches: kempe.synthesize, kempe.workspace, and what repeats them."""
 from __future__ import annotations
 
-import math
 import os
 import warnings
 from typing import Any, Callable, Iterable, Mapping, Optional, Sequence
 
 from . import _core
-from ._answers import Change, Error, NoDesign, Stopped, error_of
+from ._answers import Change, Error, NoDesign, Stopped, check_time_limit, error_of
 from ._design import Design, names_of
 from ._spec import Path, Spec
 
@@ -120,8 +119,9 @@ def _wishes(spec: Spec, seed: int, threads: Optional[int], time_limit: Optional[
             largest_sheets: bool) -> _core.Wishes:
     if not isinstance(spec, Spec):
         raise TypeError(f"a kempe.Spec is wanted, not {type(spec).__name__}: kempe.load() reads one from a file")
-    if math.isnan(map_tolerance):
-        raise ValueError("map_tolerance is not a number")
+    if not 1e-5 <= map_tolerance <= 0.5:
+        raise ValueError(f"map_tolerance is 0.00001 to 0.5; found {map_tolerance}")
+    check_time_limit(time_limit)
     return _core.Wishes(seed=seed, threads=threads if threads is not None else os.cpu_count() or 1, time_limit=time_limit,
                         diagnose=diagnose, map_tolerance=map_tolerance, largest_sheets=largest_sheets)
 

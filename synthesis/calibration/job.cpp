@@ -41,6 +41,9 @@ double largest_departure(const Calibration& calibration) {
   return largest;
 }
 
+/// Of a drawn length: what one that was made is off by at most.
+constexpr double largest_share = 0.05;
+
 class Job {
  public:
   Job(const Measurements& measurements, const std::optional<DrawnDesign>& design, const std::string& file)
@@ -51,6 +54,7 @@ class Job {
     record_.design = design_;
     record_.method = method_for(measurements_);
     TaskMaking present(measurements_, design_);
+    if (const auto fault = length_fault(present.task())) return tl::unexpected(*fault);
     for (const std::vector<std::size_t>& readings : readings_by_round()) {
       present = TaskMaking(measurements_, design_);
       for (const std::size_t i : readings) present.add(measurements_.readings[i]);
@@ -68,6 +72,27 @@ class Job {
       rounds.back().push_back(i);
     }
     return rounds;
+  }
+
+  /// A measured length that cannot be that of the drawn instrument, or that would go unused.
+  std::optional<InputError> length_fault(const CalibrationTask& task) const {
+    const MeasuredLengths drawn = lengths_of(task.setups.front().drawn);
+    for (std::size_t k = 0; k < measurements_.lengths.size(); ++k) {
+      const LengthSpec& given = measurements_.lengths[k];
+      const auto row = static_cast<Eigen::Index>(task.lengths[k].length);
+      const double as_drawn = drawn.values[row];
+      if (std::abs(given.value - as_drawn) > largest_share * as_drawn)
+        return InputError{file_, given.line, "lengths_mm." + given.name,
+                          fmt::format("{:.6g} mm, of {:.6g} mm drawn", given.value, as_drawn),
+                          "a length within a twentieth of the drawn one"};
+      const bool counts = std::any_of(task.free.begin(), task.free.end(),
+                                      [&](Measure measure) { return drawn.by(row, index_of(measure)) != 0; });
+      if (!counts)
+        return InputError{file_, given.line, "lengths_mm." + given.name,
+                          "a length that stays as drawn, for nothing that is free changes it",
+                          fmt::format("it where fit.free has \"{}\"", design_ ? "lengths" : "arms")};
+    }
+    return std::nullopt;
   }
 
   std::optional<InputError> add_round(const CalibrationTask& task, const std::vector<std::size_t>& readings) {

@@ -540,6 +540,16 @@ class Calibrate(Case):
             self.assertIn("together with", one["in_words"])
             self.assertIn("measure", one["what_would_tell"][0]["measure"])
 
+    def test_measured_lengths_that_cannot_be_or_would_go_unused(self):
+        readings = reading(30, 0.10, -0.30) + reading(60, 0.30, -0.50)
+        arm = lambda length: f"[lengths_mm]\narm_AC = {length}\n"
+        self.assertRefused(kempe("calibrate", self.file(INSTRUMENT + arm(600) + readings)), 2, "lengths_mm.arm_AC",
+                           "600 mm, of 500 mm drawn")
+        self.assertRefused(kempe("calibrate", self.file(INSTRUMENT + arm(500.1) + readings)), 2, "lengths_mm.arm_AC",
+                           "stays as drawn", '"arms"')
+        off = self.plotter(10, True).read_text().replace("CX = 390.52", "CX = 490.52")
+        self.assertRefused(kempe("calibrate", self.file(off)), 2, "lengths_mm.CX", "a twentieth")
+
     def test_hundreds_of_wrong_readings_among_thousands_are_left_out(self):
         """There are more sets of 300 among 2400 than a double counts."""
         rng = random.Random(7)

@@ -420,6 +420,11 @@ class Searches(InAFolder):
                 wrong()
         with self.assertRaises(ValueError):
             kempe.synthesize(SPEC, map_tolerance=float("nan"))
+        for options in ({"map_tolerance": -1}, {"map_tolerance": 5}, {"time_limit": float("nan")}, {"time_limit": -1}):
+            with self.assertRaisesRegex(ValueError, f"{next(iter(options))} is .*; found"):
+                kempe.synthesize(SPEC, **options)
+        with self.assertRaisesRegex(ValueError, "at least 1e-07 mm; found 1e-300"):
+            DESIGN.map.free_within(1e-300)
         self.assertIsInstance(kempe.synthesize(SPEC, time_limit=60, threads=0), kempe.Design)
         with self.assertRaises(kempe.Stopped):
             kempe.synthesize(SPEC, time_limit=0)
