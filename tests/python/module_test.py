@@ -242,7 +242,7 @@ class Designs(InAFolder):
         self.assertEqual(rings[0][0], rings[0][-1])
         self.assertTrue(DESIGN.map.is_free(free.polygons[0][0].mean(axis=0, keepdims=True) * 0 + [66, 0])[0])
         for tolerance in (0, -1, float("nan")):
-            with self.assertRaisesRegex(ValueError, "> 0"):
+            with self.assertRaisesRegex(ValueError, "at least 1e-07"):
                 DESIGN.map.free_within(tolerance)
         self.assertIn("out of reach", {loss.cause for loss in DESIGN.map.losses})
         self.assertIn("reach", DESIGN.map.why(0, 0).sentence)
