@@ -380,7 +380,9 @@ class Verify(unittest.TestCase):
                     for key, value in (design[table] or {}).items():
                         if value not in (None, []):
                             self.assertIn(f"{table}.{key}", said)
-                for key, value in {**{f"quality.{k}": v for k, v in design["quality"].items()},
+                quality = {f"quality.{k}": v for k, v in design["quality"].items() if k != "robust"}
+                quality |= {f"quality.robust.{k}": v for k, v in design["quality"].get("robust", {}).items()}
+                for key, value in {**quality,
                                    **{f"workspace.{k}": v for k, v in design["workspace"].items() if k.endswith("mm2")}}.items():
                     if value is not None:
                         self.assertIn(key, said)
