@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "geometry/segment_distance.hpp"
 #include "tests/random.hpp"
 
 namespace kempe {
@@ -27,15 +28,21 @@ TraceTask task(Complex k, Grounding grounding, double VA, double VB, int assembl
   return {MapTask{linkage, {}, {}}, shrink(all, 0.15 * all.width())};
 }
 
-/// A random stroke whose corners the tracer reaches.
+/// A random stroke all of which the tracer reaches: no way between two corners comes nearer to the pole than they do, for a thin
+/// annulus of reach would not hold it.
 DrawnStroke reachable_stroke(const TraceTask& task, Random& random, int corners) {
+  const CopyingLinkage& linkage = task.mechanism.linkage;
   DrawnStroke stroke;
   double bearing = random(-3, 3);
-  for (int i = 0; i < corners; ++i) {
-    bearing += random(-0.002, 0.002);  // chords must not leave a thin annulus of reach
-    const double share = random(0.3, 0.7);
-    stroke.points.push_back(
-        task.mechanism.linkage.tracer_at(task.opening.lower + share * task.opening.width(), bearing));
+  while (stroke.points.size() < static_cast<std::size_t>(corners)) {
+    const double next = bearing + random(-0.002, 0.002), share = random(0.3, 0.7);
+    const Point corner = linkage.tracer_at(task.opening.lower + share * task.opening.width(), next);
+    if (!stroke.points.empty()) {
+      const double nearest = nearest_share(linkage.pole(), stroke.points.back(), corner);
+      if (nearest > 0 && nearest < 1) continue;
+    }
+    bearing = next;
+    stroke.points.push_back(corner);
   }
   return stroke;
 }
