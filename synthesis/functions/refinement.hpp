@@ -26,7 +26,7 @@ struct WantedPlace {
 /// Why a function cannot be shown by a dial, or not be followed.
 struct NoDial {
   std::string found, allowed;
-  bool proven = true;  ///< false: it has more to it than is looked at
+  bool proven = true;  ///< false: told by the places looked at alone
 };
 NoDial not_finite_at(const FunctionTask& task, double x);
 

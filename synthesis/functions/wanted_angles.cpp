@@ -122,7 +122,7 @@ std::optional<NoDial> WantedAngles::sampled() {
       if (peak.endless)
         return NoDial{fmt::format("values without end towards x = {:.9g} ({:.3g} as near as numbers come)",
                                   peak.x, sign * peak.height),
-                      finite_everywhere(task_)};
+                      finite_everywhere(task_), false};
       if (sign > 0 && peak.height > high + slack::peak_stands_out * range)
         y_upper_ = std::max(y_upper_, peak.height);
       if (sign < 0 && peak.height > -low + slack::peak_stands_out * range)
