@@ -394,7 +394,7 @@ TEST(FunctionGenerator, FunctionsConstantButForRoundingHaveNoDial) {
   for (const NoFunctionDesign& none :
        {none_for(nearly_one), none_for([](double x) { return 1e13 + x; }),
         none_for([](double x) { return 1e-310 * x; }), none_for([](double) { return 3; })}) {
-    EXPECT_TRUE(none.proven);
+    EXPECT_FALSE(none.proven) << "between the places it may be another";
     EXPECT_NE(none.sentence.find("constant"), std::string::npos) << none.sentence;
   }
 }
