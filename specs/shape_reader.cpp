@@ -49,19 +49,12 @@ class RingsReader {
     for (const toml::node& node : list) {
       const auto corner = finite_point(node);
       if (!corner) {
-        refuse(node, fmt::format("corner {}: {}", ring.size() + 1, describe_corner(node)));
+        refuse(node, fmt::format("corner {}: {}", ring.size() + 1, describe(node)));
         return std::nullopt;
       }
       ring.push_back(*corner);
     }
     return ring;
-  }
-
-  /// "[1, nan]", not "a list of 2".
-  static std::string describe_corner(const toml::node& node) {
-    const toml::array* list = node.as_array();
-    if (!list || list->size() != 2) return describe(node);
-    return fmt::format("[{}, {}]", describe((*list)[0]), describe((*list)[1]));
   }
 
   std::nullopt_t refuse(const toml::node& node, std::string found) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
+#include <vector>
 
 namespace kempe {
 namespace {
@@ -77,6 +78,17 @@ std::string cause_of(std::string_view description) {
          " that cannot be read: " + text.substr(colon + 2);
 }
 
+/// "[1, nan]" of a few plain values, else "a list of 7".
+std::string describe_list(const toml::array& list) {
+  constexpr std::size_t few = 4;
+  if (list.empty()) return "an empty list";
+  const bool plain = std::all_of(list.begin(), list.end(), [](const auto& one) { return one.is_value(); });
+  if (!plain || list.size() > few) return fmt::format("a list of {}", list.size());
+  std::vector<std::string> values;
+  for (const toml::node& one : list) values.push_back(describe(one));
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
+
 }  // namespace
 
 tl::expected<toml::table, InputError> parse_toml(std::string_view text, const std::string& file_name) {
@@ -103,8 +115,7 @@ std::string describe(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
   if (const auto* text = node.as_string()) return fmt::format("text \"{}\"", printable(text->get(), 40));
-  if (const auto* list = node.as_array())
-    return list->empty() ? "an empty list" : fmt::format("a list of {}", list->size());
+  if (const auto* list = node.as_array()) return describe_list(*list);
   return node.is_table() ? "a table" : "a date or time";
 }
 

@@ -102,10 +102,9 @@ std::optional<NoDial> WantedAngles::sampled() {
   }
   const double range = y_upper_ - y_lower_, largest = std::max(std::abs(y_lower_), std::abs(y_upper_));
   if (!(range > slack::constant * largest && range > slack::least_range))
-    return NoDial{range == 0
-                      ? fmt::format("constant: {:.6g} at all {} places", y_lower_, samples)
-                      : fmt::format("as good as constant: from {:.17g} to {:.17g} at {} places", y_lower_,
-                                    y_upper_, samples),
+    return NoDial{range == 0 ? fmt::format("constant: {:.6g} at all {} places", y_lower_, samples)
+                             : fmt::format("as good as constant: from {:.17g} to {:.17g} at {} places",
+                                           y_lower_, y_upper_, samples),
                   fmt::format("a function whose values differ by more than {:g} of the largest, and by {:g}",
                               slack::constant, slack::least_range),
                   false};

@@ -6,6 +6,7 @@
 
 #include "synthesis/search/strategies/locked_lengths.hpp"
 #include "synthesis/solvers/parallel.hpp"
+#include "workspace/footprint.hpp"
 
 namespace kempe {
 namespace {
@@ -116,6 +117,16 @@ SearchResult best_with_ratio(const SearchTask& task, const std::vector<Prospect>
   return best_with_exact_ratio({there, prospects, std::nullopt});
 }
 
+/// A design of the quick goal, told by the task's own.
+FoundDesign told_by(const SearchTask& task, FoundDesign design) {
+  const Spec& spec = task.spec();
+  if (task.goal == Goal::footprint)
+    design.attained.footprint = footprint(design.linkage, spec.links.style, spec.region).area;
+  design.goal = task.goal;
+  design.value = design.attained.of(task.goal);
+  return design;
+}
+
 /// The first design that is good enough; where the first few found are not, the best of them.
 template <typename GoodEnough>
 SearchResult best_of_ratios(const SearchTask& task, const std::vector<Prospect>& known,
@@ -139,7 +150,8 @@ SearchResult best_of_ratios(const SearchTask& task, const std::vector<Prospect>&
   if (chosen && quick.goal != task.goal) {
     SearchResult best = best_with_ratio(task, known, *chosen);
     result.evaluations += best.evaluations;
-    result.design = std::move(best.design);
+    // Where the time was over first, the quick one is a design as well.
+    result.design = best.design ? *std::move(best.design) : told_by(task, *std::move(result.design));
   }
   result.stopped = task.stopped();
   return result;

@@ -18,6 +18,7 @@
 #include "tests/samples.hpp"
 #include "tests/synthesis/search_specimens.hpp"
 #include "tests/synthesis/shipped_spec.hpp"
+#include "workspace/footprint.hpp"
 #include "workspace/obstructions.hpp"
 
 namespace kempe {
@@ -142,6 +143,26 @@ TEST(Stopping, UnderATimeLimitADesignIsFoundWithinItsShare) {
     const SearchOutcome outcome = outcome_of(spec, early, very_long);
     EXPECT_TRUE(std::holds_alternative<FoundDesign>(outcome)) << name;
   }
+}
+
+/// Stock lengths that keep no ratio: the smallest design that was found first is handed out, measured by its footprint.
+TEST(Stopping, AmongFootprintsWithAnotherRatioTheQuickDesignIsKept) {
+  Spec spec = test::shipped_spec("plagiograph");
+  spec.copy = Copy::of(Complex{0, std::sqrt(1.9)});
+  spec.objective.objective = Objective::footprint;
+  spec.links.stock_lengths.grid = 5;
+  CountingStop none(never);
+  const SearchOutcome whole = outcome_of(spec, none, forever);
+  const auto* best = std::get_if<FoundDesign>(&whole);
+  ASSERT_TRUE(best);
+  CountingStop late(none.polls() - none.polls() / 50);
+  const SearchOutcome outcome = outcome_of(spec, late, forever);
+  const auto* design = std::get_if<FoundDesign>(&outcome);
+  ASSERT_TRUE(design);
+  EXPECT_FALSE(design->complete);
+  EXPECT_EQ(design->goal, Goal::footprint);
+  EXPECT_EQ(design->value, footprint(design->linkage, spec.links.style, spec.region).area);
+  EXPECT_GE(design->value, best->value * (1 - 1e-9));
 }
 
 TEST(Stopping, ABoundStoppedEarlyIsABound) {
