@@ -43,7 +43,7 @@ std::string assembly_sentence(const Design& design) {
       "<p class=\"note\">Put together so that, seen from above, going from V to A the bar VB lies {}",
       turn_of(sides.parallelogram));
   if (sides.plate_ACX != Side::on_line)
-    text += fmt::format(", the plate ACX turns {} at A coming from C, and BCY {} at B",
+    text += fmt::format(", going from A to C the tip X {}, and going from B to C the tip Y {}",
                         turn_of(sides.plate_ACX), turn_of(sides.plate_BCY));
   return text + ". The opposite sides of the parallelogram are equal: VA = BC and VB = AC.</p>\n";
 }

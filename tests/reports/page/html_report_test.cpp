@@ -1,5 +1,6 @@
 #include "reports/page/html_report.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 #include <map>
 #include <regex>
 
+#include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/map_contours.hpp"
 #include "reports/pictures/map_picture.hpp"
@@ -52,6 +54,29 @@ TEST(HtmlReport, NamesEveryLengthWithTheLettersOfTheDrawing) {
     EXPECT_THAT(page, HasSubstr(row));
   for (const char letter : {'V', 'A', 'B', 'C', 'X', 'Y'})
     EXPECT_THAT(page, HasSubstr(std::string("<tspan class=\"letter\">") + letter + "</tspan>"));
+}
+
+/// "to the left" of the way from one joint to the next, as the drawn pose has it.
+std::string side_of(const Point& from, const Point& to, const Point& point) {
+  return cross(to - from, point - from) > 0 ? "to the left" : "to the right";
+}
+
+TEST(HtmlReport, TellsHowToPutTheLinksTogetherAsTheyAreDrawn) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  for (const Complex k : {Complex(0, 1.4), Complex(0, -1.4), std::polar(0.6, 2.0), std::polar(2.5, -1.0)})
+    for (const Grounding grounding : all_groundings)
+      for (const AssemblyMode& mode : assembly_modes(shape_of(k, grounding))) {
+        const auto linkage = CopyingLinkage::make(k, grounding, 50, 35, mode.number);
+        ASSERT_TRUE(linkage);
+        specimen.design.linkage = *linkage;
+        const Pose pose = linkage->pose_at(mode.openings.middle(), 0);
+        EXPECT_THAT(
+            report_sections::making(specimen.design),
+            HasSubstr(fmt::format("going from V to A the bar VB lies {}, going from A to C the tip X {}, "
+                                  "and going from B to C the tip Y {}.",
+                                  side_of(pose.V, pose.A, pose.B), side_of(pose.A, pose.C, pose.X),
+                                  side_of(pose.B, pose.C, pose.Y))));
+      }
 }
 
 TEST(HtmlReport, SaysWhatPassesAnEmptyLayer) {
