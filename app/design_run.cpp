@@ -16,6 +16,7 @@
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/step_assembly.hpp"
 #include "reports/drawings/tool_words.hpp"
+#include "reports/earlier_design.hpp"
 #include "reports/page/studio_page.hpp"
 #include "specs/objective_unit.hpp"
 #include "specs/spec_reader.hpp"
@@ -413,11 +414,14 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   if (!studio_page.empty())
     if (const auto added = draft.add({studio_page_name, studio_page}); !added)
       return fail(session, cannot_write, added.error());
-  const std::vector<std::string> files = draft.names();
-  if (const auto clash = output_clash(spec.inputs(), folder, files)) return fail(session, *clash);
+  const std::vector<std::string> files = draft.names(), earlier = design_files_in(folder);
+  for (const std::vector<std::string>& names : {files, earlier})
+    if (const auto clash = output_clash(spec.inputs(), folder, names)) return fail(session, *clash);
   if (const auto written = draft.put_in_place(); !written)
     return fail(session, cannot_write, written.error());
-  const std::vector<std::string>& left_out = drafted->left_out;
+  std::vector<std::string> left_out = drafted->left_out;
+  if (const auto removed = remove_left_over(folder, earlier, files); !removed.empty())
+    left_out.push_back(removed_sentence(removed));
   std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
   if (drafted->has_parts && !time.enough())
     if (const auto lack = why_no_step()) told.push_back(*lack);

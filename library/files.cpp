@@ -12,6 +12,7 @@
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/drawings/parts_fault.hpp"
 #include "reports/drawings/svg_writer.hpp"
+#include "reports/earlier_design.hpp"
 #include "reports/front_folder.hpp"
 #include "reports/page/html_report.hpp"
 #include "reports/page/studio_page.hpp"
@@ -75,9 +76,12 @@ Written write(const FinishedDesign& design, const std::filesystem::path& folder,
   if (!drafted) return {{}, {}, drafted.error().sentence};
   if (!studio.empty())
     if (const auto added = draft.add({studio_page_name, studio}); !added) return {{}, {}, added.error()};
-  const std::vector<std::string> files = draft.names();
+  const std::vector<std::string> files = draft.names(), earlier = design_files_in(folder);
   if (const auto placed = draft.put_in_place(); !placed) return {{}, {}, placed.error()};
-  return {files, drafted->left_out, ""};
+  std::vector<std::string> left_out = drafted->left_out;
+  if (const auto removed = remove_left_over(folder, earlier, files); !removed.empty())
+    left_out.push_back(removed_sentence(removed));
+  return {files, std::move(left_out), ""};
 }
 
 Written write(const Front& front, const std::filesystem::path& folder, const WriteOptions& options) {
