@@ -274,9 +274,9 @@ VerificationTask verification_task(const Design& design) {
   task.region_covered = design.map.coverage.covered;
   if (task.region.empty() || !task.region_covered)
     task.workspace = part_to_drive_over(map_task(design), design.map);
-  if (design.opening
-          .empty()) {  // the linkage touches itself everywhere: what is left to show is that it copies
+  if (design.opening.empty()) {  // no opening keeps the limits: what is left to show is that it copies
     task.mechanism.opening = l.openings_with_transmission(design.limits.transmission);
+    if (task.mechanism.opening.empty()) task.mechanism.opening = l.assembly_mode().openings;
     task.region_covered = false;
   }
   task.style = design.style;

@@ -110,8 +110,28 @@ class Examples(Case):
     # A given mechanism whose parallelogram's bars touch at every opening that keeps the transmission angle.
     TOUCHING = POLE_IN_HOLE.replace("50", "70").replace("assembly = 0", "assembly = 1")
 
+    # Dead point and change point lie 3 degrees apart: no opening is 5 degrees from both.
+    TOO_NARROW = """
+[copy]
+scale = 0.3
+rotation_deg = 3
+[region]
+rectangle_mm = {at = [120, -60], size = [20, 20]}
+[links]
+width_mm = 20
+pin_diameter_mm = 3
+layers = 8
+[limits]
+transmission_deg = 5
+[mechanism]
+vertex = "pole"
+VA_mm = 90
+VB_mm = 60
+layers = [1, 3, 6, 8]
+"""
+
     def test_a_mechanism_without_a_usable_opening_is_told_so(self):
-        for text in (self.TOUCHING, re.sub(r"(?s)\[region\].*?(?=\[links\])", "", self.TOUCHING)):
+        for text in (self.TOUCHING, re.sub(r"(?s)\[region\].*?(?=\[links\])", "", self.TOUCHING), self.TOO_NARROW):
             out = self.scratch / "touching"
             run = kempe("workspace", self.spec(text), "-o", out)
             self.assertEqual(run.returncode, 0, run.stderr)
@@ -154,6 +174,33 @@ class Habits(Case):
         page = (SOURCE / "docs" / "commands.md").read_text()
         for name in FILES:
             self.assertIn(f"`{name}`", page)
+
+    def test_a_folder_holds_one_design(self):
+        """Parts of an earlier one must not be cut for this one; what is no file of a design stays."""
+        out, sheet = self.scratch / "out", "[cutting]\nsheet_mm = [600, 600]\n"
+        (out / "parts").mkdir(parents=True)
+        for name in ("nested.dxf", "parts/mine.dxf"):
+            (out / name).write_text("mine")
+        self.assertEqual(self.synthesize().returncode, 0)
+        self.assertEqual((out / "nested.dxf").read_text(), "mine")  # there was no design before
+        self.assertEqual(self.synthesize(TEN_LINES + sheet).returncode, 0)
+        self.assertNotEqual((out / "nested.dxf").read_text(), "mine")
+        run = self.synthesize()
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertFalse((out / "nested.dxf").exists())
+        for told in (run.stdout, run.stderr):
+            self.assertIn("Removed, of an earlier design: nested.dxf.", told)
+        self.assertEqual((out / "parts" / "mine.dxf").read_text(), "mine")
+        self.assertTrue((out / "parts" / "VA.dxf").exists())
+
+    def test_a_shorter_front_leaves_no_points_of_a_longer_one(self):
+        out = self.scratch / "front"
+        for points in (5, 3):
+            run = kempe("pareto", EXAMPLES / "plagiograph.toml", "--between", "size,transmission", "--points", points, "-o", out, "--json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            found = json.loads(run.stdout)
+            self.assertEqual(sorted(p.name for p in out.iterdir() if p.is_dir()), [f"{i + 1:02}" for i in range(found["points"])])
+        self.assertTrue(any("of an earlier design: 04/" in sentence for sentence in found["left_out"]))
 
     def test_the_readme_shows_what_is_printed(self):
         page = (SOURCE / "README.md").read_text()
