@@ -242,11 +242,31 @@ SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers) {
           .pen_rests = load.rests_at(Carrier::pen)};
 }
 
+namespace {
+
+/// Where value(opening) is largest, over openings in which what play does may jump.
+template <class Value>
+double top_between_jumps(const SagProfile& profile, const CopyingLinkage& linkage,
+                         const OpeningInterval& openings, const Value& value) {
+  double best = openings.lower, best_value = -infinity;
+  for (const SupportedStretch& stretch : profile.stretches(linkage.VA(), linkage.VB(), openings)) {
+    const double top = top_over(stretch.openings, value);
+    if (const double here = value(top); here > best_value) {
+      best = top;
+      best_value = here;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
 LargestSag largest_sag(const CopyingLinkage& linkage, const SagConditions& conditions,
                        const OpeningInterval& openings) {
   const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
   const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
-  const double opening = top_over(openings, [&](double at) { return sag(at).most(); });
+  const double opening =
+      top_between_jumps(profile, linkage, openings, [&](double at) { return sag(at).most(); });
   return {sag(opening), opening};
 }
 
@@ -254,8 +274,13 @@ LargestDrops largest_drops(const CopyingLinkage& linkage, const SagConditions& c
                            const OpeningInterval& openings) {
   const SagProfile profile(linkage.k(), linkage.grounding(), conditions);
   const auto sag = [&](double opening) { return profile.at(linkage.VA(), linkage.VB(), opening); };
-  return {.tracer = sag(top_over(openings, [&](double at) { return sag(at).tracer.total(); })),
-          .pen = sag(top_over(openings, [&](double at) { return sag(at).pen.total(); }))};
+  const auto top = [&](Drop SagAt::*drop) {
+    return sag(top_between_jumps(profile, linkage, openings, [&](double at) {
+      const double here = (sag(at).*drop).total();
+      return std::isfinite(here) ? here : infinity;
+    }));
+  };
+  return {.tracer = top(&SagAt::tracer), .pen = top(&SagAt::pen)};
 }
 
 }  // namespace kempe

@@ -330,19 +330,28 @@ TEST(Sag, GrowsWithTheThirdPowerOfTheLengthsUnderATool) {
   }
 }
 
+CopyingLinkage linkage_of(const SagCase& one) {
+  const auto modes = assembly_modes(shape_of(one.k, one.grounding));
+  const auto mode = std::find_if(modes.begin(), modes.end(), [&](const AssemblyMode& each) {
+    return each.openings.lower < one.opening && one.opening < each.openings.upper;
+  });
+  return *CopyingLinkage::make(one.k, one.grounding, one.VA, one.VB, mode->number);
+}
+
+OpeningInterval inner_openings(const CopyingLinkage& linkage) {
+  const OpeningInterval& openings = linkage.assembly_mode().openings;
+  return shrink(openings, 0.2 * openings.width());
+}
+
 TEST(Sag, OfEachPointIsLargestWhereThatPointSinksMost) {
   std::mt19937_64 random(13);
   int apart = 0;
   for (int i = 0; i < 30; ++i) {
     const SagCase one = random_case(random);
-    const auto modes = assembly_modes(shape_of(one.k, one.grounding));
-    const auto mode = std::find_if(modes.begin(), modes.end(), [&](const AssemblyMode& each) {
-      return each.openings.lower < one.opening && one.opening < each.openings.upper;
-    });
-    const auto linkage = CopyingLinkage::make(one.k, one.grounding, one.VA, one.VB, mode->number);
-    const OpeningInterval openings = shrink(mode->openings, 0.2 * mode->openings.width());
-    const LargestDrops each = largest_drops(*linkage, one.conditions, openings);
-    const SagAt both = largest_sag(*linkage, one.conditions, openings).sag;
+    const CopyingLinkage linkage = linkage_of(one);
+    const OpeningInterval openings = inner_openings(linkage);
+    const LargestDrops each = largest_drops(linkage, one.conditions, openings);
+    const SagAt both = largest_sag(linkage, one.conditions, openings).sag;
     const double most = std::max(each.pen.pen.total(), each.tracer.tracer.total());
     EXPECT_NEAR(most, both.most(), 1e-6 * both.most());
     EXPECT_GE(each.pen.pen.total(), both.pen.total() - 1e-9 * both.most());
@@ -352,6 +361,34 @@ TEST(Sag, OfEachPointIsLargestWhereThatPointSinksMost) {
       ++apart;
   }
   EXPECT_GT(apart, 3);  // what one opening for both understates
+}
+
+/// Where the weights lift a point off the table, what play does jumps, between two openings that a plain search would look at.
+TEST(Sag, IsTheMostOfAllOpeningsThoughItJumps) {
+  std::mt19937_64 random(71);
+  int jumping = 0;
+  for (int i = 0; i < test::samples(60); ++i) {
+    SCOPED_TRACE(i);
+    SagCase one = random_case(random);
+    one.conditions.tracer_rests = one.conditions.pen_rests = true;
+    one.conditions.play = test::uniform(random, 0.01, 0.2);
+    const CopyingLinkage linkage = linkage_of(one);
+    const OpeningInterval openings = inner_openings(linkage);
+    const SagProfile profile(one.k, one.grounding, one.conditions);
+    double most = 0, pen = -infinity, tracer = -infinity;
+    for (int j = 0; j <= 2000; ++j) {
+      const SagAt here = profile.at(one.VA, one.VB, openings.lower + openings.width() * j / 2000);
+      most = std::max(most, here.most());
+      pen = std::max(pen, here.pen.total());
+      tracer = std::max(tracer, here.tracer.total());
+    }
+    if (profile.stretches(one.VA, one.VB, openings).size() > 1) ++jumping;
+    const LargestDrops each = largest_drops(linkage, one.conditions, openings);
+    EXPECT_GE(largest_sag(linkage, one.conditions, openings).sag.most(), most * (1 - 1e-6));
+    EXPECT_GE(each.pen.pen.total(), pen - 1e-6 * most);
+    EXPECT_GE(each.tracer.tracer.total(), tracer - 1e-6 * most);
+  }
+  EXPECT_GT(jumping, test::expected(10));
 }
 
 TEST(Sag, EachJointBendsItsOwnPin) {
