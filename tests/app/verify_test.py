@@ -397,6 +397,23 @@ class Verify(unittest.TestCase):
                     change(stated)
                     self.assertBroken(self.verify(stated), key)
 
+    def test_areas_errors_and_forces_below_zero_are_refused(self):
+        design = self.designs["pantorouter-upright"]
+        signed = {"quality.clearance_min_mm", "quality.lower_bound", "verification.rotation_deg", "verification.scale"}
+        tried = 0
+        for table in ("quality", "workspace", "verification"):
+            for key, value in design[table].items():
+                if f"{table}.{key}" in signed or type(value) is not float or key == "map_tolerance":
+                    continue
+                stated = copy.deepcopy(design)
+                stated[table][key] = -1.0
+                with self.subTest(f"{table}.{key}"):
+                    run = self.verify(stated)
+                    self.assertEqual(run.returncode, 2, run.stderr)
+                    self.assertIn(f"{table}.{key}: found -1", run.stderr)
+                tried += 1
+        self.assertGreater(tried, 15)
+
     def test_figures_of_a_breach_are_those_of_the_plane(self):
         """Attained, allowed and place, computed here by the plainest means."""
         for name, design in self.designs.items():

@@ -9,44 +9,50 @@ namespace {
 
 constexpr std::size_t most_solvers = 100, longest_solver_name = 200;
 
+/// An error, an area or a force, which is never below 0.
+double amount(const JsonField& field) { return field.number(0, 1e300); }
+std::optional<double> amount_or_null(const JsonField& field) {
+  return field.number_or_null() ? std::optional(amount(field)) : std::nullopt;
+}
+
 Robustness robustness(const JsonField& field) {
   return {.holds = field["holds"].boolean(),
           .clearance = field["clearance_min_mm"].number_or_null().value_or(-HUGE_VAL),
-          .clearance_loss = field["clearance_loss_mm"].number_or_null().value_or(HUGE_VAL),
+          .clearance_loss = amount_or_null(field["clearance_loss_mm"]).value_or(HUGE_VAL),
           .nominal_value = field["nominal_value"].number_or_null()};
 }
 
 /// All of them or none.
 std::optional<LoadFigures> load_figures(const JsonField& field) {
   if (!field.find("load_error_max_mm")) return std::nullopt;
-  return LoadFigures{.error_max = field["load_error_max_mm"].number(),
-                     .error_min = field["load_error_min_mm"].number(),
-                     .pin_force_max = field["pin_force_max_N"].number(),
-                     .hand_force_max = field["hand_force_max_N"].number(),
-                     .stress_max = field["stress_max_MPa"].number_or_null().value_or(HUGE_VAL)};
+  return LoadFigures{.error_max = amount(field["load_error_max_mm"]),
+                     .error_min = amount(field["load_error_min_mm"]),
+                     .pin_force_max = amount(field["pin_force_max_N"]),
+                     .hand_force_max = amount(field["hand_force_max_N"]),
+                     .stress_max = amount_or_null(field["stress_max_MPa"]).value_or(HUGE_VAL)};
 }
 
 /// Both of them or none.
 std::optional<LayeredFigures> layered_figures(const JsonField& field) {
   constexpr std::string_view error = "load_error_layered_max_mm", rise = "load_rise_max_mm";
   if (!field.find(error) && !field.find(rise)) return std::nullopt;
-  return LayeredFigures{.error_max = field[error].number(), .rise_max = field[rise].number()};
+  return LayeredFigures{.error_max = amount(field[error]), .rise_max = amount(field[rise])};
 }
 
 Quality quality(const JsonField& field) {
   Quality result;
-  result.size = field["size_mm"].number();
+  result.size = amount(field["size_mm"]);
   result.transmission_min = radians(field["transmission_min_deg"].number(0, 90));
   result.clearance_min = field["clearance_min_mm"].number_or_null().value_or(HUGE_VAL);
-  result.copy_error_worst = field["copy_error_worst_mm"].number_or_null();
-  result.copy_error_rss = field["copy_error_rss_mm"].number_or_null();
-  result.distortion_worst = field["distortion_worst_mm"].number_or_null();
-  result.footprint = field["footprint_mm2"].number_or_null().value_or(0);
+  result.copy_error_worst = amount_or_null(field["copy_error_worst_mm"]);
+  result.copy_error_rss = amount_or_null(field["copy_error_rss_mm"]);
+  result.distortion_worst = amount_or_null(field["distortion_worst_mm"]);
+  result.footprint = amount_or_null(field["footprint_mm2"]).value_or(0);
   result.proven_bound = field["lower_bound"].number_or_null();
   result.loads = load_figures(field);
   result.layered = layered_figures(field);
-  if (const auto sag = field.find("sag_max_mm")) result.sag = sag->number();
-  if (const auto mass = field.find("mass_kg")) result.mass = mass->number();
+  if (const auto sag = field.find("sag_max_mm")) result.sag = amount(*sag);
+  if (const auto mass = field.find("mass_kg")) result.mass = amount(*mass);
   if (const auto one = field.find("robust")) result.robust = robustness(*one);
   return result;
 }
@@ -55,8 +61,8 @@ Verification verification(const JsonField& field) {
   constexpr std::int64_t most = 1'000'000'000;
   Verification result;
   result.samples = static_cast<std::size_t>(field["samples"].integer(0, most));
-  result.copy_error_max = field["copy_error_max_mm"].number_or_null().value_or(HUGE_VAL);
-  result.loop_residual_max = field["loop_residual_max_mm"].number_or_null().value_or(HUGE_VAL);
+  result.copy_error_max = amount_or_null(field["copy_error_max_mm"]).value_or(HUGE_VAL);
+  result.loop_residual_max = amount_or_null(field["loop_residual_max_mm"]).value_or(HUGE_VAL);
   result.scale = field["scale"].number();
   result.rotation = radians(field["rotation_deg"].number(-360, 360));
   result.flips = static_cast<int>(field["flips"].integer(0, most));
@@ -75,17 +81,17 @@ FittingSheet sheet(const JsonField& field) {
 }
 
 StoredMap stored_map(const JsonField& field) {
-  const auto number = [&](std::string_view key) {
+  const auto area = [&](std::string_view key) {
     const auto one = field.find(key);
-    return one ? std::optional(one->number()) : std::nullopt;
+    return one ? std::optional(amount(*one)) : std::nullopt;
   };
-  StoredMap result{.reachable = number("reachable_mm2"),
-                   .usable = number("usable_mm2"),
-                   .collision_free = number("collision_free_mm2"),
-                   .uncertain = number("uncertain_mm2"),
-                   .map_tolerance = number("map_tolerance"),
+  StoredMap result{.reachable = area("reachable_mm2"),
+                   .usable = area("usable_mm2"),
+                   .collision_free = area("collision_free_mm2"),
+                   .uncertain = area("uncertain_mm2"),
+                   .map_tolerance = {},
                    .sheets = {}};
-  if (result.map_tolerance) field["map_tolerance"].number(1e-5, 0.5);
+  if (const auto tolerance = field.find("map_tolerance")) result.map_tolerance = tolerance->number(1e-5, 0.5);
   if (const auto sheets = field.find("sheets"))
     for (const JsonField& one : sheets->elements(0, 100)) result.sheets.push_back(sheet(one));
   if (const auto largest = field.find("largest_sheet"); largest && largest->find("width_mm"))
@@ -124,7 +130,7 @@ void read_run(const JsonField& field, StoredDesign& design) {
 
 void read_claims(const JsonField& root, StoredDesign& design) {
   design.quality = quality(root["quality"]);
-  design.footprint = root["quality"]["footprint_mm2"].number_or_null();
+  design.footprint = amount_or_null(root["quality"]["footprint_mm2"]);
   design.region_covered = root["workspace"]["region_covered"].boolean();
   design.map = stored_map(root["workspace"]);
   design.verification = verification(root["verification"]);
