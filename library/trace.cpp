@@ -46,7 +46,7 @@ std::vector<CopiedLine> copied(const std::vector<TracedLine>& lines) {
 
 CopiedDrawing copied(const Trace& found) {
   return {copied(found.drawn), copied(found.missing), found.drawn_length, found.missing_length,
-          found.poses_tried,   found.poses_missed,    found.departure};
+          found.poses_tried,   found.poses_missed,    found.departure,    found.complete};
 }
 
 /// A number out of its range.
@@ -71,7 +71,8 @@ std::optional<InputError> fault_in(const DrawingOptions& options) {
 }  // namespace
 
 std::variant<CopiedDrawing, InputError> trace(const FinishedDesign& design,
-                                              const std::vector<Polyline>& lines, double step) {
+                                              const std::vector<Polyline>& lines, double step,
+                                              const std::function<bool()>& stop) {
   if (const auto fault = fault_in(lines, step)) return *fault;
   std::vector<DrawnStroke> strokes;
   for (const Polyline& line : lines) strokes.push_back({line, false});
@@ -79,7 +80,8 @@ std::variant<CopiedDrawing, InputError> trace(const FinishedDesign& design,
     return InputError{"", 0, "step", fmt::format("{:g} mm, which makes {:.3g} poses", step, poses),
                       fmt::format("at most {:.0f} poses", most_traced_poses)};
   const Design& inside = Workings::inside(design);
-  const Trace found = trace_drawing({map_task(inside), inside.opening}, strokes, {.step = step});
+  const Trace found =
+      trace_drawing({map_task(inside), inside.opening}, strokes, {.step = step, .stop = stop});
   return copied(found);
 }
 

@@ -182,15 +182,22 @@ py::object traced(const FinishedDesign& design, const std::vector<Numbers>& line
   std::vector<Polyline> originals;
   originals.reserve(lines.size());
   for (const Numbers& line : lines) originals.push_back(points_of(line));
-  const auto found = at_work(py::none(), [&](Hooks&) { return trace(design, originals, step); });
+  const auto found = at_work(py::none(), [&](Hooks& hooks) {
+    return trace(design, originals, step, [&hooks] { return hooks.stopped(); });
+  });
   if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
   return dict_of(std::get<CopiedDrawing>(found));
 }
 
-/// As traced(), with what the command writes; or faults.
+DrawingOptions with_stop(DrawingOptions options, const Hooks& hooks) {
+  options.stop = [&hooks] { return hooks.stopped(); };
+  return options;
+}
+
+/// As traced(), with what the command writes; or faults. `copy(options)` makes it.
 template <typename Copy>
-py::object drawing_traced(const Copy& copy) {
-  const auto found = at_work(py::none(), [&](Hooks&) { return copy(); });
+py::object drawing_traced(const DrawingOptions& options, const Copy& copy) {
+  const auto found = at_work(py::none(), [&](Hooks& hooks) { return copy(with_stop(options, hooks)); });
   if (const auto* fault = std::get_if<InputError>(&found)) return faults_of(*fault);
   const auto& traced = std::get<TracedDrawing>(found);
   py::dict told = dict_of(traced.copy);
@@ -399,14 +406,16 @@ void add_designs(py::module_& module) {
       .def(
           "trace_svg",
           [](const FinishedDesign& design, const std::string& drawing, const DrawingOptions& options) {
-            return drawing_traced([&] { return trace_svg(design, drawing, options); });
+            return drawing_traced(options,
+                                  [&](const DrawingOptions& how) { return trace_svg(design, drawing, how); });
           },
           "drawing"_a, "options"_a)
       .def(
           "trace_svg_file",
           [](const FinishedDesign& design, const std::filesystem::path& drawing,
              const DrawingOptions& options) {
-            return drawing_traced([&] { return trace_svg_file(design, drawing, options); });
+            return drawing_traced(
+                options, [&](const DrawingOptions& how) { return trace_svg_file(design, drawing, how); });
           },
           "drawing"_a, "options"_a)
       .def("write", &design_written, "folder"_a, "title"_a, "paper"_a, "studio"_a)

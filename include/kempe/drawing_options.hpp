@@ -2,6 +2,7 @@
 // How a drawing lies on the table, and what copies it: the options of `kempe trace`.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "kempe/point.hpp"
@@ -20,7 +21,8 @@ struct DrawingOptions {
   std::optional<std::uint64_t> instrument;  ///< seed of an instrument made within the design's tolerances
   bool load = false;                        ///< the pen gives way under the design's load
   bool keep_joints = false;                 ///< make the table of the joints' places
-  bool keep_forces = false;  ///< make the table of the hand's forces, and colour the copy by them
+  bool keep_forces = false;      ///< make the table of the hand's forces, and colour the copy by them
+  std::function<bool()> stop{};  ///< true ends it; asked at every pose, in the thread that copies
 };
 
 }  // namespace kempe

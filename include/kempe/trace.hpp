@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -31,17 +32,20 @@ struct CopiedDrawing {
   std::size_t poses = 0;            ///< tried
   std::size_t poses_missed = 0;     ///< of them, those that do not exist
   double departure = 0;             ///< mm, largest distance of the pen from the similar image at any pose
+  bool complete = true;             ///< false: stopped before every line had been followed to its end
 };
 
 /// Copies lines (mm, table frame), poses at most `step` (mm) apart. Every point of a drawn line is the pen's place in a
 /// pose whose loops close, without contact with an obstacle (docs/verification.md); the similarity is never used to place the
 /// pen. Where the tracer cannot follow, the line is cut to 1e-9 mm of the last place that it reaches; a place beyond reach is an
-/// outcome, told in `missing`. An obstacle narrower than the step may stand between two poses. A line without points is left out. Errors:
+/// outcome, told in `missing`. An obstacle narrower than the step may stand between two poses. A line without points is left out. `stop` (true ends it) is asked at every
+/// pose; then the copy so far is returned, not `complete`. Errors:
 /// `step` that is not finite and > 0, or makes more than five million poses (key "step"), a point that is not finite (key
 /// "lines[2]" for the third line).
 KEMPE_EXPORT std::variant<CopiedDrawing, InputError> trace(const FinishedDesign& design,
                                                            const std::vector<Polyline>& lines,
-                                                           double step = 0.5);
+                                                           double step = 0.5,
+                                                           const std::function<bool()>& stop = {});
 
 /// A drawing's file copied, with what `kempe trace` writes of it.
 struct TracedDrawing {

@@ -118,6 +118,7 @@ tl::expected<DrawingCopy, InputError> copy_drawing(const StoredDesign& design, c
                                      fmt::format("at most {:.0f} poses", most_traced_poses)});
   TraceOptions how;
   how.step = *options.step;
+  how.stop = options.stop;
   how.keep_poses = options.keep_joints || options.keep_forces;
   if (options.load || options.keep_forces) {
     auto work = hand_work_of(design, *linkage, design_file);
@@ -162,6 +163,7 @@ std::string drawing_copy_json(const DrawingCopy& copy, const DrawingOptions& opt
                  {"texts", drawing.texts},
                  {"images", drawing.images},
                  {"references", drawing.references}});
+  if (!trace.complete) object["complete"] = false;
   if (options.load) object["without_layers"] = trace.without_layers;
   const HandForces forces = hand_forces(trace);
   if (forces.any()) {

@@ -96,7 +96,7 @@ class Tracing {
         measures_(instrument_, options.made) {}
 
   Trace run(const std::vector<DrawnStroke>& strokes) {
-    for (std::size_t i = 0; i < strokes.size(); ++i) follow(i, strokes[i]);
+    for (std::size_t i = 0; i < strokes.size() && goes_on(); ++i) follow(i, strokes[i]);
     return std::move(trace_);
   }
 
@@ -135,6 +135,11 @@ class Tracing {
     });
   }
 
+  bool goes_on() {
+    if (trace_.complete && options_.stop && options_.stop()) trace_.complete = false;
+    return trace_.complete;
+  }
+
   void follow(std::size_t index, const DrawnStroke& stroke) {
     if (stroke.points.empty()) return;
     stroke_ = index;
@@ -147,8 +152,8 @@ class Tracing {
     begin(points.front(), here);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) here = follow_segment(points[i], points[i + 1], here);
     finish();
-    const bool in_one =
-        stroke.closed && trace_.drawn.size() == first_drawn + 1 && trace_.missing.size() == first_missing;
+    const bool in_one = trace_.complete && stroke.closed && trace_.drawn.size() == first_drawn + 1 &&
+                        trace_.missing.size() == first_missing;
     // A made or loaded instrument does not come back to where it began: its line stays open, as on paper.
     if (in_one && !options_.made && !options_.gives_way) {
       trace_.drawn.back().closed = true;
@@ -162,7 +167,7 @@ class Tracing {
     turn_to(from, to, here);
     const int steps = static_cast<int>(steps_over(length, options_.step));
     Point last = from;
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= steps && goes_on(); ++i) {
       const Point place = i == steps ? to : Point(from + (to - from) * i / steps);
       measures_.advance(length / steps);
       const Reached there = visit(place);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,7 @@ struct TraceOptions {
   std::optional<HandWork> work{};  ///< what the load does
   bool keep_hand = false;          ///< with `work`: fill TracedLine::hand
   bool gives_way = false;          ///< with `work`: the pen draws where its load pushes it
+  std::function<bool()> stop{};    ///< true ends it; asked at every pose
 };
 
 /// A line that the pen drew, or one that is missing (then: where it should be), mm on the table.
@@ -82,6 +84,7 @@ struct Trace {
   std::size_t without_layers = 0;
   double drawn_length = 0, missing_length = 0;  ///< mm of the original
   double departure = 0;  ///< mm, largest distance of the pen from the similar image at any pose
+  bool complete = true;  ///< false: stopped before every stroke had been followed to its end
 };
 
 /// How many poses trace_drawing() tries; where they are more than `most_traced_poses`, it must not be asked.

@@ -161,6 +161,24 @@ TEST(DrawingTrace, TakesAStrokeOfOnePlaceOrNone) {
   EXPECT_LT(trace_drawing(one, {{{p, p}, false}}).departure, 1e-10);
 }
 
+TEST(DrawingTrace, StoppedKeepsWhatIsDrawnAndSaysThatItIsNotAll) {
+  Random random(5);
+  const TraceTask one = task({0, 1.4}, Grounding::pole, 50, 35, 3);
+  const std::vector<DrawnStroke> strokes{reachable_stroke(one, random, 20),
+                                         reachable_stroke(one, random, 20)};
+  const Trace whole = trace_drawing(one, strokes, {.step = 0.001});
+  EXPECT_TRUE(whole.complete);
+  std::size_t asked = 0;
+  const Trace part = trace_drawing(one, strokes, {.step = 0.001, .stop = [&] { return ++asked > 50; }});
+  EXPECT_FALSE(part.complete);
+  EXPECT_LE(part.poses_tried, 60U);
+  EXPECT_LT(part.drawn_length, whole.drawn_length);
+  ASSERT_EQ(part.drawn.size(), 1U);
+  EXPECT_TRUE(
+      std::equal(part.drawn[0].points.begin(), part.drawn[0].points.end(), whole.drawn[0].points.begin()));
+  EXPECT_EQ(asked, 51U);
+}
+
 TEST(DrawingTrace, OfALoadedInstrumentLiesBesideTheImageByItsGive) {
   Random random(9);
   for (int i = 0; i < 30; ++i) {
