@@ -20,6 +20,10 @@ bool is_definite(const Eigen::MatrixXd& matrix) {
   return Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success;
 }
 
+Eigen::VectorXd singular_values_of(const Eigen::MatrixXd& matrix) {
+  return Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
+}
+
 Eigen::VectorXd solution_of(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& matrix,
                             const Eigen::VectorXd& right) {
   return matrix.solve(right);

@@ -21,6 +21,8 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix);
 Eigen::VectorXd definite_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 /// True if a symmetric matrix is positive definite.
 bool is_definite(const Eigen::MatrixXd& matrix);
+/// In falling order, by bidiagonals that are divided and conquered: of large matrices many times as fast as Jacobi's turns.
+Eigen::VectorXd singular_values_of(const Eigen::MatrixXd& matrix);
 /// What `solve` of each decomposition gives.
 Eigen::VectorXd solution_of(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& matrix,
                             const Eigen::VectorXd& right);

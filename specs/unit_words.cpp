@@ -23,7 +23,7 @@ std::string keys_in(SpecUnit unit, std::string_view sentence) {
   for (auto from = sentence.begin(); from != sentence.end();) {
     const auto to =
         std::find_if(from, sentence.end(), [&](char c) { return is_letter(c) != is_letter(*from); });
-    const std::string_view word(from, static_cast<std::size_t>(to - from));
+    const std::string_view word(&*from, static_cast<std::size_t>(to - from));
     const bool is_key =
         word.ends_with("_mm") && std::any_of(spec_keys().begin(), spec_keys().end(),
                                              [&](const SpecKey& key) { return key.name == word; });

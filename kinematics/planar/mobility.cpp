@@ -25,9 +25,8 @@ Eigen::MatrixXd scaled_jacobian(const PlanarLinkage& linkage, const Eigen::Vecto
 
 int rank_of(const Eigen::MatrixXd& matrix) {
   if (matrix.rows() == 0 || matrix.cols() == 0) return 0;
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix);
-  svd.setThreshold(slack::rank_threshold);
-  return static_cast<int>(svd.rank());
+  const Eigen::VectorXd values = singular_values_of(matrix);
+  return static_cast<int>((values.array() > slack::rank_threshold * values[0]).count());
 }
 
 /// A closed position near q, each unknown first moved by up to `way` sizes; q itself if none is found.
@@ -63,10 +62,8 @@ int finite_freedoms(const PlanarLinkage& linkage, const Eigen::VectorXd& q, int 
     for (Eigen::Index unknown = 0; unknown < q.size(); ++unknown)
       if (unknown % 3 != 2) ways(unknown, i) /= linkage.size();
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(ways);
   const double least = slack::followed * slack::second_motion * std::sqrt(static_cast<double>(samples) / 3);
-  int freedoms = 0;
-  for (const double value : svd.singularValues()) freedoms += value > least ? 1 : 0;
+  const auto freedoms = static_cast<int>((singular_values_of(ways).array() > least).count());
   return std::min(freedoms, at_most);
 }
 
