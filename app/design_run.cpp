@@ -24,6 +24,7 @@
 #include "specs/unit_words.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/design/copy_overlap.hpp"
+#include "synthesis/loads/gravity.hpp"
 
 namespace kempe::app {
 
@@ -219,12 +220,15 @@ std::string loads_lines(const Design& design) {
     text += fmt::format("section      {:g} x {:g} mm, of {} to choose from\n", design.style.width,
                         design.style.thickness, design.allowed->sections.size());
   if (const auto& loads = design.quality.loads) {
+    const double weight = most_force_at_pen(*design.load) - design.load->pen_force;
     text += fmt::format(
-        "load         {:g} N at the pen: it gives way by {:.4g} mm at worst, {:.4g} mm in the stiffest "
+        "load         {:g} N {}at the pen: it gives way by {:.4g} mm at worst, {:.4g} mm in the stiffest "
         "direction\n",
-        design.load->pen_force, loads->error_max, loads->error_min);
+        design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
+        loads->error_max, loads->error_min);
     text += fmt::format(
-        "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, {} bears {:.3g} MPa\n",
+        "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, {} bears {:.3g} MPa in the "
+        "plane\n",
         loads->hand_force_max, loads->pin_force_max, design.material->name, loads->stress_max);
   }
   if (design.quality.mass)

@@ -13,10 +13,10 @@ namespace kempe {
 namespace {
 
 std::vector<std::string> names_of_design_files() {
-  std::vector<std::string> names{"design.json",   "links.csv",           "bom.csv",
-                                 "drawing.dxf",   "drawing.svg",         "workspace.geojson",
-                                 "workshop.pdf",  "report.html",         certificate_name,
-                                 "nested.dxf",    "parts/assembly.step"};
+  std::vector<std::string> names{"design.json",  "links.csv",          "bom.csv",
+                                 "drawing.dxf",  "drawing.svg",        "workspace.geojson",
+                                 "workshop.pdf", "report.html",        certificate_name,
+                                 "nested.dxf",   "parts/assembly.step"};
   for (const Link link : all_links)
     for (const char* ending : {"dxf", "svg", "stl"})
       names.push_back(fmt::format("parts/{}.{}", name(link), ending));

@@ -12,6 +12,7 @@
 #include "reports/audit/record.hpp"
 #include "reports/audit/slack.hpp"
 #include "specs/hardware.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/verification/frame.hpp"
@@ -95,22 +96,26 @@ LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterva
   return over;
 }
 
-void check_load_figures(const LoadFigures& stated, double force, const FrameResponse& found,
+void check_load_figures(const LoadFigures& stated, const Load& load, const FrameResponse& found,
                         AuditRecord& record) {
-  const auto figure = [&](const char* key, double claimed, double per_newton, double scale) {
+  const auto under = [&](double force, const char* key, double claimed, double per_newton, double scale) {
     record.figure(key, claimed, force * per_newton, share_of_load * force * scale);
+  };
+  const auto figure = [&](const char* key, double claimed, double per_newton, double scale) {
+    under(most_force_at_pen(load), key, claimed, per_newton, scale);
   };
   figure("quality.load_error_max_mm", stated.error_max, found.worst, found.worst);
   figure("quality.load_error_min_mm", stated.error_min, found.least, found.worst);
   figure("quality.pin_force_max_N", stated.pin_force_max, found.pin_force, found.pin_force);
-  figure("quality.hand_force_max_N", stated.hand_force_max, found.hand_force, found.hand_force);
+  under(load.pen_force, "quality.hand_force_max_N", stated.hand_force_max, found.hand_force,
+        found.hand_force);
   if (std::isfinite(found.stress) || std::isfinite(stated.stress_max))
     figure("quality.stress_max_MPa", stated.stress_max, found.stress, found.stress);
 }
 
 void check_layered_figures(const AuditTask& task, const LayeredFigures& stated, AuditRecord& record) {
   const LayeredFigures found = layered_response_over(task, *task.needed);
-  const double force = task.design.load->pen_force, give = force * found.error_max,
+  const double force = most_force_at_pen(*task.design.load), give = force * found.error_max,
                rise = force * found.rise_max;
   record.figure(layered_key, stated.error_max, give, share_of_load * give);
   record.figure(rise_key, stated.rise_max, rise, share_of_load * rise + share_of_rounding * give);
@@ -147,8 +152,8 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
   if (layered) check_layered_figures(task, *layered, record);
   if (limit.is_absent()) return;
   const FrameResponse found = response_over(task, *task.needed);
-  if (design.quality.loads) check_load_figures(*design.quality.loads, design.load->pen_force, found, record);
-  limit.check(task, design.load->pen_force * found.worst, record);
+  if (design.quality.loads) check_load_figures(*design.quality.loads, *design.load, found, record);
+  limit.check(task, most_force_at_pen(*design.load) * found.worst, record);
 }
 
 }  // namespace kempe

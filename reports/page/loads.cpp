@@ -13,6 +13,7 @@
 #include "reports/pictures/html_text.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/design/error_budget.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
 #include "workspace/reach.hpp"
@@ -24,6 +25,13 @@ namespace {
 std::string force_words(double force) {
   const double grain = force > 0 ? std::pow(10, std::floor(std::log10(force)) - 2) : 1;
   return force_text(std::round(force / grain) * grain, 3);
+}
+
+/// "30 N at the pen"; on a tilted table "30 N and 29.4 N of weight at the pen".
+std::string pull_words(const Load& load) {
+  const double weight = most_force_at_pen(load) - load.pen_force;
+  return force_words(load.pen_force) + (weight > 0 ? " and " + force_words(weight) + " of weight" : "") +
+         " at the pen";
 }
 
 std::string small_length(double length) {
@@ -47,7 +55,7 @@ std::string source_words(const Design& design, ErrorSource source) {
   switch (source) {
     case ErrorSource::lengths: return "Lengths, ±" + length_text(design.tolerance->length);
     case ErrorSource::play: return "Play, " + length_text(design.tolerance->play) + " in each pin";
-    case ErrorSource::load: return "Load, " + force_words(design.load->pen_force) + " at the pen";
+    case ErrorSource::load: return "Load, " + pull_words(*design.load);
     case ErrorSource::pins: return "Pins, bent between their layers";
     case ErrorSource::layers: return "Layers: links bent out of the plane";
     case ErrorSource::weight: return "Weight";
@@ -95,8 +103,8 @@ std::string budget_table(const Design& design, const ErrorBudget& budget) {
 std::string give_verdict(const Design& design, const ErrorBudget& budget) {
   const double error = design.quality.loads->error_max;
   const std::string figure = fmt::format(
-      "under {} at the pen it gives way by <b>{}</b> in the worst direction at the worst place of the region",
-      force_words(design.load->pen_force), small_length(error));
+      "under {} it gives way by <b>{}</b> in the worst direction at the worst place of the region",
+      pull_words(*design.load), small_length(error));
   if (const auto& limit = design.limits.load_error) {
     const std::string text = fmt::format("{}; {} are allowed.", figure, length_text(*limit));
     if (!(error <= *limit * (1 + 1e-9))) return "No: " + text;
@@ -193,7 +201,7 @@ WorstForces worst_forces(const Design& design, const OpeningInterval& openings) 
 
 std::string forces_table(const Design& design, const OpeningInterval& openings) {
   const WorstForces worst = worst_forces(design, openings);
-  const double force = design.load->pen_force, strength = design.material->strength;
+  const double force = most_force_at_pen(*design.load), strength = design.material->strength;
   std::vector<std::vector<std::string>> rows{
       {"Hand, at the tracer", force_words(design.quality.loads->hand_force_max), "the same everywhere"},
       {"Pole's post", force_words(force * worst.pins.pole), "the same everywhere"},
@@ -215,7 +223,7 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
 std::string load_chart(const Design& design, const OpeningInterval& used) {
   const CopyingLinkage& linkage = design.linkage;
   const LoadErrorProfile profile(linkage.k(), linkage.grounding(), design.style, *design.material,
-                                 design.load->pen_force);
+                                 most_force_at_pen(*design.load));
   CopyErrorChart chart{{}, used, design.limits.load_error};
   chart.title = "Load error of the links over the opening";
   chart.y_name = "load error, mm";

@@ -13,6 +13,7 @@
 #include "reports/pictures/picture_extent.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "synthesis/design/copy_overlap.hpp"
+#include "synthesis/loads/gravity.hpp"
 
 namespace kempe::report_sections {
 namespace {
@@ -174,7 +175,7 @@ std::string load_error_figure(const Design& design) {
   return html_key_figure(
       "Gives way at worst", length_text(error, error < 0.01 ? 4 : 3),
       fmt::format(
-          "by its links alone, under {}{}", force_text(design.load->pen_force),
+          "by its links alone, under {}{}", force_text(most_force_at_pen(*design.load)),
           design.limits.load_error ? ", limit " + length_text(*design.limits.load_error, 3) : std::string()));
 }
 

@@ -10,6 +10,7 @@
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/loads/gravity.hpp"
 
 namespace kempe::report_sections {
 namespace {
@@ -136,7 +137,7 @@ std::string quality(const Design& design, const ReportExtras& extras) {
         at_most(q.loads->error_max, design.limits.load_error),
         fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
                     "Pins and layers add to it: see the error budget.",
-                    force_text(design.load->pen_force)));
+                    force_text(most_force_at_pen(*design.load))));
     add("Largest force in a pin", force_text(q.loads->pin_force_max), {},
         fmt::format("The hand holds {}.", force_text(q.loads->hand_force_max)));
   }

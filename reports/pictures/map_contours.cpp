@@ -7,6 +7,7 @@
 
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/round_step.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 
@@ -105,7 +106,7 @@ std::vector<ContourCircle> load_error_circles(const Design& design) {
   if (!design.load || !design.material) return {};
   const CopyingLinkage& linkage = design.linkage;
   const LoadErrorProfile profile(linkage.k(), linkage.grounding(), design.style, *design.material,
-                                 design.load->pen_force);
+                                 most_force_at_pen(*design.load));
   return circles_of(design, [&](double opening) {
     return profile.at({linkage.VA(), linkage.VB()}, opening).worst;
   });

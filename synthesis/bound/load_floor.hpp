@@ -34,7 +34,7 @@ class LoadFloor {
 
   ModeFacts mode_;
   double limit_;
-  double pen_force_, E_, width_, thickness_;
+  double force_, E_, width_, thickness_;
   LoadErrorProfile profile_;
 };
 

@@ -6,6 +6,7 @@
 #include "kinematics/assembly_mode.hpp"
 #include "synthesis/bound/load_floor.hpp"
 #include "synthesis/bound/slack.hpp"
+#include "synthesis/loads/gravity.hpp"
 
 namespace kempe::bounding {
 namespace {
@@ -62,7 +63,7 @@ void add_plate(const std::array<PlateArm, 2>& arms, const PlateForces& forces, c
 
 LoadFloor::LoadFloor(const Spec& spec, const ModeFacts& mode)
     : mode_(mode), limit_(*spec.limits.load_error * (1 + slack::load_limit)),
-      pen_force_(spec.load->pen_force), E_(spec.material->E), width_(spec.links.style.width),
+      force_(most_force_at_pen(*spec.load)), E_(spec.material->E), width_(spec.links.style.width),
       thickness_(spec.links.style.thickness),
       profile_(load_error_profile(spec, spec.copy.k(), mode.grounding)) {}
 
@@ -98,7 +99,7 @@ double LoadFloor::at_least(double psi, const LengthBox& lengths) const {
   sums.VA_pulled.add(along, bar_VA);
   sums.VB_pulled.add(along, bar_VB);
   const Interval factor = pen_is_at_V(mode_.grounding) ? 1.0 / squared_length(s - one) : Interval(1);
-  const Interval half = Interval(pen_force_) * factor / 2.0;
+  const Interval half = Interval(force_) * factor / 2.0;
   double least = infinity;
   double from = lengths.t.lower;
   for (int i = 1; i <= pieces; ++i) {

@@ -8,6 +8,7 @@
 #include "specs/hardware.hpp"
 #include "synthesis/design/allowed.hpp"
 #include "synthesis/loads/assess_loads.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
@@ -58,7 +59,7 @@ void measure_loads(Design& design, const Spec& spec) {
     const CopyingLinkage& linkage = design.linkage;
     design.quality.loads = load_figures_over(spec, linkage, *openings);
     design.quality.layered =
-        LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, spec.load->pen_force)
+        LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*spec.load))
             .over({linkage.VA(), linkage.VB()}, *openings);
     if (auto& layered = design.quality.layered)
       layered = {with_nine_digits(layered->error_max), with_nine_digits(layered->rise_max)};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
@@ -49,8 +50,8 @@ struct Measured {
   /// mm, over the openings.
   double give(const LinkStyle& style, const PinCompliance& pins) const {
     const CopyingLinkage& linkage = design.linkage;
-    return LoadErrorProfile(linkage.k(), linkage.grounding(), style, *design.material, design.load->pen_force,
-                            pins)
+    return LoadErrorProfile(linkage.k(), linkage.grounding(), style, *design.material,
+                            most_force_at_pen(*design.load), pins)
         .over({linkage.VA(), linkage.VB()}, openings)
         .worst;
   }
@@ -152,7 +153,7 @@ struct LayersDo {
 LayersDo layers_do(const Measured& of, const SagConditions& conditions) {
   const CopyingLinkage& linkage = of.design.linkage;
   const auto all =
-      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, of.design.load->pen_force)
+      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*of.design.load))
           .over({linkage.VA(), linkage.VB()}, of.openings);
   if (!all) return {infinity, infinity};
   const double stated = of.give(conditions.style, of.pins(conditions.style, of.design.hardware));
@@ -283,10 +284,10 @@ std::optional<ErrorBudget> error_budget(const Design& design) {
 ErrorCourse::ErrorCourse(const Design& design)
     : bars_{design.linkage.VA(), design.linkage.VB()},
       give_(design.linkage.k(), design.linkage.grounding(), design.style, *design.material,
-            design.load->pen_force,
+            most_force_at_pen(*design.load),
             pin_compliance(design.linkage.grounding(), design.layers, design.style, design.hardware)),
       layered_(design.linkage.k(), design.linkage.grounding(), sag_conditions(spec_of(design), design.layers),
-               design.load->pen_force),
+               most_force_at_pen(*design.load)),
       sag_(design.linkage.k(), design.linkage.grounding(), sag_conditions(spec_of(design), design.layers)) {
   if (design.tolerance)
     tolerances_ = copy_error_profile(design.linkage, CopyTolerance::uniform(*design.tolerance));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kinematics/assembly_mode.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/top_over.hpp"
 
 namespace kempe {
@@ -169,7 +170,7 @@ LoadErrorProfile::Range LoadErrorProfile::over(const BarLengths& lengths,
 
 LoadErrorProfile load_error_profile(const Spec& spec, Complex k, Grounding grounding) {
   return {k, grounding, spec.links.style, spec.material.value_or(Material{}),
-          spec.load.value_or(Load{}).pen_force};
+          most_force_at_pen(spec.load.value_or(Load{}))};
 }
 
 }  // namespace kempe

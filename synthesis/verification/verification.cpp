@@ -253,15 +253,26 @@ ArcRegion parts_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
   return free.empty() ? as_region(held) : free;
 }
 
-}  // namespace
-
-Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
-  const ArcRegion parts = parts_to_drive_over(task, map);
+/// The largest of some parts, its arcs as chords within it, off by at most `tolerance` (mm).
+Region largest_of(const ArcRegion& parts, double tolerance) {
   const auto largest = std::max_element(
       parts.begin(), parts.end(), [](const ArcPolygon& a, const ArcPolygon& b) { return area(a) < area(b); });
   if (largest == parts.end()) return {};
-  const double tolerance = slack::fine_outline * chain_annulus(task.linkage).outer;
   return {{flattened(*largest, tolerance, Flatten::shrinks)}};
+}
+
+/// Where no opening keeps the limits: what the assembly mode reaches away from its dead and change points.
+Region reach_without_limits(const CopyingLinkage& linkage) {
+  constexpr double margin = 0.1, share = 0.1;  // of the mode's openings, at each end; of the ring's width
+  const OpeningInterval& all = linkage.assembly_mode().openings;
+  const Annulus ring = annulus_over(linkage, shrink(all, margin * all.width()));
+  return largest_of(as_region(ring), share * (ring.outer - ring.inner));
+}
+
+}  // namespace
+
+Region part_to_drive_over(const MapTask& task, const WorkspaceMap& map) {
+  return largest_of(parts_to_drive_over(task, map), slack::fine_outline * chain_annulus(task.linkage).outer);
 }
 
 VerificationTask verification_task(const Design& design) {
@@ -276,7 +287,10 @@ VerificationTask verification_task(const Design& design) {
     task.workspace = part_to_drive_over(map_task(design), design.map);
   if (design.opening.empty()) {  // no opening keeps the limits: what is left to show is that it copies
     task.mechanism.opening = l.openings_with_transmission(design.limits.transmission);
-    if (task.mechanism.opening.empty()) task.mechanism.opening = l.assembly_mode().openings;
+    if (task.mechanism.opening.empty()) {
+      task.mechanism.opening = l.assembly_mode().openings;
+      task.workspace = reach_without_limits(l);
+    }
     task.region_covered = false;
   }
   task.style = design.style;

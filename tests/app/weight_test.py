@@ -52,6 +52,20 @@ class Weight(unittest.TestCase):
         file.write_text(json.dumps(stated))
         return json.loads(kempe("verify", file, "--json").stdout)
 
+    def test_what_a_tilted_table_adds_is_in_every_figure(self):
+        """A router's weight pulls along an upright table: no trace gives way by more, or pulls harder at a pin, than the figures say."""
+        load = "[load]\npen_N = 10\npen_mass_kg = 3\n"
+        level = self.design(TASK + load)[1]["quality"]
+        stated = self.design(TASK + load + "tilt_deg = 90\n")[1]["quality"]
+        self.assertGreater(stated["load_error_max_mm"], 1.1 * level["load_error_max_mm"])
+        self.assertEqual(stated["hand_force_max_N"], level["hand_force_max_N"])
+        loaded = json.loads(self.trace("--load", "--forces", self.here / "forces.csv", "--json").stdout)
+        self.assertLessEqual(loaded["departure_max_mm"], stated["load_error_layered_max_mm"] * (1 + 1e-9))
+        rows = list(csv.DictReader((self.here / "forces.csv").read_text().splitlines()))
+        pins = max(float(row[f"pin_{pin}_N"]) for row in rows for pin in "ABCV")
+        self.assertLessEqual(pins, stated["pin_force_max_N"] * (1 + 1e-9))
+        self.assertGreater(pins, 0.3 * stated["pin_force_max_N"])
+
     def trace(self, *more, design="design"):
         return kempe("trace", self.here / design / "design.json", self.here / "square.svg", "-o", self.here / "copy.svg", "--fit", *more)
 

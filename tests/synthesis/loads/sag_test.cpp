@@ -370,7 +370,9 @@ TEST(Sag, IsTheMostOfAllOpeningsThoughItJumps) {
   for (int i = 0; i < test::samples(60); ++i) {
     SCOPED_TRACE(i);
     SagCase one = random_case(random);
-    one.conditions.tracer_rests = one.conditions.pen_rests = true;
+    one.conditions.tracer_rests = true;
+    one.conditions.pen_rests = i % 4 == 0;
+    one.conditions.pen_mass = test::uniform(random, 0.2, 20);
     one.conditions.play = test::uniform(random, 0.01, 0.2);
     const CopyingLinkage linkage = linkage_of(one);
     const OpeningInterval openings = inner_openings(linkage);
@@ -388,7 +390,7 @@ TEST(Sag, IsTheMostOfAllOpeningsThoughItJumps) {
     EXPECT_GE(each.pen.pen.total(), pen - 1e-6 * most);
     EXPECT_GE(each.tracer.tracer.total(), tracer - 1e-6 * most);
   }
-  EXPECT_GT(jumping, test::expected(10));
+  EXPECT_GT(jumping, test::expected(5));
 }
 
 TEST(Sag, EachJointBendsItsOwnPin) {
