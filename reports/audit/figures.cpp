@@ -14,6 +14,7 @@
 #include "workspace/contact/clearance.hpp"
 #include "workspace/footprint.hpp"
 #include "workspace/map/copy_gap.hpp"
+#include "workspace/map/largest_sheet.hpp"
 #include "workspace/reach.hpp"
 
 namespace kempe {
@@ -167,6 +168,16 @@ void check_sheets(const AuditTask& task, AuditRecord& record) {
   record.checked("workspace.largest_sheet");
   check_none_larger(task, record);
   for (const FittingSheet& sheet : task.design.map.sheets) {
+    const auto format = format_size(sheet.name);
+    if (format && !(std::abs(sheet.width - format->x()) <= rounding(format->x()) &&
+                    std::abs(sheet.height - format->y()) <= rounding(format->y())))
+      record.broken(
+          {.limit = "workspace.sheets",
+           .attained = sheet.width * sheet.height,
+           .allowed = format->x() * format->y(),
+           .where = sheet.centre,
+           .sentence = fmt::format("a sheet called {} is {:.6g} x {:.6g} mm, not {:g} x {:g}", sheet.name,
+                                   sheet.width, sheet.height, format->x(), format->y())});
     const double margin = share_of_grid * std::min(sheet.width, sheet.height);
     if (contains(task.map.collision_free, corners_of(sheet, margin))) continue;
     record.broken(

@@ -226,6 +226,8 @@ def falsehoods(design):
     if workspace["sheets"]:
         add("workspace.sheets", lambda d: d["workspace"]["sheets"][0].update(centre_mm=d["mechanism"]["pole_position_mm"]))
         add("workspace.sheets", lambda d: d["workspace"]["largest_sheet"].update(width_mm=1e5))
+        if workspace["sheets"][0]["name"].startswith("A"):
+            add("workspace.sheets", lambda d: d["workspace"]["sheets"][0].update(width_mm=1.001 * d["workspace"]["sheets"][0]["width_mm"]))
         for factor in (0.98, 1.02):  # both sides: a sheet that is only wider may still fit
             add("workspace.sheets", lambda d, f=factor: [
                 s.update(width_mm=f * s["width_mm"], height_mm=f * s["height_mm"]) for s in d["workspace"]["sheets"]])

@@ -297,6 +297,12 @@ std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region, const Sto
   return turned && (!upright || turned->width > upright->width) ? turned : upright;
 }
 
+std::optional<Point> format_size(std::string_view name) {
+  for (const IsoSheet& sheet : iso_sheets)
+    if (name == sheet.name) return Point(sheet.width, sheet.height);
+  return std::nullopt;
+}
+
 std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like, const StopFlag& stop) {
   std::vector<FittingSheet> sheets;
   if (auto iso = largest_iso_sheet(free, stop)) sheets.push_back(std::move(*iso));

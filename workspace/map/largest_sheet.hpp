@@ -2,6 +2,7 @@
 // The largest rectangles that fit a region: what else an instrument could draw on.
 
 #include <optional>
+#include <string_view>
 
 #include "kinematics/stop_flag.hpp"
 #include "workspace/map/workspace_map.hpp"
@@ -18,6 +19,9 @@ std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double pr
 /// The largest sheet A0..A8 that fits, upright or on its side if there is room for it so, else at the best
 /// turn; nothing if A8 does not fit. Named "A0".."A8"; width is the longer side.
 std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region, const StopFlag& stop = {});
+
+/// mm, width and height of "A0".."A8"; nothing for other names.
+std::optional<Point> format_size(std::string_view name);
 
 /// Both of the above for a map: the ISO sheet, and the rectangle of the proportions of `like`'s bounding box.
 std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like,
