@@ -19,11 +19,12 @@
 
 namespace kempe::bounding {
 
-/// A box of designs with the pole within `radius` (mm) of `pole`.
+/// A box of designs with the pole within `radius` (mm) of `pole`, and no farther from it along x and y than `half`.
 struct DesignBox {
   LengthBox lengths;
   Point pole = Point::Zero();
   double radius = 0;
+  Point half = Point::Constant(infinity);
 
   /// The middle of the lengths.
   double t() const;
@@ -41,6 +42,16 @@ std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const Desig
                                               const std::array<Complex, 6>& joints,
                                               std::optional<Joint> seen_from = std::nullopt);
 
+/// Where a joint stands in the designs of a box, mm: at `middle` + sum of x_i `by[i]` with |x_i| <= 1, the same x for all joints, give or
+/// take `rest`.
+struct JointSpread {
+  Complex middle;
+  std::array<Complex, 4> by;
+  double rest = 0;
+};
+/// In the order of Joint.
+using JointSpreads = std::array<JointSpread, 6>;
+
 /// The same for many boxes and places: what depends on grounding and assembly mode alone is kept.
 class JointMoving {
  public:
@@ -48,6 +59,11 @@ class JointMoving {
   std::optional<JointMoves> at_most(const DesignBox& box, const Point& place,
                                     const std::array<Complex, 6>& joints,
                                     std::optional<Joint> seen_from = std::nullopt) const;
+
+  /// Where they stand to first order, of those designs that reach the place within `usable` (|psi|). Nothing if the box is too large for
+  /// a statement, or has no such design.
+  std::optional<JointSpreads> spread(const DesignBox& box, const Point& place, const Range& usable,
+                                     std::optional<Joint> seen_from = std::nullopt) const;
 
  private:
   struct Known;

@@ -54,6 +54,7 @@ struct JointMoving::Known {
   struct Seen {
     FromPole at;
     Interval turns;
+    IntervalComplex turn;  ///< the map's determinant, `turns` long
   };
   using SeenJoints = std::array<Seen, 6>;
   FromPole tracer;
@@ -71,7 +72,8 @@ struct JointMoving::Known {
     tracer = from_pole(roles.tracer);
     tracer_Q = length(tracer.Q);
     const auto as_seen = [&](const FromPole& at) {
-      return Seen{at, length(at.Q * tracer.P - at.P * tracer.Q)};
+      const IntervalComplex turn = at.Q * tracer.P - at.P * tracer.Q;
+      return Seen{at, length(turn), turn};
     };
     for (const Joint joint : all_joints) {
       const FromPole at = from_pole(joint);
@@ -113,7 +115,8 @@ std::optional<JointMoves> JointMoving::at_most(const DesignBox& box, const Point
   const Known::SeenJoints& seen = known_->seen[seen_from ? 1 + Known::number(*seen_from) : 0];
   JointMoves moves;
   for (const Joint joint : all_joints) {
-    const auto& [at, turns] = seen[Known::number(joint)];
+    const FromPole& at = seen[Known::number(joint)].at;
+    const Interval& turns = seen[Known::number(joint)].turns;
     const IntervalComplex M = (at.P + at.Q * rho) * per_D;
     const Interval map_moves = turns * spread;
     const Interval beside = length(of_pole - M) + map_moves;
@@ -121,6 +124,67 @@ std::optional<JointMoves> JointMoving::at_most(const DesignBox& box, const Point
     moves[Known::number(joint)] = (Interval(box.radius) * beside + distance * map_moves + off).sup();
   }
   return moves;
+}
+
+// About the middle t_0, psi_0, O_0 with rho = t e^{i psi}, m = M(rho_0) and the map's slope M' = det / D_0^2
+//     Z - Z_0 = (O - O_0)(1 - m) + (T - O_0)(M - m) - (O - O_0)(M - m),
+//     M - m = M' d / (1 + Q_tracer d / D_0),   d = rho - rho_0 = e^{i psi_0} ((t - t_0) + i t_0 (psi - psi_0)) + e,
+//     |e| <= |t - t_0| |psi - psi_0| + t (psi - psi_0)^2 / 2.
+std::optional<JointSpreads> JointMoving::spread(const DesignBox& box, const Point& place, const Range& usable,
+                                                std::optional<Joint> seen_from) const {
+  const OutwardRounding rounding;
+  const IntervalComplex pole = exactly(as_complex(box.pole)), arm = exactly(as_complex(place)) - pole;
+  const Interval distance = length(arm);
+  const Interval over_poles(std::max(0.0, (Interval(distance.inf()) - box.radius).inf()),
+                            (Interval(distance.sup()) + box.radius).sup());
+  const Interval turned =
+      arc_cosine(chain_squared(mode_, over_poles) / Interval(box.lengths.w.lower, box.lengths.w.upper) -
+                 H_over(box.lengths.t));
+  const Range psi{std::max(turned.inf(), usable.lower), std::min(turned.sup(), usable.upper)};
+  if (psi.empty()) return std::nullopt;
+  const auto half_about = [](const Range& range, double middle) {
+    return Interval(
+        std::max({0.0, (Interval(range.upper) - middle).sup(), (Interval(middle) - range.lower).sup()}));
+  };
+  const double t_0 = 0.5 * (box.lengths.t.lower + box.lengths.t.upper), psi_0 = 0.5 * (psi.lower + psi.upper);
+  const Interval t_half = half_about(box.lengths.t, t_0), psi_half = half_about(psi, psi_0);
+  const IntervalComplex along = direction_at(Interval(mode_.bend * psi_0)), rho = Interval(t_0) * along;
+  const Interval bent = t_half * psi_half + Interval(box.lengths.t.upper) * CGAL::square(psi_half) / 2.0;
+  const Interval delta((t_half + Interval(box.lengths.t.upper) * psi_half).sup());
+
+  const FromPole& tracer = known_->tracer;
+  const IntervalComplex D = tracer.P + tracer.Q * rho;
+  const Interval D_length = length(D), least = D_length - known_->tracer_Q * delta;
+  if (!(least.inf() > 0.05 * D_length.sup())) return std::nullopt;
+  const IntervalComplex per_D = exactly(1.0) / D, per_D_squared = per_D * per_D;
+  const IntervalComplex of_pole = exactly(seen_from ? 0.0 : 1.0), origin = seen_from ? exactly(0.0) : pole;
+  const IntervalComplex by_t = t_half * along,
+                        by_psi = (psi_half * Interval(t_0)) * (exactly(Complex(0, mode_.bend)) * along);
+  const Interval radius(box.radius);
+  const Interval x_half(std::min(box.radius, box.half.x())), y_half(std::min(box.radius, box.half.y()));
+  const Known::SeenJoints& seen = known_->seen[seen_from ? 1 + Known::number(*seen_from) : 0];
+  JointSpreads spreads;
+  for (const Joint joint : all_joints) {
+    const Known::Seen& known = seen[Known::number(joint)];
+    const IntervalComplex M = (known.at.P + known.at.Q * rho) * per_D, slope = known.turn * per_D_squared;
+    const IntervalComplex swept = arm * slope, beside = of_pole - M;
+    JointSpread& spread = spreads[Known::number(joint)];
+    Interval rest(0.0);
+    // The nearest doubles, and what they are off.
+    const auto kept = [&](const IntervalComplex& z) {
+      const Complex middle(0.5 * (z.re.inf() + z.re.sup()), 0.5 * (z.im.inf() + z.im.sup()));
+      rest = rest + length(z - exactly(middle));
+      return middle;
+    };
+    spread.middle = kept(origin + arm * M);
+    spread.by = {kept(swept * by_t), kept(swept * by_psi), kept(x_half * beside),
+                 kept(y_half * (exactly(i_unit) * beside))};
+    const Interval slope_length = known.turns / CGAL::square(D_length);
+    const Interval beyond = slope_length * (bent + known_->tracer_Q * CGAL::square(delta) / least);
+    rest = rest + distance * beyond + radius * (slope_length * delta * D_length / least);
+    spread.rest = rest.sup();
+  }
+  return spreads;
 }
 
 std::optional<JointMoves> joints_move_at_most(const ModeFacts& mode, const DesignBox& box, const Point& place,

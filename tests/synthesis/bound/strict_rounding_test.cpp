@@ -122,11 +122,24 @@ long double exact_cosine(const ExactDesign& design, const bounding::ModeFacts& m
   return r * r / design.w - (design.t + 1 / design.t) / 2;
 }
 
+/// How far beyond what a spread says a place is, along the worst of some directions, mm; at most 0 if it lies in it.
+long double beyond(const bounding::JointSpread& spread, Exact at) {
+  long double most = -INFINITY;
+  for (int i = 0; i < 16; ++i) {
+    const Exact across = std::polar(1.0L, i * exact_pi / 8);
+    const auto along = [&](Exact z) { return (z * std::conj(across)).real(); };
+    long double reach = spread.rest;
+    for (const Complex& by : spread.by) reach += std::abs(along(exact(by)));
+    most = std::max(most, along(at - exact(spread.middle)) - reach);
+  }
+  return most;
+}
+
 TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
   test::SpecDice dice(912);
   Spec spec = dice.spec();
   spec.limits.copy_error.reset();
-  int compared = 0, at_the_end = 0;
+  int compared = 0, at_the_end = 0, spread_over = 0;
   for (int i = 0; i < test::samples(6000); ++i) {
     const double scale = dice.log_uniform(0.1, 10);
     const Complex k = copy_ratio(scale, dice.uniform(-pi, pi));
@@ -163,6 +176,11 @@ TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
     const auto of_copy = bounding::copying_joints_move_at_most(mode, k, box, place, about);
     const auto of_copy_beside = bounding::copying_joints_move_at_most(mode, k, box, place, about, carrier);
     at_the_end += i % 3 == 0;
+    const bounding::JointMoving moving(mode);
+    const bounding::Range some =
+        i % 2 == 0 ? bounding::Range{0, pi} : bounding::Range{dice.uniform(0, 1), dice.uniform(2, pi)};
+    const auto spread = moving.spread(box, place, some),
+               spread_beside = moving.spread(box, place, some, carrier);
     for (int n = 0; n < 6; ++n) {
       const ExactDesign one{n == 0   ? box.lengths.t.lower
                             : n == 1 ? box.lengths.t.upper
@@ -180,6 +198,14 @@ TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
       for (std::size_t j = 0; j < 6; ++j)
         ASSERT_LE(std::abs(at[j] - at[c] - (exact(about[j]) - exact(about[c]))), (*beside)[j])
             << i << " joint " << j << " from " << c;
+      if (const long double psi = std::acos(cosine); spread && psi >= some.lower && psi <= some.upper) {
+        ++spread_over;
+        for (std::size_t j = 0; j < 6; ++j) {
+          ASSERT_LE(beyond((*spread)[j], at[j]), 1e-18L * std::abs(at[j])) << i << " joint " << j;
+          ASSERT_LE(beyond((*spread_beside)[j], at[j] - at[c]), 1e-18L * std::abs(at[j] - at[c]))
+              << i << " joint " << j << " from " << c;
+        }
+      }
       for (const Joint joint : {roles.tracer, roles.pen}) {
         const auto j = static_cast<std::size_t>(joint);
         // The tracer's place is known exactly: what is left is the rounding of long doubles.
@@ -192,6 +218,7 @@ TEST(StrictRounding, NoJointOfABoxMovesFartherThanSaid) {
   }
   EXPECT_GT(compared, test::expected(8'000));
   EXPECT_GT(at_the_end, test::expected(300));
+  EXPECT_GT(spread_over, test::expected(6'000));
 }
 
 TEST(StrictRounding, DistancesHoldForPlacesThatAreOffByTheirRounding) {
