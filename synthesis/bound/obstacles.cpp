@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/complex_vectors.hpp"
 #include "synthesis/bound/pole_places.hpp"
 #include "synthesis/bound/slack.hpp"
 #include "workspace/obstructions.hpp"
@@ -21,6 +22,16 @@ constexpr std::size_t most_places = 240;
 constexpr int many_places = 2000;
 /// Factor: at no place do joints move farther than this times what they do at others, more or less.
 constexpr double moves_of_others = 3;
+
+/// Share of what joints move at most: an overlap that is less deep is none that all designs have, to first order either.
+constexpr double share_of_moves = 0.2;
+
+JointSpread between(const JointSpread& from, const JointSpread& to, double share) {
+  JointSpread point{
+      (1 - share) * from.middle + share * to.middle, {}, (1 - share) * from.rest + share * to.rest};
+  for (std::size_t i = 0; i < point.by.size(); ++i) point.by[i] = (1 - share) * from.by[i] + share * to.by[i];
+  return point;
+}
 
 /// Equal for terms that ask the same.
 using TermKey = std::tuple<std::size_t, double, std::vector<Joint>>;
@@ -55,7 +66,8 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
                            const std::vector<LayerAssignment>& layers, KnownShapes shapes, StopFlag stop)
     : mode_(mode), moving_(mode), k_(spec.copy.k()), reach_(k_, mode.grounding, mode.assembly_mode.number),
-      roles_(roles_of(mode.grounding)), clearance_(spec.limits.clearance), shapes_(std::move(shapes)),
+      roles_(roles_of(mode.grounding)), clearance_(spec.limits.clearance),
+      usable_(mode.usable(spec.limits.transmission)), shapes_(std::move(shapes)),
       many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
   for (const Point& place : tracer_places(spec.region, first_places)) places_.push_back({place});
   const auto any = CopyingLinkage::make(spec.copy.k(), mode.grounding, 100, 100, mode.assembly_mode.number);
@@ -119,6 +131,11 @@ bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& 
   });
 }
 
+LogLengths ObstacleTest::middle_of(const DesignBox& box) const {
+  const double t = box.t(), w = box.w();
+  return {std::log(std::sqrt(w / t / 2)), std::log(std::sqrt(w * t / 2) * std::abs(mode_.s))};
+}
+
 /// How far a gap may be off by rounding, mm.
 double ObstacleTest::gap_rounding(const ObstacleTerm& term, const PlacedJoints& joints) const {
   double largest = 0;
@@ -126,6 +143,54 @@ double ObstacleTest::gap_rounding(const ObstacleTerm& term, const PlacedJoints& 
   const ObstacleShape& obstacle = (*shapes_)[term.obstacle];
   return slack::obstacle_gap_rounding *
          (largest + std::abs(obstacle.centre) + obstacle.radius + term.piece.half_width + clearance_);
+}
+
+/// A point of the piece is a mean of its corners' places, so it moves by the same mean of their moves. A convex part that it is
+/// within reach of at the ends of all moves it is within reach of all over the box.
+bool ObstacleTest::is_hit_all_over(const Term& term, const JointSpreads& spreads, double rounding) const {
+  const JointHull& hull = term.what.piece.hull;
+  const double needed = term.what.piece.half_width + clearance_ - rounding;
+  const auto corner = [&](int i) -> const JointSpread& {
+    return spreads[static_cast<std::size_t>(hull.joints[static_cast<std::size_t>(i)])];
+  };
+  const auto reaches = [&](const JointSpread& point, const FixedConvex& part) {
+    const double left = needed - point.rest;
+    const auto is_within = [&](Complex at) { return distance_from(at, part.corners()) < left; };
+    if (!is_within(point.middle)) return false;
+    for (int ends = 0; ends < 16; ++ends) {
+      Complex at = point.middle;
+      for (int i = 0; i < 4; ++i)
+        at += (ends >> i & 1) != 0 ? point.by[static_cast<std::size_t>(i)]
+                                   : -point.by[static_cast<std::size_t>(i)];
+      if (!is_within(at)) return false;
+    }
+    return true;
+  };
+  for (const EncircledPart& part : (*shapes_)[term.what.obstacle].parts) {
+    const auto may_reach = [&](const JointSpread& point) {
+      return std::abs(point.middle - part.centre) < part.radius + needed - point.rest;
+    };
+    if (hull.count == 1) {
+      if (may_reach(corner(0)) && reaches(corner(0), part.outline)) return true;
+      continue;
+    }
+    for (int i = 0; i < (hull.count == 3 ? 3 : 1); ++i) {
+      const JointSpread &from = corner(i), &to = corner((i + 1) % hull.count);
+      const double nearest = nearest_share(part.centre, from.middle, to.middle);
+      for (const double share : {nearest, 0.5 * nearest, 0.5 * (1 + nearest)}) {
+        const JointSpread point = between(from, to, share);
+        if (may_reach(point) && reaches(point, part.outline)) return true;
+      }
+    }
+    if (hull.count == 3)
+      for (const double share : {0.25, 0.5, 0.75}) {
+        const JointSpread side = between(corner(0), corner(1), share);
+        const double nearest = nearest_share(part.centre, side.middle, corner(2).middle);
+        const JointSpread point = between(side, corner(2), nearest);
+        if (may_reach(point) && reaches(point, part.outline)) return true;
+      }
+  }
+  return false;
 }
 
 /// One box, place by place.
@@ -140,8 +205,7 @@ struct ObstacleTest::Look {
   double moved = 0;  ///< mm, the most that joints were found to move; infinite where that could not be said
 
   Look(const ObstacleTest& of, const DesignBox& all, LayerSet& left) : test(of), box(all), alive(left) {
-    const double t = box.t(), w = box.w();
-    middle = {std::log(std::sqrt(w / t / 2)), std::log(std::sqrt(w * t / 2) * std::abs(test.mode_.s))};
+    middle = test.middle_of(box);
     sides = test.reach_.sides(middle);
   }
 
@@ -166,6 +230,14 @@ struct ObstacleTest::Look {
     return most;
   }
 
+  /// To first order; `spreads`: at this place, once they are known.
+  bool is_hit_all_over(std::size_t place, const Term& term, double rounding,
+                       std::optional<std::optional<JointSpreads>>& spreads) const {
+    if (!spreads)
+      spreads = test.moving_.spread(box, test.places_[place].at, test.usable_, term.what.seen_from);
+    return *spreads && test.is_hit_all_over(term, **spreads, rounding);
+  }
+
   /// Rules out what is hit at a place, and returns the smallest gap there less the clearance, or a lower bound of it.
   double at(std::size_t place, std::size_t first, std::size_t last) {
     double least = std::numeric_limits<double>::infinity();
@@ -174,6 +246,7 @@ struct ObstacleTest::Look {
     const PlacedJoints joints = joints_at(place);
     std::array<std::optional<JointMoves>, 1 + all_joints.size()>
         moves;  // as seen from the table and from each joint
+    std::array<std::optional<std::optional<JointSpreads>>, 1 + all_joints.size()> spreads;
     bool is_reached = true;
     for (std::size_t i = first; i < last; ++i) {
       const Term& term = test.terms_[i];
@@ -196,13 +269,17 @@ struct ObstacleTest::Look {
         if (!is_reached) continue;
         here = moved_of(term.what, *seen);
       }
-      if (gap + here + test.gap_rounding(term.what, joints) < clearance) {
+      const double rounding = test.gap_rounding(term.what, joints);
+      if (gap + here + rounding < clearance ||
+          (!term.is_of_the_copy && gap + share_of_moves * here < clearance &&
+           is_hit_all_over(place, term, rounding, spreads[frame_of(term.what)]))) {
         hit = Hit{place, i};
+        nearest = -std::numeric_limits<double>::infinity();
         of_one ? alive.remove(*of_one) : alive.remove(term.layers);
         if (of_one || alive.empty()) return least;
       } else if (gap + here < nearest) {
         nearest = gap + here;
-        if (!hit) hit = Hit{place, i};
+        hit = Hit{place, i};
       }
     }
     return least;
@@ -264,6 +341,28 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
   if (hit == many_places_.end()) return true;
   if (!stop_() && places_.size() < most_places) places_.push_back({*hit});
   return false;
+}
+
+void ObstacleTest::look_further(const DesignBox& box, const LayerSet& alive) {
+  if (places_.size() >= most_places || stop_()) return;
+  const LogLengths middle = middle_of(box);
+  const SideLengths sides = reach_.sides(middle);
+  const auto depth_at = [&](const Point& place) {
+    const PlacedJoints joints(reach_, roles_, middle, sides, box.pole, place);
+    double deepest = 0;
+    for (const Term& term : terms_)
+      if (term.layers.meets(alive))
+        deepest = std::max(deepest, clearance_ - obstacle_gap(term.what, (*shapes_)[term.what.obstacle],
+                                                              joints, clearance_, Beyond::anything));
+    return deepest;
+  };
+  double known = 0;
+  for (const Place& place : places_) known = std::max(known, depth_at(place.at));
+  double deepest = 2 * known;
+  std::optional<Point> found;
+  for (const Point& place : many_places_)
+    if (const double depth = depth_at(place); depth > deepest) deepest = depth, found = place;
+  if (found) places_.push_back({*found});
 }
 
 void ObstacleTest::add_place(const Point& place, std::size_t layers) { places_.push_back({place, layers}); }

@@ -71,6 +71,10 @@ class ObstacleTest {
   /// `first`: where it may well not be kept.
   bool is_clear(double VA, double VB, const Point& pole, std::size_t layers, const std::optional<Hit>& first);
 
+  /// Looks at the middle of a box at very many places, and at the one where it is hit most deeply in every box from then on, if that is
+  /// more than twice as deep as at the places looked at so far. `alive`: of the box.
+  void look_further(const DesignBox& box, const LayerSet& alive);
+
   /// One more place to look at for one assignment alone.
   void add_place(const Point& place, std::size_t layers);
 
@@ -84,12 +88,14 @@ class ObstacleTest {
     Point at;
     std::optional<std::size_t> layers{};  ///< of which it is; absent: of all
   };
+  LogLengths middle_of(const DesignBox& box) const;
   double gap_rounding(const ObstacleTerm& term, const PlacedJoints& joints) const;
   void add_term(Term term);
   void look_at_the_copy(const Spec& spec, const CopyingLinkage& any,
                         const std::vector<Obstruction>& obstructions,
                         const std::vector<LayerAssignment>& layers);
   bool is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& end) const;
+  bool is_hit_all_over(const Term& term, const JointSpreads& spreads, double rounding) const;
   struct Look;
   void judge(Look& look, const std::vector<std::pair<std::size_t, double>>& seen, Sight& sight) const;
 
@@ -99,6 +105,7 @@ class ObstacleTest {
   Reach reach_;
   JointRoles roles_;
   double clearance_;
+  Range usable_;  ///< |psi| that keep the transmission limit
   KnownShapes shapes_;
   std::vector<Place> places_;       ///< looked at in every box
   std::vector<Point> many_places_;  ///< looked at for single designs

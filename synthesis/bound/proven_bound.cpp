@@ -92,8 +92,17 @@ class Tree {
       if (++opened_ <= 100 || opened_ % 8 == 0)
         designs_.try_in(node, branch_of(node), obstacles_of(node),
                         loads_of(node));  // often at first, when the boxes are still many
+      if (sees_obstacles() && opened_ % looked_further_every == 0)
+        obstacles_of(node)->look_further(design_box(node), node.alive);
       split(node);
     }
+  }
+
+  static bounding::DesignBox design_box(const TreeNode& node) {
+    const bounding::PoleDisc poles = bounding::disc_around(node.x, node.y);
+    const Point half(std::max(node.x.upper - poles.centre.x(), poles.centre.x() - node.x.lower),
+                     std::max(node.y.upper - poles.centre.y(), poles.centre.y() - node.y.lower));
+    return {node.lengths, poles.centre, poles.radius, half};
   }
 
   /// The roots of all groundings and assembly modes; false if it was stopped on the way.
@@ -167,9 +176,8 @@ class Tree {
   bool rule_out_by_obstacles(TreeNode& node, bool only_where_last) {
     if (!sees_obstacles()) return true;
     if (!only_where_last) boxes_ += obstacle_tests_[node.branch]->cost(node.sight);
-    const bounding::PoleDisc poles = bounding::disc_around(node.x, node.y);
-    node.alive = obstacle_tests_[node.branch]->not_hit({node.lengths, poles.centre, poles.radius}, node.alive,
-                                                       node.sight, only_where_last);
+    node.alive =
+        obstacle_tests_[node.branch]->not_hit(design_box(node), node.alive, node.sight, only_where_last);
     return !node.alive.empty();
   }
 
@@ -195,17 +203,29 @@ class Tree {
     fixed.y.lower = fixed.y.upper = node.pole().y();
     if (node.pole_is_known() || !poles_.measure_distances(fixed)) return 1;
     if (!bounding::contract(mode_of(node), fixed.distances, designs_.transmission(), fixed.lengths)) return 1;
-    return bound_of(fixed) > node.bound ? 1 : idle;
+    if (bound_of(fixed) > node.bound) return 1;
+    // Where all designs of a box have no opening in common, nothing is said of their contact.
+    const bool is_seen = !options_.self_contact ||
+                         !bounding::passed_by_all(mode_of(node), node.distances, node.lengths).empty();
+    return is_seen ? idle : 1;
   }
 
-  void split(const TreeNode& node) {
-    const double t_width = 0.5 * std::log(node.lengths.t.upper / node.lengths.t.lower);
-    const double w_width = 0.5 * std::log(node.lengths.w.upper / node.lengths.w.lower);
+  /// What each coordinate adds to how uncertain a box is: the part of it with the largest share is split.
+  struct Widths {
+    double t, w, x, y;
+  };
+
+  Widths widths_of(const TreeNode& node) const {
     const double per_mm = (0.5 / std::max(node.distances.farthest_at_least, 1e-300) +
                            0.5 / std::max(node.distances.nearest_at_most, 1e-300)) *
                           pole_weight(node);
-    const double x_width = (node.x.upper - node.x.lower) * per_mm,
-                 y_width = (node.y.upper - node.y.lower) * per_mm;
+    return {0.5 * std::log(node.lengths.t.upper / node.lengths.t.lower),
+            0.5 * std::log(node.lengths.w.upper / node.lengths.w.lower),
+            (node.x.upper - node.x.lower) * per_mm, (node.y.upper - node.y.lower) * per_mm};
+  }
+
+  void split(const TreeNode& node) {
+    const auto [t_width, w_width, x_width, y_width] = widths_of(node);
     const double widest = std::max({t_width, w_width, x_width, y_width});
     const auto halve = [&](auto part, double middle) {
       TreeNode lower = node, upper = node;
@@ -276,8 +296,9 @@ class Tree {
   std::priority_queue<TreeNode, std::vector<TreeNode>, bounding::LessPromising> open_;
   std::array<std::optional<double>, 3> by_grounding_;
   std::size_t boxes_ = 0, opened_ = 0;
-  static constexpr std::size_t told_every = 64;  // boxes
-  double widest_gap_ = 0, told_ = 0;             // of the progress told
+  static constexpr std::size_t told_every = 64;            // boxes
+  static constexpr std::size_t looked_further_every = 64;  // boxes
+  double widest_gap_ = 0, told_ = 0;                       // of the progress told
 };
 
 std::optional<ProvenBound> back_to_the_table(std::optional<ProvenBound> bound, const Point& origin) {

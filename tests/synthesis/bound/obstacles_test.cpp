@@ -47,6 +47,13 @@ std::optional<double> gap_over_region(const Spec& spec, const CopyingLinkage& li
   return figure ? std::optional(figure->gap) : std::nullopt;
 }
 
+bool keeps_transmission(const Spec& spec, const CopyingLinkage& linkage, const RegionReach& region) {
+  const DistanceRange range = region.range(linkage.pole());
+  return std::min(linkage.transmission_angle(*linkage.opening_at(range.nearest)),
+                  linkage.transmission_angle(*linkage.opening_at(range.farthest))) >=
+         spec.limits.transmission;
+}
+
 /// All of the region: a body may meet an obstacle with the tracer where a linkage does not get to.
 bool reaches(const CopyingLinkage& linkage, const RegionReach& region) {
   const DistanceRange range = region.range(linkage.pole());
@@ -93,7 +100,7 @@ ThrownAway look_into_boxes(test::SpecDice& dice, int specs, const std::vector<La
         const auto linkage =
             CopyingLinkage::make(spec.copy.k(), grounding, std::sqrt(one_w / one_t / 2),
                                  std::sqrt(one_w * one_t / 2) * std::abs(branch.mode.s), mode.number, pole);
-        if (!linkage || !reaches(*linkage, region)) continue;
+        if (!linkage || !reaches(*linkage, region) || !keeps_transmission(spec, *linkage, region)) continue;
         for (const std::size_t one : gone) {
           const auto gap = gap_over_region(spec, *linkage, layers[one]);
           if (!gap) continue;  // does not reach the region: no design either
