@@ -46,12 +46,13 @@ Grid grid_for(const Box& box, Paper paper, Orientation orientation) {
           cuts_along(box.lower.y(), box.upper.y(), size.y())};
 }
 
-/// A cross in a ring.
+/// A cross in a ring; its name stands on the side away from the near edge of the paper.
 void draw_mark(Sheet& sheet, const Point& at, const std::string& name) {
   sheet.circle(at, 2, Pen::thin);
   sheet.line(at - Point(4, 0), at + Point(4, 0), Pen::hatch);
   sheet.line(at - Point(0, 4), at + Point(0, 4), Pen::hatch);
-  sheet.text(name, at + Point(2.4, 1.2), small_text);
+  const bool is_right = at.x() > 0.5 * sheet.size.x();
+  sheet.text(name, at + Point(is_right ? -2.4 : 2.4, 1.2), small_text, is_right ? Align::right : Align::left);
 }
 
 std::string tile_name(int column, int row) {
@@ -79,13 +80,14 @@ Sheet tile_sheet(const Draw& draw, const Grid& grid, int column, int row, Paper 
   sheet.marks.emplace_back(ClipBegin{window});
   draw(sheet, view);
   sheet.marks.emplace_back(ClipEnd{});
+  // Both tiles of a join name its crosses alike, and no other join has the same two tiles.
   const auto join_up = [&](int before) {
     draw_join(sheet, view, grid.across.join(before), low, low + grid.up.window, false,
-              fmt::format("{}{}", row + 1, before + 1));
+              fmt::format("{}-{} ", tile_name(before, row), tile_name(before + 1, row)));
   };
   const auto join_across = [&](int before) {
     draw_join(sheet, view, grid.up.join(before), left, left + grid.across.window, true,
-              fmt::format("{}{}", column + 1, before + 1));
+              fmt::format("{}-{} ", tile_name(column, before), tile_name(column, before + 1)));
   };
   if (column > 0) join_up(column - 1);
   if (column + 1 < grid.across.count) join_up(column);
