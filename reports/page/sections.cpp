@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "reports/drawings/bench_space.hpp"
 #include "reports/drawings/blank.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/pictures/html_text.hpp"
 #include "reports/pictures/mechanism_picture.hpp"
-#include "reports/pictures/picture_extent.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "synthesis/design/copy_overlap.hpp"
 #include "synthesis/loads/gravity.hpp"
@@ -148,10 +149,9 @@ std::string longest_piece(const Design& design) {
 }
 
 std::string bench_space(const Design& design) {
-  if (design.footprint.empty()) return {};
-  PictureExtent extent;
-  extent.add(design.footprint);
-  const Point size = 2 * extent.box().half;
+  const std::optional<Box> swept = swept_box(design);
+  if (design.footprint.empty() || !swept) return {};
+  const Point size = swept->upper - swept->lower;
   return html_key_figure("Bench space",
                          fmt::format("{} × {}\u00a0mm", number_text(std::ceil(size.x()), 0),
                                      number_text(std::ceil(size.y()), 0)),

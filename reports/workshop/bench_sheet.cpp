@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "reports/drawings/bench_space.hpp"
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
@@ -24,11 +25,12 @@ struct Mark {
   Point at;
 };
 
-void include(Box& box, const Region& region) {
-  if (region.empty()) return;
-  const Box other = bounding_box(region);
+void include(Box& box, const Box& other) {
   box.lower = box.lower.cwiseMin(other.lower);
   box.upper = box.upper.cwiseMax(other.upper);
+}
+void include(Box& box, const Region& region) {
+  if (!region.empty()) include(box, bounding_box(region));
 }
 
 struct NamedRegion {
@@ -56,7 +58,8 @@ Box edges_of(const Design& design, const Region& copy) {
   if (design.table) return bounding_box(Region{{*design.table}});
   const Point pole = design.linkage.pole();
   Box box{pole, pole};
-  for (const Region& region : {design.footprint, design.region, copy}) include(box, region);
+  if (const auto swept = swept_box(design)) include(box, *swept);
+  for (const Region& region : {design.region, copy}) include(box, region);
   const Pose pose = assembly_pose(design);
   for (const Link link : all_links)
     include(box, flattened(ArcRegion{link_outline(link, pose, design.style)}, 0.1, Flatten::grows));
@@ -172,6 +175,10 @@ void draw_things(Sheet& sheet, const Plan& plan) {
   for (const Obstacle& obstacle : design.obstacles)
     draw_region(sheet, view, Region{{obstacle.shape}}, Pen::phantom);
   for (const NamedRegion& body : plan.bodies) draw_region(sheet, view, body.region, Pen::phantom);
+  // The circle of a body that turns may reach beyond the table, which the body does not.
+  sheet.marks.emplace_back(ClipBegin{plan.on_paper()});
+  for (const Body& body : design.bodies) draw_region(sheet, view, swept_outline(design, body), Pen::phantom);
+  sheet.marks.emplace_back(ClipEnd{});
   draw_mechanism(sheet, design, view);
   if (design.table) draw_region(sheet, view, Region{{*design.table}}, Pen::outline);
   sheet.rectangle(plan.on_paper(), design.table ? Pen::thin : Pen::outline);
@@ -187,6 +194,7 @@ void avoid_lines(Words& words, const Plan& plan) {
   if (design.table) words.avoid_edges(view, Region{{*design.table}});
   for (const Obstacle& obstacle : design.obstacles) words.avoid_edges(view, Region{{obstacle.shape}});
   for (const NamedRegion& body : plan.bodies) words.avoid_edges(view, body.region);
+  for (const Body& body : design.bodies) words.avoid_edges(view, swept_outline(design, body));
   const Pose pose = assembly_pose(design);
   for (const Link link : all_links)
     words.avoid_edges(view,

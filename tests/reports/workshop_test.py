@@ -157,6 +157,58 @@ class Dimensions(Case):
             self.assertLessEqual(abs(math.hypot(x - u, y - v) - 270), EXACT)
 
 
+    def test_crosses_of_one_name_are_one_place(self):
+        out = self.drawn("""
+[copy]
+scale = 1.0
+rotation_deg = 70
+[region]
+rectangle_mm = {at = [300, -100], size = [200, 200]}
+[links]
+width_mm = 30
+pin_diameter_mm = 8
+thickness_mm = 6
+longest_mm = 900
+[limits]
+transmission_deg = 15
+""")
+        design = json.loads((out / "design.json").read_text())
+        pages = self.pages(out)
+        grids = 0
+        for link in ("ACX", "BCY"):
+            tiles = [page for page in pages if f"Link {link}," in drawing_of(page)[0] and "tile" in drawing_of(page)[0]]
+            if len(tiles) < 4:
+                continue
+            grids += 1
+            shown, holes = {}, {}
+            for number, tile in enumerate(tiles):
+                rings = [path.circle() for path in tile.paths if not path.clipped]
+                rings = [(x, y) for x, y, r in filter(None, rings) if abs(r - 2) < EXACT]
+                names = [one for one in tile.texts if re.fullmatch(r"[A-Z]\d+-[A-Z]\d+ [ab]", one.text)]
+                self.assertEqual(len(names), len(rings))
+                self.assertEqual(len({one.text for one in names}), len(names), "a name stands twice on one sheet")
+                own = drawing_of(tile)[0].split("tile ")[1].split(" ")[0]
+                for one in names:
+                    self.assertIn(own, one.text.split(" ")[0].split("-"))
+                    ring = min(rings, key=lambda at: min(math.dist(at, (one.x, one.y)), math.dist(at, (one.x + one.width, one.y))))
+                    shown.setdefault(one.text, []).append((number, ring))
+                holes[number] = outlined_circles(tile, 0.5 * design["mechanism"]["pin_diameter_mm"])
+            for name, places in shown.items():
+                self.assertEqual(len(places), 2, name)
+            # laid so that its crosses meet, each tile has one place, whichever way one comes to it
+            moved = {0: (0, 0)}
+            while len(moved) < len(tiles):
+                for places in shown.values():
+                    (one, at), (other, there) = places
+                    for known, new, a, b in ((one, other, at, there), (other, one, there, at)):
+                        if known in moved and new not in moved:
+                            moved[new] = tuple(moved[known][i] + a[i] - b[i] for i in (0, 1))
+            for name, ((one, at), (other, there)) in shown.items():
+                for i in (0, 1):
+                    self.assertLessEqual(abs(moved[one][i] + at[i] - moved[other][i] - there[i]), EXACT, name)
+        self.assertGreater(grids, 0)
+
+
 def with_hardware(name):
     """A spec whose links are wide and thick enough for any of it."""
     text = (EXAMPLES.parent / "templates/sign-router.toml").read_text()
@@ -223,6 +275,41 @@ class Bench(Case):
         self.assertEqual(self.check_places(self.drawn(text), 3), (0.2, 1))
         far = "".join(f'[[obstacles]]\nname = "bin {i}"\ncircle_mm = [{-390 + 15 * i}, -290, 5]\n' for i in range(30))
         self.assertEqual(self.check_places(self.drawn(text + far, "bins.toml", folder="bins"), 33), (0.2, 3))
+
+
+    def test_holds_what_bodies_sweep(self):
+        out = self.drawn("""
+[copy]
+scale = 2
+[region]
+rectangle_mm = {at = [100, -30], size = [60, 60]}
+[links]
+width_mm = 15
+pin_diameter_mm = 6
+layers = 4
+[objective]
+groundings = ["pole", "tracer"]
+[[bodies]]
+name = "router"
+at = "pen"
+circle_mm = {centre = [0, 0], radius = 60}
+layers = [4, 8]
+""")
+        heading = "Places on the bench, mm"
+        pages = self.pages(out)
+        table = next(page.table(heading, 172) for page in pages if heading in {one.text for one in page.texts})
+        rows = {row[1]: (float(row[2]), float(row[3])) for row in table if len(row) == 4 and row[0].isdigit()}
+        left, front = rows["copy, left and front"]
+        right, back = rows["copy, right and back"]
+        self.assertGreaterEqual(left, 60 - EXACT)  # the pen comes to the copy's corners, the router 60 mm beyond
+        self.assertGreaterEqual(front, 60 - EXACT)
+        plan = next(page for page in pages if drawing_of(page)[0].startswith("Bench plan"))
+        figures = [float(one.text) for one in plan.texts if re.fullmatch(r"[\d.]+", one.text) and "." in one.text or one.text.isdigit()]
+        self.assertAlmostEqual(front, 60, 2)
+        for wanted in (right + 60, back + 60):  # the bench ends there
+            self.assertTrue(any(abs(one - wanted) < 2 * EXACT for one in figures), wanted)
+        space = re.search(r"Bench space.*?>(\d+) × (\d+)", (out / "report.html").read_text(), re.S)
+        self.assertEqual([int(space[1]), int(space[2])], [math.ceil(right + 60 - EXACT), math.ceil(back + 60 - EXACT)])
 
 
 class Sheets(Case):
