@@ -52,23 +52,25 @@ unsigned code_point(std::string_view text, std::size_t& i) {
   return code;
 }
 
+/// What R12 reads as one character, from the byte at `i`, which moves to its last one.
+std::string escaped_character(std::string_view text, std::size_t& i) {
+  const auto byte = static_cast<unsigned char>(text[i]);
+  if (byte == '%' && i + 1 < text.size() && text[i + 1] == '%') return "% ";  // %% starts a control sequence
+  if (byte < 0x20 || byte == 0x7F) return " ";
+  if (byte < 0x80) return std::string(1, text[i]);
+  const unsigned code = code_point(text, i);
+  return code <= 0xFFFF ? fmt::format("\\U+{:04X}", code) : "?";
+}
+
 std::string escaped(std::string_view text) {
+  constexpr std::size_t longest = 250;  // R12 allows 255 in a string
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte == '%' && i + 1 < text.size() && text[i + 1] == '%')
-      result += "% ";  // %% starts a control sequence
-    else if (byte < 0x20 || byte == 0x7F)
-      result += ' ';
-    else if (byte < 0x80)
-      result += text[i];
-    else if (const unsigned code = code_point(text, i); code <= 0xFFFF)
-      result += fmt::format("\\U+{:04X}", code);
-    else
-      result += '?';
+    const std::string next = escaped_character(text, i);
+    if (result.size() + next.size() > longest) break;
+    result += next;
   }
-  constexpr std::size_t longest = 250;  // R12 allows 255 in a string
-  return result.substr(0, longest);
+  return result;
 }
 
 void write_header(Groups& out, const Box& extent) {

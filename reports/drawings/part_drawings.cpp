@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 
 #include "reports/drawings/blank.hpp"
 #include "specs/hardware.hpp"
@@ -51,39 +51,114 @@ struct FreeWay {
   double length;
 };
 
-/// The longest free way that ends at `joint` (at any joint, if none is given).
-std::optional<FreeWay> longest_way(const std::vector<FreeWay>& ways, std::optional<Joint> joint) {
-  std::optional<FreeWay> best;
-  for (const FreeWay& way : ways)
-    if ((!joint || way.pair.from == *joint || way.pair.to == *joint) && way.length > 0 &&
-        (!best || way.length > best->length))
-      best = way;
-  return best;
-}
-
-/// The name in the middle of the longest free way, each joint's letter beside its hole.
-std::vector<TextShape> engraving(Link link, const Pose& pose, const LinkStyle& style, double hole) {
+/// Ways with room, the longest first.
+std::vector<FreeWay> free_ways(Link link, const Pose& pose, const LinkStyle& style, double hole) {
   std::vector<FreeWay> ways;
   for (const JointPair& pair : pairs_of(link))
-    ways.push_back({pair, free_way(link, pose, pair, style, hole)});
-  const auto main_way = longest_way(ways, std::nullopt);
-  if (!main_way) return {};
-  const std::string text(name(link));
-  const double characters = static_cast<double>(text.size()) + 5;  // two letters and the gaps between
-  const double height = std::min(0.4 * style.width, main_way->length / (0.85 * characters));
-  const Point &start = pose[main_way->pair.from], &end = pose[main_way->pair.to];
-  std::vector<TextShape> labels{text_along(text, 0.5 * (start + end), end - start, height)};
-  const LinkJoints joints = joints_of(link);
-  for (int i = 0; i < joints.count; ++i) {
-    const Joint joint = joints.joints[static_cast<std::size_t>(i)];
-    const auto way = longest_way(ways, joint);
-    if (!way || way->length < 3 * height) continue;
-    const Joint other = way->pair.from == joint ? way->pair.to : way->pair.from;
-    const Point along = (pose[other] - pose[joint]).normalized();
-    labels.push_back(text_along(std::string(1, letter(joint)),
-                                pose[joint] + (0.5 * hole + 0.9 * height) * along, along, height));
+    if (const double length = free_way(link, pose, pair, style, hole); length > 0)
+      ways.push_back({pair, length});
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const FreeWay& a, const FreeWay& b) { return a.length > b.length; });
+  return ways;
+}
+
+/// What a text covers.
+struct TextBox {
+  Point middle, along, half;  ///< `along`: of size 1; `half`: along it and across
+  explicit TextBox(const TextShape& text)
+      : middle(text.at + 0.5 * text.height * as_point(std::polar(1.0, text.turn + pi / 2))),
+        along(as_point(std::polar(1.0, text.turn))), half(0.5 * text_width(text), 0.5 * text.height) {}
+
+  Point across() const { return {-along.y(), along.x()}; }
+  double reach(const Point& direction) const {
+    return half.x() * std::abs(along.dot(direction)) + half.y() * std::abs(across().dot(direction));
   }
-  return labels;
+};
+
+bool are_apart(const TextBox& one, const TextBox& other) {
+  const Point way = other.middle - one.middle;
+  const Point axes[] = {one.along, one.across(), other.along, other.across()};
+  return std::any_of(std::begin(axes), std::end(axes), [&](const Point& axis) {
+    return std::abs(way.dot(axis)) > one.reach(axis) + other.reach(axis);
+  });
+}
+
+bool are_apart(const TextBox& box, const CutPart::Hole& hole) {
+  const Point way = hole.centre - box.middle;
+  const Point outside =
+      (Point(way.dot(box.along), way.dot(box.across())).cwiseAbs() - box.half).cwiseMax(0.0);
+  return outside.norm() > 0.5 * hole.diameter + 0.2 * box.half.y();
+}
+
+/// Engraves a link in letters of one height.
+class Engraving {
+ public:
+  Engraving(const CutPart& part, const Pose& pose, const std::vector<FreeWay>& ways, double hole,
+            double height)
+      : part_(part), pose_(pose), ways_(ways), hole_(hole), height_(height) {}
+
+  /// The name in the middle of the longest way that has room for it, else beside the middle, each joint's letter beside its hole; of the
+  /// places of the name the first that leaves room for every letter, or for the most. Empty where the name has no room.
+  std::vector<TextShape> labels() const {
+    std::vector<TextShape> most;
+    for (const FreeWay& way : ways_)
+      for (const double share : {0.5, 0.4, 0.6, 0.3, 0.7}) {
+        const Point &start = pose_[way.pair.from], &end = pose_[way.pair.to];
+        const TextShape name = text_along(part_.name, start + share * (end - start), end - start, height_);
+        if (!has_room(name, {})) continue;
+        std::vector<TextShape> labels{name};
+        for (const CutPart::Hole& hole : part_.holes) add_letter(hole.joint, labels);
+        if (labels.size() > most.size()) most = std::move(labels);
+        if (is_complete(most)) return most;
+      }
+    return most;
+  }
+
+  bool is_complete(const std::vector<TextShape>& labels) const {
+    return labels.size() == 1 + part_.holes.size();
+  }
+
+ private:
+  void add_letter(Joint joint, std::vector<TextShape>& labels) const {
+    for (const FreeWay& way : ways_) {
+      if ((way.pair.from != joint && way.pair.to != joint) || way.length < 3 * height_) continue;
+      const Point along =
+          (pose_[way.pair.from == joint ? way.pair.to : way.pair.from] - pose_[joint]).normalized();
+      const TextShape text = text_along(std::string(1, letter(joint)),
+                                        pose_[joint] + (0.5 * hole_ + 0.9 * height_) * along, along, height_);
+      if (has_room(text, labels)) return labels.push_back(text);
+    }
+  }
+
+  bool has_room(const TextShape& text, const std::vector<TextShape>& labels) const {
+    const TextBox box(text);
+    return std::all_of(part_.holes.begin(), part_.holes.end(),
+                       [&](const CutPart::Hole& hole) { return are_apart(box, hole); }) &&
+           std::all_of(labels.begin(), labels.end(),
+                       [&](const TextShape& other) { return are_apart(box, TextBox(other)); });
+  }
+
+  const CutPart& part_;
+  const Pose& pose_;
+  const std::vector<FreeWay>& ways_;
+  double hole_, height_;
+};
+
+/// Name and letters, as large as they fit; letters that have no room in letters a third as high are left out.
+std::vector<TextShape> engraving(const CutPart& part, Link link, const Pose& pose, const LinkStyle& style) {
+  const double hole = widest_hole(part);
+  const auto ways = free_ways(link, pose, style, hole);
+  if (ways.empty()) return {};
+  const double characters = static_cast<double>(part.name.size()) + 5;  // two letters and the gaps between
+  const double largest = std::min(0.4 * style.width, ways.front().length / (0.85 * characters));
+  std::vector<TextShape> most;
+  for (double height = largest; height > 0.3 * largest; height *= 0.8) {
+    const Engraving engraved(part, pose, ways, hole, height);
+    std::vector<TextShape> labels = engraved.labels();
+    if (labels.size() > most.size()) most = std::move(labels);
+    if (engraved.is_complete(most)) break;
+  }
+  return most;
 }
 
 DrawingLayer cut_layer(const std::string& name) {
@@ -122,7 +197,7 @@ CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting) {
     part.holes.push_back({joint, lying[joint], std::max(0.0, hole)});
   }
   part.wall = least_wall(part, as_cut.width);
-  part.labels = engraving(link, lying, style, widest_hole(part));
+  part.labels = engraving(part, link, lying, style);
   return part;
 }
 
@@ -130,6 +205,11 @@ std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cuttin
   std::array<CutPart, 4> parts;
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = cut_part(design, all_links[i], cutting);
   return parts;
+}
+
+CuttingSpec finished(CuttingSpec cutting) {
+  cutting.kerf = 0;
+  return cutting;
 }
 
 double widest_hole(const CutPart& part) {

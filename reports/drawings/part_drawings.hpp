@@ -32,6 +32,9 @@ CutPart cut_part(const Design& design, Link link, const CuttingSpec& cutting);
 /// All four, in the order of all_links.
 std::array<CutPart, 4> cut_parts(const Design& design, const CuttingSpec& cutting);
 
+/// The same without the kerf: with it a link is drawn as it is once it is cut.
+CuttingSpec finished(CuttingSpec cutting);
+
 /// Diameter of its widest hole, mm.
 double widest_hole(const CutPart& part);
 

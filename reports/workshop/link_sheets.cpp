@@ -38,9 +38,7 @@ std::size_t datum_of(const CutPart& part) {
 }
 
 DrawnLink drawn_link(const Task& task, Link link) {
-  CuttingSpec finished = task.design.cutting;
-  finished.kerf = 0;
-  CutPart part = cut_part(task.design, link, finished);
+  CutPart part = cut_part(task.design, link, finished(task.design.cutting));
   std::swap(part.holes[0], part.holes[datum_of(part)]);
   std::sort(part.holes.begin() + 1, part.holes.end(),
             [](const CutPart::Hole& a, const CutPart::Hole& b) { return a.centre.x() < b.centre.x(); });

@@ -51,8 +51,7 @@ Table cutting_list(const Task& task, double width) {
                {"Blank, mm", 48},
                {"Thickness, mm", 30},
                {"Holes, mm", width - 108}}};
-  CuttingSpec as_to_be = task.design.cutting;
-  as_to_be.kerf = 0;
+  const CuttingSpec as_to_be = finished(task.design.cutting);
   for (const BomItem& item : task.bill) {
     if (item.item != "link") continue;
     const Link link =

@@ -141,6 +141,62 @@ TEST(PartDrawings, EngraveInsideTheOutlineAndBesideTheHoles) {
     }
 }
 
+/// Wide and narrow links, thin and thick pins, all rotations: neither name nor letter lies on a hole or on another.
+TEST(PartDrawings, EngraveOnNoHoleAndOnNoOtherWords) {
+  std::size_t letters = 0, joints = 0;
+  for (int turn = -180; turn <= 180; turn += 4)
+    for (const PlateStyle plate : {PlateStyle::bent, PlateStyle::triangle})
+      for (const double pin : {1.0, 3.0, 8.0}) {
+        Design design = sample_design(std::polar(0.8, radians(turn)), Grounding::pole, 90, 57, 0, plate);
+        design.style.width = 20;
+        design.style.pin_diameter = pin;
+        for (const Link link : all_links) {
+          const CutPart part = cut_part(design, link, {});
+          ASSERT_FALSE(part.labels.empty()) << turn;
+          EXPECT_EQ(part.labels[0].text, part.name);
+          letters += part.labels.size() - 1;
+          joints += part.holes.size();
+          // places all over each text
+          std::vector<std::vector<Point>> covered;
+          for (const TextShape& label : part.labels) {
+            const Point along = as_point(std::polar(text_width(label), label.turn)),
+                        up = as_point(std::polar(label.height, label.turn + pi / 2));
+            covered.emplace_back();
+            for (int i = 0; i <= 30; ++i)
+              for (int j = 0; j <= 10; ++j)
+                covered.back().push_back(label.at + (i / 30.0 - 0.5) * along + j / 10.0 * up);
+            for (const Point& place : covered.back())
+              for (const CutPart::Hole& hole : part.holes)
+                ASSERT_GT((place - hole.centre).norm(), 0.5 * hole.diameter)
+                    << turn << ' ' << label.text << " on hole " << letter(hole.joint);
+          }
+          for (std::size_t i = 0; i < covered.size(); ++i)
+            for (const Point& place : covered[i])
+              for (std::size_t j = 0; j < covered.size(); ++j) {
+                if (i == j) continue;
+                const TextShape& other = part.labels[j];
+                const Complex there = as_complex(place - other.at) * std::polar(1.0, -other.turn);
+                ASSERT_FALSE(std::abs(there.real()) < 0.5 * text_width(other) && there.imag() > 0 &&
+                             there.imag() < other.height)
+                    << turn << ' ' << part.labels[i].text << " on " << other.text;
+              }
+        }
+      }
+  EXPECT_GT(100 * letters, 95 * joints);
+}
+
+TEST(DxfWriter, CutsNoCharacterOfALongText) {
+  std::string name;
+  for (int i = 0; i < 200; ++i) name += "\u0416";
+  for (const char* before : {"", "a", "ab", "abc", "abcd"}) {
+    const std::string dxf = dxf_text(Drawing{{{"L"}}, {TextShape{"L", before + name, {0, 0}}}});
+    const auto from = dxf.find(std::string("\n  1\n") + before + "\\U+0416") + 5;
+    const std::string text = dxf.substr(from, dxf.find('\n', from) - from);
+    EXPECT_LE(text.size(), 250U);
+    EXPECT_EQ((text.size() - std::string(before).size()) % 7, 0U) << text;
+  }
+}
+
 TEST(DxfWriter, EscapesTexts) {
   const Drawing drawing{{{"L"}}, {TextShape{"L", "60\u00b0 \U0001F600\n0\nEOF %%d \xff", {0, 0}}}};
   const std::string dxf = dxf_text(drawing);
