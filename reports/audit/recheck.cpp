@@ -59,7 +59,8 @@ tl::expected<std::optional<std::string>, std::string> contents_of(const fs::path
 class Recheck {
  public:
   Recheck(Contents contents, const Design& design, const CuttingSpec& cutting)
-      : contents_(std::move(contents)), design_(design), parts_(cut_parts(design, cutting)) {}
+      : contents_(std::move(contents)), design_(design), parts_(cut_parts(design, cutting)),
+        finished_(cut_parts(design, finished(cutting))) {}
 
   std::vector<std::string> run() {
     check_design();
@@ -68,8 +69,8 @@ class Recheck {
     for (const CutPart& part : parts_) {
       check_dxf("parts/" + part.name + ".dxf", {&part, 1});
       check_svg(part);
-      check_solid(part);
     }
+    for (const CutPart& part : finished_) check_solid(part);
     return std::move(faults_);
   }
 
@@ -187,13 +188,14 @@ class Recheck {
     if (!solid) return fault(file, "{}", solid.error());
     if (!is_closed(*solid)) fault(file, "the surface is not closed");
     const double found = volume(*solid), wanted = area(part) * part.thickness;
-    if (!(std::abs(found - wanted) <= part.thickness * flattening_slack(part, 0.01)))
+    const double tolerance = chord_tolerance(0.5 * design_.style.width);
+    if (!(std::abs(found - wanted) <= part.thickness * flattening_slack(part, tolerance)))
       fault(file, "{} mm3 instead of {}", found, wanted);
   }
 
   Contents contents_;
   const Design& design_;
-  std::array<CutPart, 4> parts_;
+  std::array<CutPart, 4> parts_, finished_;  ///< as cut and after it
   std::vector<std::string> faults_;
 };
 

@@ -16,7 +16,7 @@ namespace kempe {
 ///  - drawing.dxf, nested.dxf and parts/*.dxf: each link one closed outline of its area (to 1e-9 of it),
 ///    holes of their diameter, as far apart as the lengths say (to 1e-9 mm), nothing else on the link's layer;
 ///  - parts/*.svg: outline and holes of their areas, as far as flattened arcs tell;
-///  - parts/*.stl: closed, of the part's volume.
+///  - parts/*.stl: closed, of the finished part's volume.
 /// Files that are not there are passed over.
 std::vector<std::string> recheck(const std::filesystem::path& folder, const Design& design,
                                  const CuttingSpec& cutting);

@@ -19,11 +19,16 @@ std::vector<CutPart> parts_of_design(const Design& design, const CuttingSpec& cu
   return {parts.begin(), parts.end()};
 }
 
-void add_link(PartFiles& parts, const CutPart& part) {
+void add_drawings(PartFiles& parts, const CutPart& part) {
   const std::string stem = "parts/" + part.name;
   const Drawing drawing = part_drawing(part);
   parts.files.push_back({stem + ".dxf", dxf_text(drawing)});
   parts.files.push_back({stem + ".svg", svg_text(drawing, "Link " + part.name)});
+}
+
+/// `part`: finished, since what prints or mills a solid allows for its own tool.
+void add_solid(PartFiles& parts, const CutPart& part) {
+  const std::string stem = "parts/" + part.name;
   if (const Solid solid = part_solid(part); !solid.empty())
     parts.files.push_back({stem + ".stl", stl_bytes(solid, "link " + part.name)});
   else
@@ -54,7 +59,10 @@ PartFiles part_files(const Design& design, const CuttingSpec& cutting, const Sto
   PartFiles result;
   const auto fault = parts_fault(design, cutting);
   const std::vector<CutPart> parts = fault ? std::vector<CutPart>{} : parts_of_design(design, cutting);
-  for (const CutPart& part : parts) add_link(result, part);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add_drawings(result, parts[i]);
+    add_solid(result, cut_part(design, all_links[i], finished(cutting)));
+  }
   if (fault)
     result.left_out.push_back("no files of the parts: " + fault->sentence);
   else

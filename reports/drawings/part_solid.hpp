@@ -15,8 +15,12 @@ namespace kempe {
 using Triangle = std::array<Eigen::Vector3d, 3>;
 using Solid = std::vector<Triangle>;
 
-/// The part's outline with its holes, standing from z = 0 to its thickness; arcs become chords within
-/// `tolerance` (mm, > 0) and within half the part's wall, whose corners lie on them. Closed: every edge belongs to two
+/// How far a chord may lie from an arc of that radius, mm: 0.01, and less of a small one, so that a hole is at most half a per cent
+/// narrower between its flats than between its corners.
+double chord_tolerance(double radius);
+
+/// The part's outline with its holes, standing from z = 0 to its thickness; arcs become chords within chord_tolerance(),
+/// `tolerance` (mm, > 0) and half the part's wall, whose corners lie on them. Closed: every edge belongs to two
 /// triangles. Empty where floats, which an STL holds, cannot tell a wall's two sides apart, or there is no wall.
 Solid part_solid(const CutPart& part, double tolerance = 0.01);
 

@@ -28,7 +28,9 @@ Ring chords(const ArcRing& ring, double tolerance) {
     const Complex a = as_complex(ring[i].at), b = as_complex(ring[(i + 1) % ring.size()].at);
     const double bulge = ring[i].bulge, sweep = 4 * std::atan(bulge);
     const Complex centre = arc_centre(a, b, bulge);
-    const double half_step = std::acos(std::max(0.0, 1 - tolerance / std::abs(a - centre)));
+    const double radius = std::abs(a - centre);
+    const double half_step =
+        std::acos(std::max(0.0, 1 - std::min(tolerance, chord_tolerance(radius)) / radius));
     const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / (2 * half_step))));
     for (int j = 1; j < steps; ++j) add(as_point(centre + (a - centre) * std::polar(1.0, sweep * j / steps)));
   }
@@ -54,6 +56,8 @@ double spacing(const ArcRing& outline) {
 }
 
 }  // namespace
+
+double chord_tolerance(double radius) { return std::min(0.01, 0.005 * radius); }
 
 Solid part_solid(const CutPart& part, double tolerance) {
   const double least = 4 * spacing(part.outline);

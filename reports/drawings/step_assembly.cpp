@@ -25,8 +25,8 @@ Placement in_pose(const CutPart& part, const Pose& pose) {
           turn};
 }
 
-StepPlate plate(const CutPart& part, const Placement& placement) {
-  const double bottom = (part.layer - 1) * part.thickness;
+StepPlate plate(const CutPart& part, const Placement& placement, double raised) {
+  const double bottom = raised + (part.layer - 1) * part.thickness;
   StepPlate plate{part.name, {}, {}, bottom, bottom + part.thickness};
   for (const ArcVertex& corner : placed(part.outline, placement))
     plate.outline.push_back({corner.at.x(), corner.at.y(), corner.bulge});
@@ -37,17 +37,20 @@ StepPlate plate(const CutPart& part, const Placement& placement) {
   return plate;
 }
 
-StepCylinder pin(const JointStack& stack, const Pose& pose) {
+StepCylinder pin(const JointStack& stack, const Pose& pose, double raised) {
   const Point& at = pose[stack.joint];
-  return {stack.name, at.x(), at.y(), stack.diameter, stack.from, stack.to};
+  const double bottom = stack.is_post ? 0 : raised + stack.from;
+  return {stack.name, at.x(), at.y(), stack.diameter, bottom, raised + stack.to};
 }
 
 StepParts parts_in_pose(const Design& design, const CuttingSpec& cutting) {
   StepParts parts{"copying linkage", {}, {}};
   const Pose pose = assembly_pose(design);
-  for (const CutPart& part : cut_parts(design, cutting))
-    parts.plates.push_back(plate(part, in_pose(part, pose)));
-  for (const JointStack& stack : joint_stacks(design)) parts.cylinders.push_back(pin(stack, pose));
+  const auto stacks = joint_stacks(design);
+  const double raised = raised_by(stacks);
+  for (const CutPart& part : cut_parts(design, finished(cutting)))
+    parts.plates.push_back(plate(part, in_pose(part, pose), raised));
+  for (const JointStack& stack : stacks) parts.cylinders.push_back(pin(stack, pose, raised));
   return parts;
 }
 

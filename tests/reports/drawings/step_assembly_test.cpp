@@ -14,11 +14,14 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Solid.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gp_Cylinder.hxx>
 
+#include "reports/drawings/bom.hpp"
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/part_files.hpp"
@@ -83,11 +86,12 @@ std::vector<Design> designs() {
 TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
   CuttingSpec cutting;
   cutting.hole_fit = 0.1;  // so that a hole is no pin
+  cutting.kerf = 0.3;      // which finished links do not have
   for (const Design& design : designs()) {
     const auto text = step_assembly(design, cutting);
     ASSERT_TRUE(text) << text.error();
     const Pose pose = assembly_pose(design);
-    const auto parts = cut_parts(design, cutting);
+    const auto parts = cut_parts(design, finished(cutting));
     const auto solids = solids_of(read_step(*text), 0.5 * parts[0].holes[0].diameter);
     ASSERT_EQ(solids.size(), 10U) << "four links, three pins, three posts";
     for (const CutPart& part : parts) {
@@ -104,6 +108,43 @@ TEST(StepAssembly, ReadAgainHasTheLinksVolumesAndHoles) {
       EXPECT_NEAR(same->volume, volume, 1e-6 * volume) << part.name;
     }
   }
+}
+
+/// Heads under layer 1 raise the linkage: links and pins stand higher, posts are as long as the bill says.
+TEST(StepAssembly, StandsAsHighAsItsHeadsAskFor) {
+  Design design = plagiograph();
+  design.style = {.width = 20, .pin_diameter = 8, .thickness = 5};
+  design.hardware = "M6 shoulder bolt";  // heads of 5.5 mm
+  const auto text = step_assembly(design, {});
+  ASSERT_TRUE(text) << text.error();
+  const TopoDS_Shape shape = read_step(*text);
+  std::vector<std::pair<double, double>> heights;
+  for (TopExp_Explorer one(shape, TopAbs_SOLID); one.More(); one.Next()) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (TopExp_Explorer corner(one.Current(), TopAbs_VERTEX); corner.More(); corner.Next()) {
+      const double z = BRep_Tool::Pnt(TopoDS::Vertex(corner.Current())).Z();
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+    heights.emplace_back(low, high);
+  }
+  std::vector<std::pair<double, double>> wanted;
+  for (const Link link : all_links)
+    wanted.emplace_back(5.5 + 5 * (design.layers[link] - 1), 5.5 + 5 * design.layers[link]);
+  for (const BomItem& item : bill_of_materials(design)) {
+    if (item.item == "pin") wanted.emplace_back(5.5, 5.5 + item.length);  // each from layer 1
+    if (item.item == "post") wanted.emplace_back(0, item.length);
+  }
+  const auto rounded = [](std::vector<std::pair<double, double>>& all) {
+    for (auto& [low, high] : all) {
+      low = std::round(low * 1e6);
+      high = std::round(high * 1e6);
+    }
+    std::sort(all.begin(), all.end());
+  };
+  rounded(heights);
+  rounded(wanted);
+  EXPECT_EQ(heights, wanted);
 }
 
 TEST(StepAssembly, NamesEveryPart) {
