@@ -6,6 +6,7 @@
 
 #include "reports/drawings/blank.hpp"
 #include "reports/drawings/bom.hpp"
+#include "reports/drawings/joint_stack.hpp"
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/tool_words.hpp"
 #include "reports/page/html_table.hpp"
@@ -69,7 +70,9 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
   const Point centre = 0.5 * (part.lower + part.upper),
               clear_of_body = Point::Constant(0.5 * design.style.width);
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
-    placer.avoid({part.holes[i], Point::Constant(design.style.pin_diameter / 2)});
+    placer.avoid(
+        {part.holes[i],
+         Point::Constant(hole_diameter(design.style, design.hardware, part.joints[i], design.cutting) / 2)});
     for (std::size_t j = i + 1; j < part.holes.size(); ++j) placer.avoid(part.holes[i], part.holes[j], unit);
   }
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
@@ -94,16 +97,30 @@ std::string words(const LyingLink& part, const Design& design, const PictureBox&
   return svg;
 }
 
-/// "6 mm", or of pins that differ "A 6 mm, V 8 mm".
-std::string pins_of(const LyingLink& part, const Design& design) {
-  std::string each;
-  bool alike = true;
-  for (const Joint joint : part.joints) {
-    const double pin = pin_at(design.style, design.hardware, joint);
-    alike = alike && pin == pin_at(design.style, design.hardware, part.joints.front());
-    each += fmt::format("{}{} {}", each.empty() ? "" : ", ", letter(joint), length_text(pin));
+/// "holes of 8.1 mm for pins of 8 mm", or of holes that differ "holes: V 22 mm for a 608 bearing, A 8.1 mm for a pin of 8 mm".
+std::string holes_of(const LyingLink& part, const Design& design) {
+  const auto hole_at = [&](Joint joint) {
+    return hole_diameter(design.style, design.hardware, joint, design.cutting);
+  };
+  const auto pin = [&](Joint joint) { return pin_at(design.style, design.hardware, joint); };
+  const auto seat = [&](Joint joint) {
+    const Hardware* of = hardware_named(design.hardware[joint]);
+    return of != nullptr && of->seat > 0 ? seat_name(*of) : std::string();
+  };
+  const Joint first = part.joints.front();
+  if (std::all_of(part.joints.begin(), part.joints.end(), [&](Joint joint) {
+        return hole_at(joint) == hole_at(first) && pin(joint) == pin(first) && seat(joint) == seat(first);
+      })) {
+    const std::string holes = "holes of " + length_text(hole_at(first), 3);
+    if (!seat(first).empty()) return holes + ", each for a " + seat(first);
+    return hole_at(first) == pin(first) ? holes : holes + " for pins of " + length_text(pin(first));
   }
-  return alike ? length_text(pin_at(design.style, design.hardware, part.joints.front())) : each;
+  std::string each;
+  for (const Joint joint : part.joints)
+    each += fmt::format("{} {} {} for a {}", each.empty() ? "holes:" : ",", letter(joint),
+                        length_text(hole_at(joint), 3),
+                        seat(joint).empty() ? "pin of " + length_text(pin(joint)) : seat(joint));
+  return each;
 }
 
 std::string picture(const LyingLink& part, const Design& design, double unit) {
@@ -113,8 +130,9 @@ std::string picture(const LyingLink& part, const Design& design, double unit) {
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     for (std::size_t j = i + 1; j < part.holes.size(); ++j)
       inside += svg_shape("line", svg_line({part.holes[i], part.holes[j]})).line();
-    inside +=
-        svg_disc("hole", part.holes[i], pin_at(design.style, design.hardware, part.joints[i]) / 2).line();
+    inside += svg_disc("hole", part.holes[i],
+                       hole_diameter(design.style, design.hardware, part.joints[i], design.cutting) / 2)
+                  .line();
   }
   const SvgElement svg =
       SvgElement("svg")
@@ -123,10 +141,9 @@ std::string picture(const LyingLink& part, const Design& design, double unit) {
           .with("viewBox", view_box(frame.lower().x(), -frame.upper().y(), 2 * room.x(), 2 * room.y()))
           .with("font-size", 13 * unit, 5)
           .holding("\n" + inside + words(part, design, frame, unit));
-  return fmt::format(
-      "<figure>{}<figcaption><b>{}</b>, layer {}, {} thick, holes for pins of {}</figcaption></figure>\n",
-      svg.line(), name(part.link), design.layers[part.link], length_text(design.style.thickness),
-      pins_of(part, design));
+  return fmt::format("<figure>{}<figcaption><b>{}</b>, layer {}, {} thick, {}</figcaption></figure>\n",
+                     svg.line(), name(part.link), design.layers[part.link],
+                     length_text(design.style.thickness), holes_of(part, design));
 }
 
 std::string dimensioned_links(const Design& design) {

@@ -79,6 +79,31 @@ TEST(HtmlReport, TellsHowToPutTheLinksTogetherAsTheyAreDrawn) {
       }
 }
 
+TEST(HtmlReport, DrawsTheHolesAsTheyAreDrilled) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  Design& design = specimen.design;
+  design.style = {.width = 40, .pin_diameter = 8, .thickness = 8};
+  design.cutting.hole_fit = 0.1;
+  const auto figure_of = [&](const std::string& link) {
+    const std::string page = report_of(specimen);
+    const auto from = page.find("aria-label=\"Link " + link + " with its dimensions\"");
+    return page.substr(from, page.find("</figcaption>", from) - from);
+  };
+  design.hardware = {};
+  EXPECT_THAT(figure_of("VA"), HasSubstr("holes of 8.1\u00a0mm for pins of 8\u00a0mm"));
+  EXPECT_EQ(count_of(figure_of("VA"), "r=\"4.05\""), 2U);
+  design.hardware = "608 bearing";
+  EXPECT_THAT(figure_of("ACX"), HasSubstr("holes of 22\u00a0mm, each for a bearing 608 8 x 22 x 7"));
+  EXPECT_EQ(count_of(figure_of("ACX"), "r=\"11\""), 3U);
+  design.hardware = "M6 shoulder bolt";
+  design.hardware.at[static_cast<std::size_t>(Joint::V)] = "608 bearing";
+  const std::string bar = figure_of("VA");
+  EXPECT_THAT(
+      bar,
+      HasSubstr("holes: V 22\u00a0mm for a bearing 608 8 x 22 x 7, A 8.1\u00a0mm for a pin of 8\u00a0mm"));
+  EXPECT_EQ(count_of(bar, "r=\"11\"") + count_of(bar, "r=\"4.05\""), 2U);
+}
+
 TEST(HtmlReport, SaysWhatPassesAnEmptyLayer) {
   ReportSpecimen specimen = plagiograph_specimen();
   specimen.design.layers.of = {2, 3, 3, 2};
