@@ -23,6 +23,7 @@ constexpr ThreadSizes threads[] = {
     {"M8", 8, 1.25, 6.8, 14.38, 1.6, 16, 8, 13, 12, 80},
     {"M10", 10, 1.5, 8.4, 17.77, 2, 20, 10, 16, 16, 100},
     {"M12", 12, 1.75, 10.8, 20.03, 2.5, 24, 12, 18, 20, 120},
+    {"M16", 16, 2, 14.8, 26.75, 3, 30, 16, 24, 25, 160},  // its washers fill up shoulders of 16 mm
 };
 
 constexpr Hardware named_hardware[] = {

@@ -7,6 +7,7 @@
 
 #include "reports/drawings/blank.hpp"
 #include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/spacers.hpp"
 #include "reports/drawings/tool_words.hpp"
 #include "specs/text/printable.hpp"
 #include "workspace/obstructions.hpp"
@@ -63,7 +64,8 @@ class Bill {
     raised_ = raised_by(stacks);
     for (const Link link : all_links) add_link(link);
     add_strip();
-    for (const JointStack& stack : stacks) add_stack(stack);
+    const auto spacers = spacers_of(design_, stacks);
+    for (std::size_t i = 0; i < stacks.size(); ++i) add_stack(stacks[i], spacers[i]);
     add_plain_washers(stacks);
     add_hardware(stacks);
     return std::move(items_);
@@ -97,7 +99,7 @@ class Bill {
          .remark = "sawn into " + cuts + (design_.cutting.kerf > 0 ? "; kerf counted" : "; kerf on top")});
   }
 
-  void add_stack(const JointStack& stack) {
+  void add_stack(const JointStack& stack, const std::vector<Spacer>& spacers) {
     items_.push_back({.item = stack.is_post ? "post" : "pin",
                       .name = stack.name,
                       .diameter = stack.diameter,
@@ -105,19 +107,16 @@ class Bill {
                       .remark = stack.is_post ? fmt::format("through {} down to the table, {}",
                                                             links_of(stack), use_of(design_, stack.joint))
                                               : "joins " + links_of(stack) + made_of(stack)});
-    for (const StackItem& item : stack.items)
-      if (item.kind == StackItem::Kind::spacer) add_spacer(stack, item);
-    if (stack.is_post && stack.lowest == 1 && raised_ > 0)
-      add_spacer(stack, {StackItem::Kind::spacer, fmt::format("spacer {}", letter(stack.joint)), 0, 0,
-                         style_.width});
+    for (const Spacer& spacer : spacers) add_spacer(spacer);
   }
 
   /// A pin's fastener, or what else holds it.
   std::string made_of(const JointStack& stack) const {
-    if (!stack.fastener)
-      return design_.hardware[stack.joint].empty() && stack.lowest == 1
-                 ? "; countersunk head, as layer 1 slides on the table"
-                 : "";
+    if (!stack.fastener) {
+      if (!design_.hardware[stack.joint].empty() || stack.lowest > 1) return "";
+      return raised_ > 0 ? fmt::format("; head at most {} mm high, the room under layer 1", sawn(raised_))
+                         : "; countersunk head, as layer 1 slides on the table";
+    }
     std::string text = "; " + stack.fastener->name;
     if (stack.fastener->play > 0)
       text += fmt::format(", {} mm play along the shoulder", sawn(stack.fastener->play));
@@ -168,11 +167,13 @@ class Bill {
     }
   }
 
-  /// The bearings or bushes of the links at a joint.
+  /// The bearings with their shim rings, or the bushes, of the links at a joint.
   template <class Buy>
   void add_seats(const Hardware& hardware, int links, const Buy& buy) const {
     if (hardware.kind == HardwareKind::bearing)
       buy("bearing", seat_name(hardware), links, hardware.seat, hardware.seat_width);
+    if (const auto ring = shim_ring(hardware, style_.thickness))
+      buy("shim ring", ring->name, 2 * links, hardware.pin, ring->height);
     if (hardware.kind == HardwareKind::bush)
       buy("bush", seat_name(hardware), links, hardware.seat, style_.thickness);
   }
@@ -184,8 +185,9 @@ class Bill {
     switch (hardware.kind) {
       case HardwareKind::bolt: return text + "; self-locking nuts or thread lock: the joints turn";
       case HardwareKind::bearing:
-        return text + fmt::format("; fill {:.9g} mm beside each inner ring with shim rings",
-                                  style_.thickness - hardware.seat_width);
+        return text + (shim_ring(hardware, style_.thickness)
+                           ? "; a shim ring on each side of each bearing, no wider than its inner ring"
+                           : "");
       case HardwareKind::shoulder_screw: return text;
       case HardwareKind::dowel:
       case HardwareKind::bush: break;
@@ -193,20 +195,15 @@ class Bill {
     return text + "; secure both ends";
   }
 
-  void add_spacer(const JointStack& stack, const StackItem& spacer) {
-    const bool is_lowest = stack.is_post && spacer.from == 0;
+  void add_spacer(const Spacer& spacer) {
+    const std::string words = words_on(spacer);
     items_.push_back({.item = "spacer",
                       .name = spacer.name,
-                      .diameter = stack.diameter,
-                      .length = spacer.to - spacer.from + (is_lowest ? raised_ : 0),
-                      .width = spacer.diameter,
-                      .remark = (is_lowest ? "under the lowest link" : "between the links") + narrower()});
-  }
-
-  /// What a spacer as wide as a link must heed: contact is certified for pins and posts alone.
-  std::string narrower() const {
-    if (style_.width <= style_.pin_diameter + 2 * design_.quality.clearance_min) return "";
-    return fmt::format("; turn it down to {:.9g} mm where something passes", style_.pin_diameter);
+                      .diameter = spacer.bore,
+                      .length = spacer.height(),
+                      .width = spacer.has_room() ? spacer.diameter : std::max(spacer.diameter, spacer.bore),
+                      .remark = (spacer.is_lowest ? "under the lowest link" : "between the links") +
+                                (words.empty() ? "" : "; " + words)});
   }
 
   const Design& design_;

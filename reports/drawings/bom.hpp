@@ -11,13 +11,14 @@ namespace kempe {
 /// One line of the bill. Lengths mm; 0 where a figure means nothing.
 struct BomItem {
   std::string
-      item{};  ///< "link", "strip", "pin", "post", "spacer", "washer"; "screw", "nut", "bearing", "bush", "dowel"
+      item{};  ///< "link", "strip", "pin", "post", "spacer", "washer"; "screw", "nut", "bearing", "shim ring", "bush", "dowel"
   std::string name{};  ///< "VA", "pin A", "pole post V"
   int quantity = 1;
-  double diameter = 0;  ///< of a pin or post; the bore of a spacer or washer
+  double diameter = 0;  ///< of a pin or post; the bore of a spacer, washer or shim ring
   double length =
       0;  ///< of a link: its farthest joints and over the ends; of a strip: in all; of a pin: what it grips
-  double width = 0;                          ///< of a link's arms, of a strip; a spacer's outer diameter
+  double width =
+      0;  ///< of a link's arms, of a strip; a spacer's outer diameter, turned down where it must be
   double thickness = 0;                      ///< of a link or strip
   double blank_length = 0, blank_width = 0;  ///< of a link: blank_of()
   std::string remark{};

@@ -15,7 +15,4 @@ namespace kempe {
 /// region that the verification drives to, unless an own link's certified contact answers for what stands on it.
 std::vector<std::string> hardware_faults(const Design& design);
 
-/// The least distance of two joints over the certified opening, mm.
-double least_distance(const Design& design, Joint one, Joint other);
-
 }  // namespace kempe

@@ -155,6 +155,24 @@ std::string seat_name(const Hardware& hardware) {
   return "";
 }
 
+std::optional<ShimRing> shim_ring(const Hardware& hardware, double thickness) {
+  const double height = 0.5 * (thickness - hardware.seat_width);
+  if (hardware.kind != HardwareKind::bearing || !(height > 1e-9 * thickness)) return std::nullopt;
+  return ShimRing{fmt::format("shim ring {} x {:.6g}", hardware.pin, height), height};
+}
+
+std::vector<StackItem> standing_out(const JointStack& stack) {
+  std::vector<StackItem> items;
+  double top = stack.to;
+  for (const StackItem& item : stack.items) {
+    top = std::max(top, item.to);
+    if (item.kind != StackItem::Kind::link && item.kind != StackItem::Kind::spacer) items.push_back(item);
+  }
+  if (stack.fastener && stack.fastener->end() > top)
+    items.push_back({StackItem::Kind::nut, "its end", top, stack.fastener->end(), stack.diameter});
+  return items;
+}
+
 double raised_by(const std::vector<JointStack>& stacks) {
   double lowest = 0;
   for (const JointStack& stack : stacks)

@@ -62,6 +62,17 @@ std::vector<JointStack> joint_stacks(const Design& design);
 /// What is pressed into every link at a joint made so: "bearing 608 8 x 22 x 7", "bush ISO 3547 8 x 10"; empty: nothing.
 std::string seat_name(const Hardware& hardware);
 
+/// What keeps a bearing in the middle of a thicker link: a ring on each side of its inner ring.
+struct ShimRing {
+  std::string name;  ///< "shim ring 8 x 0.5"
+  double height;     ///< mm
+};
+/// Those of a bearing in a link of that thickness, mm; nothing where there is no bearing or no room beside it.
+std::optional<ShimRing> shim_ring(const Hardware& hardware, double thickness);
+
+/// Of a stack its head, washers, shims and nut, and the end of a screw or pin above them.
+std::vector<StackItem> standing_out(const JointStack& stack);
+
 /// How far layer 1 must stand above the table, mm, so that the heads under it have room: the posts are longer and have spacers
 /// of so much under their lowest link. 0 where nothing hangs under layer 1.
 double raised_by(const std::vector<JointStack>& stacks);

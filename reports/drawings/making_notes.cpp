@@ -5,6 +5,8 @@
 #include <array>
 
 #include "reports/drawings/hardware_faults.hpp"
+#include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/spacers.hpp"
 #include "specs/hardware.hpp"
 
 namespace kempe {
@@ -32,6 +34,10 @@ std::vector<std::string> making_notes(const Design& design) {
                     "holes of {:.6g} mm need; no bound is proven then",
                     style.pin_diameter, thinner.empty() ? "" : " (thinner:" + thinner + ")",
                     widest_hole(style, design.hardware, design.cutting)));
+  for (const std::vector<Spacer>& spacers : spacers_of(design, joint_stacks(design)))
+    for (const Spacer& spacer : spacers)
+      if (const std::string words = words_on(spacer); !words.empty())
+        notes.push_back(spacer.name + ": " + words);
   for (std::string& fault : hardware_faults(design)) notes.push_back(std::move(fault));
   return notes;
 }

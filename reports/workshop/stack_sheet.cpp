@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/spacers.hpp"
 #include "reports/workshop/dimension.hpp"
 #include "reports/workshop/sheets.hpp"
 #include "specs/hardware.hpp"
@@ -27,23 +28,20 @@ struct SideLabel {
 class Section {
  public:
   /// `table` is the table's height on paper; layer 1 begins `raised` mm above it.
-  Section(Sheet& sheet, const Task& task, const JointStack& stack, double x, double table, double raised,
-          double scale)
-      : sheet_(sheet), task_(task), stack_(stack), x_(x), table_(table), raised_(raised), scale_(scale),
-        pin_(0.5 * stack.diameter * scale) {}
+  Section(Sheet& sheet, const Task& task, const JointStack& stack, const std::vector<Spacer>& spacers,
+          double x, double table, double raised, double scale)
+      : sheet_(sheet), task_(task), stack_(stack), spacers_(spacers), x_(x), table_(table), raised_(raised),
+        scale_(scale), pin_(0.5 * stack.diameter * scale) {}
 
   void draw(double label_x) {
-    if (stack_.is_post && raised_ > 0 && stack_.lowest == 1)
-      draw_ring({StackItem::Kind::spacer, fmt::format("spacer {}", letter(stack_.joint)), -raised_, 0,
-                 task_.design.style.width});
-    for (StackItem item : stack_.items) {
-      if (item.kind == StackItem::Kind::link) {
+    for (const Spacer& spacer : spacers_)
+      draw_ring({StackItem::Kind::spacer, spacer.name, spacer.from, spacer.to,
+                 std::max(spacer.diameter, spacer.bore)});
+    for (const StackItem& item : stack_.items)
+      if (item.kind == StackItem::Kind::link)
         draw_link(item);
-        continue;
-      }
-      if (stack_.is_post && item.from == 0) item.from = -raised_;  // down to the table
-      draw_ring(item);
-    }
+      else if (item.kind != StackItem::Kind::spacer)
+        draw_ring(item);
     if (!stack_.is_post && task_.design.hardware[stack_.joint].empty()) draw_washers();
     draw_pin();
     write_labels(label_x);
@@ -82,9 +80,23 @@ class Section {
       sheet_.line(box.lower, box.upper, Pen::thin);
       sheet_.line({box.lower.x(), box.upper.y()}, {box.upper.x(), box.lower.y()}, Pen::thin);
     }
-    if (link.name != name(stack_.links.front())) return;
+    if (link.name != name(stack_.links.front())) return draw_shim_rings(hardware, link, outer, false);
     const std::string text = seat_name(hardware);
     labels_.push_back({fmt::format("{}  {}", item_number(task_.bill, text), text), y(middle), outer});
+    draw_shim_rings(hardware, link, outer, true);
+  }
+
+  /// Below and above a bearing's inner ring, which takes about a third of the bearing.
+  void draw_shim_rings(const Hardware& hardware, const StackItem& link, double outer, bool is_labelled) {
+    const auto ring = shim_ring(hardware, link.to - link.from);
+    if (!ring) return;
+    const double reach = pin_ + 0.3 * (outer - pin_);
+    for (const double from : {link.from, link.to - ring->height})
+      for (const bool left : {true, false})
+        sheet_.rectangle(half_box(from, from + ring->height, pin_, reach, left), Pen::thin, Fill::shade);
+    if (is_labelled)
+      labels_.push_back({fmt::format("{}  {}", item_number(task_.bill, ring->name), ring->name),
+                         y(link.from + 0.5 * ring->height), reach});
   }
 
   /// The broken edge of a half is a thin zigzag.
@@ -131,7 +143,7 @@ class Section {
   /// One over the upper link, one under the lower; where that slides on the table both lie above.
   void draw_washers() {
     const double outer = std::min(1.9 * pin_, widest + 1.0), top = y(stack_.to), foot = y(stack_.from);
-    const bool has_room_below = stack_.from > 0;
+    const bool has_room_below = raised_ + stack_.from > 0;
     const auto washer = [&](double low) {
       sheet_.rectangle({{x_ - outer, low}, {x_ + outer, low + washer_height}}, Pen::thin, Fill::shade);
     };
@@ -183,6 +195,7 @@ class Section {
   Sheet& sheet_;
   const Task& task_;
   const JointStack& stack_;
+  const std::vector<Spacer>& spacers_;
   double x_, table_, raised_, scale_, pin_;
   std::vector<SideLabel> labels_;
 };
@@ -242,6 +255,7 @@ Sheet stack_sheet(const Task& task) {
   const double column_width = (field.upper.x() - field.lower.x() - left) / columns;
   const double scale = scale_of(task, stacks, row_height - heading - below_table - above);
   const double raised = raised_by(stacks);
+  const auto spacers = spacers_of(task.design, stacks);
   sheet.title.scale = scale_text(scale);
   for (std::size_t i = 0; i < stacks.size(); ++i) {
     const std::size_t row = i / columns;
@@ -250,7 +264,7 @@ Sheet stack_sheet(const Task& task) {
     const double x = field.lower.x() + left + column_width * static_cast<double>(i % columns);
     if (i % columns == 0) draw_layers(sheet, task, field.lower.x(), field.upper.x(), table, raised, scale);
     const double axis = x + widest + 2;
-    Section(sheet, task, stacks[i], axis, table, raised, scale).draw(axis + widest + 4);
+    Section(sheet, task, stacks[i], spacers[i], axis, table, raised, scale).draw(axis + widest + 4);
     write_heading(sheet, task, stacks[i], {x, top - heading_height - 2});
   }
   sheet.text(task.design.hardware.none()

@@ -225,6 +225,45 @@ TEST(PartFiles, LeaveOutASolidThatFloatsCannotHold) {
   EXPECT_THAT(recheck(with_drawing(made.files, design, {}), design, {}), IsEmpty());
 }
 
+/// Printers and mills allow for their own tools: a solid is finished, what is cut to lines is not.
+TEST(PartFiles, HaveTheKerfInDrawingsAlone) {
+  const CuttingSpec fitted{.hole_fit = 0.1, .kerf = 0, .stock_sheet = {}},
+      cut{.hole_fit = 0.1, .kerf = 0.3, .stock_sheet = {}};
+  const auto one = part_files(plagiograph(), fitted).files, other = part_files(plagiograph(), cut).files;
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const std::string ends = one[i].name.extension();
+    const bool has_kerf = ends == ".dxf" || ends == ".svg";
+    EXPECT_EQ(one[i].contents != other[i].contents, has_kerf) << one[i].name;
+  }
+  EXPECT_THAT(recheck(with_drawing(other, plagiograph(), cut), plagiograph(), cut), IsEmpty());
+}
+
+/// A micro instrument's holes are as round as others', in files of no more triangles.
+TEST(PartSolid, IsRoundAtEverySize) {
+  const double ordinary = static_cast<double>(part_solid(parts(plagiograph())[2]).size());
+  for (const double size : {1e-3, 1e-2, 1.0, 10.0}) {
+    Design design =
+        testing::sample_design(copy_ratio(1.4, radians(90)), Grounding::pole, 50 * size, 35 * size, 3);
+    design.style = {.width = 12 * size, .pin_diameter = 6 * size, .thickness = 4 * size};
+    for (const CutPart& part : parts(design)) {
+      const Solid solid = part_solid(part);
+      EXPECT_LT(static_cast<double>(solid.size()), 4 * ordinary);
+      EXPECT_NEAR(volume(solid) / (area(part) * part.thickness), 1, 5e-3);
+      for (const CutPart::Hole& hole : part.holes)
+        for (const Triangle& triangle : solid)
+          for (std::size_t i = 0; i < 3;
+               ++i) {  // no edge runs through the hole nearer than its flats may lie
+            const Point a = triangle[i].head<2>() - hole.centre,
+                        b = triangle[(i + 1) % 3].head<2>() - hole.centre;
+            const double share =
+                (b - a).squaredNorm() > 0 ? std::clamp(-a.dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0) : 0;
+            EXPECT_GT((a + share * (b - a)).norm(), 0.994 * 0.5 * hole.diameter);
+          }
+    }
+  }
+}
+
 TEST(PartSolid, ReadsNoBrokenStl) {
   const std::string bytes = stl_bytes(part_solid(parts(plagiograph())[0]), "VA");
   EXPECT_FALSE(read_stl(bytes.substr(0, 40)));
@@ -239,9 +278,20 @@ TEST(Bom, ListsPinsByTheLayersThatTheyJoin) {
   EXPECT_THAT(csv, HasSubstr("pin,pin A,1,6,8,,,,,\"joins VA and ACX; countersunk head"));
   EXPECT_THAT(csv, HasSubstr("pin,pin B,1,6,8,,,,,\"joins VB and BCY\""));
   EXPECT_THAT(csv, HasSubstr("post,pole post V,1,6,16,,,"));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,8,12,,,,\"between the links; turn it down to 6 mm"));
-  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,8,12,,,,\"under the lowest link; turn it down to 6 mm"));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer V,1,6,8,12,,,,\"between the links\""));
+  EXPECT_THAT(csv, HasSubstr("spacer,spacer Y,1,6,8,12,,,,\"under the lowest link\""));
   EXPECT_THAT(csv, HasSubstr("washer,washer,6,6"));
+}
+
+/// Heads of bought pins raise layer 1: a plain pin's head has as much room.
+TEST(Bom, AsksForNoCountersunkHeadUnderARaisedLinkage) {
+  Design design = plagiograph();
+  design.style = {.width = 25, .pin_diameter = 8, .thickness = 5};
+  design.hardware.at[static_cast<std::size_t>(Joint::A)] = "M6 bolt";  // a head of 6 mm and a washer of 1.6
+  const std::string csv = bom_csv(design);
+  EXPECT_THAT(csv, HasSubstr("layer 1 stands 7.6 mm above the table"));
+  EXPECT_THAT(csv, Not(HasSubstr("countersunk")));
+  EXPECT_THAT(csv, HasSubstr("\"joins VB and BCY; head at most 7.60 mm high, the room under layer 1\""));
 }
 
 TEST(Bom, QuotesNamesFromOutside) {
