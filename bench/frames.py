@@ -272,7 +272,7 @@ class Grillage:
         from Pynite import FEModel3D
 
         self.design, self.at, self.beams = design, at, design.beams(at)
-        self.frame, self.pins = FEModel3D(), []
+        self.frame, self.pins, self.goes_on = FEModel3D(), [], {}
         thickness, width, E = design.thickness, design.width, design.E
         thin, wide = sorted((thickness, width))
         torsion = wide * thin**3 * (1 / 3 - 0.21 * thin / wide * (1 - (thin / wide) ** 4 / 12))  # Roark, table 10.1
@@ -305,25 +305,36 @@ class Grillage:
     def add_pins(self):
         if self.design.pole == "V":
             low, high = sorted(("VA", "VB"), key=self.height)
-            self.add_post(f"{low}.V"), self.add_post(f"{high}.V", upwards=True)
+            post = self.add_post(f"{low}.V")
+            self.goes_on[post] = self.add_pin(f"{low}.V", f"{high}.V")
         else:
             self.add_post("ACX.X"), self.add_pin("VA.V", "VB.V")
         for one, other in (("VA.A", "ACX.A"), ("VB.B", "BCY.B"), ("ACX.C", "BCY.C")):
             self.add_pin(one, other)
 
-    def add_post(self, node, upwards=False):
-        """Clamped in the table; for PyNite, which joins a member to every node on its way, of two the higher in a ceiling as far away."""
+    def add_post(self, node):
+        """Clamped in the table."""
         foot = f"foot of {node}"
         place = self.frame.nodes[node]
-        self.frame.add_node(foot, place.X, place.Y, 2 * place.Z if upwards else 0)
+        self.frame.add_node(foot, place.X, place.Y, 0)
         self.frame.def_support(foot, True, True, True, True, True, True)
-        self.add_pin(foot, node)
+        return self.add_pin(foot, node)
 
     def add_pin(self, one, other):
         name = f"pin {one} {other}"
         self.frame.add_member(name, one, other, "steel", "pin")
         self.frame.def_releases(name, Dyj=True, Dzj=True, Rxj=True)
         self.pins.append(name)
+        return name
+
+    def borne(self, pin, case):
+        """The moment between a pin and its link. Where a post goes on to another link, the lower one takes what the two parts differ by."""
+        ends = self.frame.members[pin].f(case).flatten()
+        moments = ends[4], ends[5]
+        if pin in self.goes_on:
+            on = self.frame.members[self.goes_on[pin]].f(case).flatten()
+            moments = ends[4] - on[4], ends[5] - on[5]
+        return math.hypot(*moments)
 
     def add_weights(self):
         """Half a disc at both ends of each link, and what pen and tracer carry."""
@@ -350,8 +361,7 @@ class Grillage:
                 break
         drops = []
         for joint in (design.tracer, design.pen):
-            moments = (self.frame.members[pin].f(joint).flatten() for pin in self.pins)
-            by_play = design.tilt * sum(math.hypot(ends[4], ends[5]) for ends in moments)
+            by_play = design.tilt * sum(self.borne(pin, joint) for pin in self.pins)
             drops.append(by_play - self.frame.nodes[self.node(joint)].DZ["weight"])
         return max(0, *drops)
 

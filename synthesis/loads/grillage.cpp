@@ -130,6 +130,13 @@ void Grillage::add_pin(const GrillagePlan& plan, const GrillagePin& pin, int num
     balance_(moment, moment) = -unit_ * unit_ * scale_ * scale_ / pin.stiffness;
   }
   if (!pin.other) held_[static_cast<std::size_t>(plan.joint(pin.node))] = true;
+  goes_on_.push_back(pin.goes_on);
+}
+
+Eigen::Vector2d Grillage::borne(const Eigen::VectorXd& moved, std::size_t pin) const {
+  Eigen::Vector2d all = moved.segment<2>(moment(static_cast<int>(pin)));
+  if (goes_on_[pin]) all -= moved.segment<2>(moment(*goes_on_[pin]));
+  return all;
 }
 
 /// Solved for the forces, and twice more for loads as large as the rounding error of each equation, all of one sign and of alternating signs:
@@ -166,8 +173,8 @@ std::vector<double> Grillage::drop_by_tilt(int joint) const {
   forces[joint] = -1;
   const Eigen::VectorXd moved = moved_by(std::move(forces));
   std::vector<double> drops;
-  for (Eigen::Index moment = first_moment_; moment < moved.size(); moment += 2)
-    drops.push_back(scale_ * unit_ * moved.segment<2>(moment).norm());
+  for (std::size_t pin = 0; pin < goes_on_.size(); ++pin)
+    drops.push_back(scale_ * unit_ * borne(moved, pin).norm());
   return drops;
 }
 
@@ -185,10 +192,13 @@ NearbyDrop::NearbyDrop(const Grillage& grillage, int joint, double tilt) : grill
   push[joint] = -1;
   pushed_ = grillage.moved_by(std::move(push));
   moved_ = grillage.moved_by(grillage.weights_);
-  for (Eigen::Index moment = grillage.first_moment_; moment < size; moment += 2)
-    if (const double most = pushed_.segment<2>(moment).norm(); most > 0)
-      moments.segment<2>(moment) =
-          tilt * grillage.scale_ * grillage.unit_ / most * pushed_.segment<2>(moment);
+  for (std::size_t pin = 0; pin < grillage.goes_on_.size(); ++pin) {
+    const Eigen::Vector2d borne = grillage.borne(pushed_, pin);
+    if (!(borne.norm() > 0)) continue;
+    const Eigen::Vector2d tilted = tilt * grillage.scale_ * grillage.unit_ * borne.normalized();
+    moments.segment<2>(grillage.moment(static_cast<int>(pin))) += tilted;
+    if (grillage.goes_on_[pin]) moments.segment<2>(grillage.moment(*grillage.goes_on_[pin])) -= tilted;
+  }
   tilted_ = grillage.moved_by(std::move(moments));
 }
 

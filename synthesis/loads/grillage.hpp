@@ -32,6 +32,9 @@ struct GrillagePin {
   std::optional<int>
       other{};  ///< a node of the same joint; absent: the ground, which also holds the joint's height
   double stiffness = 0;  ///< N mm/rad, > 0
+  /// The pin, by its number, as which this one goes on beyond `node`, which is that one's `other`. The link there then bears what the two pass
+  /// on between them.
+  std::optional<int> goes_on{};
 };
 
 /// The structure and its loads.
@@ -64,8 +67,8 @@ class Grillage {
 
   /// Under its weights and `extra`, N at each joint, downwards; empty: none.
   GrillageState loaded(const std::vector<double>& extra = {}) const;
-  /// For each pin the moment that it passes on where a joint is pushed down by 1 N, N mm. By reciprocity that is how far the joint
-  /// drops, mm, if the pin lets its links tilt against each other by 1 rad in the worst direction.
+  /// For each pin the moment between it and the link of its `node` where a joint is pushed down by 1 N, N mm. By reciprocity that is how far the
+  /// joint drops, mm, if that link may tilt on the pin by 1 rad in the worst direction.
   std::vector<double> drop_by_tilt(int joint) const;
   /// How it stands under couples alone: rises of the joints, mm, and slopes of the nodes, one column for each load.
   struct Tilted {
@@ -84,6 +87,9 @@ class Grillage {
   int slope(int node, int axis) const { return joints_ + 2 * node + axis; }
   void add_beam(const GrillagePlan& plan, const GrillageBeam& beam);
   void add_pin(const GrillagePlan& plan, const GrillagePin& pin, int number);
+  /// The moment between a pin, by its number, and the link of its node, in units of the equations.
+  Eigen::Vector2d borne(const Eigen::VectorXd& moved, std::size_t pin) const;
+  Eigen::Index moment(int pin) const { return first_moment_ + 2 * Eigen::Index{pin}; }
   Eigen::VectorXd moved_by(Eigen::VectorXd forces) const;
 
   int joints_ = 0, first_moment_ = 0;  ///< unknowns: rises, slopes, then the pins' moments
@@ -91,6 +97,7 @@ class Grillage {
       1;  ///< mm; slopes are counted in rises over this length, so that all unknowns are of one size
   double unit_ = 1;  ///< N/mm; moments are counted in this times scale_
   std::vector<bool> held_;
+  std::vector<std::optional<int>> goes_on_;     ///< of each pin
   Eigen::MatrixXd balance_, free_;              ///< the equations, without and with held joints
   std::shared_ptr<const Elimination> factors_;  ///< of `free_`
   Eigen::VectorXd weights_;

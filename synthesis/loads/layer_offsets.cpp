@@ -14,7 +14,7 @@
 namespace kempe {
 namespace {
 
-/// Pins of SagProfile::plan in their order: the post's, at V (or the post's second one), A, B, C.
+/// Pins of SagProfile::plan in their order.
 enum : std::size_t { at_pole, at_V, at_A, at_B, at_C, pin_count };
 
 /// On the upper link of each pin from the lower one, for the force F_Y at Y; of the post on what stands on it.
@@ -80,19 +80,11 @@ LayeredErrorProfile::Bent LayeredErrorProfile::bent(const BarLengths& lengths, d
                                                     const SupportedStretch& on) const {
   const bool pole_is_at_V = roles_.pole == Joint::V;
   const LayerAssignment& layers = conditions_.layers;
-  GrillagePlan plan = sag_.plan(lengths.VA, lengths.VB, opening);
+  const GrillagePlan plan = sag_.plan(lengths.VA, lengths.VB, opening);
   std::vector<int> props;
   if (on.tracer_bears) props.push_back(static_cast<int>(roles_.tracer));
   if (on.pen_bears) props.push_back(static_cast<int>(roles_.pen));
   const auto high = heights(layers, pole_is_at_V);
-  if (pole_is_at_V) {
-    // One post for both bars: it stands in the table under the lower one and goes on from there to the upper one.
-    const auto [lower, upper] = layers[Link::VA] < layers[Link::VB]
-                                    ? std::pair(plan.pins[at_pole], plan.pins[at_V])
-                                    : std::pair(plan.pins[at_V], plan.pins[at_pole]);
-    plan.pins[at_pole] = lower;
-    plan.pins[at_V] = {upper.node, lower.node, lower.stiffness * high[at_pole] / high[at_V]};
-  }
   Eigen::Matrix<double, Eigen::Dynamic, 2> couples =
       Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(2 * static_cast<Eigen::Index>(plan.nodes.size()), 2);
   for (int axis = 0; axis < 2; ++axis) {

@@ -118,8 +118,11 @@ void SagProfile::add_pins(GrillagePlan& plan) const {
     plan.pins.push_back({node_of(link, joint), std::nullopt, bending(joint) / height});
   };
   if (roles_.pole == Joint::V) {
-    stand(Joint::V, Link::VA);
-    stand(Joint::V, Link::VB);
+    const bool VA_is_lower = layers[Link::VA] < layers[Link::VB];
+    const Link lower = VA_is_lower ? Link::VA : Link::VB, upper = VA_is_lower ? Link::VB : Link::VA;
+    stand(Joint::V, lower);
+    plan.pins.back().goes_on = static_cast<int>(plan.pins.size());
+    join(Joint::V, upper, lower);
   } else {
     stand(Joint::X, Link::ACX);
     join(Joint::V, Link::VA, Link::VB);

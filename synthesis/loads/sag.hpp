@@ -3,7 +3,8 @@
 // by the play of the pins.
 //
 // The links' arms are a grillage (grillage.hpp) that stands on the pole's post, clamped in the table, and on the points that the table
-// carries. A pin is a round steel bar that bends between the middles of its two links. Play lets every pin tilt by play / grip. Like
+// carries. A pin is a round steel bar that bends between the middles of its two links. With the pole at V one post carries both bars: it stands
+// in the table under the lower one and goes on from there to the upper one. Play lets every link tilt on its pin by play / grip. Like
 // the load error the figures depend on lengths and opening alone. Model and limits: docs/loads-out-of-plane.md.
 
 #include <array>
@@ -48,7 +49,7 @@ SagConditions sag_conditions(const Spec& spec, const LayerAssignment& layers);
 /// How far a point sinks, mm.
 struct Drop {
   double by_weight = 0;  ///< negative: it rises
-  double by_play = 0;    ///< at most, with every pin tilted the worst way
+  double by_play = 0;    ///< at most, with every link tilted on its pin the worst way
   double total() const { return by_weight + by_play; }
 };
 
@@ -82,8 +83,8 @@ class SagProfile {
   /// The same of one of the two points, with its slopes by log VA, log VB and the opening; 0 where the table bears it. Where a point is about
   /// to be lifted off the table, the slopes are those of one side.
   SagJet jet(double VA, double VB, double opening, Carrier point) const;
-  /// The grillage there: V at 0, bar VA along x; joints in the order of Joint; pins: the post's
-  /// (at V with the pole there, of VA and of VB), at V between VA and VB (else), A, B, C.
+  /// The grillage there: V at 0, bar VA along x; joints in the order of Joint; pins: the post up to its link, with the pole at V to the lower
+  /// of VA and VB; at V between VA and VB, with the pole there the post's upper part; A, B, C.
   GrillagePlan plan(double VA, double VB, double opening) const;
   /// Such a grillage on the points that the table carries.
   StandingGrillage stands(const GrillagePlan& plan) const;

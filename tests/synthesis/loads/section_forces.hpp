@@ -78,9 +78,16 @@ class LeastEnergy {
     return 0.5 * (more - less);
   }
 
-  /// N mm that a join passes on, of the last energy().
-  double moment(std::size_t join) const {
-    return forces_.segment<2>(static_cast<Eigen::Index>(3 * join) + 1).norm();
+  /// N mm that a link takes from all that it is joined to at a joint, of the last energy().
+  double moment(int joint, int link) const {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < it_.joins.size(); ++i) {
+      const Join& join = it_.joins[i];
+      if (join.joint != joint || (join.link != link && join.other != link)) continue;
+      const Eigen::Vector2d passed = forces_.segment<2>(static_cast<Eigen::Index>(3 * i) + 1);
+      sum += (join.link == link ? 1 : -1) * passed;
+    }
+    return sum.norm();
   }
 
  private:
