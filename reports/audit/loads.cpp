@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "kinematics/assembly_mode.hpp"
 #include "reports/audit/give_limit.hpp"
@@ -15,6 +16,7 @@
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/mass.hpp"
 #include "synthesis/loads/sag.hpp"
+#include "synthesis/solvers/golden_section.hpp"
 #include "synthesis/verification/frame.hpp"
 #include "synthesis/verification/space_frame.hpp"
 
@@ -65,12 +67,23 @@ FrameResponse response_over(const AuditTask& task, const OpeningInterval& openin
   return over;
 }
 
-/// The larger one; NaN, which no figure agrees with, where the frame says nothing.
-double larger(double most, double here) {
-  return std::isfinite(here) ? (here > most ? here : most) : std::numeric_limits<double>::quiet_NaN();
+/// The most of a figure over the openings: sampled, and refined beside the best, since it may have kinks. NaN, which no figure agrees with, where
+/// the frame says nothing.
+template <class Figure>
+double most_over(const OpeningInterval& openings, const std::vector<double>& sampled, const Figure& figure) {
+  constexpr int steps = 20;
+  if (!std::all_of(sampled.begin(), sampled.end(), [](double here) { return std::isfinite(here); }))
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto best = std::max_element(sampled.begin(), sampled.end());
+  const double spacing = openings.width() / static_cast<double>(sampled.size() - 1),
+               at = openings.lower + spacing * static_cast<double>(best - sampled.begin());
+  const double top = top_by_golden_section(figure, std::max(openings.lower, at - spacing),
+                                           std::min(openings.upper, at + spacing), steps);
+  return std::max(*best, figure(top));
 }
 
-/// The same with the links in their layers and pins that give way. Which points the weights leave on the table is taken from the sag.
+/// The same with the links in their layers and pins that give way, for the load's force. How far the weights alone let the points sink is taken
+/// from the sag.
 LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings) {
   const StoredDesign& design = task.design;
   const CopyingLinkage& linkage = task.linkage;
@@ -80,20 +93,25 @@ LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterva
                               .layers = design.layers,
                               .E = design.material->E,
                               .G = design.material->shear_modulus()};
-  const SagProfile sag(linkage.k(), linkage.grounding(), sag_conditions(as_built(design), design.layers));
-  LayeredFigures over;
-  for (const SupportedStretch& stretch : sag.stretches(linkage.VA(), linkage.VB(), openings)) {
-    const double share = openings.width() > 0 ? stretch.openings.width() / openings.width() : 0;
-    const int steps = 4 + static_cast<int>(std::lround(openings_looked_at * share));
-    for_each_opening(stretch.openings, steps, [&](double opening) {
-      const SpaceFrameResponse here =
-          space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts,
-                               stretch.tracer_bears, stretch.pen_bears);
-      over.error_max = larger(over.error_max, here.give());
-      over.rise_max = larger(over.rise_max, here.rise());
-    });
-  }
-  return over;
+  SagConditions conditions = sag_conditions(as_built(design), design.layers);
+  FrameTable table{conditions.tracer_rests, conditions.pen_rests};
+  conditions.tracer_rests = conditions.pen_rests = false;
+  const SagProfile sag(linkage.k(), linkage.grounding(), conditions);
+  const auto at = [&](double opening) {
+    const SagAt sinks = sag.at(linkage.VA(), linkage.VB(), opening);
+    table.free_rises = {-sinks.tracer.by_weight, -sinks.pen.by_weight};
+    return most_movement(
+        space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts), table,
+        most_force_at_pen(*design.load));
+  };
+  std::vector<double> give, rise;
+  for_each_opening(openings, openings_looked_at, [&](double opening) {
+    const MostOfFrame here = at(opening);
+    give.push_back(here.give);
+    rise.push_back(here.rise);
+  });
+  return {most_over(openings, give, [&](double opening) { return at(opening).give; }),
+          most_over(openings, rise, [&](double opening) { return at(opening).rise; })};
 }
 
 void check_load_figures(const LoadFigures& stated, const Load& load, const FrameResponse& found,
@@ -114,9 +132,7 @@ void check_load_figures(const LoadFigures& stated, const Load& load, const Frame
 }
 
 void check_layered_figures(const AuditTask& task, const LayeredFigures& stated, AuditRecord& record) {
-  const LayeredFigures found = layered_response_over(task, *task.needed);
-  const double force = most_force_at_pen(*task.design.load), give = force * found.error_max,
-               rise = force * found.rise_max;
+  const auto [give, rise] = layered_response_over(task, *task.needed);
   record.figure(layered_key, stated.error_max, give, share_of_load * give);
   record.figure(rise_key, stated.rise_max, rise, share_of_load * rise + share_of_rounding * give);
 }

@@ -162,10 +162,15 @@ GrillageState Grillage::loaded(const std::vector<double>& extra) const {
   for (std::size_t joint = 0; joint < extra.size(); ++joint)
     forces[static_cast<Eigen::Index>(joint)] -= extra[joint];
   const Eigen::VectorXd moved = moved_by(forces);
-  GrillageState state{moved.head(joints_), (balance_ * moved - forces).head(joints_)};
+  return {moved.head(joints_), reactions(moved, forces),
+          moved.segment(joints_, first_moment_ - joints_) / scale_};
+}
+
+Eigen::VectorXd Grillage::reactions(const Eigen::VectorXd& moved, const Eigen::VectorXd& forces) const {
+  Eigen::VectorXd all = balance_.topRows(joints_) * moved - forces.head(joints_);
   for (int joint = 0; joint < joints_; ++joint)
-    if (!held_[static_cast<std::size_t>(joint)]) state.reactions[joint] = 0;
-  return state;
+    if (!held_[static_cast<std::size_t>(joint)]) all[joint] = 0;
+  return all;
 }
 
 std::vector<double> Grillage::drop_by_tilt(int joint) const {
@@ -181,9 +186,12 @@ std::vector<double> Grillage::drop_by_tilt(int joint) const {
 Grillage::Tilted Grillage::tilted_by(const Eigen::MatrixXd& couples) const {
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(balance_.cols(), couples.cols());
   forces.middleRows(joints_, couples.rows()) = couples / scale_;
-  Eigen::MatrixXd moved = forces;
-  for (Eigen::Index load = 0; load < forces.cols(); ++load) moved.col(load) = moved_by(forces.col(load));
-  return {moved.topRows(joints_), moved.middleRows(joints_, couples.rows()) / scale_};
+  Eigen::MatrixXd moved = forces, held = forces.topRows(joints_);
+  for (Eigen::Index load = 0; load < forces.cols(); ++load) {
+    moved.col(load) = moved_by(forces.col(load));
+    held.col(load) = reactions(moved.col(load), forces.col(load));
+  }
+  return {moved.topRows(joints_), std::move(held), moved.middleRows(joints_, couples.rows()) / scale_};
 }
 
 NearbyDrop::NearbyDrop(const Grillage& grillage, int joint, double tilt) : grillage_(grillage) {

@@ -56,6 +56,7 @@ struct GrillagePlan {
 struct GrillageState {
   Eigen::VectorXd rises;      ///< mm at each joint, upwards
   Eigen::VectorXd reactions;  ///< N at each joint, upwards; 0 where nothing stands under it
+  Eigen::VectorXd slopes;     ///< of the nodes, by x and by y: two rows a node
 };
 
 /// A grillage with its equations factored, for any load. A value.
@@ -70,9 +71,9 @@ class Grillage {
   /// For each pin the moment between it and the link of its `node` where a joint is pushed down by 1 N, N mm. By reciprocity that is how far the
   /// joint drops, mm, if that link may tilt on the pin by 1 rad in the worst direction.
   std::vector<double> drop_by_tilt(int joint) const;
-  /// How it stands under couples alone: rises of the joints, mm, and slopes of the nodes, one column for each load.
+  /// How it stands under couples alone, as GrillageState: one column for each load.
   struct Tilted {
-    Eigen::MatrixXd rises, slopes;
+    Eigen::MatrixXd rises, reactions, slopes;
   };
   /// `couples`: two rows a node, N mm, that do work on its slopes by x and by y; one column for each load. Slopes in the same rows.
   Tilted tilted_by(const Eigen::MatrixXd& couples) const;
@@ -91,6 +92,8 @@ class Grillage {
   Eigen::Vector2d borne(const Eigen::VectorXd& moved, std::size_t pin) const;
   Eigen::Index moment(int pin) const { return first_moment_ + 2 * Eigen::Index{pin}; }
   Eigen::VectorXd moved_by(Eigen::VectorXd forces) const;
+  /// What holds the joints up, N upwards; 0 where nothing does.
+  Eigen::VectorXd reactions(const Eigen::VectorXd& moved, const Eigen::VectorXd& forces) const;
 
   int joints_ = 0, first_moment_ = 0;  ///< unknowns: rises, slopes, then the pins' moments
   double scale_ =

@@ -39,7 +39,7 @@ void HandWork::let_give(const Pose& pose, HandWorkAt& result) const {
   const double opening = std::arg(q / p);
   const Complex force = std::conj(along) * as_complex(result.pen_force);
   if (layered_) {
-    const Point give = layered_->compliance(lengths, opening) * as_point(force);
+    const Point give = layered_->give(lengths, opening, as_point(force));
     result.counts_layers = give.allFinite();
     if (result.counts_layers) result.give = as_point(along * as_complex(give));
   }

@@ -23,8 +23,8 @@ struct HandWorkAt {
   bool counts_layers = false;       ///< `give` has what the links' layers add
 };
 
-/// One linkage under one load. Weights of the links count for the hand, not for pins and bending: they are small beside a tool's. Quasi-static:
-/// no force of inertia is in it.
+/// One linkage under one load. Weights of the links count for the hand, not for pins and bending: they are small beside a tool's. The table
+/// pushes points that rest on it, and never pulls them. Quasi-static: no force of inertia is in it.
 class HandWork {
  public:
   /// `pins`: what pins give beside the links. `layered`: links, pins and layers together, of which the pen's give is then; where its equations

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -61,11 +63,137 @@ double larger_eigenvalue(const Eigen::Matrix2d& matrix) {
   return mean + std::hypot(0.5 * (matrix(0, 0) - matrix(1, 1)), 0.5 * (matrix(0, 1) + matrix(1, 0)));
 }
 
+/// The most of what value(direction, rad) is over all directions; NaN if it is NaN in one that is looked at.
+template <class Value>
+double most_over_directions(const Value& value) {
+  // So finely: where another set of points bears there is a kink, and the tops of tracer and pen lie beside each other.
+  constexpr int parts = 16, steps = 40;
+  const auto known = [&](double direction) {
+    const double here = value(direction);
+    return std::isfinite(here) ? here : infinity;
+  };
+  double most = 0;
+  for (int i = 0; i < parts; ++i)
+    most = std::max(most, known(top_over({2 * pi * i / parts, 2 * pi * (i + 1) / parts}, known, steps)));
+  return std::isfinite(most) ? most : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
+/// How the linkage answers while a given set of points bears on the table; rows of two: tracer, pen.
 struct LayeredErrorProfile::Bent {
-  Eigen::Matrix2d compliance;                ///< mm/N, by the layers alone
-  Eigen::RowVector2d tracer_rise, pen_rise;  ///< mm/N
+  Eigen::Matrix2d compliance, rises, reactions;                    ///< mm/N, mm/N and N/N, by the force
+  Eigen::Vector2d weighed_give, weighed_rises, weighed_reactions;  ///< mm, mm and N, by the weights
+
+  Eigen::Vector2d give_at(const Point& force) const { return weighed_give + compliance * force; }
+  Eigen::Vector2d rises_at(const Point& force) const { return weighed_rises + rises * force; }
+  Eigen::Vector2d reactions_at(const Point& force) const { return weighed_reactions + reactions * force; }
+  bool is_finite() const { return compliance.allFinite() && weighed_rises.allFinite(); }
+};
+
+/// Which points bear under the weights and a force, at one opening, and what the force does. Refers to the profile.
+class LayeredErrorProfile::Contacts {
+ public:
+  Contacts(const LayeredErrorProfile& of, const BarLengths& lengths, double opening,
+           const SupportedStretch& under_weights)
+      : of_(of), plan_(of.sag_.plan(lengths.VA, lengths.VB, opening)), couples_(couples_at(opening)),
+        resting_(set_of(of.conditions_.tracer_rests, of.conditions_.pen_rests)),
+        under_weights_(set_of(under_weights.tracer_bears, under_weights.pen_bears)) {}
+
+  const Bent& under_weights() { return on(under_weights_); }
+  /// No force of that size, N, whatever its direction, lifts a point off the table or lets one down.
+  bool are_those_of_the_weights(double force) {
+    const Bent& bent = under_weights();
+    for (const unsigned point : {0U, 1U}) {
+      const bool bears = has(under_weights_, point);
+      const double left = bears ? bent.weighed_reactions[point] : bent.weighed_rises[point];
+      if (has(resting_, point) && force * (bears ? bent.reactions : bent.rises).row(point).norm() > left)
+        return false;
+    }
+    return true;
+  }
+  /// What a force on the pen does by the layers; mm.
+  struct Moved {
+    Eigen::Vector2d give, rises;
+  };
+  Moved moved_by(const Point& force) {
+    const Bent &before = under_weights(), &then = on(bearing_under(force));
+    return {then.give_at(force) - before.weighed_give, then.rises_at(force) - before.weighed_rises};
+  }
+
+ private:
+  static unsigned set_of(bool tracer, bool pen) { return (tracer ? 1U : 0U) | (pen ? 2U : 0U); }
+  static bool has(unsigned set, unsigned point) { return (set >> point & 1U) != 0; }
+
+  /// The points that bear: all of them are pushed, and no other one lies below the table. Only one set can do that; where rounding leaves none,
+  /// the one that is least wrong. A set that comes first and has no figures is taken, so that none are stated.
+  unsigned bearing_under(const Point& force) {
+    unsigned best = under_weights_;
+    double least = infinity;
+    for (const unsigned change : {0U, 1U, 2U, 3U}) {
+      const unsigned bearing = under_weights_ ^ change;
+      if ((change & ~resting_) != 0) continue;
+      const Bent& bent = on(bearing);
+      if (!bent.is_finite()) return bearing;
+      const Eigen::Vector2d rises = bent.rises_at(force), reactions = bent.reactions_at(force);
+      double wrong = 0;
+      for (const unsigned point : {0U, 1U})
+        if (has(resting_, point))
+          wrong = std::max(wrong, has(bearing, point) ? -reactions[point] : -rises[point]);
+      if (wrong >= least) continue;
+      best = bearing;
+      least = wrong;
+      if (wrong == 0) break;
+    }
+    return best;
+  }
+
+  const Bent& on(unsigned bearing) {
+    std::optional<Bent>& bent = bent_[bearing];
+    if (!bent) bent = bent_on(bearing);
+    return *bent;
+  }
+
+  Bent bent_on(unsigned bearing) const {
+    const std::array<int, 2> points{static_cast<int>(of_.roles_.tracer), static_cast<int>(of_.roles_.pen)};
+    std::vector<int> props;
+    for (const unsigned point : {0U, 1U})
+      if (has(bearing, point)) props.push_back(points[point]);
+    const Grillage grillage(plan_, props);
+    const Grillage::Tilted tilted = grillage.tilted_by(couples_);
+    const GrillageState weighed = grillage.loaded();
+    return {couples_.transpose() * tilted.slopes,
+            tilted.rises(points, Eigen::all),
+            tilted.reactions(points, Eigen::all),
+            couples_.transpose() * weighed.slopes,
+            weighed.rises(points),
+            weighed.reactions(points)};
+  }
+
+  /// Of a newton at the pen, along x and along y, for Grillage::tilted_by.
+  Eigen::MatrixX2d couples_at(double opening) const {
+    const bool pole_is_at_V = of_.roles_.pole == Joint::V;
+    const LayerAssignment& layers = of_.conditions_.layers;
+    const auto high = heights(layers, pole_is_at_V);
+    Eigen::MatrixX2d couples = Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(plan_.nodes.size()), 2);
+    for (int axis = 0; axis < 2; ++axis) {
+      const Complex force = axis == 0 ? Complex(1) : Complex(0, 1);
+      const auto forces =
+          upward_forces(of_.shape_, layers, pole_is_at_V, opening, std::conj(of_.factor_) * force);
+      for (std::size_t i = 0; i < pin_count; ++i) {
+        const Point couple = as_point(0.5 * of_.conditions_.style.thickness * high[i] * forces[i]);
+        couples.col(axis).segment<2>(2 * plan_.pins[i].node) += couple;
+        if (plan_.pins[i].other) couples.col(axis).segment<2>(2 * *plan_.pins[i].other) += couple;
+      }
+    }
+    return couples;
+  }
+
+  const LayeredErrorProfile& of_;
+  GrillagePlan plan_;
+  Eigen::MatrixX2d couples_;
+  unsigned resting_, under_weights_;
+  std::array<std::optional<Bent>, 4> bent_{};
 };
 
 LayeredErrorProfile::LayeredErrorProfile(Complex k, Grounding grounding, const SagConditions& conditions,
@@ -76,31 +204,6 @@ LayeredErrorProfile::LayeredErrorProfile(Complex k, Grounding grounding, const S
                upright_pins(grounding, conditions)),
       force_(pen_force) {}
 
-LayeredErrorProfile::Bent LayeredErrorProfile::bent(const BarLengths& lengths, double opening,
-                                                    const SupportedStretch& on) const {
-  const bool pole_is_at_V = roles_.pole == Joint::V;
-  const LayerAssignment& layers = conditions_.layers;
-  const GrillagePlan plan = sag_.plan(lengths.VA, lengths.VB, opening);
-  std::vector<int> props;
-  if (on.tracer_bears) props.push_back(static_cast<int>(roles_.tracer));
-  if (on.pen_bears) props.push_back(static_cast<int>(roles_.pen));
-  const auto high = heights(layers, pole_is_at_V);
-  Eigen::Matrix<double, Eigen::Dynamic, 2> couples =
-      Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(2 * static_cast<Eigen::Index>(plan.nodes.size()), 2);
-  for (int axis = 0; axis < 2; ++axis) {
-    const Complex force = axis == 0 ? Complex(1) : Complex(0, 1);
-    const auto forces = upward_forces(shape_, layers, pole_is_at_V, opening, std::conj(factor_) * force);
-    for (std::size_t i = 0; i < pin_count; ++i) {
-      const Point couple = as_point(0.5 * conditions_.style.thickness * high[i] * forces[i]);
-      couples.col(axis).segment<2>(2 * plan.pins[i].node) += couple;
-      if (plan.pins[i].other) couples.col(axis).segment<2>(2 * *plan.pins[i].other) += couple;
-    }
-  }
-  const Grillage::Tilted tilted = Grillage(plan, props).tilted_by(couples);
-  return {couples.transpose() * tilted.slopes, tilted.rises.row(static_cast<int>(roles_.tracer)),
-          tilted.rises.row(static_cast<int>(roles_.pen))};
-}
-
 Eigen::Matrix2d LayeredErrorProfile::upright(const BarLengths& lengths, double opening) const {
   Eigen::Matrix2d columns;
   columns.col(0) = as_point(upright_.displacement(lengths, opening, 1));
@@ -108,9 +211,9 @@ Eigen::Matrix2d LayeredErrorProfile::upright(const BarLengths& lengths, double o
   return columns;
 }
 
-Eigen::Matrix2d LayeredErrorProfile::compliance(const BarLengths& lengths, double opening) const {
-  return upright(lengths, opening) +
-         bent(lengths, opening, sag_.supported_at(lengths.VA, lengths.VB, opening)).compliance;
+Point LayeredErrorProfile::give(const BarLengths& lengths, double opening, const Point& force) const {
+  Contacts contacts(*this, lengths, opening, sag_.supported_at(lengths.VA, lengths.VB, opening));
+  return upright(lengths, opening) * force + contacts.moved_by(force).give;
 }
 
 LayeredErrorAt LayeredErrorProfile::at(const BarLengths& lengths, double opening) const {
@@ -118,28 +221,48 @@ LayeredErrorAt LayeredErrorProfile::at(const BarLengths& lengths, double opening
 }
 
 LayeredErrorAt LayeredErrorProfile::at(const BarLengths& lengths, double opening,
-                                       const SupportedStretch& on) const {
-  const Bent bent = this->bent(lengths, opening, on);
-  return {force_ * larger_eigenvalue(upright(lengths, opening) + bent.compliance),
-          force_ * std::max(bent.tracer_rise.norm(), bent.pen_rise.norm())};
+                                       const SupportedStretch& under_weights) const {
+  Contacts contacts(*this, lengths, opening, under_weights);
+  const Eigen::Matrix2d upright = this->upright(lengths, opening);
+  if (contacts.are_those_of_the_weights(force_)) {
+    const Bent& bent = contacts.under_weights();
+    return {force_ * larger_eigenvalue(upright + bent.compliance),
+            force_ * std::max(bent.rises.row(0).norm(), bent.rises.row(1).norm())};
+  }
+  const auto force = [&](double direction) { return as_point(std::polar(force_, direction)); };
+  return {most_over_directions([&](double direction) {
+            return (upright * force(direction) + contacts.moved_by(force(direction)).give).norm();
+          }),
+          most_over_directions([&](double direction) {
+            return contacts.moved_by(force(direction)).rises.cwiseAbs().maxCoeff();
+          })};
 }
 
 std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& lengths,
                                                         const OpeningInterval& openings) const {
-  // Where a point comes to rest on the table or is lifted off it the figures jump.
-  const std::vector<SupportedStretch> stretches = sag_.stretches(lengths.VA, lengths.VB, openings);
-  const auto most = [&](double LayeredErrorAt::*part) {
-    double largest = 0;
-    for (const SupportedStretch& stretch : stretches) {
+  // Where a point comes to rest on the table or is lifted off it, by the weights or by the force, the figures have kinks.
+  constexpr int parts_with_kinks = 4;
+  const int parts = conditions_.tracer_rests || conditions_.pen_rests ? parts_with_kinks : 1;
+  LayeredFigures figures;
+  for (const SupportedStretch& stretch : sag_.stretches(lengths.VA, lengths.VB, openings)) {
+    std::map<double, LayeredErrorAt> seen;
+    const auto most = [&](double LayeredErrorAt::*figure, const OpeningInterval& part) {
       const auto value = [&](double opening) {
-        const double here = at(lengths, opening, stretch).*part;
-        return std::isfinite(here) ? here : infinity;
+        auto here = seen.find(opening);
+        if (here == seen.end()) here = seen.emplace(opening, at(lengths, opening, stretch)).first;
+        return std::isfinite(here->second.*figure) ? here->second.*figure : infinity;
       };
-      largest = std::max(largest, value(top_over(stretch.openings, value)));
+      return value(top_over(part, value));
+    };
+    for (int i = 0; i < parts; ++i) {
+      const double step = stretch.openings.width() / parts;
+      const OpeningInterval part{
+          stretch.openings.lower + i * step,
+          i + 1 == parts ? stretch.openings.upper : stretch.openings.lower + (i + 1) * step};
+      figures.error_max = std::max(figures.error_max, most(&LayeredErrorAt::in_plane, part));
+      figures.rise_max = std::max(figures.rise_max, most(&LayeredErrorAt::rise, part));
     }
-    return largest;
-  };
-  const LayeredFigures figures{most(&LayeredErrorAt::in_plane), most(&LayeredErrorAt::rise)};
+  }
   return std::isfinite(figures.error_max) && std::isfinite(figures.rise_max) ? std::optional(figures)
                                                                              : std::nullopt;
 }

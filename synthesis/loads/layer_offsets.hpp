@@ -5,7 +5,9 @@
 // A pin over a height h between the middles of its links that bears f loads each of them by a couple h f / 2, and its ends move apart by h times the
 // mean of the two links' tilts, beside its own h^3 / 12EI + 10 h / 9GA. The links are the grillage of the sag under those couples M; by reciprocity the pen gives
 // way by M' R M more, R the grillage's answer to couples. Exact for slender links and pins that turn freely about their axes.
-// Derivation: docs/loads.md.
+//
+// The table pushes a point that rests on it and never pulls: under weights and force together each such point either bears, or is lifted off.
+// What the force does is the state under both less that under the weights alone. Derivation: docs/loads.md.
 
 #include <Eigen/Core>
 #include <optional>
@@ -25,7 +27,7 @@ struct LayeredErrorAt {
 /// Of all linkages of one ratio and grounding, under one set of conditions.
 class LayeredErrorProfile {
  public:
-  /// `pen_force`: N. A point that rests on the table under the weights stays there.
+  /// `pen_force`: N.
   LayeredErrorProfile(Complex k, Grounding grounding, const SagConditions& conditions, double pen_force);
 
   /// At an opening, rad.
@@ -33,13 +35,13 @@ class LayeredErrorProfile {
   /// The most of each over an interval of openings (top_over.hpp), not empty, each at its own one; nothing where one of those looked at has no figure.
   std::optional<LayeredFigures> over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
-  /// The pen's compliance in the plane there, mm/N, all in; x axis along bar VA.
-  Eigen::Matrix2d compliance(const BarLengths& lengths, double opening) const;
+  /// How far the pen gives way in the plane there under this force, N, all in, mm; x axis along bar VA. NaN as above.
+  Point give(const BarLengths& lengths, double opening, const Point& force) const;
 
  private:
   struct Bent;
-  Bent bent(const BarLengths& lengths, double opening, const SupportedStretch& on) const;
-  LayeredErrorAt at(const BarLengths& lengths, double opening, const SupportedStretch& on) const;
+  class Contacts;
+  LayeredErrorAt at(const BarLengths& lengths, double opening, const SupportedStretch& under_weights) const;
   Eigen::Matrix2d upright(const BarLengths& lengths, double opening) const;
 
   Complex shape_, factor_;

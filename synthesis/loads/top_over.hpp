@@ -11,12 +11,11 @@
 namespace kempe {
 
 /// The opening at which value(opening) is largest: of evenly spaced ones with the interval's ends those that stand above their neighbours,
-/// each refined between these by golden section if it comes near the best. A top narrower than the spacing may be missed; forces and
-/// deflections change over tens of degrees, and fastest at the ends.
+/// each refined between these by golden section in so many steps if it comes near the best. A top narrower than the spacing may be missed;
+/// forces and deflections change over tens of degrees, and fastest at the ends.
 template <class Function>
-double top_over(const OpeningInterval& openings, const Function& value) {
+double top_over(const OpeningInterval& openings, const Function& value, int steps = 18) {
   constexpr std::size_t last = 16;
-  constexpr int steps = 18;
   constexpr double near_the_best = 0.05;  // of the range of values
   const auto place = [&](std::size_t i) {
     return i == last ? openings.upper

@@ -12,6 +12,7 @@
 #include "geometry/decompositions.hpp"
 #include "kinematics/links.hpp"
 #include "specs/hardware.hpp"
+#include "synthesis/solvers/golden_section.hpp"
 #include "synthesis/verification/plate_pieces.hpp"
 
 namespace kempe {
@@ -93,8 +94,8 @@ class Beams {
     beams_.push_back(beam);
   }
 
-  /// All displacements under one newton along this freedom.
-  std::vector<Eigen::VectorXd> moved_by(const std::array<int, 2>& freedoms) const {
+  /// All displacements under one newton along each of these freedoms.
+  std::vector<Eigen::VectorXd> moved_by(const std::array<int, 4>& freedoms) const {
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(count_, count_);
     for (const Beam& beam : beams_)
       for (std::size_t i = 0; i < 12; ++i)
@@ -106,9 +107,9 @@ class Beams {
       stiffness.col(one).setZero();
       stiffness(one, one) = 1;
     }
+    const Elimination factors(stiffness);
     std::vector<Eigen::VectorXd> moved;
-    for (const int one : freedoms)
-      moved.push_back(definite_solution(stiffness, Eigen::VectorXd::Unit(count_, one)));
+    for (const int one : freedoms) moved.push_back(factors.solution(Eigen::VectorXd::Unit(count_, one)));
     return moved;
   }
 
@@ -160,13 +161,14 @@ class SpaceFrame {
 
   SpaceFrameResponse pushed_at(Joint pen, Joint tracer) const {
     const Freedoms& at = tool(pen);
-    const auto moved = beams_.moved_by({at[0], at[1]});
+    const std::array<int, 2> points{height(tracer), height(pen)};
+    const auto moved = beams_.moved_by({at[0], at[1], points[0], points[1]});
     SpaceFrameResponse response;
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      const Eigen::VectorXd& by_axis = moved[static_cast<std::size_t>(axis)];
-      response.in_plane.col(axis) << by_axis[at[0]], by_axis[at[1]];
-      response.tracer_rise[axis] = by_axis[height(tracer)];
-      response.pen_rise[axis] = by_axis[height(pen)];
+      const auto number = static_cast<std::size_t>(axis);
+      response.in_plane.col(axis) << moved[number][at[0]], moved[number][at[1]];
+      response.rises.col(axis) = moved[number](points);
+      response.lifts.col(axis) = moved[number + 2](points);
     }
     return response;
   }
@@ -223,20 +225,69 @@ class SpaceFrame {
   std::array<std::array<Freedoms, 6>, 4> nodes_{};
 };
 
+/// The table's push on tracer and pen, N: each is pushed, or rises above the table. `free`: how far they would rise without it.
+Eigen::Vector2d push_of(const SpaceFrameResponse& response, const FrameTable& table,
+                        const Eigen::Vector2d& free) {
+  const Eigen::Matrix2d& lifts = response.lifts;
+  const auto alone = [&](Eigen::Index point) -> Eigen::Vector2d {
+    return Eigen::Vector2d::Unit(point) * std::max(0.0, -free[point] / lifts(point, point));
+  };
+  if (!table.pen_rests) return table.tracer_rests ? alone(0) : Eigen::Vector2d::Zero();
+  if (!table.tracer_rests) return alone(1);
+  for (const Eigen::Index point : {0, 1}) {
+    const Eigen::Vector2d push = alone(point), rises = free + lifts * push;
+    if (rises[1 - point] >= 0) return push;
+  }
+  // Neither bears alone, and so both do.
+  const Eigen::Vector2d push = -(lifts.inverse() * free);
+  return push.cwiseMax(0);
+}
+
+/// The most over all directions of value(direction, rad): sampled, and refined beside each that stands above its neighbours.
+template <class Value>
+double most_in_any_direction(const Value& value) {
+  constexpr std::size_t directions = 180;
+  constexpr int steps = 40;
+  constexpr double step = 2 * pi / directions;
+  std::array<double, directions> seen;
+  for (std::size_t i = 0; i < directions; ++i) seen[i] = value(step * static_cast<double>(i));
+  double most = 0;
+  for (std::size_t i = 0; i < directions; ++i) {
+    if (!std::isfinite(seen[i])) return seen[i];
+    if (seen[i] < seen[(i + 1) % directions] || seen[i] < seen[(i + directions - 1) % directions]) continue;
+    const double at = step * static_cast<double>(i);
+    most = std::max({most, seen[i], value(top_by_golden_section(value, at - step, at + step, steps))});
+  }
+  return most;
+}
+
 }  // namespace
 
-double SpaceFrameResponse::give() const { return in_plane.operatorNorm(); }
-
-double SpaceFrameResponse::rise() const { return std::max(tracer_rise.norm(), pen_rise.norm()); }
-
 SpaceFrameResponse space_frame_response(const Pose& pose, const JointRoles& roles,
-                                        const SpaceFrameParts& parts, bool tracer_rests, bool pen_rests) {
+                                        const SpaceFrameParts& parts) {
   SpaceFrame frame(pose, parts);
   frame.stand_at(roles.pole);
   frame.hold_in_plane(roles.tracer);
-  if (tracer_rests) frame.hold_height(roles.tracer);
-  if (pen_rests) frame.hold_height(roles.pen);
   return frame.pushed_at(roles.pen, roles.tracer);
+}
+
+FrameMovement movement(const SpaceFrameResponse& response, const FrameTable& table, const Point& force) {
+  const Eigen::Vector2d rises = response.rises * force;
+  const Eigen::Vector2d push =
+      push_of(response, table, table.free_rises + rises) - push_of(response, table, table.free_rises);
+  // By reciprocity an upward newton moves the pen as far along an axis as a newton along it lifts that newton's point.
+  return {response.in_plane * force + response.rises.transpose() * push, rises + response.lifts * push};
+}
+
+MostOfFrame most_movement(const SpaceFrameResponse& response, const FrameTable& table, double force) {
+  if (!table.tracer_rests && !table.pen_rests)
+    return {force * response.in_plane.operatorNorm(),
+            force * std::max(response.rises.row(0).norm(), response.rises.row(1).norm())};
+  const auto at = [&](double direction) {
+    return movement(response, table, force * Point(std::cos(direction), std::sin(direction)));
+  };
+  return {most_in_any_direction([&](double direction) { return at(direction).give.norm(); }),
+          most_in_any_direction([&](double direction) { return at(direction).rises.cwiseAbs().maxCoeff(); })};
 }
 
 }  // namespace kempe

@@ -1,7 +1,8 @@
 #pragma once
 // The linkage as a frame in space by the stiffness method: every link's pieces are beams at the height of its layer's middle, every pin is a beam
 // from layer to layer that turns freely in the upper link, the post is clamped in the table. An independent path to what layers and pins add to
-// the load error (synthesis/loads/layer_offsets.hpp): no grillage, no force and no compliance of that is used.
+// the load error (synthesis/loads/layer_offsets.hpp): no grillage, no force and no compliance of that is used. The table's push on points that
+// rest on it is found from how far an upward newton there lifts them: no support is held.
 
 #include <Eigen/Core>
 
@@ -21,18 +22,33 @@ struct SpaceFrameParts {
   double E = 0, G = 0;  ///< MPa, of the links
 };
 
-/// For one newton at the pen while pole and tracer are held in the plane; mm, in the frame of the pose.
+/// Of the frame on its post alone, pole and tracer held in the plane; mm, in the frame of the pose. Rows of two: tracer, pen.
 struct SpaceFrameResponse {
-  Eigen::Matrix2d in_plane;                  ///< how the pen gives way; a column for each axis of the force
-  Eigen::RowVector2d tracer_rise, pen_rise;  ///< upwards
+  Eigen::Matrix2d in_plane;  ///< how the pen gives way; a column for each axis of a force of one newton on it
+  Eigen::Matrix2d rises;     ///< upwards, by the same forces
+  Eigen::Matrix2d lifts;     ///< upwards, by an upward newton at the tracer, at the pen
+};
+/// A pose in which no change point or dead point is met; links with E and G > 0.
+SpaceFrameResponse space_frame_response(const Pose& pose, const JointRoles& roles,
+                                        const SpaceFrameParts& parts);
 
-  /// The most of each over the directions of the force.
-  double give() const;
-  double rise() const;  ///< of tracer or pen, up or down
+/// What a table under the frame may bear: it pushes up and never pulls.
+struct FrameTable {
+  bool tracer_rests = false, pen_rests = false;
+  Eigen::Vector2d free_rises =
+      Eigen::Vector2d::Zero();  ///< mm, of tracer and pen by the weights without the table
 };
 
-/// A pose in which no change point or dead point is met; links with E and G > 0. Points that rest on the table keep their height.
-SpaceFrameResponse space_frame_response(const Pose& pose, const JointRoles& roles,
-                                        const SpaceFrameParts& parts, bool tracer_rests, bool pen_rests);
+/// What a force on the pen, N, does to the frame on a table beside what the weights do; mm.
+struct FrameMovement {
+  Eigen::Vector2d give, rises;
+};
+FrameMovement movement(const SpaceFrameResponse& response, const FrameTable& table, const Point& force);
+
+/// The most of each over all directions of a force of that size, N: how far the pen gives way, and tracer or pen rises or sinks; mm.
+struct MostOfFrame {
+  double give = 0, rise = 0;
+};
+MostOfFrame most_movement(const SpaceFrameResponse& response, const FrameTable& table, double force);
 
 }  // namespace kempe

@@ -63,92 +63,158 @@ SpaceFrameParts parts_of(const Instrument& instrument) {
           .G = made.G};
 }
 
+/// The frame on its table: how the weights alone would leave it is taken from the sag, which is tested by itself.
+FrameTable table_of(const Instrument& instrument, double opening) {
+  const CopyingLinkage& linkage = instrument.linkage;
+  SagConditions free = instrument.conditions;
+  free.tracer_rests = free.pen_rests = false;
+  const SagAt sinks =
+      SagProfile(linkage.k(), linkage.grounding(), free).at(linkage.VA(), linkage.VB(), opening);
+  return {.tracer_rests = instrument.conditions.tracer_rests,
+          .pen_rests = instrument.conditions.pen_rests,
+          .free_rises = {-sinks.tracer.by_weight, -sinks.pen.by_weight}};
+}
+
+/// The same held down: no force lifts anything that rests.
+FrameTable held_down(FrameTable table) {
+  table.free_rises.setConstant(-1e6);
+  return table;
+}
+
+/// A frame with bar VA along x.
+SpaceFrameResponse frame_of(const Instrument& instrument, double opening) {
+  const CopyingLinkage& linkage = instrument.linkage;
+  const Point VA = linkage.pose_at(opening, 0).A - linkage.pose_at(opening, 0).V;
+  return space_frame_response(linkage.pose_at(opening, -std::atan2(VA.y(), VA.x())),
+                              roles_of(linkage.grounding()), parts_of(instrument));
+}
+
+LayeredErrorProfile profile_of(const Instrument& instrument, double force) {
+  return {instrument.linkage.k(), instrument.linkage.grounding(), instrument.conditions, force};
+}
+
 TEST(LayerOffsets, AgreeWithAFrameInSpace) {
   Chance chance(61);
   double in_plane = 0, rise = 0, part = 0, drawn = 0;
-  for (int i = 0; i < test::samples(60); ++i) {
+  int lifted = 0;
+  for (int i = 0; i < test::samples(300); ++i) {
     SCOPED_TRACE(i);
-    const Instrument instrument = random_instrument(chance);
-    const auto& [linkage, conditions] = instrument;
+    Instrument instrument = random_instrument(chance);
+    auto& [linkage, conditions] = instrument;
+    if (i % 2 == 0) conditions.tracer_rests = conditions.pen_rests = true;
     const LinkStyle& style = conditions.style;
-    const Complex k = linkage.k();
-    const Grounding grounding = linkage.grounding();
     const OpeningInterval& openings = linkage.assembly_mode().openings;
     const double opening = chance.uniform(openings.lower + 0.4, openings.upper - 0.4), E = conditions.E;
-    const LayeredErrorProfile profile(k, grounding, conditions, 1);
+    const double force = std::exp(chance.uniform(std::log(0.5), std::log(50)));
+    const LayeredErrorProfile profile = profile_of(instrument, force);
     const BarLengths lengths{linkage.VA(), linkage.VB()};
-    const SagAt sag = SagProfile(k, grounding, conditions).at(lengths.VA, lengths.VB, opening);
-    const Point VA = linkage.pose_at(opening, 0).A - linkage.pose_at(opening, 0).V;
-    const auto frame =
-        space_frame_response(linkage.pose_at(opening, -std::atan2(VA.y(), VA.x())), roles_of(grounding),
-                             parts_of(instrument), sag.tracer_bears > 0, sag.pen_bears > 0);
-    const Eigen::Matrix2d closed = profile.compliance(lengths, opening);
-    in_plane = std::max(in_plane, (closed - frame.in_plane).norm() / frame.in_plane.norm());
+    const SpaceFrameResponse frame = frame_of(instrument, opening);
+    const FrameTable table = table_of(instrument, opening);
+    const MostOfFrame most = most_movement(frame, table, force);
+    const MostOfFrame held = most_movement(frame, held_down(table), force);
+    if (most.give > 1.001 * held.give || most.rise > 1.001 * held.rise + 1e-4 * held.give) ++lifted;
     const LayeredErrorAt stated = profile.at(lengths, opening);
-    EXPECT_NEAR(stated.in_plane, frame.give(), 1e-6 * frame.give());
-    rise = std::max(rise, std::abs(stated.rise - frame.rise()) / std::max(frame.rise(), 1e-6 * frame.give()));
-    const double links =
-        LoadErrorProfile(k, grounding, style, {"", E, 1000, 0}, 1).at(lengths, opening).worst;
-    part = std::max(part, profile.at(lengths, opening).in_plane / links - 1);
+    in_plane = std::max(in_plane, std::abs(stated.in_plane / most.give - 1));
+    rise = std::max(rise, std::abs(stated.rise - most.rise) / std::max(most.rise, 1e-4 * most.give));
+    const double links = LoadErrorProfile(linkage.k(), linkage.grounding(), style, {"", E, 1000, 0}, force)
+                             .at(lengths, opening)
+                             .worst;
+    part = std::max(part, stated.in_plane / links - 1);
     // A pen that drags gives way as the frame does, whichever way the linkage lies.
     const Pose pose = linkage.pose_at(opening, chance.uniform(-pi, pi));
     const Point heading = as_point(std::polar(1.0, chance.uniform(-pi, pi)));
-    const auto work = HandWork(linkage, style, {}, {"", E, 1000, 1}, {.pen_force = 1}, {},
-                               LayeredErrorProfile(k, grounding, conditions, 1))
-                          .at(pose, heading);
+    const auto work =
+        HandWork(linkage, style, {}, {"", E, 1000, 1}, {.pen_force = force}, {}, profile).at(pose, heading);
     ASSERT_TRUE(work);
     EXPECT_TRUE(work->counts_layers);
-    const Point along = (pose.A - pose.V).normalized();
-    Eigen::Matrix2d turn;
-    turn << along.x(), -along.y(), along.y(), along.x();
-    const Point seen = turn * frame.in_plane * turn.transpose() * work->pen_force;
-    drawn = std::max(drawn, (work->give - seen).norm() / frame.in_plane.norm());
+    const Complex along = as_complex((pose.A - pose.V).normalized());
+    const Point seen = movement(frame, table, as_point(std::conj(along) * as_complex(work->pen_force))).give;
+    drawn = std::max(drawn, std::abs(as_complex(work->give) - along * as_complex(seen)) / most.give);
   }
   EXPECT_LT(in_plane, 1e-6);
   EXPECT_LT(rise, 1e-6);
   EXPECT_LT(drawn, 1e-6);
   EXPECT_GT(part, 0.05);
+  EXPECT_GT(lifted, test::expected(50));
   std::printf(
-      "largest relative differences: in the plane %.2g, rise %.2g; pins and layers add up to %.3g of the "
-      "links\n",
-      in_plane, rise, part);
+      "largest relative differences: in the plane %.2g, rise %.2g, drawn %.2g; pins and layers add up to "
+      "%.3g of "
+      "the links; %d are lifted off the table by the load\n",
+      in_plane, rise, drawn, part, lifted);
 }
 
-/// Over a region's openings: also of instruments that the weights lift off the table at some of them.
+/// Over a region's openings: also of instruments that weights or load lift off the table at some of them.
 TEST(LayerOffsets, AreTheMostThatTheFrameSeesOverOpenings) {
   Chance chance(62);
-  double missed = 0;
+  double missed = 0, beyond = 0;
   int lifted = 0;
-  for (int i = 0; i < test::samples(30); ++i) {
+  for (int i = 0; i < test::samples(60); ++i) {
     SCOPED_TRACE(i);
     Instrument instrument = random_instrument(chance);
     auto& [linkage, conditions] = instrument;
-    conditions.tracer_rests = conditions.pen_rests = true;
-    conditions.pen_mass = chance.uniform(0, 3);
+    conditions.tracer_rests = i % 3 != 0;
+    conditions.pen_rests = i % 3 != 1;
+    conditions.pen_mass = chance.uniform(0, 1);
+    const double force = std::exp(chance.uniform(std::log(0.5), std::log(20)));
     const OpeningInterval& all = linkage.assembly_mode().openings;
     const OpeningInterval openings{all.lower + 0.2, all.upper - 0.2};
-    const BarLengths lengths{linkage.VA(), linkage.VB()};
-    const auto stated =
-        LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, 1).over(lengths, openings);
+    const auto stated = profile_of(instrument, force).over({linkage.VA(), linkage.VB()}, openings);
     ASSERT_TRUE(stated);
-    const auto stretches =
-        SagProfile(linkage.k(), linkage.grounding(), conditions).stretches(lengths.VA, lengths.VB, openings);
-    if (stretches.size() > 1) ++lifted;
-    LayeredFigures seen;
-    for (const SupportedStretch& stretch : stretches)
-      for (int j = 0; j <= 100; ++j) {
-        const double opening = stretch.openings.lower + stretch.openings.width() * j / 100;
-        const auto frame =
-            space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()),
-                                 parts_of(instrument), stretch.tracer_bears, stretch.pen_bears);
-        seen.error_max = std::max(seen.error_max, frame.give());
-        seen.rise_max = std::max(seen.rise_max, frame.rise());
-      }
-    missed = std::max({missed, std::abs(stated->error_max / seen.error_max - 1),
-                       std::abs(stated->rise_max - seen.rise_max) / std::max(seen.rise_max, 1e-9)});
+    LayeredFigures seen, held;
+    constexpr int steps = 200;
+    for (int j = 0; j <= steps; ++j) {
+      const double opening = openings.lower + openings.width() * j / steps;
+      const SpaceFrameResponse frame = frame_of(instrument, opening);
+      const FrameTable table = table_of(instrument, opening);
+      const MostOfFrame here = most_movement(frame, table, force);
+      seen.error_max = std::max(seen.error_max, here.give);
+      seen.rise_max = std::max(seen.rise_max, here.rise);
+      held.rise_max = std::max(held.rise_max, most_movement(frame, held_down(table), force).rise);
+    }
+    if (seen.rise_max > 1.001 * held.rise_max + 1e-4 * seen.error_max) ++lifted;
+    const double give = stated->error_max / seen.error_max - 1,
+                 rise = (stated->rise_max - seen.rise_max) / std::max(seen.rise_max, 1e-4 * seen.error_max);
+    missed = std::max({missed, -give, -rise});
+    beyond = std::max({beyond, give, rise});
   }
-  EXPECT_LT(missed, 1e-4);
-  std::printf("largest relative difference %.2g; %d are lifted off the table somewhere\n", missed, lifted);
+  EXPECT_LT(missed, 1e-6);
+  EXPECT_LT(beyond, 2e-3);  // between the openings looked at
+  EXPECT_GT(lifted, test::expected(10));
+  std::printf("missed %.2g, found more by %.2g; the load lifts %d off the table somewhere\n", missed, beyond,
+              lifted);
+}
+
+/// A light instrument of birch plywood whose couples lift more than it weighs, as a frame finds it whose beams have six freedoms at each
+/// end, with every set of bearing points tried at nine openings and 24 directions of the force.
+TEST(LayerOffsets, LiftALightInstrumentOffTheTable) {
+  SagConditions conditions{.style = {.width = 20, .pin_diameter = 8, .thickness = 5},
+                           .layers = {{1, 2, 2, 1}},
+                           .E = 8e3,
+                           .G = 600,
+                           .density = 680,
+                           .grip = 5};
+  const OpeningInterval openings{radians(-150), radians(-71.63121158549042)};
+  const auto over = [&] {
+    return LayeredErrorProfile(copy_ratio(0.7, radians(30)), Grounding::tracer, conditions, 10)
+        .over({55.317146761, 54.024297641}, openings);
+  };
+  const auto free = over();
+  ASSERT_TRUE(free);
+  EXPECT_NEAR(free->rise_max, 0.5838, 1e-3);
+  conditions.tracer_rests = conditions.pen_rests = true;
+  const auto both = over();
+  ASSERT_TRUE(both);
+  EXPECT_NEAR(both->rise_max, 0.393, 2e-3);
+  EXPECT_NEAR(both->error_max, 0.1054, 5e-4);
+  conditions.tracer_rests = false;
+  EXPECT_NEAR(over()->rise_max, 0.393, 2e-3);
+  conditions.tracer_rests = true;
+  conditions.pen_rests = false;
+  EXPECT_NEAR(over()->rise_max, 0.450, 2e-3);
+  conditions.density = 1e6;  // it weighs enough to stay
+  conditions.pen_rests = true;
+  EXPECT_NEAR(over()->rise_max, 0, 1e-12);
+  EXPECT_NEAR(over()->error_max, 0.0933, 1e-4);
 }
 
 /// How much further two instruments of bricks give way once their plates may leave the plane (bench/solids.py, docs/loads.md), shear taken off.
@@ -157,7 +223,9 @@ TEST(LayerOffsets, AddWhatSolidElementsFind) {
                        const LinkStyle& style, double E) {
     SagConditions conditions{.style = style, .E = E, .G = E / 2.6, .density = 1000, .grip = style.thickness};
     conditions.layers = {{1, 2, 2, 1}};
-    const Eigen::Matrix2d all = LayeredErrorProfile(k, grounding, conditions, 1).compliance(lengths, opening);
+    const LayeredErrorProfile profile(k, grounding, conditions, 1);
+    Eigen::Matrix2d all;
+    all << profile.give(lengths, opening, {1, 0}), profile.give(lengths, opening, {0, 1});
     const LoadErrorAt links = LoadErrorProfile(k, grounding, style, {"", E, 1000, 1}, 1).at(lengths, opening);
     const Eigen::Vector2d ends = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(all).eigenvalues();
     return std::pair(ends[1] / links.worst - 1, ends[0] / links.least - 1);
