@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "synthesis/tolerance/slack.hpp"
 
@@ -96,24 +97,49 @@ void add_contributions(const Sensitivities& all, const Sensitivities& left, cons
   }
 }
 
-/// contains(), which looks at every corner, only where rounding might deceive the other.
-bool is_in(const Region& region, const RegionReach& reach, const Point& place) {
-  const double distance = reach.nearest(place).distance;
-  return std::abs(distance) > slack::on_boundary * reach.diagonal() ? distance < 0 : contains(region, place);
+/// The lattice's axis: along the longest edge, so that it follows the region however that is turned; of equal ones the first. Turned by
+/// quarters towards x, which leaves the lattice as it is.
+Complex lattice_axis(const std::vector<BoundaryEdge>& edges) {
+  double longest = 0;
+  Complex axis = 1;
+  for (const BoundaryEdge& edge : edges) {
+    const Complex along = as_complex(edge.to - edge.from);
+    if (!(std::abs(along) > longest * (1 + slack::same_size))) continue;
+    longest = std::abs(along);
+    axis = along / longest;
+  }
+  if (std::abs(axis.imag()) > std::abs(axis.real())) axis *= -i_unit;
+  return axis.real() < 0 ? -axis : axis;
 }
 
+/// How many steps go into a length; a count that is whole but for rounding is that count in every frame.
+int whole_steps(double length, double step) {
+  return static_cast<int>(length / step * (1 + slack::same_size));
+}
+
+/// Places at the middles of equal cells of the box along the lattice's axis, of those inside the region.
 void append_lattice(const Region& region, const RegionReach& reach, std::size_t about,
                     std::vector<Point>& places) {
-  const double step = grid_step(region, static_cast<double>(about));
-  if (!(step > 0)) return;
-  const Box box = bounding_box(region);
+  constexpr double most = 100'000;  // cells: of a region of two specks far apart only a few lie in it
+  const Complex axis = lattice_axis(reach.edges());
+  Box box{Point::Constant(HUGE_VAL), Point::Constant(-HUGE_VAL)};
+  for (const Point& corner : reach.hull()) {
+    const Point seen = as_point(as_complex(corner) * std::conj(axis));
+    box.lower = box.lower.cwiseMin(seen);
+    box.upper = box.upper.cwiseMax(seen);
+  }
   const Point size = box.upper - box.lower;
-  const int columns = static_cast<int>(size.x() / step), rows = static_cast<int>(size.y() / step);
+  const double step = std::max({std::sqrt(std::max(0.0, area(region)) / static_cast<double>(about)),
+                                std::sqrt(size.x() * size.y() / most), size.maxCoeff() / most});
+  if (!(step > 0)) return;
+  const int columns = whole_steps(size.x(), step), rows = whole_steps(size.y(), step);
   for (int row = 0; row <= rows; ++row)
     for (int column = 0; column <= columns; ++column) {
-      const Point place =
+      const Point seen =
           box.lower + Point((column + 0.5) / (columns + 1) * size.x(), (row + 0.5) / (rows + 1) * size.y());
-      if (is_in(region, reach, place)) places.push_back(place);
+      const Point place = as_point(as_complex(seen) * axis);
+      // What is on the boundary but for rounding would be in or out as the frame has it; the rings cover that.
+      if (reach.nearest(place).distance < -slack::on_boundary * reach.diagonal()) places.push_back(place);
     }
 }
 
@@ -126,8 +152,7 @@ void append_rings(const RegionReach& reach, std::size_t about, std::vector<Point
   const std::size_t stride = std::max<std::size_t>(1, edges.size() / about);
   for (std::size_t j = 0; j < edges.size(); j += stride) {
     const Point along = edges[j].to - edges[j].from;
-    const int parts =
-        std::max(1, static_cast<int>(std::min(along.norm() / step, static_cast<double>(about))));
+    const int parts = std::clamp(whole_steps(along.norm(), step), 1, static_cast<int>(about));
     for (int n = 0; n < parts; ++n) places.push_back(edges[j].from + along * n / parts);
   }
 }

@@ -6,8 +6,10 @@ namespace kempe::slack {
 
 /// None: keeps the change point a huge number instead of a division by zero.
 inline constexpr double smallest_sine = 1e-120;
-/// Of the region's extent: places so near to the boundary are told apart exactly.
+/// Of the region's extent: places so near to the boundary are on it.
 inline constexpr double on_boundary = 1e-9;
+/// Share of a length: edges that differ by less are of one length, and a count of steps that is whole but for as much is whole.
+inline constexpr double same_size = 1e-9;
 /// Factor: the longest deviation is found when no direction can hold one longer by more.
 inline constexpr double close_enough = 1 + 1e-9;
 /// Of the sine: the shortest step along the openings.

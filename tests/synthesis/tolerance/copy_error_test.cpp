@@ -24,45 +24,6 @@ Point pen_of(const CopyingLinkage& drawing, const Flaws& flaws, const Point& tra
   return pen == Joint::V ? VA[0] : pen == Joint::X ? ACX[2] : BCY[2];
 }
 
-Point true_pen(const CopyingLinkage& linkage, const Point& tracer) {
-  return linkage.pole() + as_point(linkage.k() * as_complex(tracer - linkage.pole()));
-}
-
-struct Case {
-  CopyingLinkage linkage;
-  Point tracer;
-};
-
-/// Height over the longest side of a plate, as a share of its shortest side.
-double flatness(Complex shape) {
-  const double a = 1, b = std::abs(shape), c = std::abs(shape - 1.0);
-  return std::abs(shape.imag()) / std::max({a, b, c}) / std::min({a, b, c});
-}
-
-/// Ratios and groundings of every kind, one in four with straight plates; well away from dead and change
-/// points. Plates between flat and `slimmest` are left out: there 0.05 mm are no longer small beside the
-/// plate's height.
-Case random_case(Chance& chance, double slimmest = 0.3) {
-  constexpr std::array<double, 2> straight{0, pi};
-  for (;;) {
-    const double rotation = chance.below(4) == 0 ? straight[chance.below(2)] : chance.uniform(-pi, pi);
-    const Complex k = copy_ratio(std::exp(chance.uniform(-1.4, 1.4)), rotation);
-    if (std::abs(k - 1.0) < 0.2) continue;
-    const Grounding grounding = all_groundings[chance.below(3)];
-    const double slim = flatness(shape_of(k, grounding));
-    if (!is_flat(shape_of(k, grounding)) && slim < slimmest) continue;
-    const auto modes = assembly_modes(shape_of(k, grounding));
-    const std::size_t assembly_mode = chance.below(modes.size());
-    if (modes[assembly_mode].openings.width() < radians(60)) continue;
-    const auto linkage = CopyingLinkage::make(k, grounding, chance.uniform(60, 200), chance.uniform(60, 200),
-                                              static_cast<int>(assembly_mode),
-                                              {chance.uniform(-50, 50), chance.uniform(-50, 50)});
-    const double opening = modes[assembly_mode].openings.lower +
-                           chance.uniform(radians(25), modes[assembly_mode].openings.width() - radians(25));
-    return {*linkage, linkage->tracer_at(opening, chance.uniform(-pi, pi))};
-  }
-}
-
 Flaws flaw_of(std::size_t source, double size, bool along_y = false) {
   Flaws flaws;
   if (source < 8)
@@ -469,15 +430,43 @@ TEST(CopyErrorOver, NamesTheOutOfLineHolesOfStraightPlates) {
   EXPECT_FALSE(is_flat(std::polar(0.01, radians(80))));  // a sliver with a short base, but not flat
 }
 
-TEST(CopyErrorOver, SaysHowMuchOfItsHeightAPlateMayLose) {
-  const auto share = [](double rotation, double size) {
-    const Complex k = copy_ratio(1.4, radians(rotation));
-    const auto linkage = CopyingLinkage::make(k, Grounding::pole, size, size, 0).value();
-    return plate_height_at_risk(linkage, CopyTolerance::uniform({0.05, 0.02}));
-  };
-  EXPECT_LT(share(90, 100), 0.01);
-  EXPECT_GT(share(172, 20), 0.5);  // flat enough to snap through: the prediction is not to be trusted
-  EXPECT_EQ(share(180, 20), 0);    // a bar, toleranced as one
+/// Rectangles, squares, right angles and regions of five corners.
+Ring outline_of(Chance& chance, const Point& at) {
+  const double w = chance.uniform(4, 16), h = chance.one_in(2) ? w : chance.uniform(4, 16);
+  Ring ring;
+  if (chance.one_in(3)) {
+    ring = {{-w, -h}, {w, -h}, {w, 0}, {0, 0}, {0, h}, {-w, h}};
+  } else if (chance.one_in(3)) {
+    for (int i = 0; i < 5; ++i)
+      ring.push_back(as_point(std::polar(chance.uniform(0.5, 1) * w, 2 * pi * i / 5)));
+  } else {
+    ring = {{-w, -h}, {w, -h}, {w, h}, {-w, h}};
+  }
+  const Complex turn = std::polar(1.0, chance.uniform(-pi, pi));
+  for (Point& corner : ring) corner = at + as_point(turn * as_complex(corner));
+  return ring;
+}
+
+TEST(CopyErrorOver, DistortionFollowsTheRegionHoweverItIsTurned) {
+  Chance chance(16);
+  const CopyTolerance tolerance = CopyTolerance::uniform({0.05, 0.02});
+  int compared = 0;
+  while (compared < 60) {
+    const auto [linkage, tracer] = random_case(chance);
+    const Region region{{{outline_of(chance, tracer), {}}}};
+    const auto here = copy_error_over(linkage, tolerance, region);
+    if (!here) continue;
+    ++compared;
+    const Complex turn = std::polar(1.0, chance.uniform(-pi, pi));
+    Region turned = region;
+    for (Point& corner : turned.polygons[0].outer)
+      corner = linkage.pole() + as_point(turn * as_complex(Point(corner - linkage.pole())));
+    const auto there = copy_error_over(linkage, tolerance, turned);
+    ASSERT_TRUE(there);
+    EXPECT_NEAR(here->distortion_worst, there->distortion_worst, 1e-6 * here->distortion_worst);
+    EXPECT_NEAR(here->distortion_rss, there->distortion_rss, 1e-6 * here->distortion_rss);
+    EXPECT_NEAR(here->absorbed_worst, there->absorbed_worst, 1e-6 * here->absorbed_worst);
+  }
 }
 
 TEST(CopyErrorOver, SaysWhenARegionIsOutOfReach) {

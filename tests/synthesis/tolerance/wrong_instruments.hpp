@@ -106,6 +106,45 @@ inline std::optional<MadePose> made_pose(const CopyingLinkage& drawing, const Fl
                   drawing.pole()};
 }
 
+inline Point true_pen(const CopyingLinkage& linkage, const Point& tracer) {
+  return linkage.pole() + as_point(linkage.k() * as_complex(tracer - linkage.pole()));
+}
+
+struct Case {
+  CopyingLinkage linkage;
+  Point tracer;
+};
+
+/// Height over the longest side of a plate, as a share of its shortest side.
+inline double flatness(Complex shape) {
+  const double a = 1, b = std::abs(shape), c = std::abs(shape - 1.0);
+  return std::abs(shape.imag()) / std::max({a, b, c}) / std::min({a, b, c});
+}
+
+/// Ratios and groundings of every kind, one in four with straight plates; well away from dead and change
+/// points. Plates between flat and `slimmest` are left out: there 0.05 mm are no longer small beside the
+/// plate's height.
+inline Case random_case(Chance& chance, double slimmest = 0.3) {
+  constexpr std::array<double, 2> straight{0, pi};
+  for (;;) {
+    const double rotation = chance.below(4) == 0 ? straight[chance.below(2)] : chance.uniform(-pi, pi);
+    const Complex k = copy_ratio(std::exp(chance.uniform(-1.4, 1.4)), rotation);
+    if (std::abs(k - 1.0) < 0.2) continue;
+    const Grounding grounding = all_groundings[chance.below(3)];
+    const double slim = flatness(shape_of(k, grounding));
+    if (!is_flat(shape_of(k, grounding)) && slim < slimmest) continue;
+    const auto modes = assembly_modes(shape_of(k, grounding));
+    const std::size_t assembly_mode = chance.below(modes.size());
+    if (modes[assembly_mode].openings.width() < radians(60)) continue;
+    const auto linkage = CopyingLinkage::make(k, grounding, chance.uniform(60, 200), chance.uniform(60, 200),
+                                              static_cast<int>(assembly_mode),
+                                              {chance.uniform(-50, 50), chance.uniform(-50, 50)});
+    const double opening = modes[assembly_mode].openings.lower +
+                           chance.uniform(radians(25), modes[assembly_mode].openings.width() - radians(25));
+    return {*linkage, linkage->tracer_at(opening, chance.uniform(-pi, pi))};
+  }
+}
+
 inline Region square_about(const Point& centre, double half) {
   return {{{{centre + Point(-half, -half), centre + Point(half, -half), centre + Point(half, half),
              centre + Point(-half, half)},
