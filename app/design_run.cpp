@@ -15,6 +15,7 @@
 #include "reports/data/design_json.hpp"
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/step_assembly.hpp"
+#include "reports/drawings/tolerance_words.hpp"
 #include "reports/drawings/tool_words.hpp"
 #include "reports/earlier_design.hpp"
 #include "reports/page/studio_page.hpp"
@@ -250,6 +251,18 @@ std::string error_text(double error) {
   return error == 0 || error >= 0.001 ? fmt::format("{:.4f}", error) : fmt::format("{:.3g}", error);
 }
 
+std::string copy_error_lines(const Design& design) {
+  const Quality& q = design.quality;
+  if (!q.copy_error_worst) return "";
+  std::string text = fmt::format(
+      "copy error   {} mm in the worst case, {} mm typically (root of the sum of squares)\n"
+      "             {} mm of distortion, which no change of scale, rotation and origin removes\n",
+      error_text(*q.copy_error_worst), error_text(q.copy_error_rss.value_or(0)),
+      error_text(q.distortion_worst.value_or(0)));
+  for (const std::string& words : tolerance_words(design)) text += "             " + words + "\n";
+  return text;
+}
+
 /// The command that checks the proof's log, with the design or alone.
 std::string how_to_check(const std::filesystem::path& folder, bool with_design) {
   const auto path = [&](std::string_view name) {
@@ -282,12 +295,7 @@ std::string summary_text(const Design& design, SpecUnit unit, const std::filesys
                         design.map.clearance_min_parts);
   else if (!design.map.complete && !design.region.empty())
     text += "clearance    NOT MEASURED: stopped early; the limit is kept where the region is covered\n";
-  if (q.copy_error_worst)
-    text += fmt::format(
-        "copy error   {} mm in the worst case, {} mm typically (root of the sum of squares)\n"
-        "             {} mm of distortion, which no change of scale, rotation and origin removes\n",
-        error_text(*q.copy_error_worst), error_text(q.copy_error_rss.value_or(0)),
-        error_text(q.distortion_worst.value_or(0)));
+  text += keys_in(unit, copy_error_lines(design));
   text += loads_lines(design);
   text += weight_lines(design);
   text += keys_in(unit, budget_lines(design));
@@ -326,6 +334,7 @@ std::string summary_json(const Design& design, const std::filesystem::path& fold
   object["files"] = files;
   object["left_out"] = left_out;
   object["notes"] = making_notes(design);
+  for (const std::string& words : tolerance_words(design)) object["notes"].push_back(words);
   return json_text(object);
 }
 

@@ -248,7 +248,7 @@ class Design:
 
     @property
     def copy_error_worst_mm(self) -> Optional[float]:
-        """Worst case over the region under the spec's tolerance; None without it."""
+        """Worst case over the region under the spec's tolerance, to the first order (docs/tolerance.md); None without it."""
         return self._inside.copy_error
 
     @property

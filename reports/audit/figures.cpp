@@ -11,6 +11,7 @@
 #include "reports/audit/slack.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
+#include "synthesis/tolerance/corner_error.hpp"
 #include "workspace/contact/clearance.hpp"
 #include "workspace/footprint.hpp"
 #include "workspace/map/copy_gap.hpp"
@@ -55,19 +56,35 @@ void check_clearance(const AuditTask& task, AuditRecord& record) {
                 task.slack + (obstacles ? std::min(certain_gap, certain_share * outer) : 0));
 }
 
+/// The worst instrument found within the tolerances, where the first order understates the copy error.
+void check_corner(const AuditTask& task, const CopyTolerance& tolerance, double worst, AuditRecord& record) {
+  constexpr const char* key = "quality.copy_error_at_corner_mm";
+  const auto& stated = task.design.quality.copy_error_at_corner;
+  const auto corner = corner_error_over(task.linkage, tolerance, RegionReach(task.design.region));
+  if (!corner) return;
+  if (stated) return record.figure(key, stated, corner->worst, share_of_corner * corner->worst);
+  if (first_order_understates(worst, corner->worst * (1 - share_of_corner)))
+    record.not_checked(key,
+                       fmt::format("the file states none, and the first order understates the copy error: an "
+                                   "instrument within the tolerances has {:.6g} mm",
+                                   corner->worst));
+}
+
 void check_copy_errors(const AuditTask& task, AuditRecord& record) {
   const Quality& stated = task.design.quality;
-  if (!stated.copy_error_worst && !stated.copy_error_rss && !stated.distortion_worst) return;
-  const auto error =
-      task.design.tolerance
-          ? copy_error_over(task.linkage, CopyTolerance::uniform(*task.design.tolerance), task.design.region)
-          : tl::unexpected(Unreachable::too_far);
+  if (!stated.copy_error_worst && !stated.copy_error_rss && !stated.distortion_worst &&
+      !stated.copy_error_at_corner)
+    return;
+  const CopyTolerance tolerance = CopyTolerance::uniform(task.design.tolerance.value_or(Tolerance{}));
+  const auto error = task.design.tolerance ? copy_error_over(task.linkage, tolerance, task.design.region)
+                                           : tl::unexpected(Unreachable::too_far);
   if (!error) {
     const char* why = task.design.tolerance ? "this assembly mode does not reach all of the region"
                                             : "the file states no tolerance";
     for (const char* key :
          {"quality.copy_error_worst_mm", "quality.copy_error_rss_mm", "quality.distortion_worst_mm"})
       record.not_checked(key, why);
+    if (stated.copy_error_at_corner) record.not_checked("quality.copy_error_at_corner_mm", why);
     return;
   }
   const auto figure = [&](const char* key, const std::optional<double>& claimed, double found) {
@@ -76,6 +93,7 @@ void check_copy_errors(const AuditTask& task, AuditRecord& record) {
   figure("quality.copy_error_worst_mm", stated.copy_error_worst, error->worst);
   figure("quality.copy_error_rss_mm", stated.copy_error_rss, error->rss);
   figure("quality.distortion_worst_mm", stated.distortion_worst, error->distortion_worst);
+  check_corner(task, tolerance, error->worst, record);
 }
 
 void check_footprint(const AuditTask& task, AuditRecord& record) {

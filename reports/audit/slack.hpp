@@ -10,6 +10,8 @@ namespace kempe::audit_slack {
 inline constexpr double share_of_rounding = 1e-9;
 /// Share of a copy error: its maxima are found to this.
 inline constexpr double share_of_copy_error = 1e-6;
+/// Share of what the worst instrument found does: the search may end at another of nearly the same error.
+inline constexpr double share_of_corner = 1e-3;
 /// Share of a load error or force, or of a rise under the load: the openings looked at lie beside the worst one, and frames lose digits where
 /// two joints of a link are near each other (4e-5 at a thousandth of the linkage's size).
 inline constexpr double share_of_load = 1e-4;

@@ -94,6 +94,8 @@ Json quality_json(const Design& design) {
             {"distortion_worst_mm", finite_or_null(quality.distortion_worst)},
             {"footprint_mm2", swept},
             {"lower_bound", objective_figure(quality.proven_bound, design.search)}};
+  if (quality.copy_error_at_corner)
+    json["copy_error_at_corner_mm"] = finite_or_null(*quality.copy_error_at_corner);
   if (quality.loads) {
     json["load_error_max_mm"] = finite_or_null(quality.loads->error_max);
     json["load_error_min_mm"] = finite_or_null(quality.loads->error_min);

@@ -248,12 +248,17 @@ std::string loads(const Design& design) {
   if (!budget) return {};
   std::string note = fmt::format(
       "<p class=\"note\">Links of {}, {} mm, as slender beams, pins of steel; in the plane with pole and "
-      "tracer held. {}Each source alone at its worst place, so no sum is ever exceeded.{}</p>\n",
+      "tracer held. {}Each source alone at its worst place, so that a sum is no less than what its sources "
+      "do together at any one "
+      "place.{}</p>\n",
       html_escaped(design.material->name), section_text(design.style),
       design.style.plate == PlateStyle::triangle
           ? "Triangular plates are taken as two arms: they are stiffer. "
           : "",
-      design.tolerance ? "" : " The spec gives no tolerance: neither lengths nor play are in the table.");
+      !design.tolerance ? " The spec gives no tolerance: neither lengths nor play are in the table."
+      : design.quality.copy_error_at_corner ? " Lengths and play are taken to the first order, which "
+                                              "understates them here: see the tolerance budget."
+                                            : "");
   const std::string html = verdict(design, *budget) + budget_table(design, *budget) + note +
                            error_pictures(design) + "<div class=\"columns\"><div>" +
                            forces_table(design, *used) + "</div><div>" + load_chart(design, *used) +

@@ -128,7 +128,10 @@ std::string quality(const Design& design, const ReportExtras& extras) {
   if (q.copy_error_worst)
     add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
         at_most(*q.copy_error_worst, design.limits.copy_error),
-        "How far the pen can be off if all lengths and pins err in the worst direction together.");
+        "How far the pen can be off if all lengths and pins err in the worst direction together" +
+            (q.copy_error_at_corner ? ", to the first order. An instrument within the tolerances has <b>" +
+                                          length_text(*q.copy_error_at_corner, 4) + "</b>."
+                                    : std::string(".")));
   if (q.copy_error_rss)
     add("Copy error, typical", length_text(*q.copy_error_rss, 4), {},
         "The same with independent errors: root of the sum of squares.");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/drawings/tolerance_words.hpp"
 #include "reports/page/charts.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
@@ -78,6 +79,9 @@ std::string tolerance(const Design& design) {
       "<p class=\"note\">{}. Each source alone, at the place of the region where its effect is "
       "largest.</p>\n",
       what_errs(*design.tolerance));
+  std::string beyond;
+  for (const std::string& words : tolerance_words(design)) beyond += "<li>" + html_escaped(words) + "</li>";
+  if (!beyond.empty()) html += "<ul class=\"note\">" + beyond + "</ul>\n";
   std::string table, absorbed;
   if (const auto over = copy_error_over(design.linkage, tolerance, design.region)) {
     table = budget_table(*over);

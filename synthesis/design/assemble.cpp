@@ -15,6 +15,7 @@
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/search/steps/design_check.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
+#include "synthesis/tolerance/corner_error.hpp"
 #include "workspace/footprint.hpp"
 #include "workspace/map/layer_choice.hpp"
 #include "workspace/reach.hpp"
@@ -33,12 +34,16 @@ double smallest_transmission(const CopyingLinkage& linkage, const Region& region
 
 void measure_copy_error(Design& design) {
   if (!design.tolerance) return;
-  const auto error =
-      copy_error_over(design.linkage, CopyTolerance::uniform(*design.tolerance), design.region);
+  const CopyTolerance tolerance = CopyTolerance::uniform(*design.tolerance);
+  const ErrorPlaces places = error_places(design.region);
+  const auto error = copy_error_over(design.linkage, tolerance, places);
   if (!error) return;
   design.quality.copy_error_worst = error->worst;
   design.quality.copy_error_rss = error->rss;
   design.quality.distortion_worst = error->distortion_worst;
+  const auto corner = corner_error_over(design.linkage, tolerance, places.reach);
+  if (corner && first_order_understates(error->worst, corner->worst))
+    design.quality.copy_error_at_corner = corner->worst;
 }
 
 /// Nine digits: what is left after a system of equations is solved on any processor. Of a finite value; at least 0.

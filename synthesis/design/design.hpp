@@ -21,6 +21,8 @@ struct Quality {
   double clearance_min = 0;     ///< mm, smallest over the region
   /// mm; absent without [tolerance]
   std::optional<double> copy_error_worst, copy_error_rss, distortion_worst;
+  /// mm, of an instrument within the tolerances with its loops closed; present only where first_order_understates() is true of it
+  std::optional<double> copy_error_at_corner{};
   double footprint = 0;  ///< mm^2, outer bound of the area swept over the region; infinite: stopped early
   /// Of the objective, in its own unit (mm, rad, mm^2): no design can beat it.
   std::optional<double> proven_bound;

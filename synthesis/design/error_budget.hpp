@@ -43,7 +43,8 @@ struct BudgetEntry {
   std::vector<BudgetChange> changes{};  ///< what would help, the best first
 };
 
-/// All parts, those in the plane first, each group from the largest to the least. The sum of a group is never exceeded.
+/// All parts, those in the plane first, each group from the largest to the least. The sum of a group is no less than what its parts do together
+/// at any one place, as far as each is right by itself: lengths and play are of the first order (copy_error.hpp).
 struct ErrorBudget {
   std::vector<BudgetEntry> entries;
   /// False where the equations of the links' bending out of the plane lose their digits: then `layers` and `pull` are not stated, and sums lack

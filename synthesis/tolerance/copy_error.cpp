@@ -166,19 +166,6 @@ bool is_flat(Complex shape) {
   return height < flattest * side[0];
 }
 
-double plate_height_at_risk(const CopyingLinkage& linkage, const CopyTolerance& tolerance) {
-  const Complex s = linkage.shape();
-  if (is_flat(s)) return 0;
-  const auto share = [&](Complex hole, double base, std::array<std::size_t, 3> sources) {
-    const auto displacements = hole_displacements(hole, false);
-    double across = 0;
-    for (std::size_t j = 0; j < 3; ++j)
-      across += tolerance.length[sources[j]] * std::abs(displacements[j].imag());
-    return across / (std::abs(hole.imag()) * base);
-  };
-  return std::max(share(1.0 / s, linkage.VB(), {2, 4, 5}), share(s, linkage.VA(), {3, 6, 7}));
-}
-
 Sensitivities Sensitivities::turned(Complex turn) const {
   Sensitivities result;
   for (std::size_t j = 0; j < 8; ++j) result.length[j] = turn * length[j];

@@ -49,11 +49,6 @@ struct CopyTolerance {
 /// third hole's distance out of line.
 bool is_flat(Complex shape);
 
-/// How much of its height (third hole over the line of the other two) a plate may lose to its lengths'
-/// errors, as a share of it: 0 for flat plates. Above 0.1 first-order figures are rough, near 1 the plate may
-/// not even close.
-double plate_height_at_risk(const CopyingLinkage& linkage, const CopyTolerance& tolerance);
-
 /// Deviation of the pen per unit of each source, as plane vectors.
 struct Sensitivities {
   std::array<Complex, 8> length;  ///< mm/mm

@@ -91,6 +91,54 @@ pen_mass_kg = 0.3
 """,
 }
 
+# Tolerances that are not small beside its links, at the edge of its range.
+ROUGHLY_MADE = """
+[copy]
+scale = 0.5
+rotation_deg = 60
+[region]
+rectangle_mm = {at = [50, -10], size = [30, 30]}
+[links]
+width_mm = 10
+thickness_mm = 5
+plate = "triangle"
+layers = 3
+longest_mm = 600
+pin_diameter_mm = 3
+[limits]
+clearance_mm = 0.5
+transmission_deg = 20
+copy_error_mm = 3.5
+[tolerance]
+length_mm = 0.2
+play_mm = 0.1
+[objective]
+minimize = "size"
+groundings = ["pen"]
+"""
+
+# Plates of three holes nearly in line, still made by three lengths.
+NEARLY_STRAIGHT = """
+[copy]
+scale = 0.5
+rotation_deg = 3
+[region]
+rectangle_mm = {at = [50, -10], size = [30, 30]}
+[links]
+width_mm = 10
+thickness_mm = 5
+plate = "triangle"
+layers = 3
+pin_diameter_mm = 3
+[limits]
+transmission_deg = 20
+[tolerance]
+length_mm = 0.05
+play_mm = 0.02
+[objective]
+groundings = ["pole"]
+"""
+
 
 def corners(design):
     return [corner for rings in design["region"]["coordinates"] for ring in rings for corner in ring]
@@ -350,6 +398,13 @@ class Verify(unittest.TestCase):
             assert run.returncode == 0, f"{spec.name}: {run.stderr}"
             cls.designs[spec.stem] = json.loads((out / "design.json").read_text())
 
+    def synthesize_text(self, text, *arguments):
+        spec = self.scratch / "rough.toml"
+        spec.write_text(text)
+        run = kempe("synthesize", spec, "-o", self.scratch / "rough", *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
     def verify(self, design, *arguments):
         path = self.scratch / "stated.json"
         path.write_text(json.dumps(design))
@@ -473,6 +528,35 @@ class Verify(unittest.TestCase):
                 change(stated)
             with self.subTest(f"{name}, {i}"):
                 self.assertCertified(self.verify(stated), f"{name}, {i}")
+
+    def test_the_worst_instrument_found_stands_beside_a_first_order_that_understates_it(self):
+        run = self.synthesize_text(ROUGHLY_MADE)
+        self.assertIn("the first order, which understates it here", run.stdout)
+        self.assertIn("it breaks limits.copy_error_mm (3.5 mm)", run.stdout)
+        out = self.scratch / "rough"
+        self.assertIn("it breaks limits.copy_error_mm (3.5 mm)", (out / "report.html").read_text())
+        design = json.loads((out / "design.json").read_text())
+        quality = design["quality"]
+        self.assertLess(quality["copy_error_worst_mm"], 3.5)
+        self.assertGreater(quality["copy_error_at_corner_mm"], 5.169)  # an instrument found at random
+        found = self.assertCertified(self.verify(design))
+        self.assertIn("quality.copy_error_at_corner_mm", found["checked"])
+        self.assertIn("limits.copy_error_mm", {one["key"] for one in found["not_checked"]})
+        for factor in (0.93, 1.07):
+            wrong = copy.deepcopy(design)
+            wrong["quality"]["copy_error_at_corner_mm"] *= factor
+            self.assertBroken(self.verify(wrong), "quality.copy_error_at_corner_mm")
+        older = copy.deepcopy(design)
+        del older["quality"]["copy_error_at_corner_mm"]
+        unsaid = {one["key"]: one["why"] for one in self.assertCertified(self.verify(older))["not_checked"]}
+        self.assertIn("understates", unsaid["quality.copy_error_at_corner_mm"])
+
+    def test_plates_that_may_not_exist_are_named(self):
+        run = self.synthesize_text(NEARLY_STRAIGHT)
+        self.assertRegex(run.stdout, r"plate (ACX|BCY) may not exist: with its lengths off by 0\.0\d+ mm or more")
+        self.assertIn("may not exist", (self.scratch / "rough" / "report.html").read_text())
+        notes = json.loads(self.synthesize_text(NEARLY_STRAIGHT, "--json").stdout)["notes"]
+        self.assertTrue(any("may not exist" in note for note in notes), notes)
 
     def test_what_an_older_file_does_not_state_is_named(self):
         for name, design in self.designs.items():

@@ -49,6 +49,8 @@ Quality quality(const JsonField& field) {
   result.distortion_worst = amount_or_null(field["distortion_worst_mm"]);
   result.footprint = amount_or_null(field["footprint_mm2"]).value_or(0);
   result.proven_bound = field["lower_bound"].number_or_null();
+  if (const auto corner = field.find("copy_error_at_corner_mm"))
+    result.copy_error_at_corner = amount_or_null(*corner);
   result.loads = load_figures(field);
   result.layered = layered_figures(field);
   if (const auto sag = field.find("sag_max_mm")) result.sag = amount(*sag);

@@ -1,0 +1,57 @@
+#include "reports/drawings/tolerance_words.hpp"
+
+#include <fmt/format.h>
+
+#include "synthesis/tolerance/corner_error.hpp"
+
+namespace kempe {
+namespace {
+
+std::string understated_words(double worst, double at_corner, const std::optional<double>& limit) {
+  std::string text = fmt::format(
+      "the worst case is of the first order, which understates it here: an instrument within the tolerances "
+      "has {:.4g} mm, "
+      "{:.0f} % more",
+      at_corner, 100 * (at_corner / worst - 1));
+  if (limit && at_corner > *limit)
+    text +=
+        fmt::format("; it breaks limits.copy_error_mm ({:.6g} mm), which speaks of the first order", *limit);
+  return text;
+}
+
+std::string plate_words(const PlateAtRisk& plate) {
+  const std::string from = fmt::format("with its lengths off by {:.3g} mm or more", plate.flat_from);
+  return plate.height_may_lose >= 1 ? fmt::format(
+                                          "plate {} may not exist: {} they may make no triangle; no figure "
+                                          "of the copy error holds for "
+                                          "it then",
+                                          plate.plate, from)
+                                    : fmt::format(
+                                          "plate {} may lose {:.0f} % of its height, and {} they may make no "
+                                          "triangle: figures of the "
+                                          "copy error are rough",
+                                          plate.plate, 100 * plate.height_may_lose, from);
+}
+
+}  // namespace
+
+std::vector<std::string> tolerance_words(const Design& design) {
+  std::vector<std::string> words;
+  const Quality& q = design.quality;
+  if (!design.tolerance || !q.copy_error_worst) return words;
+  const CopyTolerance tolerance = CopyTolerance::uniform(*design.tolerance);
+  if (q.copy_error_at_corner)
+    words.push_back(
+        understated_words(*q.copy_error_worst, *q.copy_error_at_corner, design.limits.copy_error));
+  bool all_plates_exist = true;
+  for (const PlateAtRisk& plate : plates_at_risk(design.linkage, tolerance)) {
+    words.push_back(plate_words(plate));
+    all_plates_exist = all_plates_exist && plate.height_may_lose < 1;
+  }
+  const auto corner = corner_error_over(design.linkage, tolerance, RegionReach(design.region));
+  if (all_plates_exist && corner && !corner->closes)
+    words.push_back("an instrument within the tolerances may not close everywhere in the region");
+  return words;
+}
+
+}  // namespace kempe
