@@ -18,8 +18,8 @@ inline constexpr double finest = 1e-6;
 inline constexpr double at_change_point = 1e-4;
 /// rad: what is ruled out is ruled out so far beyond both of its ends. An end of a mode is a double, off by less.
 inline constexpr double beyond_end = 1e-13;
-/// Of the worst case: an instrument that does worse by more is stated beside it. Tolerances of 0.05 mm on links of 20 mm and more stay below
-/// about this.
+/// Of the worst case: an instrument that does worse by more is stated beside it. A second order of less is far below how well tolerances are
+/// known.
 inline constexpr double second_order = 0.02;
 /// Of its height: a plate that may lose as much or more is named. Its lengths are then off by a fifth of what may leave no triangle.
 inline constexpr double height_at_risk = 0.1;
