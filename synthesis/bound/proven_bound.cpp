@@ -225,22 +225,22 @@ class Tree {
   }
 
   void split(const TreeNode& node) {
-    const auto [t_width, w_width, x_width, y_width] = widths_of(node);
-    const double widest = std::max({t_width, w_width, x_width, y_width});
+    const Widths width = widths_of(node);
+    const double widest = std::max({width.t, width.w, width.x, width.y});
     const auto halve = [&](auto part, double middle) {
       TreeNode lower = node, upper = node;
       part(lower).upper = middle;
       part(upper).lower = middle;
       for (TreeNode* half : {&lower, &upper})
-        if (widest == t_width || widest == w_width || poles_.measure(*half)) grow_from(*half);
+        if (widest == width.t || widest == width.w || poles_.measure(*half)) grow_from(*half);
     };
-    if (widest == t_width)
+    if (widest == width.t)
       return halve([](TreeNode& n) -> Range& { return n.lengths.t; },
                    std::sqrt(node.lengths.t.lower * node.lengths.t.upper));
-    if (widest == w_width)
+    if (widest == width.w)
       return halve([](TreeNode& n) -> Range& { return n.lengths.w; },
                    std::sqrt(node.lengths.w.lower * node.lengths.w.upper));
-    if (widest == x_width)
+    if (widest == width.x)
       return halve([](TreeNode& n) -> Range& { return n.x; }, 0.5 * (node.x.lower + node.x.upper));
     halve([](TreeNode& n) -> Range& { return n.y; }, 0.5 * (node.y.lower + node.y.upper));
   }
