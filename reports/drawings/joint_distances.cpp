@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "specs/spec_keys.hpp"
 #include "synthesis/verification/stations.hpp"
 #include "workspace/contact/gap.hpp"
 
