@@ -127,6 +127,8 @@ class Design:
         self.density = 1e-9 * design["material"]["density_kg_m3"]
         load = design["load"]
         self.force, self.rests = load["pen_N"], load["rests"]
+        # On a tilted table what the pen carries pulls along the plane too, at most in the force's direction.
+        self.pull = self.force + 9.80665 * math.sin(math.radians(load.get("tilt_deg", 0))) * load.get("pen_mass_kg", 0)
         self.masses = {self.pen: load.get("pen_mass_kg", 0), self.tracer: load.get("tracer_mass_kg", 0)}
         self.down = 9.80665 * math.cos(math.radians(load.get("tilt_deg", 0)))
         self.tilt = ((design["tolerance"] or {}).get("play_mm") or 0) / load["grip_mm"]
@@ -386,7 +388,7 @@ def figures(design, answer):
     result = {"load_error_max_mm": most, "load_error_min_mm": least, "hand_force_max_N": hand}
     if pin:
         result["pin_force_max_N"] = pin
-    return {name: design.force * value for name, value in result.items()}
+    return {name: (design.force if name == "hand_force_max_N" else design.pull) * value for name, value in result.items()}
 
 
 def design_of(kempe, number, folder):
