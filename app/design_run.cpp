@@ -356,7 +356,12 @@ int tell_no_design(const Session& session, const NoDesign& none, SpecUnit unit,
                         (none.proven ? " (proven: no linkage can): " : " (not proven: one may exist): ") +
                         none.sentence + "\n";
   std::vector<std::string> files, left_out;
-  if (none.proven && proof) {
+  const bool holds_design = proof && !design_files_in(proof->folder).empty();
+  if (none.proven && holds_design) {
+    left_out.push_back(fmt::format("{} is left out: {} holds a design. Another -o takes the log.",
+                                   certificate_name, printable(proof->folder.string())));
+    message += "  " + left_out.back() + "\n";
+  } else if (none.proven && proof) {
     const auto log = certificate_of_none(proof->spec.spec, proof->stop);
     if (!log) {
       left_out.push_back(left_out_sentence(log.error()));
@@ -432,10 +437,10 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
     if (const auto clash = output_clash(spec.inputs(), folder, names)) return fail(session, *clash);
   if (const auto written = draft.put_in_place(); !written)
     return fail(session, cannot_write, written.error());
-  std::vector<std::string> left_out = drafted->left_out;
+  const std::vector<std::string>& left_out = drafted->left_out;
+  std::vector<std::string> told = left_out;  // and what is no news on stderr
   if (const auto removed = remove_left_over(folder, earlier, files); !removed.empty())
-    left_out.push_back(removed_sentence(removed));
-  std::vector<std::string> told = left_out;  // and what no design of this build has: no news on stderr
+    told.push_back(removed_sentence(removed));
   if (drafted->has_parts && !time.enough())
     if (const auto lack = why_no_step()) told.push_back(*lack);
   answer(session, summary_text(design, spec.unit(), folder, files, told),

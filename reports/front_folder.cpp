@@ -12,13 +12,9 @@ namespace kempe {
 namespace {
 
 constexpr const char* page_name = "report.html";
-constexpr const char* table_name = "front.csv";
 
 /// For the table: a millionth of a micrometre is nothing (design.json has every digit).
 double coordinate(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
-
-/// Of the folder of a point.
-std::string number_of(std::size_t index) { return fmt::format("{:02}", index + 1); }
 
 std::string csv_head(Objective first, Objective second, bool with_section) {
   return fmt::format("point,{}_{},{}_{},vertex,assembly,VA_mm,VB_mm,pole_x_mm,pole_y_mm{}\n", name(first),
@@ -48,7 +44,7 @@ FrontFolder::FrontFolder(std::filesystem::path folder, Objective first, Objectiv
 tl::expected<void, std::string> FrontFolder::add(Design design, double first, double second,
                                                  const TimeToFinish& time) {
   const std::size_t index = chart_.rows.size();
-  const std::string number = number_of(index);
+  const std::string number = point_folder(index);
   with_section_ = with_section_ || (design.allowed && design.allowed->sections.size() > 1);
   FolderDraft& draft = points_.emplace_back(folder_ / number);
   const auto drafted = draft_design(design, extras_, draft, time);
@@ -66,7 +62,7 @@ tl::expected<void, std::string> FrontFolder::add(Design design, double first, do
 
 std::vector<std::string> FrontFolder::names() const {
   std::vector<std::string> names = names_;
-  names.insert(names.end(), {page_name, table_name});
+  names.insert(names.end(), {page_name, front_table_name});
   return names;
 }
 
@@ -74,25 +70,14 @@ tl::expected<void, std::string> FrontFolder::put_in_place() {
   ReportExtras extras = extras_;
   extras.pareto = chart_;
   const std::vector<OutputFile> own{{page_name, html_report(middle_design_.value(), extras)},
-                                    {table_name, csv_head(first_, second_, with_section_) + rows_}};
-  std::vector<std::string> removed;
-  const auto remove = [&](std::size_t index, const std::vector<std::string>& earlier,
-                          const std::vector<std::string>& written) {
-    for (const std::string& name : remove_left_over(folder_ / number_of(index), earlier, written))
-      removed.push_back(number_of(index) + "/" + name);
-  };
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto earlier = design_files_in(folder_ / number_of(i));
-    if (auto placed = points_[i].put_in_place(); !placed) return placed;
-    remove(i, earlier, points_[i].names());
-  }
+                                    {front_table_name, csv_head(first_, second_, with_section_) + rows_}};
+  const std::vector<std::string> earlier = design_files_in(folder_);
+  for (FolderDraft& point : points_)
+    if (auto placed = point.put_in_place(); !placed) return placed;
   auto placed = write_whole(folder_, own);
-  for (std::size_t i = points_.size(); placed; ++i) {  // a longer front was here
-    const auto earlier = design_files_in(folder_ / number_of(i));
-    if (earlier.empty()) break;
-    remove(i, earlier, {});
-  }
-  if (!removed.empty()) left_out_.push_back(removed_sentence(removed));
+  if (!placed) return placed;
+  if (const auto removed = remove_left_over(folder_, earlier, names()); !removed.empty())
+    left_out_.push_back(removed_sentence(removed));
   return placed;
 }
 

@@ -14,6 +14,9 @@
 
 namespace kempe {
 
+/// The front's table, in its folder.
+inline constexpr const char* front_table_name = "front.csv";
+
 /// Written beside its place, point by point, then put in place.
 class FrontFolder {
  public:

@@ -188,8 +188,7 @@ class Habits(Case):
         run = self.synthesize()
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertFalse((out / "nested.dxf").exists())
-        for told in (run.stdout, run.stderr):
-            self.assertIn("Removed, of an earlier design: nested.dxf.", told)
+        self.assertIn("Removed, left by an earlier design: nested.dxf.", run.stdout)
         self.assertEqual((out / "parts" / "mine.dxf").read_text(), "mine")
         self.assertTrue((out / "parts" / "VA.dxf").exists())
 
@@ -200,7 +199,24 @@ class Habits(Case):
             self.assertEqual(run.returncode, 0, run.stderr)
             found = json.loads(run.stdout)
             self.assertEqual(sorted(p.name for p in out.iterdir() if p.is_dir()), [f"{i + 1:02}" for i in range(found["points"])])
-        self.assertTrue(any("of an earlier design: 04/" in sentence for sentence in found["left_out"]))
+        self.assertTrue(any("files of 04/" in sentence for sentence in found["left_out"]))
+
+    def test_a_design_takes_the_place_of_a_front_and_a_front_that_of_a_design(self):
+        out, front = self.scratch / "out", ["pareto", EXAMPLES / "plagiograph.toml", "--between", "size,transmission", "--points", 3]
+        self.assertEqual(kempe(*front, "-o", out).returncode, 0)
+        self.assertEqual(self.synthesize().returncode, 0)
+        self.assertFalse((out / "front.csv").exists() or (out / "01").exists())
+        self.assertEqual(kempe(*front, "-o", out).returncode, 0)
+        self.assertTrue((out / "front.csv").exists())
+        self.assertFalse((out / "design.json").exists() or (out / "parts").exists())
+
+    def test_a_proof_that_there_is_none_leaves_the_log_of_a_design_alone(self):
+        self.assertEqual(self.synthesize().returncode, 0)
+        log = (self.scratch / "out" / "certificate.jsonl").read_bytes()
+        run = self.synthesize(TEN_LINES + "[limits]\ntransmission_deg = 85\n")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("holds a design", run.stderr)
+        self.assertEqual((self.scratch / "out" / "certificate.jsonl").read_bytes(), log)
 
     def test_the_readme_shows_what_is_printed(self):
         page = (SOURCE / "README.md").read_text()
