@@ -195,13 +195,20 @@ class Bill {
     return text + "; secure both ends";
   }
 
+  /// One without room is no piece to buy: what is to be done instead stands beside the pin or post.
   void add_spacer(const Spacer& spacer) {
     const std::string words = words_on(spacer);
+    if (!spacer.has_room()) {
+      const auto on = std::find_if(items_.begin(), items_.end(),
+                                   [&](const BomItem& item) { return item.name == spacer.on; });
+      if (on != items_.end()) on->remark += "; " + words;
+      return;
+    }
     items_.push_back({.item = "spacer",
                       .name = spacer.name,
                       .diameter = spacer.bore,
                       .length = spacer.height(),
-                      .width = spacer.has_room() ? spacer.diameter : std::max(spacer.diameter, spacer.bore),
+                      .width = spacer.diameter,
                       .remark = (spacer.is_lowest ? "under the lowest link" : "between the links") +
                                 (words.empty() ? "" : "; " + words)});
   }

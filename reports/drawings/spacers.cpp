@@ -169,7 +169,7 @@ std::string words_on(const Spacer& spacer) {
   if (spacer.passing.empty()) return "";
   if (spacer.has_room())
     return fmt::format("turn it down to {:.9g} mm, {} passes", spacer.diameter, spacer.passing);
-  const std::string none = fmt::format("no ring has room, {} passes too near: ", spacer.passing);
+  const std::string none = fmt::format("no room for a ring, {} passes too near: ", spacer.passing);
   if (spacer.diameter > spacer.bore)
     return none + fmt::format("make {} of one piece with a collar of {:.9g} mm", spacer.on, spacer.diameter);
   return none + fmt::format("fix the links at their heights on {}", spacer.on);

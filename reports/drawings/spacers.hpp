@@ -24,8 +24,8 @@ struct Spacer {
   bool has_room() const;
 };
 
-/// What a spacer must heed where something passes: "turn it down to 28.3 mm, link VB passes", or that no ring has room and what
-/// does instead; empty where nothing passes.
+/// What a spacer must heed where something passes: "turn it down to 28.3 mm, link VB passes", or that there is no room for a ring, and what
+/// to do instead; empty where nothing passes.
 std::string words_on(const Spacer& spacer);
 
 /// The spacers of every stack of joint_stacks(), from below; where the linkage is raised those under the lowest links too. Each keeps

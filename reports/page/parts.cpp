@@ -190,8 +190,9 @@ std::string hardware(const Design& design) {
   std::vector<std::vector<std::string>> rows;
   for (const BomItem& item : bill_of_materials(design)) {
     if (item.item == "link" || item.item == "strip") continue;
+    const std::string across = item.diameter > 0 ? figure_text(item.diameter, 3) : "–";
     rows.push_back({html_escaped(item.name), std::to_string(item.quantity),
-                    item.diameter > 0 ? figure_text(item.diameter, 3) : "–",
+                    item.item == "spacer" ? figure_text(item.width, 3) + ", bore " + across : across,
                     item.length > 0 ? figure_text(item.length, 3) : "–", html_escaped(item.remark)});
   }
   return "<h3>Pins, posts, spacers</h3>\n" +

@@ -35,8 +35,9 @@ class Section {
 
   void draw(double label_x) {
     for (const Spacer& spacer : spacers_)
-      draw_ring({StackItem::Kind::spacer, spacer.name, spacer.from, spacer.to,
-                 std::max(spacer.diameter, spacer.bore)});
+      if (spacer.diameter > spacer.bore)
+        draw_ring({StackItem::Kind::spacer, spacer.has_room() ? spacer.name : "collar", spacer.from,
+                   spacer.to, spacer.diameter});
     for (const StackItem& item : stack_.items)
       if (item.kind == StackItem::Kind::link)
         draw_link(item);

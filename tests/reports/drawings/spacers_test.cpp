@@ -151,10 +151,10 @@ TEST(Spacers, AreARingOnlyWithAWall) {
   EXPECT_EQ(words_on(spacer), "turn it down to 28.3 mm, link VB passes");
   spacer.diameter = 17;
   EXPECT_EQ(words_on(spacer),
-            "no ring has room, link VB passes too near: make pin C of one piece with a collar of 17 mm");
+            "no room for a ring, link VB passes too near: make pin C of one piece with a collar of 17 mm");
   spacer.diameter = 12;
   EXPECT_EQ(words_on(spacer),
-            "no ring has room, link VB passes too near: fix the links at their heights on pin C");
+            "no room for a ring, link VB passes too near: fix the links at their heights on pin C");
   spacer.passing = "";
   EXPECT_THAT(words_on(spacer), IsEmpty());
 }
