@@ -13,7 +13,7 @@ namespace kempe {
 namespace {
 
 constexpr double chart_width = 420, chart_height = 260;
-constexpr double left = 58, right = 14, top = 14, bottom = 46;
+constexpr double left = 58, right = 24, top = 14, bottom = 46;
 
 /// From one tick to another, with room for a single value.
 Axis whole_axis(double lower, double upper, double from, double to) {

@@ -107,14 +107,15 @@ Point beside_hole(const CutPart& part, const View& view, char name, const Point&
   return middle;
 }
 
-/// Letters of the holes where they are engraved, no larger than is read well, and the name where they leave it room; the title
-/// block says it anyway.
+/// Letters of the holes where they are engraved, neither larger nor smaller than is read well, and the name where they leave it room; the
+/// title block says it anyway. Those that are far too small are left out.
 void draw_labels(Sheet& sheet, const CutPart& part, const View& view, const Lettering& lettering) {
   std::vector<SheetText> letters;
   std::optional<SheetText> name;
   for (const TextShape& label : part.labels) {
-    const double height = std::min(label.height * view.scale, title_height);
-    if (height < small_text) continue;
+    const double engraved = label.height * view.scale,
+                 height = std::clamp(engraved, small_text, title_height);
+    if (engraved < 0.5 * small_text) continue;
     // The middle of the letters stays where it is.
     const Point up = as_point(std::polar(1.0, label.turn + pi / 2));
     const Point middle = view.at(label.at + 0.5 * label.height * up);

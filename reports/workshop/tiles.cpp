@@ -94,8 +94,8 @@ Sheet tile_sheet(const Draw& draw, const Grid& grid, int column, int row, Paper 
   if (row > 0) join_across(row - 1);
   if (row + 1 < grid.up.count) join_across(row);
   if (grid.count() > 1)
-    sheet.text("Tile " + name, {window.lower.x() + 18, window.upper.y() - heading_height - 1},
-               heading_height);
+    sheet.text("Tile " + name,  // under a join along the upper edge, with its crosses
+               {window.lower.x() + 18, window.upper.y() - tile_overlap - heading_height - 1}, heading_height);
   draw_ruler(sheet);
   return sheet;
 }
