@@ -66,7 +66,7 @@ void check_corner(const AuditTask& task, const CopyTolerance& tolerance, double 
   if (first_order_understates(worst, corner->worst * (1 - share_of_corner)))
     record.not_checked(key,
                        fmt::format("the file states none, and the first order understates the copy error: an "
-                                   "instrument within the tolerances has {:.6g} mm",
+                                   "instrument within the tolerances has an error of {:.6g} mm",
                                    corner->worst));
 }
 

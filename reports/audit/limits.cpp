@@ -200,11 +200,11 @@ void check_copy_error(const AuditTask& task, double limit, AuditRecord& record) 
   record.checked("limits.copy_error_mm");
   const auto& corner = task.design.quality.copy_error_at_corner;
   if (corner && *corner > limit)
-    record.not_checked(
-        "limits.copy_error_mm",
-        fmt::format("it is compared with the copy error to the first order; an instrument within the "
-                    "tolerances has {:.6g} mm",
-                    *corner));
+    record.not_checked("limits.copy_error_mm",
+                       fmt::format("beyond the first order: an instrument within the tolerances has an error "
+                                   "of {:.6g} mm, more than the "
+                                   "{:.6g} mm allowed",
+                                   *corner, limit));
   if (error->worst <= limit * (1 + share_of_rounding)) return;
   record.broken(
       {.limit = "limits.copy_error_mm",

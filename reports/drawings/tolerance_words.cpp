@@ -9,28 +9,27 @@ namespace {
 
 std::string understated_words(double worst, double at_corner, const std::optional<double>& limit) {
   std::string text = fmt::format(
-      "the worst case is of the first order, which understates it here: an instrument within the tolerances "
-      "has {:.4g} mm, "
-      "{:.0f} % more",
+      "the worst case is computed to the first order, which is too small here: an instrument within the "
+      "tolerances has an error of {:.4g} mm, {:.0f} % more",
       at_corner, 100 * (at_corner / worst - 1));
   if (limit && at_corner > *limit)
-    text +=
-        fmt::format("; it breaks limits.copy_error_mm ({:.6g} mm), which speaks of the first order", *limit);
+    text += fmt::format(
+        ", and more than limits.copy_error_mm = {:.6g} mm, which is kept to the first order alone", *limit);
   return text;
 }
 
 std::string plate_words(const PlateAtRisk& plate) {
-  const std::string from = fmt::format("with its lengths off by {:.3g} mm or more", plate.flat_from);
-  return plate.height_may_lose >= 1 ? fmt::format(
-                                          "plate {} may not exist: {} they may make no triangle; no figure "
-                                          "of the copy error holds for "
-                                          "it then",
-                                          plate.plate, from)
-                                    : fmt::format(
-                                          "plate {} may lose {:.0f} % of its height, and {} they may make no "
-                                          "triangle: figures of the "
-                                          "copy error are rough",
-                                          plate.plate, 100 * plate.height_may_lose, from);
+  if (plate.height_may_lose >= 1)
+    return fmt::format(
+        "plate {} can be impossible to make: lengths off by {:.3g} mm or more can fail to form a triangle, "
+        "and no "
+        "figure of the copy error holds then",
+        plate.plate, plate.flat_from);
+  return fmt::format(
+      "plate {} can lose {:.0f} % of its height, and lengths off by {:.3g} mm or more can fail to form a "
+      "triangle: "
+      "figures of the copy error are rough",
+      plate.plate, 100 * plate.height_may_lose, plate.flat_from);
 }
 
 }  // namespace
@@ -50,7 +49,8 @@ std::vector<std::string> tolerance_words(const Design& design) {
   }
   const auto corner = corner_error_over(design.linkage, tolerance, RegionReach(design.region));
   if (all_plates_exist && corner && !corner->closes)
-    words.push_back("an instrument within the tolerances may not close everywhere in the region");
+    words.push_back(
+        "an instrument within the tolerances was found that does not close everywhere in the region");
   return words;
 }
 

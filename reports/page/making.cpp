@@ -85,13 +85,14 @@ std::string link_rows(Link link, const Design& design, const RoundedLengths& rou
 }
 
 /// What the rounding of the lengths costs.
-std::string rounding_sentence(const RoundedLengths& rounded) {
+std::string rounding_sentence(const RoundedLengths& rounded, bool first_order_will_do) {
   std::string cost;
   if (rounded.copy_error)
     cost = fmt::format(", which moves the copy by {} at most", length_text(*rounded.copy_error, 4));
   if (rounded.with_tolerance)
-    cost += fmt::format("; made to them within the tolerances the copy is off by {} at most",
-                        length_text(*rounded.with_tolerance, 4));
+    cost += fmt::format("; made to them within the tolerances the copy is off by {} {}",
+                        length_text(*rounded.with_tolerance, 4),
+                        first_order_will_do ? "at most" : "to the first order, which is too small here");
   return fmt::format(
       "<p class=\"note\">Rounded to {}{}. The drawings and <code>design.json</code> have the exact "
       "lengths.</p>\n",
@@ -106,7 +107,8 @@ std::string length_table(const Design& design) {
 )";
   const RoundedLengths rounded = rounded_lengths(design);
   for (const Link link : all_links) html += link_rows(link, design, rounded);
-  return html + "</table></div>\n" + rounding_sentence(rounded) + assembly_sentence(design);
+  return html + "</table></div>\n" + rounding_sentence(rounded, !design.quality.copy_error_at_corner) +
+         assembly_sentence(design);
 }
 
 std::string joint_table(const Design& design) {
