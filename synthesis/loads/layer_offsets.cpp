@@ -66,7 +66,7 @@ double larger_eigenvalue(const Eigen::Matrix2d& matrix) {
 /// The most of what value(direction, rad) is over all directions; NaN if it is NaN in one that is looked at.
 template <class Value>
 double most_over_directions(const Value& value) {
-  // So finely: where another set of points bears there is a kink, and the tops of tracer and pen lie beside each other.
+  // In many parts, since the value has a kink wherever another set of points bears, and a top for the tracer and one for the pen.
   constexpr int parts = 16, steps = 40;
   const auto known = [&](double direction) {
     const double here = value(direction);

@@ -1,5 +1,5 @@
 #pragma once
-// Instruments at the limits of their tolerances, with their loops closed: no first order is in it.
+// Instruments at the limits of their tolerances, with their loops closed exactly.
 //
 // The worst case of copy_error.hpp is linear in the errors. Where tolerances are no longer small beside a link, a plate's height or the sine
 // of the opening, instruments within them may do worse. Here some of the worst are closed, each plate from its three lengths and each pin in
