@@ -7,14 +7,16 @@
 namespace kempe {
 namespace {
 
-std::string understated_words(double worst, double at_corner, const std::optional<double>& limit) {
+std::string understated_words(const Design& design) {
+  const double worst = *design.quality.copy_error_worst, at_corner = *design.quality.copy_error_at_corner;
   std::string text = fmt::format(
       "the worst case is computed to the first order, which is too small here: an instrument within the "
       "tolerances has an error of {:.4g} mm, {:.0f} % more",
       at_corner, 100 * (at_corner / worst - 1));
-  if (limit && at_corner > *limit)
+  if (breaks_copy_error_limit(design))
     text += fmt::format(
-        ", and more than limits.copy_error_mm = {:.6g} mm, which is kept to the first order alone", *limit);
+        ", and more than limits.copy_error_mm = {:.6g} mm, which is kept to the first order alone",
+        *design.limits.copy_error);
   return text;
 }
 
@@ -39,9 +41,7 @@ std::vector<std::string> tolerance_words(const Design& design) {
   const Quality& q = design.quality;
   if (!design.tolerance || !q.copy_error_worst) return words;
   const CopyTolerance tolerance = CopyTolerance::uniform(*design.tolerance);
-  if (q.copy_error_at_corner)
-    words.push_back(
-        understated_words(*q.copy_error_worst, *q.copy_error_at_corner, design.limits.copy_error));
+  if (q.copy_error_at_corner) words.push_back(understated_words(design));
   bool all_plates_exist = true;
   for (const PlateAtRisk& plate : plates_at_risk(design.linkage, tolerance)) {
     words.push_back(plate_words(plate));
@@ -52,6 +52,11 @@ std::vector<std::string> tolerance_words(const Design& design) {
     words.push_back(
         "an instrument within the tolerances was found that does not close everywhere in the region");
   return words;
+}
+
+bool breaks_copy_error_limit(const Design& design) {
+  const auto &limit = design.limits.copy_error, &found = design.quality.copy_error_at_corner;
+  return limit && found && *found > *limit;
 }
 
 }  // namespace kempe

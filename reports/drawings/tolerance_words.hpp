@@ -13,4 +13,7 @@ namespace kempe {
 /// stand alone, and without tolerances.
 std::vector<std::string> tolerance_words(const Design& design);
 
+/// Whether an instrument within the tolerances was found whose copy error exceeds limits.copy_error_mm.
+bool breaks_copy_error_limit(const Design& design);
+
 }  // namespace kempe

@@ -8,6 +8,7 @@
 
 #include "reports/drawings/bench_space.hpp"
 #include "reports/drawings/blank.hpp"
+#include "reports/drawings/tolerance_words.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/pictures/html_text.hpp"
@@ -116,6 +117,8 @@ std::string header(const Design& design, const ReportExtras& extras) {
                                                                                       : "Region not covered");
   badges += html_badge(design.verification.holds,
                        design.verification.holds ? "Verified by a general solver" : "Not verified");
+  if (breaks_copy_error_limit(design))
+    badges += html_badge(false, "An instrument can exceed the copy error's limit");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
   return fmt::format(
       "<header class=\"head\">\n<div>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"

@@ -127,7 +127,7 @@ std::string quality(const Design& design, const ReportExtras& extras) {
         "The strip that it is cut from: its farthest joints and half its width beyond each.");
   if (q.copy_error_worst)
     add("Copy error, worst case", length_text(*q.copy_error_worst, 4),
-        at_most(*q.copy_error_worst, design.limits.copy_error),
+        at_most(q.copy_error_at_corner.value_or(*q.copy_error_worst), design.limits.copy_error),
         "How far the pen can be off if all lengths and pins err in the worst direction together" +
             (q.copy_error_at_corner ? ", to the first order. An instrument within the tolerances has <b>" +
                                           length_text(*q.copy_error_at_corner, 4) + "</b>."
