@@ -139,9 +139,9 @@ struct StockBudget {
 /// Of why there is no design (diagnosis.hpp).
 struct DiagnosisBudget {
   /// Evaluations of all questions of one round: once they are spent no other search begins.
-  std::uint64_t evaluations = 3'000'000;
+  std::uint64_t evaluations = 1'700'000;
   /// What takes several times as long counts as so many: an evaluation beside obstacles, bodies or a table, one with a limit on the sag, and
-  /// one with both as their sum. So a round takes one to two minutes of one core at most, whatever the spec.
+  /// one with both as their sum. So a round takes a minute of one core at most, whatever the spec.
   std::uint64_t among_obstacles = 3, of_sag = 3;
   /// Share of them that the search for the least change of one limit may have: the other limits are to have their turn.
   double one_limit = 0.3;
