@@ -118,7 +118,7 @@ std::string header(const Design& design, const ReportExtras& extras) {
   badges += html_badge(design.verification.holds,
                        design.verification.holds ? "Verified by a general solver" : "Not verified");
   if (breaks_copy_error_limit(design))
-    badges += html_badge(false, "An instrument can exceed the copy error's limit");
+    badges += html_badge(false, "An instrument can exceed the limit on the copy error");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");
   return fmt::format(
       "<header class=\"head\">\n<div>\n<p class=\"brand\">{}</p>\n<h1>{}</h1>\n"

@@ -2,6 +2,7 @@
 // best design              prove, relax, group, search, certify (best_design.cpp)
 // search again             from other random numbers, before "no design" is said without a proof
 // improve                  while the gap to the proven bound is wide (improve.cpp)
+// corners                  where instruments break the copy error's limit: with a lower one (corner_search.cpp)
 // sections                 all of this for each of several sections (section_search.hpp)
 // robust                   where it is asked for: with limits raised until every instrument keeps them (robust_search.cpp)
 // the design, or why there is none (diagnosis.cpp), or that the time was over
@@ -11,6 +12,7 @@
 #include "synthesis/problem/local_frame.hpp"
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/best/improve.hpp"
+#include "synthesis/search/corner_search.hpp"
 #include "synthesis/search/diagnosis/diagnosis.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
 #include "synthesis/search/robust_search.hpp"
@@ -37,7 +39,7 @@ SearchTask nominal_task(const SearchTask& task) {
 
 /// Of a search with a design. `nominal`: the task without what robust designs need beyond it.
 SearchOutcome told(const SearchTask& whole, const SearchTask& nominal, SearchResult found) {
-  FoundDesign design = finished(nominal, std::move(found));
+  const FoundDesign design = kept_at_corners(nominal, finished(nominal, std::move(found)));
   if (!asks_for_robust(whole.spec())) return design;
   return make_robust(whole, design);
 }

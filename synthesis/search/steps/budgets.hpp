@@ -158,6 +158,12 @@ struct DiagnosisBudget {
   std::size_t single_obstacles = 12;  ///< looked at one by one; more of them only all together
 };
 
+/// Of designs that keep the limit on the copy error beyond the first order (corner_search.hpp).
+struct CornerBudget {
+  int rounds = 8;      ///< searches with a lower limit
+  double near = 0.01;  ///< share of the limit: a design whose copy error comes so near to it will do
+};
+
 /// Of robust designs (robust_search.hpp).
 struct RobustBudget {
   int rounds = 10;      ///< searches with raised limits, of one transmission limit
@@ -192,6 +198,7 @@ struct SearchBudgets {
   ImproveBudget improve{};
   StockBudget stock{};
   DiagnosisBudget diagnosis{};
+  CornerBudget corner{};
   RobustBudget robust{};
   TimeShares time{};
 };

@@ -1,0 +1,62 @@
+// For a limit of the first order, l, the search's best design has instruments with copy errors up to q(l) l. As q changes little with l, the
+// limit asked for is met by dividing it by the last design's q, kept between the largest l known to keep it and the smallest known not to.
+
+#include "synthesis/search/corner_search.hpp"
+
+#include "synthesis/search/best/best_design.hpp"
+#include "synthesis/search/best/improve.hpp"
+#include "synthesis/tolerance/corner_error.hpp"
+
+namespace kempe {
+namespace {
+
+/// The copy error, mm: of the worst instrument found where the first order understates it, else to the first order. Nothing without a limit.
+std::optional<double> copy_error_of(const SearchTask& task, const FoundDesign& design) {
+  const Spec& spec = task.spec();
+  if (!task.limits.copy_error || !spec.tolerance) return std::nullopt;
+  const auto corner = corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance),
+                                        RegionReach(spec.region));
+  const double first_order = design.attained.copy_error;
+  return corner && first_order_understates(first_order, corner->worst) ? corner->worst : first_order;
+}
+
+std::optional<FoundDesign> found_with(const SearchTask& task, double copy_error, std::uint64_t& evaluations) {
+  SearchTask lower = task.with(task.control.silent_part());
+  lower.limits.copy_error = copy_error;
+  SearchResult found = best_design(lower);
+  if (found.design) found = improved(lower, std::move(found));
+  evaluations += found.evaluations;
+  return std::move(found.design);
+}
+
+}  // namespace
+
+FoundDesign kept_at_corners(const SearchTask& task, const FoundDesign& found) {
+  std::optional<double> error = copy_error_of(task, found);
+  if (!error || *error <= *task.limits.copy_error) return found;
+  const double limit = *task.limits.copy_error;
+  const CornerBudget& budget = task.budgets().corner;
+  std::optional<FoundDesign> best;
+  std::uint64_t evaluations = found.evaluations;
+  double keeps = 0, breaks = found.attained.copy_error, understated = *error / breaks;
+  for (int round = 0; round < budget.rounds && breaks - keeps > budget.near * limit && !task.stopped(); ++round) {
+    const double towards = (1 - 0.5 * budget.near) * limit / understated;
+    const double lower = towards > keeps && towards < breaks ? towards : 0.5 * (keeps + breaks);
+    const auto design = found_with(task, lower, evaluations);
+    if (design) error = copy_error_of(task, *design);
+    (design && *error > limit ? breaks : keeps) = lower;
+    if (!design) continue;  // too low a limit
+    understated = *error / design->attained.copy_error;
+    if (*error > limit) continue;
+    keep_better(task.goal, *design, best);
+    if (*error >= (1 - budget.near) * limit) break;
+  }
+  FoundDesign kept = best.value_or(found);
+  kept.proven_bound = found.proven_bound;
+  kept.evaluations = evaluations;
+  kept.seed = found.seed;
+  kept.complete = found.complete && !task.stopped();
+  return kept;
+}
+
+}  // namespace kempe
