@@ -11,9 +11,9 @@
 #include "specs/spec_check.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/diagnosis/plain_reasons.hpp"
-#include "synthesis/search/front_fault.hpp"
 #include "synthesis/search/pareto.hpp"
 #include "synthesis/search/search.hpp"
+#include "synthesis/search/search_faults.hpp"
 
 namespace kempe {
 namespace {
@@ -77,7 +77,9 @@ std::optional<InputError> front_question_fault(const Spec& spec, Objective first
 
 Outcome design(const Spec& spec, const Options& options) {
   const auto checked = check_spec(spec);
-  return checked ? design_checked(*checked, options) : Workings::outcome(checked.error());
+  if (!checked) return Workings::outcome(checked.error());
+  if (auto fault = search_fault(*checked)) return Workings::outcome(*std::move(fault));
+  return design_checked(*checked, options);
 }
 
 Outcome map(const Spec& spec, const Options& options) {

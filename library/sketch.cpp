@@ -7,6 +7,7 @@
 #include "kinematics/deadline.hpp"
 #include "library/workings.hpp"
 #include "specs/spec_check.hpp"
+#include "synthesis/search/search_faults.hpp"
 #include "synthesis/search/sketch.hpp"
 
 namespace kempe {
@@ -55,7 +56,9 @@ std::variant<Pose, Unreachable> Sketch::pose_with_tracer_at(const Point& tracer)
 }
 
 Sketch sketch(const Spec& spec, const Sketch& previous, const Options& options) {
-  const auto checked = check_spec(spec);
+  auto checked = check_spec(spec);
+  if (checked)
+    if (auto fault = search_fault(*checked)) checked = tl::unexpected(*std::move(fault));
   if (!checked) {
     SketchedDesign none{.last = previous.inside_->last, .count = previous.inside_->count};
     Sketch faulty(std::make_shared<const SketchedDesign>(std::move(none)));

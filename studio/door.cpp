@@ -15,6 +15,7 @@
 #include "specs/materials.hpp"
 #include "specs/spec_reader.hpp"
 #include "studio/enclosure.hpp"
+#include "synthesis/search/search_faults.hpp"
 #include "synthesis/search/sketch.hpp"
 
 namespace kempe::studio {
@@ -300,6 +301,7 @@ std::string Door::ask(std::string_view question, const std::string& argument, co
     if (!spec) return faults(spec.error());
     if (question == "validate") return {{"kind", "task"}, {"task", task(*spec)}};
     if (question == "region") return {{"kind", "region"}, {"polygons", whole(spec->region)}};
+    if (question == "sketch" && search_fault(*spec)) return faults(*search_fault(*spec));
     if (question == "sketch") return answer_to_sketch(*spec, asked, memory_->sketch);
     if (question != "design" && question != "map") return {{"error", "no such question"}};
     Options options;

@@ -13,6 +13,7 @@
 #include "specs/spec_reader.hpp"
 #include "specs/text/json_text.hpp"
 #include "synthesis/design/assemble.hpp"
+#include "synthesis/search/search_faults.hpp"
 #include "synthesis/verification/verification.hpp"
 
 namespace kempe::app {
@@ -62,9 +63,10 @@ std::string in_one_line(const InputError& error) {
 std::string batch_result(const BatchTask& task, const SearchOptions& given) {
   Json line{{"name", task.name}};
   const auto read = task_spec(task);
-  if (!read) {
+  const std::optional<InputError> fault = read ? search_fault(read->spec) : read.error();
+  if (fault) {
     line["status"] = "bad input";
-    line["message"] = in_one_line(read.error());
+    line["message"] = in_one_line(*fault);
     return line_of(line);
   }
   const Spec& spec = read->spec;

@@ -20,7 +20,7 @@
 #include "reports/front_folder.hpp"
 #include "specs/text/printable.hpp"
 #include "synthesis/design/assemble.hpp"
-#include "synthesis/search/front_fault.hpp"
+#include "synthesis/search/search_faults.hpp"
 
 namespace kempe::app {
 namespace {

@@ -18,6 +18,7 @@
 #include "app/words.hpp"
 #include "synthesis/design/assemble.hpp"
 #include "synthesis/search/search.hpp"
+#include "synthesis/search/search_faults.hpp"
 
 namespace kempe::app {
 namespace {
@@ -48,6 +49,10 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
   const auto loaded = arguments.batch_source.empty() ? load_spec(session, arguments.spec_file)
                                                      : spec_of_batch(arguments.batch_source, arguments.only);
   if (!loaded) return fail(session, loaded.error());
+  if (auto fault = search_fault(loaded->spec)) {
+    fault->file = loaded->file;
+    return fail(session, *fault);
+  }
   const auto studio = studio_page_if(arguments.studio, *loaded);
   if (!studio) return fail(session, failed, studio.error());
   const Stopping stopping(deadline);

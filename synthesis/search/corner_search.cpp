@@ -14,8 +14,8 @@ namespace {
 std::optional<double> copy_error_of(const SearchTask& task, const FoundDesign& design) {
   const Spec& spec = task.spec();
   if (!task.limits.copy_error || !spec.tolerance) return std::nullopt;
-  const auto corner = corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance),
-                                        RegionReach(spec.region));
+  const auto corner =
+      corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance), RegionReach(spec.region));
   const double first_order = design.attained.copy_error;
   return corner && first_order_understates(first_order, corner->worst) ? corner->worst : first_order;
 }
@@ -39,7 +39,8 @@ FoundDesign kept_at_corners(const SearchTask& task, const FoundDesign& found) {
   std::optional<FoundDesign> best;
   std::uint64_t evaluations = found.evaluations;
   double keeps = 0, breaks = found.attained.copy_error, understated = *error / breaks;
-  for (int round = 0; round < budget.rounds && breaks - keeps > budget.near * limit && !task.stopped(); ++round) {
+  for (int round = 0; round < budget.rounds && breaks - keeps > budget.near * limit && !task.stopped();
+       ++round) {
     const double towards = (1 - 0.5 * budget.near) * limit / understated;
     const double lower = towards > keeps && towards < breaks ? towards : 0.5 * (keeps + breaks);
     const auto design = found_with(task, lower, evaluations);

@@ -6,7 +6,7 @@
 
 namespace kempe {
 
-/// The best design for a spec. Guarantees:
+/// The best design for a spec without a search_fault(). Guarantees:
 ///  1. a design returned keeps every limit of the spec, evaluated anew and its contact certified;
 ///  2. the same spec, seed and budgets give the same outcome, bit for bit, for any number of threads (unless stopped early);
 ///  3. what comes back after a stop is marked as incomplete, and NoDesign comes back only where the whole search found

@@ -1,5 +1,5 @@
 #pragma once
-// What fronts ask of a spec.
+// What searches and fronts ask of a spec beyond what its reader does.
 
 #include <optional>
 
@@ -8,8 +8,16 @@
 
 namespace kempe {
 
+/// A spec without a region, which a map alone can do without; without file and line.
+inline std::optional<InputError> search_fault(const Spec& spec) {
+  if (!spec.region.empty()) return std::nullopt;
+  return InputError{"", 0, "region", "nothing",
+                    "a region for a design; kempe workspace maps a [mechanism] without one"};
+}
+
 /// What the two objectives of a front need and the spec does not have, or what fronts do not know; without file and line.
 inline std::optional<InputError> front_fault(const Spec& spec, Objective first, Objective second) {
+  if (auto fault = search_fault(spec)) return fault;
   const auto seeks = [&](Objective one) { return first == one || second == one; };
   const auto no_table = [](const char* table, const char* allowed) {
     return InputError{"", 0, table, "no such table", allowed};
