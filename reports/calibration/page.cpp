@@ -65,7 +65,7 @@ std::string key_figures(const CalibrationRecord& record) {
   if (record.rounds.empty()) return {};
   const RoundRecord& last = record.rounds.back();
   std::string html = html_key_figure("Largest departure", length_text(last.departure_largest), "as read");
-  html += html_key_figure("Left over", length_text(last.residual), "once the corrections are set");
+  html += html_key_figure("Left of the readings", length_text(last.residual), "by the instrument as fitted");
   html += html_key_figure("Target", length_text(record.measurements.fit.target), "");
   html += html_key_figure("Uncertainty of a reading", length_text(record.calibration.noise, 4),
                           std::string(name(record.calibration.noise_source)));

@@ -33,7 +33,7 @@ std::string departure_lines(const CalibrationRecord& record) {
   std::string text =
       fmt::format("copy error   {:.3f} mm at most as read: {} the target of {:.6g} mm\n",
                   record.rounds.back().departure_largest, record.reached ? "within" : "above", target);
-  text += fmt::format("             {:.3f} mm at most once the corrections are set\n",
+  text += fmt::format("             the instrument as fitted comes within {:.3f} mm of every reading\n",
                       record.rounds.back().residual);
   return text;
 }
@@ -97,8 +97,18 @@ std::string undetermined_lines(const CalibrationRecord& record) {
   return text;
 }
 
+/// Where nothing tells the readings' uncertainty.
+std::string assumed_noise_lines(const CalibrationRecord& record) {
+  if (record.calibration.noise_source != NoiseSource::assumed) return {};
+  return fmt::format(
+      "assumed      readings are uncertain by {:g} mm: nothing is stated (fit.reading_uncertainty_mm), and "
+      "so few "
+      "readings leave\n             nothing to estimate it from; the 95 % hold only if that is so\n",
+      record.calibration.noise);
+}
+
 std::string fit_lines(const CalibrationRecord& record) {
-  std::string text;
+  std::string text = assumed_noise_lines(record);
   bool any_outlier = false;
   for (const ReadingRecord& one : record.readings) {
     if (!one.fit.outlier) continue;
