@@ -228,9 +228,11 @@ std::string loads_lines(const Design& design) {
         design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
         loads->error_max, loads->error_min);
     text += fmt::format(
-        "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, {} bears {:.3g} MPa in the "
-        "plane\n",
-        loads->hand_force_max, loads->pin_force_max, design.material->name, loads->stress_max);
+        "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, the links are stressed to "
+        "{:.3g} MPa in the "
+        "plane; {} bears {:.3g} MPa\n",
+        loads->hand_force_max, loads->pin_force_max, loads->stress_max, design.material->name,
+        design.material->strength);
   }
   if (design.quality.mass)
     text += fmt::format("mass         {:.4g} kg: the four links of {}\n", *design.quality.mass,

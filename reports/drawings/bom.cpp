@@ -7,6 +7,7 @@
 
 #include "reports/drawings/blank.hpp"
 #include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/mounting_words.hpp"
 #include "reports/drawings/spacers.hpp"
 #include "reports/drawings/tool_words.hpp"
 #include "specs/text/printable.hpp"
@@ -38,7 +39,8 @@ std::string sawn(double length) {
 }
 
 /// "draws the copy with a cutter of 6 mm, carries router".
-std::string use_of(const Design& design, Joint joint) {
+std::string use_of(const Design& design, const JointStack& stack) {
+  const Joint joint = stack.joint;
   if (joint == design.linkage.pole_joint()) return "fixed in the table";
   const bool is_tracer = joint == design.linkage.tracer_joint();
   std::string text = is_tracer ? "follows the original" : "draws the copy";
@@ -48,8 +50,11 @@ std::string use_of(const Design& design, Joint joint) {
   if (radius && *radius > 0)
     text += fmt::format(" with a {} of {:.6g} mm", is_tracer ? "follower" : "cutter", 2 * *radius);
   for (std::size_t i = 0; i < design.bodies.size(); ++i)
-    if (joint_of(design.bodies[i].at, design.linkage) == joint)
+    if (joint_of(design.bodies[i].at, design.linkage) == joint) {
       text += ", carries " + printable(body_name(design.bodies, i));
+      if (const double above = height_above(design, design.bodies[i], stack); above > 0)
+        text += fmt::format(" {:.6g} mm above its end", above);
+    }
   if (const std::string offset = template_words(design.tool); is_tracer && !offset.empty())
     text += "; " + offset;
   return text;
@@ -105,7 +110,7 @@ class Bill {
                       .diameter = stack.diameter,
                       .length = stack.grip() + (stack.is_post ? raised_ : 0),
                       .remark = stack.is_post ? fmt::format("through {} down to the table, {}",
-                                                            links_of(stack), use_of(design_, stack.joint))
+                                                            links_of(stack), use_of(design_, stack))
                                               : "joins " + links_of(stack) + made_of(stack)});
     for (const Spacer& spacer : spacers) add_spacer(spacer);
   }

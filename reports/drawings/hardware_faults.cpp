@@ -16,6 +16,12 @@
 namespace kempe {
 namespace {
 
+/// "comes within 0.30 mm of link VA", "hits link VA, by up to 0.30 mm", or where the overlap is not known (0) "hits link VA"; `gap` in mm.
+std::string nearness_words(double gap, const std::string& what) {
+  if (gap > 0) return fmt::format("comes within {:.2f} mm of {}", gap, what);
+  return "hits " + what + (gap < 0 ? fmt::format(", by up to {:.2f} mm", -gap) : "");
+}
+
 /// How far a stack's head, washers or nut reach from its axis in heights that an item of another shares, and that item.
 std::optional<std::string> meeting(const Design& design, const JointStack& one, const JointStack& other) {
   const double apart = least_distance(design, one.joint, other.joint, openings_to_show(design));
@@ -43,14 +49,18 @@ void tell_links_beside(const Design& design, const JointStack& stack, std::vecto
     for (const Link link : all_links) {
       const int layer = design.layers[link];
       if (!overlap({item.from, item.to}, heights_of(layer, design.style.thickness))) continue;
-      const double gap =
-          distance_from_link(design, stack.joint, link, openings_to_show(design)) - 0.5 * item.diameter;
+      const auto gap_over = [&](const OpeningInterval& openings) {
+        return distance_from_link(design, stack.joint, link, openings) - 0.5 * item.diameter;
+      };
+      const double in_region = gap_over(openings_over_region(design)),
+                   anywhere = gap_over(openings_to_show(design));
+      const bool outside_alone = in_region >= design.limits.clearance;
+      const double gap = outside_alone ? anywhere : in_region;
       if (gap < design.limits.clearance)
-        faults.push_back(
-            fmt::format("{}: {} of {:.9g} mm stands in layer {} and comes within {:.2f} mm of link {}; "
-                        "clearance is {:.9g} mm",
-                        stack.name, item.name, item.diameter, layer, std::max(gap, 0.0), name(link),
-                        design.limits.clearance));
+        faults.push_back(fmt::format(
+            "{}: {} of {:.9g} mm stands in layer {} and {}{}; clearance is {:.9g} mm", stack.name, item.name,
+            item.diameter, layer, nearness_words(gap, fmt::format("link {}", name(link))),
+            outside_alone ? ", with the tracer outside the region" : "", design.limits.clearance));
     }
 }
 
@@ -99,10 +109,10 @@ void tell_obstacles_beside(const Design& design, const JointStack& stack, double
       for (const Pose& pose : poses)
         gap = std::min(gap, distance(Region{{obstacle.shape}}, pose[stack.joint]) - 0.5 * item.diameter);
       if (gap < design.limits.clearance)
-        faults.push_back(
-            fmt::format("{}: {} of {:.9g} mm comes within {:.2f} mm of {}; clearance is {:.9g} mm",
-                        stack.name, item.name, item.diameter, std::max(gap, 0.0),
-                        printable(obstacle_name(design.obstacles, i)), design.limits.clearance));
+        faults.push_back(fmt::format(
+            "{}: {} of {:.9g} mm {}; clearance is {:.9g} mm", stack.name, item.name, item.diameter,
+            nearness_words(std::max(gap, 0.0), printable(obstacle_name(design.obstacles, i))),
+            design.limits.clearance));
     }
   }
 }

@@ -6,13 +6,17 @@
 
 #include "reports/drawings/hardware_faults.hpp"
 #include "reports/drawings/joint_stack.hpp"
+#include "reports/drawings/mounting_words.hpp"
+#include "reports/drawings/overload_words.hpp"
 #include "reports/drawings/spacers.hpp"
 #include "specs/hardware.hpp"
 
 namespace kempe {
 
 std::vector<std::string> making_notes(const Design& design) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = overload_words(design);
+  for (std::string& fault : hardware_faults(design)) notes.push_back(std::move(fault));
+  for (std::string& words : mounting_words(design)) notes.push_back(std::move(words));
   const LinkStyle& style = design.style;
   std::array<double, 6> pins{};
   std::string thinner;  // joints
@@ -38,7 +42,6 @@ std::vector<std::string> making_notes(const Design& design) {
     for (const Spacer& spacer : spacers)
       if (const std::string words = words_on(spacer); !words.empty())
         notes.push_back(spacer.name + ": " + words);
-  for (std::string& fault : hardware_faults(design)) notes.push_back(std::move(fault));
   return notes;
 }
 

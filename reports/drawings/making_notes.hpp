@@ -8,7 +8,7 @@
 
 namespace kempe {
 
-/// A sentence each: holes drawn no wider than their pins; what hardware_faults() finds.
+/// A sentence each, what breaks or hits first: what overload_words(), hardware_faults() and mounting_words() find; holes drawn no wider than their pins; spacers.
 std::vector<std::string> making_notes(const Design& design);
 
 }  // namespace kempe

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "reports/drawings/overload_words.hpp"
 #include "reports/page/charts.hpp"
 #include "reports/page/error_pictures.hpp"
 #include "reports/page/html_table.hpp"
@@ -155,13 +156,24 @@ std::string what_helps(const ErrorBudget& budget) {
          ".</p>\n";
 }
 
+/// What breaks, buckles or bends beyond small bending, before all else.
+std::string overload(const Design& design) {
+  std::string html;
+  for (const std::string& words : overload_words(design))
+    html += "<li><b class=\"bad\">" + html_escaped(words) + "</b></li>";
+  return html.empty() ? html : "<ul>" + html + "</ul>\n";
+}
+
 std::string verdict(const Design& design, const ErrorBudget& budget) {
-  return "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) + "</p>\n" +
-         what_helps(budget);
+  return overload(design) + "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) +
+         "</p>\n" + what_helps(budget);
 }
 
 std::string share_of_strength(double stress, double strength, const std::string& material) {
-  if (!std::isfinite(stress)) return "the hole leaves nothing";
+  if (!std::isfinite(stress)) return "<b class=\"bad\">the hole leaves nothing</b>";
+  if (stress > strength)
+    return fmt::format("<b class=\"bad\">{} MPa; {} bears {}</b>", figure_text(stress, 1), material,
+                       figure_text(strength, 1));
   const double times = strength / stress;
   if (times > 10000)
     return fmt::format("{} MPa; {} bears more than {} times as much", figure_text(stress, 2), material,
@@ -173,7 +185,6 @@ std::string share_of_strength(double stress, double strength, const std::string&
 struct WorstForces {
   PinForces pins;
   LinkStresses stresses;
-  double push = 0;  ///< N for each newton, in either bar
 };
 
 WorstForces worst_forces(const Design& design, const OpeningInterval& openings) {
@@ -195,7 +206,6 @@ WorstForces worst_forces(const Design& design, const OpeningInterval& openings) 
                   .VB = worst([&](double d) { return stresses(d).VB; }),
                   .ACX = worst([&](double d) { return stresses(d).ACX; }),
                   .BCY = worst([&](double d) { return stresses(d).BCY; })};
-  all.push = std::max(all.pins.A, all.pins.B);
   return all;
 }
 
@@ -213,10 +223,10 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
                                     std::pair{"Link ACX", stress.ACX}, std::pair{"Link BCY", stress.BCY}})
     rows.push_back(
         {link, "", share_of_strength(force * value, strength, html_escaped(design.material->name))});
-  const double longest = std::max(design.linkage.VA(), design.linkage.VB());
+  const double push = largest_push_in_bars(design), buckling = buckling_load_of_bars(design);
+  const std::string bears = "buckle at " + force_words(buckling);
   rows.push_back(
-      {"Bars, pushed", force_words(force * worst.push),
-       fmt::format("buckle at {}", force_words(buckling_load(design.style, *design.material, longest)))});
+      {"Bars, pushed", force_words(push), push > buckling ? "<b class=\"bad\">" + bears + "</b>" : bears});
   return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows);
 }
 

@@ -8,6 +8,8 @@
 
 #include "reports/drawings/bench_space.hpp"
 #include "reports/drawings/blank.hpp"
+#include "reports/drawings/hardware_faults.hpp"
+#include "reports/drawings/overload_words.hpp"
 #include "reports/drawings/tolerance_words.hpp"
 #include "reports/page/html_page.hpp"
 #include "reports/page/html_table.hpp"
@@ -117,6 +119,8 @@ std::string header(const Design& design, const ReportExtras& extras) {
                                                                                       : "Region not covered");
   badges += html_badge(design.verification.holds,
                        design.verification.holds ? "Verified by a general solver" : "Not verified");
+  if (!overload_words(design).empty()) badges += html_badge(false, "Does not bear its load");
+  if (!hardware_faults(design).empty()) badges += html_badge(false, "Hardware does not fit: see the parts");
   if (breaks_copy_error_limit(design))
     badges += html_badge(false, "An instrument can exceed the limit on the copy error");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");

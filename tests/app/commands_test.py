@@ -293,6 +293,21 @@ class BadInput(Case):
                 run = self.synthesize(TEN_LINES.replace(old, new[0]))
                 self.assertRefused(run, 2, "spec.toml:", new[1])
 
+    def test_readings_as_few_as_the_unknowns_say_what_their_intervals_assume(self):
+        knight = EXAMPLES / "calibration" / "knight.toml"
+        answer = kempe("calibrate", knight)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("assumed      readings are uncertain by 0.01 mm", answer.stdout)
+        stated = self.spec(knight.read_text() + "\n[fit]\nreading_uncertainty_mm = 0.05\n", "stated.toml")
+        self.assertNotIn("assumed", kempe("calibrate", stated).stdout)
+
+    def test_a_design_needs_a_region_also_beside_a_mechanism(self):
+        mapped = '[copy]\nscale = 0.3\n[mechanism]\nvertex = "pole"\nVA_mm = 90\nVB_mm = 60\n'
+        spec = self.spec(mapped, "mapped.toml")
+        self.assertRefused(kempe("synthesize", spec, "-o", self.scratch / "out"), 2, "mapped.toml: region: found nothing", "kempe workspace")
+        self.assertRefused(kempe("pareto", spec, "--between", "size,transmission", "-o", self.scratch / "out"), 2, "region: found nothing")
+        self.assertEqual(kempe("workspace", spec, "-o", self.scratch / "mapped").returncode, 0)
+
     def test_ratio_one_without_rotation_is_no_mechanism(self):
         run = self.synthesize(TEN_LINES.replace("1.4", "1").replace("90", "0"))
         self.assertRefused(run, 2, "copy")

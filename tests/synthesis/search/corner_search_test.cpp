@@ -22,8 +22,8 @@ std::optional<FoundDesign> found_for(const Spec& spec, int rounds) {
 /// The worst instrument's copy error, where the first order does not tell it; else that of the first order. mm.
 double copy_error_told(const Spec& spec, const FoundDesign& design) {
   const double first_order = design.attained.copy_error;
-  const auto corner = corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance),
-                                        RegionReach(spec.region));
+  const auto corner =
+      corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance), RegionReach(spec.region));
   return corner && first_order_understates(first_order, corner->worst) ? corner->worst : first_order;
 }
 

@@ -1,0 +1,64 @@
+#include "reports/drawings/overload_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "synthesis/loads/gravity.hpp"
+#include "synthesis/loads/link_forces.hpp"
+#include "synthesis/loads/strength.hpp"
+#include "synthesis/loads/top_over.hpp"
+#include "workspace/reach.hpp"
+
+namespace kempe {
+namespace {
+
+/// Share of the longest bar or arm: beams that bend by more no longer do so in proportion to their load.
+constexpr double small_bending = 0.1;
+
+double longest_length(const CopyingLinkage& linkage) {
+  double longest = 0;
+  for (const double length : linkage.lengths().values()) longest = std::max(longest, length);
+  return longest;
+}
+
+}  // namespace
+
+double largest_push_in_bars(const Design& design) {
+  const auto openings = openings_over(design.linkage, design.region);
+  if (!design.load || !openings) return 0;
+  const CopyingLinkage& linkage = design.linkage;
+  const auto push = [&](double opening) {
+    const PinForces forces = pin_forces(linkage.k(), linkage.grounding(), opening);
+    return std::max(forces.A, forces.B);
+  };
+  return most_force_at_pen(*design.load) * push(top_over(*openings, push));
+}
+
+double buckling_load_of_bars(const Design& design) {
+  return buckling_load(design.style, *design.material, std::max(design.linkage.VA(), design.linkage.VB()));
+}
+
+std::vector<std::string> overload_words(const Design& design) {
+  std::vector<std::string> words;
+  if (!design.load || !design.material || !design.quality.loads) return words;
+  const Material& material = *design.material;
+  const double stress = design.quality.loads->stress_max;
+  if (!(stress <= material.strength))
+    words.push_back(fmt::format("the links break: they are stressed to {:.3g} MPa, and {} bears {:.3g} MPa",
+                                stress, material.name, material.strength));
+  const double push = largest_push_in_bars(design), buckling = buckling_load_of_bars(design);
+  if (push > buckling)
+    words.push_back(fmt::format("the bars buckle: they are pushed with {:.3g} N, and {:.3g} N are enough to buckle them", push,
+                                buckling));
+  const double bent = std::max({design.quality.loads->error_max, design.quality.sag.value_or(0),
+                                design.quality.layered ? design.quality.layered->error_max : 0});
+  if (bent > small_bending * longest_length(design.linkage))
+    words.push_back(fmt::format(
+        "the links bend by {:.3g} mm, more than a tenth of their length: figures of load error and sag hold for "
+        "small bending, so take them as far too much",
+        bent));
+  return words;
+}
+
+}  // namespace kempe

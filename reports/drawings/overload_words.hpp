@@ -1,0 +1,22 @@
+#pragma once
+// Whether the instrument bears its load, in words for summary, report and workshop.
+
+#include <string>
+#include <vector>
+
+#include "synthesis/design/design.hpp"
+
+namespace kempe {
+
+/// N: the largest push in either bar under the load, over the openings that the region uses; 0 without a load or where the region is
+/// not reached.
+double largest_push_in_bars(const Design& design);
+
+/// N: the push at which the longer bar buckles. Of a design with a material.
+double buckling_load_of_bars(const Design& design);
+
+/// A sentence each: links stressed beyond the material's strength; bars pushed beyond their buckling load; bending so large that figures of
+/// small bending are no longer right. Empty where the instrument bears its load, and without a load.
+std::vector<std::string> overload_words(const Design& design);
+
+}  // namespace kempe
