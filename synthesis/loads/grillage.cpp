@@ -194,6 +194,39 @@ Grillage::Tilted Grillage::tilted_by(const Eigen::MatrixXd& couples) const {
   return {moved.topRows(joints_), std::move(held), moved.middleRows(joints_, couples.rows()) / scale_};
 }
 
+Eigen::MatrixXd beam_moments(const GrillagePlan& plan, const Eigen::MatrixXd& rises,
+                             const Eigen::MatrixXd& slopes, bool weighs) {
+  // The movements are exact for loads that differ from the true ones by some units in the last place of what the beams' ends add up.
+  constexpr double units_lost = 16, largest_share = 1e-6;
+  const Eigen::Index columns = rises.cols();
+  Eigen::MatrixXd moments(3 * static_cast<Eigen::Index>(plan.beams.size()), columns);
+  Eigen::RowVectorXd added = Eigen::RowVectorXd::Zero(columns);
+  for (std::size_t i = 0; i < plan.beams.size(); ++i) {
+    const GrillageBeam& beam = plan.beams[i];
+    const Complex way = plan.place(beam.to) - plan.place(beam.from);
+    const double length = std::abs(way);
+    const Eigen::RowVector2d along(way.real() / length, way.imag() / length), across(-along[1], along[0]);
+    const auto slope = [&](int node, const Eigen::RowVector2d& axis) -> Eigen::RowVectorXd {
+      return axis * slopes.middleRows<2>(2 * Eigen::Index{node});
+    };
+    const Eigen::RowVectorXd low = rises.row(plan.joint(beam.from)) / length,
+                             high = rises.row(plan.joint(beam.to)) / length, begin = slope(beam.from, along),
+                             end = slope(beam.to, along);
+    const double stiffness = beam.bending / length, own = weighs ? beam.weight * length * length / 12 : 0;
+    const auto row = 3 * static_cast<Eigen::Index>(i);
+    moments.row(row) = (stiffness * (6 * (high - low) - 4 * begin - 2 * end)).array() - own;
+    moments.row(row + 1) = (stiffness * (2 * begin + 4 * end - 6 * (high - low))).array() - own;
+    moments.row(row + 2) = beam.torsion / length * (slope(beam.to, across) - slope(beam.from, across));
+    added = added.cwiseMax(
+        stiffness * (6 * (high.cwiseAbs() + low.cwiseAbs()) + 4 * begin.cwiseAbs() + 4 * end.cwiseAbs()));
+  }
+  for (Eigen::Index column = 0; column < columns; ++column)
+    if (!(units_lost * std::numeric_limits<double>::epsilon() * added[column] <=
+          largest_share * moments.col(column).cwiseAbs().maxCoeff()))
+      moments.col(column).setConstant(std::numeric_limits<double>::quiet_NaN());
+  return moments;
+}
+
 NearbyDrop::NearbyDrop(const Grillage& grillage, int joint, double tilt) : grillage_(grillage) {
   const Eigen::Index size = grillage.balance_.cols();
   Eigen::VectorXd push = Eigen::VectorXd::Zero(size), moments = Eigen::VectorXd::Zero(size);

@@ -106,6 +106,13 @@ class Grillage {
   Eigen::VectorXd weights_;
 };
 
+/// What bends and twists the beams of a plan that stands so, N mm; for each column of `rises` (a row a joint) and `slopes` (two a node) one,
+/// three rows a beam: bending at `from` and at `to`, E I times the curvature of the rise, positive where it is bent upwards, and twist.
+/// Between the ends bending is a straight line, and where it `weighs` (it moved by its weight, q a mm) q L^2 x (1 - x) / 2 more at x of its
+/// length L. A column that rounding leaves less than six digits of its largest moment is NaN.
+Eigen::MatrixXd beam_moments(const GrillagePlan& plan, const Eigen::MatrixXd& rises,
+                             const Eigen::MatrixXd& slopes, bool weighs);
+
 /// How far a joint of a grillage drops, by weight and by a tilt of every pin the worst way, in grillages that differ a little from this one:
 /// the same links, pins and props at slightly other places. Exact to first order (adjoint method): one solution gives the slopes by
 /// every variable.

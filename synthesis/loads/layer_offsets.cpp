@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "specs/hardware.hpp"
+#include "synthesis/loads/link_arms.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/loads/steel.hpp"
 #include "synthesis/loads/top_over.hpp"
@@ -63,11 +64,14 @@ double larger_eigenvalue(const Eigen::Matrix2d& matrix) {
   return mean + std::hypot(0.5 * (matrix(0, 0) - matrix(1, 1)), 0.5 * (matrix(0, 1) + matrix(1, 0)));
 }
 
+/// In how many parts of a turn a value is looked for: many where it has a kink wherever another set of points bears, and a top for the
+/// tracer and one for the pen; a few where it is the largest of figures that each have two tops.
+constexpr int parts_with_contacts = 16, parts_without = 4;
+
 /// The most of what value(direction, rad) is over all directions; NaN if it is NaN in one that is looked at.
 template <class Value>
-double most_over_directions(const Value& value) {
-  // In many parts, since the value has a kink wherever another set of points bears, and a top for the tracer and one for the pen.
-  constexpr int parts = 16, steps = 40;
+double most_over_directions(const Value& value, int parts = parts_with_contacts) {
+  constexpr int steps = 40;
   const auto known = [&](double direction) {
     const double here = value(direction);
     return std::isfinite(here) ? here : infinity;
@@ -78,12 +82,53 @@ double most_over_directions(const Value& value) {
   return std::isfinite(most) ? most : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// What a force F on the pen does in the plane to a beam of the plan, as vectors w of link_forces.hpp for F.
+struct PieceLines {
+  Link link;
+  double own_weight;                 ///< of PieceForces
+  Complex pull = 0;                  ///< N
+  std::array<Complex, 2> bending{};  ///< N mm, at both ends
+};
+
+/// The force on a plate at one of its joints.
+const ArmForce& force_at(const LinkForces& forces, Link link, Joint joint) {
+  if (joint == Joint::C) return link == Link::ACX ? forces.C_of_ACX : forces.C_of_BCY;
+  if (link == Link::ACX) return joint == Joint::A ? forces.A : forces.X;
+  return joint == Joint::B ? forces.B : forces.Y;
+}
+
+/// Of all beams of a plan at an opening, in their order.
+std::vector<PieceLines> piece_lines(const GrillagePlan& plan, Complex shape, Complex factor, double opening) {
+  const LinkForces forces = link_forces(shape, opening);
+  std::vector<PieceLines> lines;
+  for (const Link link : all_links) {
+    const std::vector<LinkArm> arms = arms_of(link, shape);
+    const std::array<Joint, 2> far_ends = ends_of(arms);
+    for (std::size_t arm = 0; arm < arms.size(); ++arm) {
+      const GrillageBeam& beam = plan.beams[lines.size()];
+      const double length = std::abs(plan.place(beam.to) - plan.place(beam.from));
+      PieceLines piece{link, 0.5 * beam.weight * length * length};
+      if (arms.size() == 1) {
+        piece.pull = factor * (link == Link::VA ? forces.bar_VA : forces.bar_VB);
+      } else {
+        const ArmForce& force = force_at(forces, link, far_ends[arm]);
+        piece.pull = factor * force.along;
+        piece.bending[arms[arm].from == far_ends[arm] ? 1 : 0] = factor * length * force.across;
+      }
+      lines.push_back(piece);
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 /// How the linkage answers while a given set of points bears on the table; rows of two: tracer, pen.
 struct LayeredErrorProfile::Bent {
   Eigen::Matrix2d compliance, rises, reactions;                    ///< mm/N, mm/N and N/N, by the force
   Eigen::Vector2d weighed_give, weighed_rises, weighed_reactions;  ///< mm, mm and N, by the weights
+  Eigen::MatrixX2d moments;                                        ///< N mm/N, of beam_moments, by the force
+  Eigen::VectorXd weighed_moments;                                 ///< N mm, by the weights
 
   Eigen::Vector2d give_at(const Point& force) const { return weighed_give + compliance * force; }
   Eigen::Vector2d rises_at(const Point& force) const { return weighed_rises + rises * force; }
@@ -97,10 +142,35 @@ class LayeredErrorProfile::Contacts {
   Contacts(const LayeredErrorProfile& of, const BarLengths& lengths, double opening,
            const SupportedStretch& under_weights)
       : of_(of), plan_(of.sag_.plan(lengths.VA, lengths.VB, opening)), couples_(couples_at(opening)),
+        lines_(piece_lines(plan_, of.shape_, of.factor_, opening)),
         resting_(set_of(of.conditions_.tracer_rests, of.conditions_.pen_rests)),
         under_weights_(set_of(under_weights.tracer_bears, under_weights.pen_bears)) {}
 
   const Bent& under_weights() { return on(under_weights_); }
+  const Bent& under(const Point& force) { return on(bearing_under(force)); }
+  /// MPa: the largest stress in a link under a force and the weights, as they bend it.
+  double stress(const Bent& bent, Link link, const Point& force, const SectionModuli& at_joints,
+                const SectionModuli& between) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const PieceLines& piece = lines_[i];
+      if (piece.link != link) continue;
+      const auto along = [&](Complex line) { return as_point(line).dot(force); };
+      const auto moment = [&](Eigen::Index row) {
+        row += 3 * static_cast<Eigen::Index>(i);
+        return bent.weighed_moments[row] + bent.moments.row(row).dot(force);
+      };
+      const PieceForces forces{.pull = along(piece.pull),
+                               .in_plane = {along(piece.bending[0]), along(piece.bending[1])},
+                               .out_of_plane = {moment(0), moment(1)},
+                               .own_weight = piece.own_weight,
+                               .twist = moment(2)};
+      const double here = largest_stress(forces, at_joints, between);
+      if (!(here <= largest)) largest = here;
+      if (std::isnan(largest)) break;
+    }
+    return largest;
+  }
   /// No force of that size, N, whatever its direction, lifts a point off the table or lets one down.
   bool are_those_of_the_weights(double force) {
     const Bent& bent = under_weights();
@@ -117,7 +187,7 @@ class LayeredErrorProfile::Contacts {
     Eigen::Vector2d give, rises;
   };
   Moved moved_by(const Point& force) {
-    const Bent &before = under_weights(), &then = on(bearing_under(force));
+    const Bent &before = under_weights(), &then = under(force);
     return {then.give_at(force) - before.weighed_give, then.rises_at(force) - before.weighed_rises};
   }
 
@@ -167,7 +237,9 @@ class LayeredErrorProfile::Contacts {
             tilted.reactions(points, Eigen::all),
             couples_.transpose() * weighed.slopes,
             weighed.rises(points),
-            weighed.reactions(points)};
+            weighed.reactions(points),
+            beam_moments(plan_, tilted.rises, tilted.slopes, false),
+            beam_moments(plan_, weighed.rises, weighed.slopes, true)};
   }
 
   /// Of a newton at the pen, along x and along y, for Grillage::tilted_by.
@@ -192,6 +264,7 @@ class LayeredErrorProfile::Contacts {
   const LayeredErrorProfile& of_;
   GrillagePlan plan_;
   Eigen::MatrixX2d couples_;
+  std::vector<PieceLines> lines_;
   unsigned resting_, under_weights_;
   std::array<std::optional<Bent>, 4> bent_{};
 };
@@ -238,15 +311,48 @@ LayeredErrorAt LayeredErrorProfile::at(const BarLengths& lengths, double opening
           })};
 }
 
-std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& lengths,
-                                                        const OpeningInterval& openings) const {
+/// The most that a link bears there, MPa; NaN where its moments have lost their digits.
+double LayeredErrorProfile::most_stress(Contacts& contacts, Link link, double hole) const {
+  const SectionModuli at_joints = section_moduli(conditions_.style, hole),
+                      between = section_moduli(conditions_.style, 0);
+  const bool is_linear = contacts.are_those_of_the_weights(force_);
+  return most_over_directions(
+      [&](double direction) {
+        const Point force = as_point(std::polar(force_, direction));
+        const Bent& bent = is_linear ? contacts.under_weights() : contacts.under(force);
+        return contacts.stress(bent, link, force, at_joints, between);
+      },
+      is_linear ? parts_without : parts_with_contacts);
+}
+
+LinkStresses LayeredErrorProfile::stresses(const BarLengths& lengths, double opening, double hole) const {
+  Contacts contacts(*this, lengths, opening, sag_.supported_at(lengths.VA, lengths.VB, opening));
+  const auto of = [&](Link link) { return most_stress(contacts, link, hole); };
+  return {of(Link::VA), of(Link::VB), of(Link::ACX), of(Link::BCY)};
+}
+
+/// Calls `look` with each interval of openings over which the figures are smooth, or nearly so, and the stretch that it is part of.
+template <class Look>
+void LayeredErrorProfile::for_each_part(const BarLengths& lengths, const OpeningInterval& openings,
+                                        const Look& look) const {
   // Where a point comes to rest on the table or is lifted off it, by the weights or by the force, the figures have kinks.
   constexpr int parts_with_kinks = 4;
   const int parts = conditions_.tracer_rests || conditions_.pen_rests ? parts_with_kinks : 1;
+  for (const SupportedStretch& stretch : sag_.stretches(lengths.VA, lengths.VB, openings))
+    for (int i = 0; i < parts; ++i) {
+      const double step = stretch.openings.width() / parts;
+      look(OpeningInterval{stretch.openings.lower + i * step,
+                           i + 1 == parts ? stretch.openings.upper : stretch.openings.lower + (i + 1) * step},
+           stretch);
+    }
+}
+
+std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& lengths,
+                                                        const OpeningInterval& openings) const {
   LayeredFigures figures;
-  for (const SupportedStretch& stretch : sag_.stretches(lengths.VA, lengths.VB, openings)) {
+  for_each_part(lengths, openings, [&](const OpeningInterval& part, const SupportedStretch& stretch) {
     std::map<double, LayeredErrorAt> seen;
-    const auto most = [&](double LayeredErrorAt::*figure, const OpeningInterval& part) {
+    const auto most = [&](double LayeredErrorAt::*figure) {
       const auto value = [&](double opening) {
         auto here = seen.find(opening);
         if (here == seen.end()) here = seen.emplace(opening, at(lengths, opening, stretch)).first;
@@ -254,17 +360,36 @@ std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& length
       };
       return value(top_over(part, value));
     };
-    for (int i = 0; i < parts; ++i) {
-      const double step = stretch.openings.width() / parts;
-      const OpeningInterval part{
-          stretch.openings.lower + i * step,
-          i + 1 == parts ? stretch.openings.upper : stretch.openings.lower + (i + 1) * step};
-      figures.error_max = std::max(figures.error_max, most(&LayeredErrorAt::in_plane, part));
-      figures.rise_max = std::max(figures.rise_max, most(&LayeredErrorAt::rise, part));
-    }
-  }
+    figures.error_max = std::max(figures.error_max, most(&LayeredErrorAt::in_plane));
+    figures.rise_max = std::max(figures.rise_max, most(&LayeredErrorAt::rise));
+  });
   return std::isfinite(figures.error_max) && std::isfinite(figures.rise_max) ? std::optional(figures)
                                                                              : std::nullopt;
+}
+
+std::optional<LinkStresses> LayeredErrorProfile::stresses_over(const BarLengths& lengths,
+                                                               const OpeningInterval& openings,
+                                                               double hole) const {
+  if (!(hole < conditions_.style.width)) return LinkStresses{infinity, infinity, infinity, infinity};
+  LinkStresses most;
+  for_each_part(lengths, openings, [&](const OpeningInterval& part, const SupportedStretch& stretch) {
+    std::map<double, Contacts> seen;
+    const auto look = [&](Link link, double LinkStresses::*figure) {
+      const auto value = [&](double opening) {
+        auto here = seen.find(opening);
+        if (here == seen.end())
+          here = seen.emplace(opening, Contacts(*this, lengths, opening, stretch)).first;
+        const double stress = most_stress(here->second, link, hole);
+        return std::isfinite(stress) ? stress : infinity;
+      };
+      most.*figure = std::max(most.*figure, value(top_over(part, value)));
+    };
+    look(Link::VA, &LinkStresses::VA);
+    look(Link::VB, &LinkStresses::VB);
+    look(Link::ACX, &LinkStresses::ACX);
+    look(Link::BCY, &LinkStresses::BCY);
+  });
+  return std::isfinite(most.largest()) ? std::optional(most) : std::nullopt;
 }
 
 }  // namespace kempe

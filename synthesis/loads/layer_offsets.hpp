@@ -7,7 +7,8 @@
 // way by M' R M more, R the grillage's answer to couples. Exact for slender links and pins that turn freely about their axes.
 //
 // The table pushes a point that rests on it and never pulls: under weights and force together each such point either bears, or is lifted off.
-// What the force does is the state under both less that under the weights alone. Derivation: docs/loads.md.
+// What the force does is the state under both less that under the weights alone; stress is that of the state under both.
+// Derivation: docs/loads.md.
 
 #include <Eigen/Core>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/load_figures.hpp"
 #include "synthesis/loads/sag.hpp"
+#include "synthesis/loads/strength.hpp"
 
 namespace kempe {
 
@@ -35,6 +37,13 @@ class LayeredErrorProfile {
   /// The most of each over an interval of openings (top_over.hpp), not empty, each at its own one; nothing where one of those looked at has no figure.
   std::optional<LayeredFigures> over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
+  /// The largest stress in each link (strength.hpp), each at its own opening and direction of the force: in the plane by the force, out of
+  /// it by its couples and the weights. `hole`: mm, the diameter that every joint takes of its link. Nothing where moments lose their digits.
+  std::optional<LinkStresses> stresses_over(const BarLengths& lengths, const OpeningInterval& openings,
+                                            double hole) const;
+  /// At an opening, rad; NaN where there is nothing to state.
+  LinkStresses stresses(const BarLengths& lengths, double opening, double hole) const;
+
   /// How far the pen gives way in the plane there under this force, N, all in, mm; x axis along bar VA. NaN as above.
   Point give(const BarLengths& lengths, double opening, const Point& force) const;
 
@@ -43,6 +52,9 @@ class LayeredErrorProfile {
   class Contacts;
   LayeredErrorAt at(const BarLengths& lengths, double opening, const SupportedStretch& under_weights) const;
   Eigen::Matrix2d upright(const BarLengths& lengths, double opening) const;
+  double most_stress(Contacts& contacts, Link link, double hole) const;
+  template <class Look>
+  void for_each_part(const BarLengths& lengths, const OpeningInterval& openings, const Look& look) const;
 
   Complex shape_, factor_;
   JointRoles roles_;

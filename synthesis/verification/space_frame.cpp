@@ -78,24 +78,34 @@ class Beams {
  public:
   int freedom() { return count_++; }
   void hold(int freedom) { held_.push_back(freedom); }
+  int count() const { return count_; }
 
-  /// `first` is a unit vector at right angles to `way`, the way from end to end: EI_first resists displacements along it.
-  void add(const Freedoms& from, const Freedoms& to, const Vector3& way, const Vector3& first,
-           const Section& section) {
+  /// The beam's number. `first` is a unit vector at right angles to `way`, from end to end: EI_first resists displacements along it.
+  std::size_t add(const Freedoms& from, const Freedoms& to, const Vector3& way, const Vector3& first,
+                  const Section& section) {
     const double L = way.norm();
     const Vector3 along = way / L;
     Eigen::Matrix3d axes;
     axes << along.transpose(), first.transpose(), along.cross(first).transpose();
     Matrix12 turn = Matrix12::Zero();
     for (int i = 0; i < 4; ++i) turn.block<3, 3>(3 * i, 3 * i) = axes;
-    Beam beam{{}, turn.transpose() * own_stiffness(L, section) * turn};
+    Beam beam{{}, turn, turn.transpose() * own_stiffness(L, section) * turn};
     std::copy(from.begin(), from.end(), beam.at.begin());
     std::copy(to.begin(), to.end(), beam.at.begin() + 6);
     beams_.push_back(beam);
+    return beams_.size() - 1;
   }
 
-  /// All displacements under one newton along each of these freedoms.
-  std::vector<Eigen::VectorXd> moved_by(const std::array<int, 4>& freedoms) const {
+  /// On a beam's first end in its own axes, by the displacements of all freedoms.
+  Eigen::Vector<double, 6> at_first_end(std::size_t number, const Eigen::VectorXd& moved) const {
+    const Beam& beam = beams_[number];
+    Eigen::Vector<double, 12> own;
+    for (std::size_t i = 0; i < 12; ++i) own[static_cast<Eigen::Index>(i)] = moved[beam.at[i]];
+    return (beam.turn * (beam.stiffness * own)).head<6>();
+  }
+
+  /// All displacements under each column of forces on the freedoms.
+  Eigen::MatrixXd moved_by(Eigen::MatrixXd forces) const {
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(count_, count_);
     for (const Beam& beam : beams_)
       for (std::size_t i = 0; i < 12; ++i)
@@ -106,17 +116,19 @@ class Beams {
       stiffness.row(one).setZero();
       stiffness.col(one).setZero();
       stiffness(one, one) = 1;
+      forces.row(one).setZero();
     }
     const Elimination factors(stiffness);
-    std::vector<Eigen::VectorXd> moved;
-    for (const int one : freedoms) moved.push_back(factors.solution(Eigen::VectorXd::Unit(count_, one)));
+    Eigen::MatrixXd moved(count_, forces.cols());
+    for (Eigen::Index load = 0; load < forces.cols(); ++load)
+      moved.col(load) = factors.solution(forces.col(load));
     return moved;
   }
 
  private:
   struct Beam {
     std::array<int, 12> at;
-    Matrix12 stiffness;
+    Matrix12 turn, stiffness;
   };
   int count_ = 0;
   std::vector<Beam> beams_;
@@ -162,18 +174,74 @@ class SpaceFrame {
   SpaceFrameResponse pushed_at(Joint pen, Joint tracer) const {
     const Freedoms& at = tool(pen);
     const std::array<int, 2> points{height(tracer), height(pen)};
-    const auto moved = beams_.moved_by({at[0], at[1], points[0], points[1]});
+    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(beams_.count(), 5);
+    loads(at[0], 0) = loads(at[1], 1) = loads(points[0], 3) = loads(points[1], 4) = 1;
+    loads.col(2) = weights();
+    loads(points[0], 2) -= parts_.tracer_weight;
+    loads(points[1], 2) -= parts_.pen_weight;
+    const Eigen::MatrixXd moved = beams_.moved_by(loads);
     SpaceFrameResponse response;
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      const auto number = static_cast<std::size_t>(axis);
-      response.in_plane.col(axis) << moved[number][at[0]], moved[number][at[1]];
-      response.rises.col(axis) = moved[number](points);
-      response.lifts.col(axis) = moved[number + 2](points);
+    response.in_plane << moved(at[0], 0), moved(at[0], 1), moved(at[1], 0), moved(at[1], 1);
+    response.rises = moved(points, Eigen::seqN(0, 2));
+    response.lifts = moved(points, Eigen::seqN(3, 2));
+    response.weighed = moved(points, 2);
+    for (const Piece& piece : pieces_) {
+      SpaceFramePiece one{piece.length, piece.weight, {}};
+      for (Eigen::Index load = 0; load < moved.cols(); ++load)
+        one.forces.col(load) = beams_.at_first_end(piece.beam, moved.col(load));
+      // What the weight puts on its held ends, which the joints have borne as loads.
+      one.forces(2, 2) += 0.5 * piece.weight * piece.length;
+      one.forces(4, 2) -= piece.weight * piece.length * piece.length / 12;
+      response.pieces.push_back(one);
     }
     return response;
   }
 
  private:
+  /// A piece of a link: its beam, and its weight, N/mm.
+  struct Piece {
+    std::size_t beam;
+    Freedoms from, to;
+    Point way;
+    double length, weight;
+  };
+
+  /// Of the links, N and N mm on all freedoms: along their pieces, half a disc beyond the outer ends; a triangle's at its corners.
+  Eigen::VectorXd weights() const {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(beams_.count());
+    const double w = parts_.style.width, each = parts_.link_weight * parts_.style.thickness;
+    for (const Piece& piece : pieces_) {
+      const double half = 0.5 * piece.weight * piece.length, moment = half * piece.length / 6;
+      const Point left(-piece.way.y() / piece.length, piece.way.x() / piece.length);
+      for (const bool begins : {true, false}) {
+        const Freedoms& end = begins ? piece.from : piece.to;
+        all[end[2]] -= half;
+        for (const std::size_t axis : {0u, 1u})
+          all[end[3 + axis]] += (begins ? moment : -moment) * left[static_cast<Eigen::Index>(axis)];
+      }
+    }
+    for (const Link link : all_links) {
+      LinkJoints of = joints_of(link);
+      if (is_triangle(of)) {
+        const Point &a = pose_[of.joints[0]], &b = pose_[of.joints[1]], &c = pose_[of.joints[2]];
+        const double inside = 0.5 * std::abs(cross(b - a, c - a)),
+                     around = (b - a).norm() + (c - b).norm() + (a - c).norm();
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double opposite = (pose_[of.joints[(i + 1) % 3]] - pose_[of.joints[(i + 2) % 3]]).norm();
+          all[height(of.joints[i])] -= each * (inside / 3 + 0.25 * w * (around - opposite) + pi * w * w / 12);
+        }
+        continue;
+      }
+      if (of.count == 3) of.joints = middle_first(of.joints, pose_, parts_.straight);
+      for (std::size_t i = of.count == 3 ? 1 : 0; i < static_cast<std::size_t>(of.count); ++i)
+        all[height(of.joints[i])] -= each * pi * w * w / 8;
+    }
+    return all;
+  }
+  bool is_triangle(const LinkJoints& link) const {
+    return link.count == 3 && !parts_.straight && parts_.style.plate == PlateStyle::triangle;
+  }
+
   Freedoms& node(Link link, Joint joint) {
     return nodes_[static_cast<std::size_t>(link)][static_cast<std::size_t>(joint)];
   }
@@ -194,7 +262,11 @@ class SpaceFrame {
       for (int i = 1; i < of.count; ++i) {
         const Joint from = of.joints[0], to = of.joints[static_cast<std::size_t>(i)];
         const Point way = pose_[to] - pose_[from], along = way.normalized();
-        beams_.add(node(link, from), node(link, to), {way.x(), way.y(), 0}, {-along.y(), along.x(), 0}, bar);
+        const std::size_t beam = beams_.add(node(link, from), node(link, to), {way.x(), way.y(), 0},
+                                            {-along.y(), along.x(), 0}, bar);
+        const double weight =
+            is_triangle(of) ? 0 : parts_.link_weight * parts_.style.width * parts_.style.thickness;
+        pieces_.push_back({beam, node(link, from), node(link, to), way, way.norm(), weight});
       }
     }
   }
@@ -221,6 +293,7 @@ class SpaceFrame {
   const Pose& pose_;
   const SpaceFrameParts& parts_;
   Beams beams_;
+  std::vector<Piece> pieces_;
   std::array<int, 6> heights_{};
   std::array<std::array<Freedoms, 6>, 4> nodes_{};
 };
@@ -261,6 +334,48 @@ double most_in_any_direction(const Value& value) {
   return most;
 }
 
+/// Of a rectangle without a hole in its middle, or with one: what forces and moments are divided by.
+struct FrameSection {
+  FrameSection(const LinkStyle& style, double hole) {
+    const double t = style.thickness, w = style.width, strips = w - hole;
+    area = strips * t;
+    in_plane = 2 / w * (t * w * w * w - t * hole * hole * hole) / 12;
+    out_of_plane = 2 / t * strips * t * t * t / 12;
+    // Roark's Formulas for Stress and Strain, 7th edition, table 10.1, in half sides: the largest shear is at the middles of the longer.
+    const double a = 0.5 * std::max(strips, t), b = 0.5 * std::min(strips, t), c = b / a;
+    twist =
+        8 * a * b * b / 3 / (1 + 0.6095 * c + 0.8865 * c * c - 1.8023 * c * c * c + 0.9100 * c * c * c * c);
+  }
+  double stress(double pull, double M_in, double M_out, double torque) const {
+    const double sigma = std::abs(pull) / area + std::abs(M_in) / in_plane + std::abs(M_out) / out_of_plane,
+                 tau = torque / twist;
+    return std::sqrt(sigma * sigma + 3 * tau * tau);
+  }
+  double area, in_plane, out_of_plane, twist;
+};
+
+/// In a piece under this share of each of its five loads: at its ends beside holes, and between them, where one of the corners' stresses, a
+/// parabola through three places, has its vertex.
+double stress_in(const SpaceFramePiece& piece, const Eigen::Vector<double, 5>& loads,
+                 const FrameSection& at_holes, const FrameSection& whole) {
+  const Eigen::Vector<double, 6> end = piece.forces * loads;
+  const double L = piece.length;
+  const auto in = [&](double x) { return end[5] - x * end[1]; };
+  const auto out = [&](double x) { return end[4] + x * end[2] - 0.5 * piece.weight * x * x; };
+  const auto at = [&](const FrameSection& section, double x) {
+    return section.stress(end[0], in(x), out(x), end[3]);
+  };
+  double most = std::max(at(at_holes, 0), at(at_holes, L));
+  if (piece.weight == 0) return most;
+  for (const double side : {-1.0, 1.0}) {
+    const auto corner = [&](double x) { return side * in(x) / whole.in_plane + out(x) / whole.out_of_plane; };
+    const double low = corner(0), middle = corner(0.5 * L), high = corner(L), bow = low - 2 * middle + high,
+                 x = 0.5 * L + 0.25 * L * (low - high) / bow;
+    if (x > 0 && x < L) most = std::max(most, at(whole, x));
+  }
+  return most;
+}
+
 }  // namespace
 
 SpaceFrameResponse space_frame_response(const Pose& pose, const JointRoles& roles,
@@ -288,6 +403,20 @@ MostOfFrame most_movement(const SpaceFrameResponse& response, const FrameTable& 
   };
   return {most_in_any_direction([&](double direction) { return at(direction).give.norm(); }),
           most_in_any_direction([&](double direction) { return at(direction).rises.cwiseAbs().maxCoeff(); })};
+}
+
+double most_stress(const SpaceFrameResponse& response, const FrameTable& table, double force,
+                   const LinkStyle& style, double hole) {
+  const FrameSection at_holes(style, hole), whole(style, 0);
+  return most_in_any_direction([&](double direction) {
+    const Point push = force * Point(std::cos(direction), std::sin(direction));
+    Eigen::Vector<double, 5> loads;
+    loads << push, 1, push_of(response, table, table.free_rises + response.rises * push);
+    double most = 0;
+    for (const SpaceFramePiece& piece : response.pieces)
+      most = std::max(most, stress_in(piece, loads, at_holes, whole));
+    return most;
+  });
 }
 
 }  // namespace kempe

@@ -5,6 +5,7 @@
 // rest on it is found from how far an upward newton there lifts them: no support is held.
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "kempe/pose.hpp"
 #include "kempe/spec.hpp"
@@ -20,6 +21,17 @@ struct SpaceFrameParts {
   JointHardware hardware{};
   LayerAssignment layers{};
   double E = 0, G = 0;  ///< MPa, of the links
+  /// What pulls at right angles to the table, downwards: N for each mm^3 of the links, and N at tracer and pen.
+  double link_weight = 0, tracer_weight = 0, pen_weight = 0;
+};
+
+/// A piece of a link between two of its joints.
+struct SpaceFramePiece {
+  double length = 0;  ///< mm
+  double weight = 0;  ///< N/mm
+  /// On its end where it begins: forces along the piece, to its left and upwards, N, and moments about these axes, N mm. A column for each:
+  /// a newton on the pen along x and along y; the weights; an upward newton at the tracer and at the pen.
+  Eigen::Matrix<double, 6, 5> forces;
 };
 
 /// Of the frame on its post alone, pole and tracer held in the plane; mm, in the frame of the pose. Rows of two: tracer, pen.
@@ -27,6 +39,8 @@ struct SpaceFrameResponse {
   Eigen::Matrix2d in_plane;  ///< how the pen gives way; a column for each axis of a force of one newton on it
   Eigen::Matrix2d rises;     ///< upwards, by the same forces
   Eigen::Matrix2d lifts;     ///< upwards, by an upward newton at the tracer, at the pen
+  Eigen::Vector2d weighed;   ///< upwards, by the weights
+  std::vector<SpaceFramePiece> pieces;  ///< of all links
 };
 /// A pose in which no change point or dead point is met; links with E and G > 0.
 SpaceFrameResponse space_frame_response(const Pose& pose, const JointRoles& roles,
@@ -50,5 +64,11 @@ struct MostOfFrame {
   double give = 0, rise = 0;
 };
 MostOfFrame most_movement(const SpaceFrameResponse& response, const FrameTable& table, double force);
+
+/// MPa: the largest equivalent stress in a link by the weights and a force of that size, N, on the pen, over all its directions; links have
+/// a hole so wide (mm, less than their width) at every joint. Bending in the plane and out of it and pull at the section's corner, with the
+/// largest shear of the torsion as von Mises has it.
+double most_stress(const SpaceFrameResponse& response, const FrameTable& table, double force,
+                   const LinkStyle& style, double hole);
 
 }  // namespace kempe

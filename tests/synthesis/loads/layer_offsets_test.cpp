@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "geometry/chance.hpp"
+#include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/hand_work.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/verification/space_frame.hpp"
@@ -53,6 +54,8 @@ Instrument random_instrument(Chance& chance) {
   }
 }
 
+double down(const SagConditions& made) { return standard_gravity * std::cos(made.tilt); }
+
 SpaceFrameParts parts_of(const Instrument& instrument) {
   const SagConditions& made = instrument.conditions;
   return {.straight = is_straight(instrument.linkage.shape()),
@@ -60,7 +63,10 @@ SpaceFrameParts parts_of(const Instrument& instrument) {
           .hardware = made.hardware,
           .layers = made.layers,
           .E = made.E,
-          .G = made.G};
+          .G = made.G,
+          .link_weight = down(made) * made.density * cubic_metres_per_mm3,
+          .tracer_weight = down(made) * made.tracer_mass,
+          .pen_weight = down(made) * made.pen_mass};
 }
 
 /// The frame on its table: how the weights alone would leave it is taken from the sag, which is tested by itself.
@@ -146,7 +152,7 @@ TEST(LayerOffsets, AgreeWithAFrameInSpace) {
 /// Over a region's openings: also of instruments that weights or load lift off the table at some of them.
 TEST(LayerOffsets, AreTheMostThatTheFrameSeesOverOpenings) {
   Chance chance(62);
-  double missed = 0, beyond = 0;
+  double missed = 0, beyond = 0, stress_missed = 0, stress_beyond = 0;
   int lifted = 0;
   for (int i = 0; i < test::samples(60); ++i) {
     SCOPED_TRACE(i);
@@ -160,13 +166,19 @@ TEST(LayerOffsets, AreTheMostThatTheFrameSeesOverOpenings) {
     const OpeningInterval openings{all.lower + 0.2, all.upper - 0.2};
     const auto stated = profile_of(instrument, force).over({linkage.VA(), linkage.VB()}, openings);
     ASSERT_TRUE(stated);
+    const double hole = 0.4 * conditions.style.width;
+    const auto stresses =
+        profile_of(instrument, force).stresses_over({linkage.VA(), linkage.VB()}, openings, hole);
+    ASSERT_TRUE(stresses);
     LayeredFigures seen, held;
+    double stress = 0;
     constexpr int steps = 200;
     for (int j = 0; j <= steps; ++j) {
       const double opening = openings.lower + openings.width() * j / steps;
       const SpaceFrameResponse frame = frame_of(instrument, opening);
       const FrameTable table = table_of(instrument, opening);
       const MostOfFrame here = most_movement(frame, table, force);
+      if (j % 2 == 0) stress = std::max(stress, most_stress(frame, table, force, conditions.style, hole));
       seen.error_max = std::max(seen.error_max, here.give);
       seen.rise_max = std::max(seen.rise_max, here.rise);
       held.rise_max = std::max(held.rise_max, most_movement(frame, held_down(table), force).rise);
@@ -176,12 +188,66 @@ TEST(LayerOffsets, AreTheMostThatTheFrameSeesOverOpenings) {
                  rise = (stated->rise_max - seen.rise_max) / std::max(seen.rise_max, 1e-4 * seen.error_max);
     missed = std::max({missed, -give, -rise});
     beyond = std::max({beyond, give, rise});
+    stress_missed = std::max(stress_missed, stress / stresses->largest() - 1);
+    stress_beyond = std::max(stress_beyond, stresses->largest() / stress - 1);
   }
   EXPECT_LT(missed, 1e-6);
   EXPECT_LT(beyond, 2e-3);  // between the openings looked at
   EXPECT_GT(lifted, test::expected(10));
-  std::printf("missed %.2g, found more by %.2g; the load lifts %d off the table somewhere\n", missed, beyond,
-              lifted);
+  EXPECT_LT(stress_missed, 1e-5);
+  EXPECT_LT(stress_beyond, 2e-3);
+  std::printf(
+      "missed %.2g, found more by %.2g, of the stress %.2g and %.2g; the load lifts %d off the table "
+      "somewhere\n",
+      missed, beyond, stress_missed, stress_beyond, lifted);
+}
+
+/// Loaded by weights in every way, in links of every style: the frame stands as the sag has it, and its links bear what the profile states.
+TEST(LayerOffsets, StressLinksAsAFrameInSpaceDoes) {
+  Chance chance(63);
+  double stress = 0, on_a_table = 0, sinks = 0, far = 0;
+  int beyond_plane = 0;
+  for (int i = 0; i < test::samples(400); ++i) {
+    SCOPED_TRACE(i);
+    Instrument instrument = random_instrument(chance);
+    auto& [linkage, conditions] = instrument;
+    if (i % 4 == 0) conditions.tracer_rests = conditions.pen_rests = true;
+    if (i % 3 == 0) conditions.style.plate = PlateStyle::triangle;
+    conditions.density = std::exp(chance.uniform(std::log(100), std::log(9000)));
+    conditions.pen_mass = chance.share() < 0.5 ? chance.uniform(0, 3) : 0;
+    conditions.tracer_mass = chance.share() < 0.5 ? chance.uniform(0, 1) : 0;
+    conditions.tilt = chance.share() < 0.3 ? chance.uniform(0, 1.5) : 0;
+    const double hole = chance.uniform(0.1, 0.8) * conditions.style.width;
+    const OpeningInterval& openings = linkage.assembly_mode().openings;
+    const double opening = chance.uniform(openings.lower + 0.4, openings.upper - 0.4);
+    const double force = std::exp(chance.uniform(std::log(0.5), std::log(50)));
+    const LayeredErrorProfile profile = profile_of(instrument, force);
+    const BarLengths lengths{linkage.VA(), linkage.VB()};
+    const SpaceFrameResponse frame = frame_of(instrument, opening);
+    FrameTable table = table_of(instrument, opening);
+    sinks = std::max(sinks, (frame.weighed - table.free_rises).norm() / table.free_rises.norm());
+    table.free_rises = frame.weighed;
+    const double seen = most_stress(frame, table, force, conditions.style, hole),
+                 stated = profile.stresses(lengths, opening, hole).largest();
+    double& apart = conditions.tracer_rests || conditions.pen_rests ? on_a_table : stress;
+    apart = std::max(apart, std::abs(stated / seen - 1));
+    const double in_plane =
+        force *
+        link_stresses(linkage.k(), linkage.grounding(), conditions.style, hole, lengths, opening).largest();
+    EXPECT_GE(stated, in_plane * (1 - 1e-9));
+    far = std::max(far, stated / in_plane);
+    if (stated > 1.2 * in_plane) ++beyond_plane;
+  }
+  EXPECT_LT(stress, 1e-6);
+  EXPECT_LT(on_a_table,
+            1e-4);  // either search may miss a top beside a direction in which another point bears
+  EXPECT_LT(sinks, 1e-6);
+  EXPECT_GT(beyond_plane, test::expected(200));
+  std::printf(
+      "largest relative differences: stress %.2g, on a table %.2g, how the weights let it sink %.2g; %d bear "
+      "more than "
+      "1.2 times as much as in the plane, one %.3g times\n",
+      stress, on_a_table, sinks, beyond_plane, far);
 }
 
 /// A light instrument of birch plywood whose couples lift more than it weighs, as a frame finds it whose beams have six freedoms at each

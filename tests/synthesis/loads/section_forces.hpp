@@ -29,6 +29,12 @@ struct Join {
   double stiffness;  ///< N mm/rad
 };
 
+/// Loads a link at one of its joints, N mm about x and y.
+struct Couple {
+  int joint, link;
+  Eigen::Vector2d moment;
+};
+
 struct Structure {
   std::vector<Complex> places;  ///< of the joints, mm
   std::vector<double> loads;    ///< N at the joints, downwards
@@ -36,6 +42,7 @@ struct Structure {
   std::vector<Join> joins;
   std::vector<std::pair<int, int>> props;  ///< joint, and a link that has it
   double bending, torsion;                 ///< N mm^2
+  std::vector<Couple> couples{};
 };
 
 class LeastEnergy {
@@ -90,6 +97,14 @@ class LeastEnergy {
     return sum.norm();
   }
 
+  /// N mm, what bends and what twists a bar of a link at a share of its length from `from`, of the last energy().
+  Eigen::Vector2d section(int link, const Bar& bar, double share) const {
+    const auto [twisting, bending] = in_section(link, bar, share);
+    Eigen::VectorXd all(unknowns_ + 1);
+    all << forces_, 1;
+    return {bending.dot(all), twisting.dot(all)};
+  }
+
  private:
   using Row = Eigen::RowVectorXd;
 
@@ -137,6 +152,11 @@ class LeastEnergy {
     for (std::size_t i = 0; i < it_.props.size(); ++i)
       if (it_.props[i] == std::pair(joint, link))
         push(sum, unknown(3 * it_.joins.size() + i, 1), place, about);
+    for (const Couple& couple : it_.couples) {
+      if (couple.joint != joint || couple.link != link) continue;
+      sum[1] += known(couple.moment.x());
+      sum[2] += known(couple.moment.y());
+    }
     if (!takes_load(link, joint)) return;
     const double down = it_.loads[static_cast<std::size_t>(joint)] + (joint == joint_ ? load_ : 0);
     push(sum, known(-down), place, about);
@@ -156,8 +176,8 @@ class LeastEnergy {
 
   Complex place(int joint) const { return it_.places[static_cast<std::size_t>(joint)]; }
 
-  /// Everything beyond a section of a bar, on its `to` side, is the sum over what hangs there.
-  void integrate(int number, const Bar& bar) {
+  /// What twists and what bends a section of a bar: everything beyond it, on its `to` side, is the sum over what hangs there.
+  std::pair<Row, Row> in_section(int number, const Bar& bar, double share) const {
     const Piece& link = it_.links[static_cast<std::size_t>(number)];
     const Complex from = place(bar.from), to = place(bar.to), along = (to - from) / std::abs(to - from);
     std::vector<int> beyond{bar.to};
@@ -172,18 +192,21 @@ class LeastEnergy {
         bars.push_back(other);
         beyond.push_back(other.from == beyond[i] ? other.to : other.from);
       }
+    const Complex section = from + share * (to - from);
+    auto sum = nothing();
+    for (const int joint : beyond) at_joint(number, joint, section, sum);
+    for (const Bar& other : bars) bar_weight(link, place(other.from), place(other.to), section, sum);
+    bar_weight(link, section, to, section, sum);
+    return {along.real() * sum[1] + along.imag() * sum[2], -along.imag() * sum[1] + along.real() * sum[2]};
+  }
+
+  void integrate(int number, const Bar& bar) {
     // Three places of Gauss: exact to the fifth power, and the moments' squares are of the fourth.
     const double middle = std::sqrt(0.6);
     for (const auto& [where, part] :
          {std::pair(-middle, 5.0 / 18), std::pair(0.0, 8.0 / 18), std::pair(middle, 5.0 / 18)}) {
-      const Complex section = from + 0.5 * (1 + where) * (to - from);
-      auto sum = nothing();
-      for (const int joint : beyond) at_joint(number, joint, section, sum);
-      for (const Bar& other : bars) bar_weight(link, place(other.from), place(other.to), section, sum);
-      bar_weight(link, section, to, section, sum);
-      const Row twisting = along.real() * sum[1] + along.imag() * sum[2],
-                bending = -along.imag() * sum[1] + along.real() * sum[2];
-      const double length = part * std::abs(to - from);
+      const auto [twisting, bending] = in_section(number, bar, 0.5 * (1 + where));
+      const double length = part * std::abs(place(bar.to) - place(bar.from));
       matrix_ += length / it_.torsion * twisting.transpose() * twisting +
                  length / it_.bending * bending.transpose() * bending;
     }
