@@ -14,6 +14,7 @@
 #include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
 #include "reports/drawings/making_notes.hpp"
+#include "reports/drawings/overload_words.hpp"
 #include "reports/drawings/step_assembly.hpp"
 #include "reports/drawings/tolerance_words.hpp"
 #include "reports/drawings/tool_words.hpp"
@@ -214,6 +215,17 @@ std::string robust_line(const Design& design, int decimals) {
   return text + "\n";
 }
 
+/// "the links are stressed to 34.1 MPa, 24.5 MPa in the plane alone; steel bears 235 MPa".
+std::string stress_words(const Design& design) {
+  const double in_plane = design.quality.loads->stress_max;
+  if (!std::isfinite(in_plane)) return "a hole leaves nothing of a link";
+  const auto& layered = design.quality.layered;
+  return fmt::format("the links are stressed to {:.3g} MPa{}; {} bears {:.3g} MPa", largest_stress(design),
+                     layered && layered->stress_max ? fmt::format(", {:.3g} MPa in the plane alone", in_plane)
+                                                    : std::string(" in the plane; out of it is not stated"),
+                     design.material->name, design.material->strength);
+}
+
 /// Forces, how far the pen gives way, what the links weigh.
 std::string loads_lines(const Design& design) {
   std::string text;
@@ -227,12 +239,9 @@ std::string loads_lines(const Design& design) {
         "direction\n",
         design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
         loads->error_max, loads->error_min);
-    text += fmt::format(
-        "             the hand holds {:.3g} N, the worst pin bears {:.3g} N, the links are stressed to "
-        "{:.3g} MPa in the "
-        "plane; {} bears {:.3g} MPa\n",
-        loads->hand_force_max, loads->pin_force_max, loads->stress_max, design.material->name,
-        design.material->strength);
+    text += fmt::format("             the hand holds {:.3g} N, the worst pin bears {:.3g} N\n",
+                        loads->hand_force_max, loads->pin_force_max);
+    text += "             " + stress_words(design) + "\n";
   }
   if (design.quality.mass)
     text += fmt::format("mass         {:.4g} kg: the four links of {}\n", *design.quality.mass,

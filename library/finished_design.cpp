@@ -41,6 +41,16 @@ std::optional<double> FinishedDesign::load_rise() const {
   return layered ? std::optional(layered->rise_max) : std::nullopt;
 }
 
+std::optional<double> FinishedDesign::stress() const {
+  const auto& loads = inside_->quality.loads;
+  return loads ? std::optional(loads->stress_max) : std::nullopt;
+}
+
+std::optional<double> FinishedDesign::stress_layered() const {
+  const auto& layered = inside_->quality.layered;
+  return layered ? layered->stress_max : std::nullopt;
+}
+
 std::optional<double> FinishedDesign::sag() const { return inside_->quality.sag; }
 
 std::optional<double> FinishedDesign::mass() const { return inside_->quality.mass; }

@@ -381,6 +381,8 @@ void add_designs(py::module_& module) {
       .def_property_readonly("load_error", &FinishedDesign::load_error)
       .def_property_readonly("load_error_layered", &FinishedDesign::load_error_layered)
       .def_property_readonly("load_rise", &FinishedDesign::load_rise)
+      .def_property_readonly("stress", &FinishedDesign::stress)
+      .def_property_readonly("stress_layered", &FinishedDesign::stress_layered)
       .def_property_readonly("sag", &FinishedDesign::sag)
       .def_property_readonly("mass", &FinishedDesign::mass)
       .def_property_readonly("section",

@@ -46,6 +46,12 @@ class KEMPE_EXPORT FinishedDesign {
   std::optional<double> load_error_layered() const;
   /// mm, most that tracer or pen rises or sinks under the load, by the layers of the links; absent as above.
   std::optional<double> load_rise() const;
+  /// MPa, largest stress in a link under the load, by bending and pull in the plane alone; infinite where a hole leaves nothing of a link;
+  /// absent without Spec::load.
+  std::optional<double> stress() const;
+  /// The same with the bending and twist out of the plane that layers and weights add, as an equivalent stress (docs/loads.md): what the
+  /// material's strength is compared with; absent as load_error_layered(), and where a hole leaves nothing.
+  std::optional<double> stress_layered() const;
   /// mm, most that tracer or pen sinks over the region by weight and play (docs/loads-out-of-plane.md); absent without
   /// Spec::material.
   std::optional<double> sag() const;

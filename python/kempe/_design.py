@@ -267,6 +267,16 @@ class Design:
         return self._inside.load_rise
 
     @property
+    def stress_max_MPa(self) -> Optional[float]:
+        """Largest stress in a link under the load, by bending and pull in the plane alone; None without a load."""
+        return self._inside.stress
+
+    @property
+    def stress_layered_max_MPa(self) -> Optional[float]:
+        """The same with bending and twist out of the plane, to compare with the material's strength; None as load_error_layered_max_mm."""
+        return self._inside.stress_layered
+
+    @property
     def sag_max_mm(self) -> Optional[float]:
         """Most that tracer or pen sinks over the region; None without a material."""
         return self._inside.sag
@@ -447,7 +457,8 @@ class Design:
 
 
 _FIGURES = ("size_mm", "transmission_min_deg", "clearance_min_mm", "footprint_mm2", "copy_error_worst_mm", "load_error_max_mm",
-            "load_error_layered_max_mm", "load_rise_max_mm", "sag_max_mm", "mass_kg", "robust_clearance_mm", "objective", "value", "lower_bound", "complete")
+            "load_error_layered_max_mm", "load_rise_max_mm", "stress_max_MPa", "stress_layered_max_MPa", "sag_max_mm", "mass_kg",
+            "robust_clearance_mm", "objective", "value", "lower_bound", "complete")
 
 
 def _with_lines(copy: dict[str, Any]) -> dict[str, Any]:

@@ -36,7 +36,8 @@ void AuditRecord::figure(const std::string& key, std::optional<double> stated, d
                          double rounding) {
   if (!stated) return;
   checked(key);
-  if (std::abs(*stated - found) <= rounding) return;
+  // Where nothing finite is found, none agrees.
+  if (*stated == found || (std::isfinite(found) && std::abs(*stated - found) <= rounding)) return;
   broken({.limit = key,
           .attained = stated,
           .allowed = found,

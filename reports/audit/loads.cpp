@@ -15,7 +15,6 @@
 #include "specs/hardware.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/mass.hpp"
-#include "synthesis/loads/sag.hpp"
 #include "synthesis/solvers/golden_section.hpp"
 #include "synthesis/verification/frame.hpp"
 #include "synthesis/verification/space_frame.hpp"
@@ -37,7 +36,8 @@ namespace {
 
 using namespace audit_slack;
 
-constexpr char layered_key[] = "quality.load_error_layered_max_mm", rise_key[] = "quality.load_rise_max_mm";
+constexpr char layered_key[] = "quality.load_error_layered_max_mm", rise_key[] = "quality.load_rise_max_mm",
+               layered_stress_key[] = "quality.stress_layered_max_MPa";
 
 constexpr int openings_looked_at = 400;
 
@@ -82,36 +82,48 @@ double most_over(const OpeningInterval& openings, const std::vector<double>& sam
   return std::max(*best, figure(top));
 }
 
-/// The same with the links in their layers and pins that give way, for the load's force. How far the weights alone let the points sink is taken
-/// from the sag.
+/// The same with the links in their layers and pins that give way, for the load's force.
 LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings) {
   const StoredDesign& design = task.design;
   const CopyingLinkage& linkage = task.linkage;
+  const Load& load = *design.load;
+  const double down = standard_gravity * std::cos(load.tilt);
   const SpaceFrameParts parts{.straight = is_straight(linkage.shape()),
                               .style = design.style,
                               .hardware = design.hardware,
                               .layers = design.layers,
                               .E = design.material->E,
-                              .G = design.material->shear_modulus()};
-  SagConditions conditions = sag_conditions(as_built(design), design.layers);
-  FrameTable table{conditions.tracer_rests, conditions.pen_rests};
-  conditions.tracer_rests = conditions.pen_rests = false;
-  const SagProfile sag(linkage.k(), linkage.grounding(), conditions);
-  const auto at = [&](double opening) {
-    const SagAt sinks = sag.at(linkage.VA(), linkage.VB(), opening);
-    table.free_rises = {-sinks.tracer.by_weight, -sinks.pen.by_weight};
-    return most_movement(
-        space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts), table,
-        most_force_at_pen(*design.load));
+                              .G = design.material->shear_modulus(),
+                              .link_weight = down * design.material->density * cubic_metres_per_mm3,
+                              .tracer_weight = down * load.tracer_mass,
+                              .pen_weight = down * load.pen_mass};
+  const double hole = widest_hole(design.style, design.hardware, as_built(design).cutting);
+  const bool has_stress = design.quality.layered->stress_max.has_value() && hole < design.style.width;
+  struct Here {
+    MostOfFrame most;
+    double stress;
   };
-  std::vector<double> give, rise;
+  const auto at = [&](double opening) -> Here {
+    const SpaceFrameResponse response =
+        space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts);
+    const FrameTable table{load.rests_at(Carrier::tracer), load.rests_at(Carrier::pen), response.weighed};
+    const double force = most_force_at_pen(load);
+    return {most_movement(response, table, force),
+            has_stress ? most_stress(response, table, force, design.style, hole) : HUGE_VAL};
+  };
+  std::vector<double> give, rise, stress;
   for_each_opening(openings, openings_looked_at, [&](double opening) {
-    const MostOfFrame here = at(opening);
-    give.push_back(here.give);
-    rise.push_back(here.rise);
+    const Here here = at(opening);
+    give.push_back(here.most.give);
+    rise.push_back(here.most.rise);
+    stress.push_back(here.stress);
   });
-  return {most_over(openings, give, [&](double opening) { return at(opening).give; }),
-          most_over(openings, rise, [&](double opening) { return at(opening).rise; })};
+  LayeredFigures figures{most_over(openings, give, [&](double opening) { return at(opening).most.give; }),
+                         most_over(openings, rise, [&](double opening) { return at(opening).most.rise; }),
+                         HUGE_VAL};
+  if (has_stress)
+    figures.stress_max = most_over(openings, stress, [&](double opening) { return at(opening).stress; });
+  return figures;
 }
 
 void check_load_figures(const LoadFigures& stated, const Load& load, const FrameResponse& found,
@@ -132,9 +144,10 @@ void check_load_figures(const LoadFigures& stated, const Load& load, const Frame
 }
 
 void check_layered_figures(const AuditTask& task, const LayeredFigures& stated, AuditRecord& record) {
-  const auto [give, rise] = layered_response_over(task, *task.needed);
+  const auto [give, rise, stress] = layered_response_over(task, *task.needed);
   record.figure(layered_key, stated.error_max, give, share_of_load * give);
   record.figure(rise_key, stated.rise_max, rise, share_of_load * rise + share_of_rounding * give);
+  record.figure(layered_stress_key, stated.stress_max, *stress, share_of_load * *stress);
 }
 
 void check_mass(const AuditTask& task, AuditRecord& record) {
@@ -161,8 +174,8 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
                     : !task.needed                   ? "this assembly mode does not reach all of the region"
                                                      : nullptr;
   if (why != nullptr) {
-    for (const char* key : {layered_key, rise_key})
-      if (layered) record.not_checked(key, why);
+    for (const char* key : {layered_key, rise_key, layered_stress_key})
+      if (layered && (key != layered_stress_key || layered->stress_max)) record.not_checked(key, why);
     return limit.cannot_tell(task, why, " under which it could be kept", record);
   }
   if (layered) check_layered_figures(task, *layered, record);

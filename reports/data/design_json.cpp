@@ -106,6 +106,7 @@ Json quality_json(const Design& design) {
   if (quality.layered) {
     json["load_error_layered_max_mm"] = finite_or_null(quality.layered->error_max);
     json["load_rise_max_mm"] = finite_or_null(quality.layered->rise_max);
+    if (quality.layered->stress_max) json["stress_layered_max_MPa"] = *quality.layered->stress_max;
   }
   if (quality.sag) json["sag_max_mm"] = finite_or_null(*quality.sag);
   if (quality.mass) json["mass_kg"] = finite_or_null(*quality.mass);

@@ -17,7 +17,8 @@ std::string links_in_the_way(const Design& design, const Body& body, const Joint
   for (const Link link : all_links) {
     const int layer = design.layers[link];
     if (layer <= stack.highest || layer >= body.lowest_layer) continue;
-    const double gap = distance_from_link(design, stack.joint, link, openings_over_region(design)) - 0.5 * stack.diameter;
+    const double gap =
+        distance_from_link(design, stack.joint, link, openings_over_region(design)) - 0.5 * stack.diameter;
     if (gap >= design.limits.clearance) continue;
     text += fmt::format("; link {}, in layer {}, {}", name(link), layer,
                         gap > 0 ? fmt::format("comes within {:.2f} mm of it", gap) : "passes through it");
@@ -39,8 +40,10 @@ std::vector<std::string> mounting_words(const Design& design) {
       const Body& body = design.bodies[i];
       const double height = height_above(design, body, stack);
       if (height == 0) continue;
-      words.push_back(fmt::format("{} begins {:.6g} mm above the links at {}: what joins them, as thick as the post, is not in the proof of contact{}",
-                                  printable(body_name(design.bodies, i)), height, stack.name, links_in_the_way(design, body, stack)));
+      words.push_back(fmt::format(
+          "{} begins {:.6g} mm above the links at {}: what joins them, as thick as the post, is not in the "
+          "proof of contact{}",
+          printable(body_name(design.bodies, i)), height, stack.name, links_in_the_way(design, body, stack)));
     }
   return words;
 }

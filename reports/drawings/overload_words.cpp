@@ -24,6 +24,12 @@ double longest_length(const CopyingLinkage& linkage) {
 
 }  // namespace
 
+double largest_stress(const Design& design) {
+  const auto& layered = design.quality.layered;
+  const double in_plane = design.quality.loads->stress_max;
+  return layered && layered->stress_max ? std::max(in_plane, *layered->stress_max) : in_plane;
+}
+
 double largest_push_in_bars(const Design& design) {
   const auto openings = openings_over(design.linkage, design.region);
   if (!design.load || !openings) return 0;
@@ -43,21 +49,23 @@ std::vector<std::string> overload_words(const Design& design) {
   std::vector<std::string> words;
   if (!design.load || !design.material || !design.quality.loads) return words;
   const Material& material = *design.material;
-  const double stress = design.quality.loads->stress_max;
+  const double stress = largest_stress(design);
   if (!(stress <= material.strength))
     words.push_back(fmt::format("the links break: they are stressed to {:.3g} MPa, and {} bears {:.3g} MPa",
                                 stress, material.name, material.strength));
   const double push = largest_push_in_bars(design), buckling = buckling_load_of_bars(design);
   if (push > buckling)
-    words.push_back(fmt::format("the bars buckle: they are pushed with {:.3g} N, and {:.3g} N are enough to buckle them", push,
-                                buckling));
+    words.push_back(
+        fmt::format("the bars buckle: they are pushed with {:.3g} N, and {:.3g} N are enough to buckle them",
+                    push, buckling));
   const double bent = std::max({design.quality.loads->error_max, design.quality.sag.value_or(0),
                                 design.quality.layered ? design.quality.layered->error_max : 0});
   if (bent > small_bending * longest_length(design.linkage))
-    words.push_back(fmt::format(
-        "the links bend by {:.3g} mm, more than a tenth of their length: figures of load error and sag hold for "
-        "small bending, so take them as far too much",
-        bent));
+    words.push_back(
+        fmt::format("the links bend by {:.3g} mm, more than a tenth of their length: figures of load error "
+                    "and sag hold for "
+                    "small bending, so take them as far too much",
+                    bent));
   return words;
 }
 

@@ -8,6 +8,9 @@
 
 namespace kempe {
 
+/// MPa: in the link that is strained most, with bending and twist out of the plane where that is stated. Of a design with a load.
+double largest_stress(const Design& design);
+
 /// N: the largest push in either bar under the load, over the openings that the region uses; 0 without a load or where the region is
 /// not reached.
 double largest_push_in_bars(const Design& design);

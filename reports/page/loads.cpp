@@ -15,6 +15,7 @@
 #include "specs/hardware.hpp"
 #include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/gravity.hpp"
+#include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
 #include "workspace/reach.hpp"
@@ -184,16 +185,18 @@ std::string share_of_strength(double stress, double strength, const std::string&
 
 struct WorstForces {
   PinForces pins;
-  LinkStresses stresses;
+  LinkStresses stresses;       ///< MPa, by the force of the load
+  bool counts_layers = false;  ///< with bending and twist out of the plane
 };
 
 WorstForces worst_forces(const Design& design, const OpeningInterval& openings) {
   const CopyingLinkage& linkage = design.linkage;
-  const double hole = widest_hole(design.style, design.hardware, design.cutting);
+  const BarLengths lengths{linkage.VA(), linkage.VB()};
+  const double hole = widest_hole(design.style, design.hardware, design.cutting),
+               force = most_force_at_pen(*design.load);
   const auto pins = [&](double opening) { return pin_forces(linkage.k(), linkage.grounding(), opening); };
   const auto stresses = [&](double opening) {
-    return link_stresses(linkage.k(), linkage.grounding(), design.style, hole, {linkage.VA(), linkage.VB()},
-                         opening);
+    return link_stresses(linkage.k(), linkage.grounding(), design.style, hole, lengths, opening);
   };
   const auto worst = [&](auto figure) { return figure(top_over(openings, figure)); };
   WorstForces all;
@@ -202,10 +205,15 @@ WorstForces worst_forces(const Design& design, const OpeningInterval& openings) 
               .C = worst([&](double d) { return pins(d).C; }),
               .V = worst([&](double d) { return pins(d).V; }),
               .pole = pins(openings.lower).pole};
-  all.stresses = {.VA = worst([&](double d) { return stresses(d).VA; }),
-                  .VB = worst([&](double d) { return stresses(d).VB; }),
-                  .ACX = worst([&](double d) { return stresses(d).ACX; }),
-                  .BCY = worst([&](double d) { return stresses(d).BCY; })};
+  all.stresses = {.VA = force * worst([&](double d) { return stresses(d).VA; }),
+                  .VB = force * worst([&](double d) { return stresses(d).VB; }),
+                  .ACX = force * worst([&](double d) { return stresses(d).ACX; }),
+                  .BCY = force * worst([&](double d) { return stresses(d).BCY; })};
+  const SagConditions conditions = sag_conditions(spec_of(design), design.layers);
+  const auto layered = LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, force)
+                           .stresses_over(lengths, openings, hole);
+  if (layered) all.stresses = *layered;
+  all.counts_layers = layered.has_value();
   return all;
 }
 
@@ -221,13 +229,23 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
   const LinkStresses& stress = worst.stresses;
   for (const auto& [link, value] : {std::pair{"Link VA", stress.VA}, std::pair{"Link VB", stress.VB},
                                     std::pair{"Link ACX", stress.ACX}, std::pair{"Link BCY", stress.BCY}})
-    rows.push_back(
-        {link, "", share_of_strength(force * value, strength, html_escaped(design.material->name))});
+    rows.push_back({link, "", share_of_strength(value, strength, html_escaped(design.material->name))});
   const double push = largest_push_in_bars(design), buckling = buckling_load_of_bars(design);
   const std::string bears = "buckle at " + force_words(buckling);
   rows.push_back(
       {"Bars, pushed", force_words(push), push > buckling ? "<b class=\"bad\">" + bears + "</b>" : bears});
-  return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows);
+  const std::string note =
+      worst.counts_layers
+          ? fmt::format(
+                "Links: bending and pull in the plane, which alone come to {} MPa at most, with bending "
+                "and twist out of it, by layers and weights, across the joints' holes; no peaks at "
+                "their edges.",
+                figure_text(design.quality.loads->stress_max, 2))
+          : "Links: bending and pull in the plane alone, across the joints' holes; what bends them out of it "
+            "is "
+            "not stated, for two joints of a link are too near each other.";
+  return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows) + "<p class=\"note\">" +
+         note + "</p>\n";
 }
 
 std::string load_chart(const Design& design, const OpeningInterval& used) {

@@ -63,11 +63,17 @@ void measure_loads(Design& design, const Spec& spec) {
   if (design.load) {
     const CopyingLinkage& linkage = design.linkage;
     design.quality.loads = load_figures_over(spec, linkage, *openings);
-    design.quality.layered =
-        LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*spec.load))
-            .over({linkage.VA(), linkage.VB()}, *openings);
-    if (auto& layered = design.quality.layered)
+    const BarLengths lengths{linkage.VA(), linkage.VB()};
+    const LayeredErrorProfile profile(linkage.k(), linkage.grounding(), conditions,
+                                      most_force_at_pen(*spec.load));
+    design.quality.layered = profile.over(lengths, *openings);
+    if (auto& layered = design.quality.layered) {
+      const auto stresses = profile.stresses_over(
+          lengths, *openings, widest_hole(spec.links.style, spec.links.hardware, spec.cutting));
       layered = {with_nine_digits(layered->error_max), with_nine_digits(layered->rise_max)};
+      if (stresses && std::isfinite(stresses->largest()))
+        layered->stress_max = with_nine_digits(stresses->largest());
+    }
   }
   const double sag = largest_sag(design.linkage, conditions, *openings).sag.most();
   if (std::isfinite(sag)) design.quality.sag = with_nine_digits(sag);

@@ -83,9 +83,17 @@ class Loads(unittest.TestCase):
             wrong["quality"].pop(key)  # one without the other
             self.assertEqual(kempe("verify", self.written(wrong)).returncode, 2)
         older = json.loads(json.dumps(stated))
+        older["quality"].pop("stress_layered_max_MPa")
+        self.assertTrue(self.verify(older)["certified"])
         for key in ("load_error_layered_max_mm", "load_rise_max_mm"):
             older["quality"].pop(key)
         self.assertTrue(self.verify(older)["certified"])
+        for share in (0.999, 1.001):
+            wrong = json.loads(json.dumps(stated))
+            wrong["quality"]["stress_layered_max_MPa"] *= share
+            self.assertEqual([one["limit"] for one in self.verify(wrong)["broken"]], ["quality.stress_layered_max_MPa"])
+        wrong["quality"]["stress_layered_max_MPa"] = stated["quality"]["stress_max_MPa"]  # what links in the plane would bear
+        self.assertEqual([one["limit"] for one in self.verify(wrong)["broken"]], ["quality.stress_layered_max_MPa"])
         softer = json.loads(json.dumps(stated))
         softer["material"]["E_GPa"] /= 2
         self.assertIn("quality.load_error_max_mm", [one["limit"] for one in self.verify(softer)["broken"]])

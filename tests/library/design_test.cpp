@@ -106,6 +106,7 @@ TEST(Library, SaysWhatPinsAndLayersDoUnderALoad) {
   spec.links.style.thickness = 2;
   EXPECT_FALSE(map(spec)->load_error_layered());
   EXPECT_FALSE(map(spec)->load_rise());
+  EXPECT_FALSE(map(spec)->stress() || map(spec)->stress_layered());
   spec.load = Load{.pen_force = 10};
   const Outcome outcome = map(spec);
   ASSERT_TRUE(outcome) << outcome.reason();
@@ -113,6 +114,9 @@ TEST(Library, SaysWhatPinsAndLayersDoUnderALoad) {
   EXPECT_GT(*outcome->load_error_layered(), *outcome->load_error());
   EXPECT_GT(*outcome->load_rise(), 0);
   EXPECT_NE(outcome->json().find("\"load_error_layered_max_mm\""), std::string::npos);
+  ASSERT_TRUE(outcome->stress() && outcome->stress_layered());
+  EXPECT_GT(*outcome->stress_layered(), *outcome->stress());
+  EXPECT_NE(outcome->json().find("\"stress_layered_max_MPa\""), std::string::npos);
 }
 
 TEST(Library, GivesTheSameDesignForAnyNumberOfThreads) {

@@ -206,10 +206,12 @@ class Designs(InAFolder):
         self.assertAlmostEqual(DESIGN.transmission_min_deg, file["quality"]["transmission_min_deg"], 12)
         self.assertEqual(DESIGN.map.free_mm2, file["workspace"]["collision_free_mm2"])
         loaded = kempe.synthesize(SPEC.replace(material="steel", load={"pen_N": 5}))
-        for name in ("load_error_max_mm", "load_error_layered_max_mm", "load_rise_max_mm", "sag_max_mm", "mass_kg"):
+        for name in ("load_error_max_mm", "load_error_layered_max_mm", "load_rise_max_mm", "stress_max_MPa", "stress_layered_max_MPa",
+                     "sag_max_mm", "mass_kg"):
             self.assertEqual(getattr(loaded, name), loaded.to_dict()["quality"][name], name)
             self.assertGreater(getattr(loaded, name), 0, name)
         self.assertIsNone(DESIGN.load_error_layered_max_mm)
+        self.assertIsNone(DESIGN.stress_layered_max_MPa)
 
     def test_poses(self):
         points = np.random.default_rng(1).uniform(-90, 90, (2000, 2))

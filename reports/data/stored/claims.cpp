@@ -32,11 +32,14 @@ std::optional<LoadFigures> load_figures(const JsonField& field) {
                      .stress_max = amount_or_null(field["stress_max_MPa"]).value_or(HUGE_VAL)};
 }
 
-/// Both of them or none.
+/// Error and rise or none; with them the stress, or not.
 std::optional<LayeredFigures> layered_figures(const JsonField& field) {
-  constexpr std::string_view error = "load_error_layered_max_mm", rise = "load_rise_max_mm";
-  if (!field.find(error) && !field.find(rise)) return std::nullopt;
-  return LayeredFigures{.error_max = amount(field[error]), .rise_max = amount(field[rise])};
+  constexpr std::string_view error = "load_error_layered_max_mm", rise = "load_rise_max_mm",
+                             stress = "stress_layered_max_MPa";
+  if (!field.find(error) && !field.find(rise) && !field.find(stress)) return std::nullopt;
+  LayeredFigures figures{.error_max = amount(field[error]), .rise_max = amount(field[rise])};
+  if (const auto one = field.find(stress)) figures.stress_max = amount(*one);
+  return figures;
 }
 
 Quality quality(const JsonField& field) {

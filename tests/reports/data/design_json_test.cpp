@@ -209,7 +209,13 @@ TEST(DesignJson, KeepsWhatPinsAndLayersAdd) {
   ASSERT_TRUE(read->quality.layered);
   EXPECT_EQ(read->quality.layered->error_max, 0.25);
   EXPECT_EQ(read->quality.layered->rise_max, 0.01);
+  EXPECT_FALSE(read->quality.layered->stress_max);
   Json one = with;
+  one["quality"]["stress_layered_max_MPa"] = 12.5;
+  EXPECT_EQ(read_design(one.dump(), "d.json")->quality.layered->stress_max, 12.5);
+  design.quality.layered->stress_max = 12.5;
+  EXPECT_EQ(Json::parse(design_json(design)), one);
+  one = with;
   one["quality"].erase("load_rise_max_mm");
   EXPECT_EQ(read_design(one.dump(), "d.json").error().key, "quality.load_rise_max_mm");
   one = with;

@@ -35,7 +35,8 @@ TEST(OverloadWords, TellWhatBreaksBucklesAndBendsTooFar) {
   const double enough = 1.01 * buckling_load_of_bars(light) / largest_push_in_bars(light);
   EXPECT_THAT(overload_words(loaded(enough)), Contains(StartsWith("the bars buckle")));
   EXPECT_THAT(overload_words(loaded(0.98 * enough)), Not(Contains(StartsWith("the bars buckle"))));
-  EXPECT_THAT(overload_words(loaded(53)), Contains("the links break: they are stressed to 26.5 MPa, and PLA bears 26 MPa"));
+  EXPECT_THAT(overload_words(loaded(53)),
+              Contains("the links break: they are stressed to 26.5 MPa, and PLA bears 26 MPa"));
   EXPECT_THAT(overload_words(loaded(51)), Not(Contains(StartsWith("the links break"))));
   EXPECT_THAT(overload_words(loaded(1000)), Contains(HasSubstr("more than a tenth of their length")));
   EXPECT_THAT(making_notes(loaded(1000)).front(), StartsWith("the links break"));  // before all else
@@ -45,7 +46,11 @@ TEST(MountingWords, TellOfBodiesAboveTheLinksThatCarryThem) {
   Design design = testing::sample_design(2.0, Grounding::tracer, 60, 50, 0);
   design.layers.of = {1, 2, 3, 4};
   const auto with_hand_from = [&](int layer) {
-    design.bodies = {Body{.at = Carrier::tracer, .shape = Disc{Point::Zero(), 8}, .lowest_layer = layer, .highest_layer = 8, .name = "hand"}};
+    design.bodies = {Body{.at = Carrier::tracer,
+                          .shape = Disc{Point::Zero(), 8},
+                          .lowest_layer = layer,
+                          .highest_layer = 8,
+                          .name = "hand"}};
     return mounting_words(design);
   };
   EXPECT_THAT(with_hand_from(1), IsEmpty());
