@@ -94,6 +94,11 @@ class Loads(unittest.TestCase):
             self.assertEqual([one["limit"] for one in self.verify(wrong)["broken"]], ["quality.stress_layered_max_MPa"])
         wrong["quality"]["stress_layered_max_MPa"] = stated["quality"]["stress_max_MPa"]  # what links in the plane would bear
         self.assertEqual([one["limit"] for one in self.verify(wrong)["broken"]], ["quality.stress_layered_max_MPa"])
+        wide = json.loads(json.dumps(stated))
+        wide["mechanism"]["pin_diameter_mm"] = wide["mechanism"]["link_width_mm"]  # holes leave nothing of the links
+        broken = [one["limit"] for one in self.verify(wide)["broken"]]
+        for key in ("stress_max_MPa", "stress_layered_max_MPa"):
+            self.assertIn("quality." + key, broken)
         softer = json.loads(json.dumps(stated))
         softer["material"]["E_GPa"] /= 2
         self.assertIn("quality.load_error_max_mm", [one["limit"] for one in self.verify(softer)["broken"]])
