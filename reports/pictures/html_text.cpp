@@ -45,15 +45,19 @@ std::string superscript(int exponent) {
 std::string html_escaped(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size() + text.size() / 8);
-  for (const char c : text) {
-    if (const auto reference = reference_of(c); !reference.empty()) {
+  std::size_t copied = 0;  // of the text; pieces without anything to escape are copied whole
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const auto reference = reference_of(c);
+    if (reference.empty() && !is_control(c)) continue;
+    escaped += text.substr(copied, i - copied);
+    if (!reference.empty())
       escaped += reference;
-    } else if (is_control(c)) {
-      if (c != '\r') escaped += replacement;
-    } else {
-      escaped += c;
-    }
+    else if (c != '\r')
+      escaped += replacement;
+    copied = i + 1;
   }
+  escaped += text.substr(copied);
   return escaped;
 }
 

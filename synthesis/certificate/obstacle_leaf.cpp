@@ -44,6 +44,17 @@ Hull placed(const JointHull& piece, const std::array<Point, 6>& joints) {
   return hull;
 }
 
+/// True if no place of a hull is as near to a point as `away`.
+bool keeps_away(const Hull& hull, const Point& from, double away) {
+  if (inside(hull, from)) return false;
+  for (int i = 0; i < std::max(1, hull.count == 3 ? 3 : hull.count - 1); ++i) {
+    const Point &one = hull.at[static_cast<std::size_t>(i)],
+                &other = hull.at[static_cast<std::size_t>((i + 1) % hull.count)];
+    if (!(distance(from, one, other) > away)) return false;
+  }
+  return true;
+}
+
 /// True if all of a hull lies farther than `away` from the line through two points, on one side of it.
 bool keeps_to_one_side(const Hull& hull, const Point& from, const Point& to, double away) {
   const Point along = to - from;
@@ -126,14 +137,26 @@ ObstacleLeaves::ObstacleLeaves(const RootTask& task)
   const bounding::MaterialPoint pole = pole_point();
   for (std::uint8_t part = 0; part < part_count; ++part) {
     axes_[part] = axis_of(part_of({part}), shape, task.spec.links.style.plate);
+    half_widths_[part] = half_width(part_of({part}), task.spec.links.style);
     steadiest_[part] = infinity;
     for (const PartPoint& point : points_along({part}, task.spec.links.style.plate)) {
       const bounding::MaterialPoint at = material_point(point, shape);
-      const double strays = std::abs((at.of_a - pole.of_a) - (at.of_b - pole.of_b));
+      const double strays = strays_beside(at, pole);
       points_[part].push_back({point, at, strays});
       steadiest_[part] = std::min(steadiest_[part], strays);
     }
   }
+  for (const Target& target : targets_) {
+    auto& strays = seen_strays_.emplace_back();
+    if (!target.seen_from) continue;
+    const bounding::MaterialPoint from = origin_of(target);
+    for (std::size_t part = 0; part < part_count; ++part)
+      for (const AxisPoint& point : points_[part]) strays[part].push_back(strays_beside(point.at, from));
+  }
+}
+
+double ObstacleLeaves::strays_beside(const bounding::MaterialPoint& at, const bounding::MaterialPoint& from) {
+  return std::abs((at.of_a - from.of_a) - (at.of_b - from.of_b));
 }
 
 std::optional<Step> ObstacleLeaves::step(const Node& node) const {
@@ -249,8 +272,7 @@ double ObstacleLeaves::depth_by_few(const Point& at, std::size_t obstacle,
 }
 
 double ObstacleLeaves::needed(PartName part, std::size_t obstacle) const {
-  return half_width(part_of(part), task_.spec.links.style) + task_.spec.limits.clearance +
-         targets_[obstacle].beyond;
+  return half_widths_[part.number] + task_.spec.limits.clearance + targets_[obstacle].beyond;
 }
 
 bool ObstacleLeaves::hits(const ObstacleGuess& guess, const DesignCell& cell) const {
@@ -315,20 +337,18 @@ bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Mid
   const double need = needed(part, obstacle);
   if (!target.seen_from && of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest)
     return true;
-  if (points_[part.number].size() == 1) return false;  // as quickly looked at
   const Point centre = carrier_place(target, middle) + target.centre;
   const auto is_away = [&](const JointHull& piece) {
-    return distance(placed(piece, middle.joints), Hull{{centre, centre, centre}, 1}) > need + target.radius;
+    return keeps_away(placed(piece, middle.joints), centre, need + target.radius);
   };
   return std::all_of(axes_[part.number].begin(), axes_[part.number].end(), is_away);
 }
 
-/// The edges of a target that the part comes near enough to, or all of it where it is looked at as a whole.
+/// The edges of a target, which is looked at by its edges, that the part comes near enough to.
 std::vector<std::optional<std::size_t>> ObstacleLeaves::edges_in_reach(PartName part, std::size_t obstacle,
                                                                        const Middle& middle) const {
   constexpr double rounding = 1 + 1e-9;
   const Target& target = targets_[obstacle];
-  if (!target.edges.front()) return target.edges;
   const Point origin = carrier_place(target, middle);
   const double need = needed(part, obstacle) * rounding;
   const auto corner = [&](std::size_t i) {
@@ -373,11 +393,13 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
                                                              const KnownPlace& place,
                                                              const Middle& middle) const {
   if (out_of_reach(part, obstacle, middle)) return std::nullopt;
-  const auto edges = edges_in_reach(part, obstacle, middle);
+  const Target& target = targets_[obstacle];
+  const bool by_edges = target.edges.front().has_value();
+  const auto some = by_edges ? edges_in_reach(part, obstacle, middle) : decltype(target.edges){};
+  const auto& edges = by_edges ? some : target.edges;
   if (edges.empty()) return std::nullopt;
   const double need = needed(part, obstacle);
-  const Target& target = targets_[obstacle];
-  const bounding::MaterialPoint from = origin_of(target), pole = pole_point();
+  const bounding::MaterialPoint from = origin_of(target);
   ObstacleGuess best;
   double most = 0;
   const auto joint = [&](Joint name) { return as_complex(middle.joints[static_cast<std::size_t>(name)]); };
@@ -388,9 +410,9 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
     return as_point(V + m.of_a * p + m.of_b * q - origin);
   };
   const auto look_at = [&](const PartPoint& point, const bounding::MaterialPoint& m, double strays) {
+    const double least = of_the_way * strays * middle.unsteady;
+    if (!(need + target.deepest > most + least)) return;  // no place is so deep
     const Point at = seen(m);
-    const double share = target.seen_from ? std::abs((m.of_a - from.of_a) - (m.of_b - from.of_b)) : strays;
-    const double least = of_the_way * share * middle.unsteady;
     if (!(circle_depth(at, obstacle, need) > most + least)) return;
     for (const auto& edge : edges)
       if (const double here = depth_by_few(at, obstacle, edge, need) - least; here > most) {
@@ -398,13 +420,16 @@ std::optional<ObstacleLeaves::Depth> ObstacleLeaves::deepest(PartName part, std:
         best = {{obstacle, edge, place.place, point}, place.at};
       }
   };
-  for (const auto& [point, m, strays] : points_[part.number]) look_at(point, m, strays);
+  const std::vector<AxisPoint>& points = points_[part.number];
+  for (std::size_t i = 0; i < points.size(); ++i)
+    look_at(points[i].point, points[i].at,
+            target.seen_from ? seen_strays_[obstacle][part.number][i] : points[i].strays);
   if (most > 0) return Depth{best, most};
   const Complex shape = task_.root.mode.s;
   const auto place_of = [&](const PartPoint& point) { return seen(material_point(point, shape)); };
   for (const PartPoint& point : nearest_points(part, target, place_of)) {
     const bounding::MaterialPoint m = material_point(point, shape);
-    look_at(point, m, std::abs((m.of_a - pole.of_a) - (m.of_b - pole.of_b)));
+    look_at(point, m, strays_beside(m, from));
   }
   if (most > 0) return Depth{best, most};
   return std::nullopt;

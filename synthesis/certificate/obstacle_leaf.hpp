@@ -90,6 +90,8 @@ class ObstacleLeaves {
   /// The joint from which a target is seen, as a material point: the pole's for what rests on the table.
   bounding::MaterialPoint origin_of(const Target& target) const;
   bounding::MaterialPoint pole_point() const;
+  /// The share of Middle::unsteady by which one point moves beside another.
+  static double strays_beside(const bounding::MaterialPoint& at, const bounding::MaterialPoint& from);
   /// A point of a part, and the share of Middle::unsteady that it strays at least.
   struct AxisPoint {
     PartPoint point;
@@ -101,7 +103,10 @@ class ObstacleLeaves {
   std::vector<Target> targets_;  ///< of each obstacle, body and the table's edge, by their numbers in the log
   std::array<std::vector<JointHull>, part_count> axes_;
   std::array<std::vector<AxisPoint>, part_count> points_;
-  std::array<double, part_count> steadiest_{};  ///< the least share of its points
+  std::array<double, part_count> steadiest_{};    ///< the least share of its points
+  std::array<double, part_count> half_widths_{};  ///< mm
+  /// For each target that a joint carries the shares of every part's points beside that joint.
+  std::vector<std::array<std::vector<double>, part_count>> seen_strays_;
 };
 
 }  // namespace kempe::certificate

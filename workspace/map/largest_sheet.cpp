@@ -34,7 +34,8 @@ Point turned_by(const Point& point, double cosine, double sine) {
 class SheetFinder {
  public:
   SheetFinder(const Region& region, double proportion, const StopFlag& stop)
-      : tree_(region, Point::Zero()), proportion_(proportion), box_(bounding_box(region)), stop_(stop) {}
+      : tree_(region, Point::Zero()), proportion_(proportion), corner_(std::hypot(1, proportion)),
+        box_(bounding_box(region)), stop_(stop) {}
 
   /// Half the height of the largest rectangle about a centre at a turn; 0 if the centre lies outside.
   double half_height_at(const Point& centre, double turn, double at_most) const {
@@ -107,19 +108,17 @@ class SheetFinder {
       least = std::min(least, room_beside(in_the_way.edges[i]));
       if (least <= than) return 0;
     }
-    if (!tree_.winds_around(centre)) return 0;
-    const double corner = std::hypot(1, proportion_);  // of half a height of 1
     for_each_edge(
         tree_,
         [&](const Box& box) {
-          return least > than && distance(box, {centre, centre}) < least * corner;
+          return least > than && distance(box, {centre, centre}) < least * corner_;
         },
         [&](const EdgeTree::Edge& edge) {
           const double room = room_beside(edge);
           if (room <= than && least > than) in_the_way.add(edge);
           least = std::min(least, room);
         });
-    return least;
+    return least > than && tree_.winds_around(centre) ? least : 0;
   }
 
   /// Least of max(|x|, |y|) along a segment: at an end or where it crosses a diagonal.
@@ -137,7 +136,8 @@ class SheetFinder {
   Place coarse(double turn) const;
 
   EdgeTree tree_;
-  double proportion_;
+  double proportion_,
+      corner_;  ///< width, and distance of a corner from the middle, of a rectangle with half a height of 1
   Box box_;
   StopFlag stop_;
 };
