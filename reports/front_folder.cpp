@@ -49,6 +49,7 @@ tl::expected<void, std::string> FrontFolder::add(Design design, double first, do
   FolderDraft& draft = points_.emplace_back(folder_ / number);
   const auto drafted = draft_design(design, extras_, draft, time);
   if (!drafted) return tl::unexpected("point " + number + ": " + drafted.error().sentence);
+  if (auto synchronised = draft.synchronise(); !synchronised) return synchronised;
   for (const std::string& name : draft.names()) names_.push_back(number + "/" + name);
   for (const std::string& sentence : drafted->left_out)
     left_out_.push_back("point " + number + ": " + sentence);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "specs/text/printable.hpp"
+#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {
@@ -123,7 +124,8 @@ class Draft {
   explicit Draft(fs::path target) : asked_(std::move(target)), target_(target_of(asked_)) {}
   Draft(Draft&& other) noexcept
       : asked_(std::move(other.asked_)), target_(std::move(other.target_)), draft_(std::move(other.draft_)),
-        file_(std::move(other.file_)), gathered_(std::move(other.gathered_)) {
+        file_(std::move(other.file_)), gathered_(std::move(other.gathered_)),
+        is_complete_(other.is_complete_) {
     other.draft_.clear();
   }
   Draft& operator=(Draft&&) = delete;
@@ -158,11 +160,24 @@ class Draft {
     return write_gathered();
   }
 
-  /// Brings what is there to the disk; nothing happens if that was done.
-  tl::expected<void, std::string> end() {
-    if (!file_) return {};
+  /// True from complete() to synchronise().
+  bool waits_for_the_disk() const { return file_ && is_complete_; }
+
+  /// Writes what is gathered, and gives the file its mode: no piece is to come. To be followed by synchronise().
+  tl::expected<void, std::string> complete() {
+    if (!file_ || is_complete_) return {};
+    is_complete_ = true;
     if (auto written = write_gathered(); !written) return written;
-    int error = finish(file_->number());
+    if (const int error = take_mode(file_->number()); error != 0)
+      return tl::unexpected(cannot(asked_, error));
+    return {};
+  }
+
+  /// Brings the file to the disk, for a rename may otherwise survive a crash that the contents do not, and closes it; nothing happens if
+  /// that was done. May run beside the same of other drafts.
+  tl::expected<void, std::string> synchronise() {
+    if (!file_) return {};
+    int error = ::fsync(file_->number()) == 0 || errno == EINVAL ? 0 : errno;
     const int closing = file_->close();
     file_.reset();
     if (error == 0) error = closing;
@@ -174,7 +189,7 @@ class Draft {
     if (auto begun = begin(); !begun) return begun;
     if (const int error = write_all(file_->number(), contents); error != 0)
       return tl::unexpected(cannot(asked_, error));
-    return end();
+    return complete();
   }
 
   const fs::path& place() const { return draft_; }
@@ -198,26 +213,25 @@ class Draft {
     return "cannot write " + printable(asked_.string()) + ": it is no regular file and is not replaced";
   }
 
-  /// Mode and owner of the file that is replaced, or those of any new file; then synchronised to disk, for a rename may
-  /// otherwise survive a crash that the contents do not. 0 or errno.
-  int finish(int file) const {
+  /// Mode and owner of the file that is replaced, or those of any new file. Of one draft after the other: the mask of modes is one for
+  /// the whole process. 0 or errno.
+  int take_mode(int file) const {
     struct stat old {};
     if (::stat(target_.place.c_str(), &old) == 0) {
       [[maybe_unused]] const int kept = ::fchown(file, old.st_uid, old.st_gid);  // only root gives files away
-      if (::fchmod(file, old.st_mode & 07777) != 0) return errno;
-    } else {
-      const mode_t mask = ::umask(0);
-      ::umask(mask);
-      if (::fchmod(file, 0666 & ~mask) != 0) return errno;
+      return ::fchmod(file, old.st_mode & 07777) == 0 ? 0 : errno;
     }
-    return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return ::fchmod(file, 0666 & ~mask) == 0 ? 0 : errno;
   }
 
   fs::path asked_;
   Target target_;
   fs::path draft_;
-  std::unique_ptr<OpenFile> file_;  ///< while pieces may come
+  std::unique_ptr<OpenFile> file_;  ///< until it is on the disk
   std::string gathered_;
+  bool is_complete_ = false;
 };
 
 /// While it lives, no other run puts files into this folder: two runs into one folder leave the files of one of them.
@@ -249,7 +263,9 @@ tl::expected<void, std::string> write_whole(const fs::path& path, std::string_vi
   if (const auto status = draft.fixed())
     if (draft.target().open_file || S_ISCHR(status->st_mode) || S_ISFIFO(status->st_mode))
       return write_through(path, draft.target(), *status, contents);
-  return draft.fill(contents).and_then([&] { return draft.put_in_place(); });
+  return draft.fill(contents).and_then([&] { return draft.synchronise(); }).and_then([&] {
+    return draft.put_in_place();
+  });
 }
 
 struct FolderDraft::State {
@@ -268,6 +284,19 @@ struct FolderDraft::State {
     if (error)
       return tl::unexpected("cannot make the folder " + printable(wanted.string()) + ": " + error.message());
     made.insert(made.end(), missing.rbegin(), missing.rend());
+    return {};
+  }
+
+  /// Brings the drafts that are complete to the disk: many at once, for each of them waits for the disk's next turn.
+  tl::expected<void, std::string> synchronise() {
+    constexpr int at_once = 16;  // they wait and take no core
+    std::vector<Draft*> open;
+    for (Draft& draft : drafts)
+      if (draft.waits_for_the_disk()) open.push_back(&draft);
+    std::vector<tl::expected<void, std::string>> synchronised(open.size());
+    run_parallel(open.size(), at_once, [&](std::size_t i) { synchronised[i] = open[i]->synchronise(); });
+    for (auto& one : synchronised)
+      if (!one) return std::move(one);
     return {};
   }
 };
@@ -290,6 +319,8 @@ tl::expected<void, std::string> FolderDraft::add(const OutputFile& file) {
   if (auto made = state_->make(target.parent_path()); !made) return made;
   if (auto filled = state_->drafts.emplace_back(target).fill(file.contents); !filled) return filled;
   state_->names.push_back(file.name.string());
+  constexpr std::size_t most_open = 64;  // a process may hold few files open
+  if (state_->names.size() % most_open == 0) return state_->synchronise();
   return {};
 }
 
@@ -307,9 +338,12 @@ tl::expected<void, std::string> FolderDraft::append(const fs::path& name, std::s
   return tl::unexpected("cannot write " + printable((state_->folder / name).string()) + ": not begun");
 }
 
+tl::expected<void, std::string> FolderDraft::synchronise() { return state_->synchronise(); }
+
 tl::expected<void, std::string> FolderDraft::put_in_place() {
   for (Draft& draft : state_->drafts)
-    if (auto ended = draft.end(); !ended) return ended;
+    if (auto completed = draft.complete(); !completed) return completed;
+  if (auto synchronised = state_->synchronise(); !synchronised) return synchronised;
   const FolderTurn turn(state_->folder);
   if (!turn.take())
     return tl::unexpected("cannot write " + printable(state_->folder.string()) +

@@ -40,11 +40,13 @@ class FolderDraft {
 
   /// The error is a sentence that names the path.
   tl::expected<void, std::string> add(const OutputFile& file);
-  /// Begins a file that comes in pieces; add() is this with one piece, and what it is given is on the disk afterwards.
+  /// Begins a file that comes in pieces; add() is this with one piece, and what it is given is written afterwards.
   tl::expected<void, std::string> begin(const std::filesystem::path& name);
   /// The next piece of a file that was begun. Small pieces are gathered before they are written.
   tl::expected<void, std::string> append(const std::filesystem::path& name, std::string_view piece);
-  /// Writes what is left of files in pieces, then renames all files; a failure before the first rename leaves the folder as it was.
+  /// Brings what add() was given to the disk, so that a crash does not take it, and closes those files: till then they are held open.
+  tl::expected<void, std::string> synchronise();
+  /// Writes what is left of files in pieces, brings all to the disk, then renames all files; a failure before the first rename leaves the folder as it was.
   tl::expected<void, std::string> put_in_place();
 
   /// The names of the files added, in order.
