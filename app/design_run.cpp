@@ -428,7 +428,7 @@ CLI::Option* add_paper_option(CLI::App& command, Paper& paper) {
 
 int publish_design(const Session& session, Design& design, const LoadedSpec& spec,
                    const std::filesystem::path& folder, const TimeToFinish& time,
-                   const std::string& studio_page, Paper paper) {
+                   const std::string& studio_page, Paper paper, int threads) {
   ReportExtras extras;
   extras.program_version = KEMPE_VERSION;
   extras.spec_name = shown_name(spec.file);
@@ -436,7 +436,7 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   extras.paper = paper;
   if (!studio_page.empty()) extras.studio_page = studio_page_name;
   FolderDraft draft(folder);
-  const auto drafted = draft_design(design, extras, draft, time);
+  const auto drafted = draft_design(design, extras, draft, time, threads);
   if (!drafted)
     return fail(session, drafted.error().by == NotPublished::By::writing ? cannot_write : verification_failed,
                 drafted.error().sentence);

@@ -147,8 +147,10 @@ std::variant<FinishedDesign, InputError> restore(std::string_view json, const st
   }
   auto design = restored_design(*stored, name, stop);
   if (!design) return design.error();
-  if (bound == ClaimedBound::prove && design->quality.proven_bound && !certificate_of(*design, stop))
-    design->quality.proven_bound.reset();
+  if (bound == ClaimedBound::prove && design->quality.proven_bound) {
+    const auto certificate = certificate_of(*design, stop);
+    design->quality.proven_bound = certificate ? certificate->bound : std::nullopt;
+  }
   std::string spec_text = spec_as_toml(spec_of(*design));
   return Workings::finished(std::move(*design), std::move(spec_text));
 }

@@ -13,16 +13,14 @@ bool has_rules(const Design& design) {
          (design.search->objective == Objective::size || design.search->objective == Objective::transmission);
 }
 
-tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, const StopFlag& stop) {
+tl::expected<Certificate, certificate::NoLog> certificate_of(const Design& design, const StopFlag& stop) {
   if (!has_rules(design)) return tl::unexpected(certificate::NoLog::no_rules);
-  auto& bound = design.quality.proven_bound;
   const Spec task = spec_of(design);
   certificate::ProofOptions options;
   options.stop = stop;
-  const auto log = certificate::prove(task, design.search->objective, bound, options);
+  const auto log = certificate::prove(task, design.search->objective, design.quality.proven_bound, options);
   if (!log) return tl::unexpected(log.error());
-  bound = log->bound;
-  return certificate_jsonl(task, *log);
+  return Certificate{certificate_jsonl(task, *log), log->bound};
 }
 
 tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec, const StopFlag& stop) {

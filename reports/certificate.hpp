@@ -1,6 +1,7 @@
 #pragma once
 // certificate.jsonl, made for a design or for the proof that there is none.
 
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -15,10 +16,15 @@ inline const std::string certificate_name = "certificate.jsonl";
 /// True if the design has a bound of an objective that the log has rules for (size, transmission).
 bool has_rules(const Design& design);
 
+struct Certificate {
+  std::string log;              ///< the file's text
+  std::optional<double> bound;  ///< what it proves; mm or rad
+};
+
 /// The log that no design is better than the design's bound, of a design that has rules; else why there is none. A bound that
-/// touches the best design, or whose proof is long, is made looser by a millionth of itself or more, in the design too:
-/// then what its file says is what the log proves.
-tl::expected<std::string, certificate::NoLog> certificate_of(Design& design, const StopFlag& stop = {});
+/// touches the best design, or whose proof is long, is made looser by a millionth of itself or more: the design is to state the
+/// bound that the log proves.
+tl::expected<Certificate, certificate::NoLog> certificate_of(const Design& design, const StopFlag& stop = {});
 
 /// The log that no design of the spec exists.
 tl::expected<std::string, certificate::NoLog> certificate_of_none(const Spec& spec,

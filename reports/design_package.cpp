@@ -8,7 +8,6 @@
 #include "reports/data/workspace_geojson.hpp"
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/drawings/dxf_writer.hpp"
-#include "reports/drawings/part_files.hpp"
 #include "reports/drawings/svg_writer.hpp"
 #include "reports/workshop/workshop_pdf.hpp"
 #include "workspace/reach.hpp"
@@ -39,7 +38,8 @@ std::string left_out_for_time(const std::string& file) { return file + " is left
 
 tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
-    const std::function<tl::expected<void, std::string>(const OutputFile&)>& take, const TimeToFinish& time) {
+    const std::function<tl::expected<void, std::string>(const OutputFile&)>& take, const TimeToFinish& time,
+    std::optional<PartFiles> parts) {
   std::vector<std::string> left_out;
   const auto has_time_for = [&](const std::string& file) {
     if (is_needed(file) || !time.over()) return true;
@@ -61,11 +61,11 @@ tl::expected<std::vector<std::string>, std::string> make_design_package(
   for (const auto& [name, text] : files)
     if (has_time_for(name))
       if (auto taken = take({name, text()}); !taken) return tl::unexpected(taken.error());
-  PartFiles parts = part_files(design, cutting, time.enough);
-  for (const OutputFile& file : parts.files)
+  if (!parts) parts = part_files(design, cutting, time.enough);
+  for (const OutputFile& file : parts->files)
     if (has_time_for(file.name.string()))
       if (auto taken = take(file); !taken) return tl::unexpected(taken.error());
-  left_out.insert(left_out.end(), parts.left_out.begin(), parts.left_out.end());
+  left_out.insert(left_out.end(), parts->left_out.begin(), parts->left_out.end());
   return left_out;
 }
 

@@ -2,11 +2,13 @@
 // Everything a person takes away from a design, as files by name. To add an output: its function, and its line here.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/stop_flag.hpp"
 #include "reports/data/atomic_file.hpp"
+#include "reports/drawings/part_files.hpp"
 #include "reports/page/html_report.hpp"
 #include "synthesis/design/design.hpp"
 
@@ -24,10 +26,10 @@ std::string left_out_for_time(const std::string& file);
 /// Gives the files of a design's folder to `take`, one after the other: design.json first, map, drawings and report,
 /// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it; else what is left out and
 /// why. What is given depends on the other arguments alone, and on time: once `enough` is set, the assembly as STEP is left
-/// out, once `over` is, every file is but design.json and the tables.
+/// out, once `over` is, every file is but design.json and the tables. `parts`: the files of the parts, where they are made already.
 tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
     const std::function<tl::expected<void, std::string>(const OutputFile&)>& take,
-    const TimeToFinish& time = {});
+    const TimeToFinish& time = {}, std::optional<PartFiles> parts = {});
 
 }  // namespace kempe

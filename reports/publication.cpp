@@ -1,9 +1,15 @@
 #include "reports/publication.hpp"
 
+#include <functional>
+#include <iterator>
+#include <utility>
+
 #include "reports/audit/recheck.hpp"
 #include "reports/certificate.hpp"
 #include "reports/design_package.hpp"
+#include "reports/drawings/part_files.hpp"
 #include "reports/drawings/parts_fault.hpp"
+#include "synthesis/solvers/parallel.hpp"
 #include "synthesis/verification/verification.hpp"
 
 #ifdef __GLIBC__
@@ -28,7 +34,7 @@ tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) 
 }  // namespace
 
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
-                                                 const TimeToFinish& time) {
+                                                 const TimeToFinish& time, int threads) {
   using enum NotPublished::By;
   const VerificationRun run = run_verification(verification_task(design), {.stop = time.enough});
   design.verification = run.found;
@@ -36,17 +42,24 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
     return refused(verification,
                    "the design failed its verification, nothing is written: " + design.verification.failure);
   if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
-  const auto certificate =
-      certificate_of(design, time.enough);  // before design.json, which states the bound proven
-  if (certificate) extras.proof_log = certificate_name;
+  tl::expected<Certificate, certificate::NoLog> certificate;
+  PartFiles parts;
+  const std::function<void()> jobs[] = {[&] { certificate = certificate_of(design, time.enough); },
+                                        [&] { parts = part_files(design, design.cutting, time.enough); }};
+  run_parallel(std::size(jobs), threads, [&](std::size_t i) { jobs[i](); });
+  if (certificate) {
+    extras.proof_log = certificate_name;
+    design.quality.proven_bound = certificate->bound;
+  }
   const bool had_rules = has_rules(design), unproven = !certificate && design.quality.proven_bound;
   if (unproven) design.quality.proven_bound.reset();
   give_memory_back();
   auto left_out = make_design_package(
-      design, design.cutting, extras, [&](const OutputFile& file) { return draft.add(file); }, time);
+      design, design.cutting, extras, [&](const OutputFile& file) { return draft.add(file); }, time,
+      std::move(parts));
   if (!left_out) return refused(writing, left_out.error());
   if (certificate)
-    if (const auto added = draft.add({certificate_name, *certificate}); !added)
+    if (const auto added = draft.add({certificate_name, certificate->log}); !added)
       return refused(writing, added.error());
   if (!certificate && had_rules) left_out->push_back(left_out_sentence(certificate.error()));
   if (unproven) left_out->push_back("The bound is left out: no log proves it.");

@@ -79,11 +79,12 @@ int run(const Session& session, const SynthesizeArguments& arguments) {
     return tell_no_design(session, *none, loaded->unit(), ProofFolder{*loaded, arguments.folder, to_map});
   const auto& found = std::get<FoundDesign>(outcome);
   auto design =
-      certified_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map});
+      certified_design(loaded->spec, found, {.map_tolerance = arguments.map_tolerance, .stop = to_map},
+                       Detail::full, arguments.threads);
   if (!design) return fail_unproven(session, none_found + (": " + design.error()));
   const StopFlag to_write = stopping.flag(time_to_write(stopping.limit()));
   const int code = publish_design(session, *design, *loaded, arguments.folder, {to_map, to_write}, *studio,
-                                  arguments.paper);
+                                  arguments.paper, arguments.threads);
   return code == done && stopping.interrupted() ? interrupted : code;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "specs/hardware.hpp"
 #include "synthesis/design/allowed.hpp"
@@ -14,6 +16,7 @@
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/search/steps/design_check.hpp"
+#include "synthesis/solvers/parallel.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "synthesis/tolerance/corner_error.hpp"
 #include "workspace/footprint.hpp"
@@ -117,8 +120,10 @@ void measure_footprint(Design& design, const StopFlag& stop) {
 
 enum class From { search, spec };
 
-Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers,
-                 const MapOptions& options, Detail detail, From from) {
+/// `beside`: what else is asked of the design and needs no map; it may run beside it.
+Design assembled(
+    const Spec& spec, const CopyingLinkage& linkage, const LayerAssignment& layers, const MapOptions& options,
+    Detail detail, From from, int threads = 1, const std::function<void()>& beside = [] {}) {
   Design design{.linkage = linkage,
                 .title = spec.title,
                 .scale = spec.copy.scale(),
@@ -137,10 +142,16 @@ Design assembled(const Spec& spec, const CopyingLinkage& linkage, const LayerAss
                 .material = spec.material,
                 .load = spec.load};
   note_ratio(design, spec.copy);
-  design.map = map_workspace(map_task(design), options);
-  if (from == From::search) cover_as_searched(design, options.stop);
+  const std::function<void()> jobs[] = {[&] {
+                                          design.map = map_workspace(map_task(design), options);
+                                          if (from == From::search) cover_as_searched(design, options.stop);
+                                        },
+                                        [&] {
+                                          if (detail == Detail::full) measure_footprint(design, options.stop);
+                                        },
+                                        beside};
+  run_parallel(std::size(jobs), threads, [&](std::size_t i) { jobs[i](); });
   design.opening = design.map.certified_opening;
-  if (detail == Detail::full) measure_footprint(design, options.stop);
   design.quality.size = linkage.size();
   design.quality.transmission_min = smallest_transmission(linkage, design.region, design.opening);
   design.quality.clearance_min = design.map.clearance_min;
@@ -239,15 +250,19 @@ MapTask map_task(const Design& design) {
           .region = design.region};
 }
 
-Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOptions& options,
-                       Detail detail) {
+Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOptions& options, Detail detail,
+                       int threads) {
   Spec spec = asked;
   if (found.section) use_section(spec.links.style, *found.section);
-  Design design = assembled(spec, found.linkage, found.layers, options, detail, From::search);
-  if (detail == Detail::full && found.layers.highest() > 2 && !options.stop()) {
+  std::vector<std::string> why_not_fewer;
+  const auto ask_for_fewer_layers = [&] {
+    if (detail != Detail::full || found.layers.highest() <= 2 || options.stop()) return;
     LayerChoice choice = layer_choice(spec, found.linkage, found.layers.highest(), options.stop);
-    if (!options.stop()) design.why_not_fewer_layers = std::move(choice.why_not_fewer);
-  }
+    if (!options.stop()) why_not_fewer = std::move(choice.why_not_fewer);
+  };
+  Design design = assembled(spec, found.linkage, found.layers, options, detail, From::search, threads,
+                            ask_for_fewer_layers);
+  design.why_not_fewer_layers = std::move(why_not_fewer);
   design.search = SearchRecord{.objective = objective_of(found.goal).value_or(spec.objective.objective),
                                .value = found.value,
                                .solvers = found.solvers,
@@ -262,10 +277,10 @@ Design assemble_design(const Spec& asked, const FoundDesign& found, const MapOpt
 }
 
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
-                                                   const MapOptions& options, Detail detail) {
+                                                   const MapOptions& options, Detail detail, int threads) {
   if (!keeps_stock_lengths(found.linkage, spec.links.stock_lengths))
     return tl::unexpected(std::string("the design found has lengths that links does not allow"));
-  Design design = assemble_design(spec, found, options, detail);
+  Design design = assemble_design(spec, found, options, detail, threads);
   const auto& robust = design.quality.robust;
   if (design.map.coverage.covered && robust && !robust->holds)
     return tl::unexpected(std::string("the design found is not proven to be robust"));

@@ -18,13 +18,15 @@ enum class Detail {
   figures  ///< without the footprint, half the work beside the search, and without the reasons for its layers
 };
 
-/// The design that a search found, with the record of the search.
+/// The design that a search found, with the record of the search. On two `threads` or more the footprint and the reasons for its layers
+/// are worked out beside the map; the design is the same.
 Design assemble_design(const Spec& spec, const FoundDesign& found, const MapOptions& options,
-                       Detail detail = Detail::full);
+                       Detail detail = Detail::full, int threads = 1);
 
 /// The same, if its map shows that it covers the region; else a sentence that says why it is no design.
 tl::expected<Design, std::string> certified_design(const Spec& spec, const FoundDesign& found,
-                                                   const MapOptions& options, Detail detail = Detail::full);
+                                                   const MapOptions& options, Detail detail = Detail::full,
+                                                   int threads = 1);
 
 /// By how much commands may exceed a time limit (s).
 inline double grace_after(double limit) { return std::max(0.1, 0.1 * limit); }
