@@ -280,6 +280,27 @@ live("Joints' letters stay in the picture", async () => {
     });
 });
 
+test("No figure of the head is cut, however narrow the page", async () => {
+  for (const width of [320, 360, 390, 700, 1280])
+    await on("plagiograph", { viewport: { width, height: 844 } }, async (page) => {
+      await page.evaluate(() => {
+        const [first] = document.querySelectorAll(".key dd");
+        first.firstChild.textContent = "15679.5 × 16929.8\u00a0mm";
+        document.querySelector(".keys").append(...[...document.querySelectorAll(".key")].map((node) => node.cloneNode(true)));
+      });
+      const cut = await page.evaluate(() => {
+        const { left, right } = document.querySelector(".keys").getBoundingClientRect();
+        return [...document.querySelectorAll(".key, .key dt, .key dd, .key small")].filter((node) => {
+          const range = document.createRange();
+          range.selectNodeContents(node);
+          const box = range.getBoundingClientRect(), card = node.closest(".key").getBoundingClientRect();
+          return box.left < left - 1 || box.right > right + 1 || box.right > card.right + 1;
+        }).map((node) => node.textContent);
+      });
+      assert.deepEqual(cut, [], `${width} px`);
+    });
+});
+
 live("The keyboard alone moves the tracer", async () => {
   await on("plagiograph", {}, async (page) => {
     await page.locator("#live-board").focus();
