@@ -109,31 +109,54 @@
       return { letter, role, point };
     }
 
-    /** A joint's letter stands on the side that its links leave free. */
+    /** A joint's letter; a named point's task too where the window has room for it. */
     label(letter, i) {
       const { role } = this.joints[i];
-      const neighbours = [...new Set(this.model.bodies.flatMap(({ line }) => (line.includes(i) ? line.filter((j) => Math.abs(line.indexOf(j) - line.indexOf(i)) === 1) : [])))];
-      const words = () => (role && this.board.canvasWidth > 520 ? `${letter} ${role}` : letter);
-      const place = () => {
-        if (!this.pose) return [0, 0];
-        const away = this.freeSide(i, neighbours), px = this.pixel();
-        const half = [3 + 4 * words().length, 9];
-        const beside = ([x, y]) => {
-          const support = Math.min(half[0] / Math.max(1e-9, Math.abs(x)), half[1] / Math.max(1e-9, Math.abs(y)));
-          const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support) * px;
-          return [this.pose[i][0] + x * reach, this.pose[i][1] + y * reach];
-        };
-        // Another side, before the window's edge pushes the words over what they name, or over the map's own words.
-        const turned = (part) => [away[0] * Math.cos(part) - away[1] * Math.sin(part), away[0] * Math.sin(part) + away[1] * Math.cos(part)];
-        const sides = [0, 1, -1, 2, -2, 3, -3, 4].map((eighth) => beside(turned((eighth * Math.PI) / 4)));
-        const inside = sides.filter((at) => this.kept(at, half).every((value, axis) => value === at[axis]));
-        return inside.find((at) => this.isClear(at, half)) || inside[0] || this.kept(sides[0], half);
-      };
+      const place = () => (this.pose ? this.labelPlaces()[i] : [0, 0]);
       const css = `live-label ${role}`;
-      return this.board.create("text", [() => place()[0], () => place()[1], words], {
+      return this.board.create("text", [() => place()[0], () => place()[1], () => this.labelWords(i)], {
         display: "internal", anchorX: "middle", anchorY: "middle", fixed: true, highlight: false, fontSize: 14, parse: false, tabindex: null,
         cssClass: css, highlightCssClass: css, cssDefaultStyle: "", highlightCssDefaultStyle: "",
       });
+    }
+
+    labelWords(i) {
+      const { letter, role } = this.joints[i];
+      return role && this.board.canvasWidth > 520 ? `${letter} ${role}` : letter;
+    }
+
+    /** Where all letters stand in this pose and window, the longer words placed first, so that none lies on another. */
+    labelPlaces() {
+      const window = `${this.board.getBoundingBox()} ${this.board.canvasWidth}`, { placed } = this;
+      if (placed && placed.pose === this.pose && placed.window === window && placed.words === this.words) return placed.at;
+      const order = this.joints.map((_, i) => i).sort((a, b) => this.labelWords(b).length - this.labelWords(a).length || a - b);
+      const at = [], taken = [];
+      for (const i of order) {
+        const half = [3 + 4 * this.labelWords(i).length, 9];
+        at[i] = this.labelPlace(i, half, taken);
+        taken.push({ at: at[i], half });
+      }
+      this.placed = { pose: this.pose, window, words: this.words, at };
+      return at;
+    }
+
+    /** On the side that the joint's links leave free; on another where the window's edge would push the words over what they name, or where words stand. */
+    labelPlace(i, half, taken) {
+      const neighbours = [...new Set(this.model.bodies.flatMap(({ line }) => (line.includes(i) ? line.filter((j) => Math.abs(line.indexOf(j) - line.indexOf(i)) === 1) : [])))];
+      const away = this.freeSide(i, neighbours), px = this.pixel();
+      const beside = (eighth, further) => {
+        const turn = (eighth * Math.PI) / 4, x = away[0] * Math.cos(turn) - away[1] * Math.sin(turn), y = away[0] * Math.sin(turn) + away[1] * Math.cos(turn);
+        const support = Math.min(half[0] / Math.max(1e-9, Math.abs(x)), half[1] / Math.max(1e-9, Math.abs(y)));
+        const reach = Math.max(this.model.width / 2, 1.6 * Math.max(this.model.pin_radius, 3.2 * px)) + (5 + support + further) * px;
+        return [this.pose[i][0] + x * reach, this.pose[i][1] + y * reach];
+      };
+      const around = (further) => [0, 1, -1, 2, -2, 3, -3, 4].map((eighth) => beside(eighth, further));
+      const inside = [0, 18, 36].flatMap(around).filter((at) => this.kept(at, half).every((value, axis) => value === at[axis]));
+      const isApart = (at, other) => [0, 1].some((axis) => Math.abs(at[axis] - other.at[axis]) >= (half[axis] + other.half[axis]) * px);
+      const mark = 1.6 * Math.max(this.model.pin_radius / px, 3.2), marks = this.pose.map((at) => ({ at, half: [mark, mark] }));
+      const apart = inside.filter((at) => taken.every((other) => isApart(at, other)));
+      const free = apart.filter((at) => marks.every((other) => isApart(at, other)));
+      return free.find((at) => this.isClear(at, half)) || free[0] || apart[0] || inside[0] || this.kept(beside(0, 0), half);
     }
 
     /** A place for a box of half size `half` (px), moved into the window if it would stick out a little. */

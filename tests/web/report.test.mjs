@@ -280,6 +280,24 @@ live("Joints' letters stay in the picture", async () => {
     });
 });
 
+live("No joint's letter lies on another", async () => {
+  for (const name of specimens)
+    await on(name, { viewport: { width: 1280, height: 900 } }, async (page) => {
+      for (const factor of [1, 0.4, 0.4, 0.6]) {  // a linkage that is small in its window
+        await page.evaluate((zoom) => window.kempe.report.stage.zoom(zoom), factor);
+        const labels = await page.evaluate(() => [...document.querySelectorAll(".live-label")].map((node) => {
+          const { left, right, top, bottom } = node.getBoundingClientRect();
+          return { left, right, top, bottom, text: node.textContent };
+        }));
+        for (const [i, one] of labels.entries())
+          for (const other of labels.slice(i + 1)) {
+            const across = Math.min(one.right, other.right) - Math.max(one.left, other.left), up = Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top);
+            assert.ok(across <= 1 || up <= 4, `${name}: ${one.text} lies on ${other.text}`);
+          }
+      }
+    });
+});
+
 test("No figure of the head is cut, however narrow the page", async () => {
   for (const width of [320, 360, 390, 700, 1280])
     await on("plagiograph", { viewport: { width, height: 844 } }, async (page) => {
