@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace kempe::workshop {
 namespace {
 
@@ -28,7 +30,8 @@ void draw_centring_marks(Sheet& sheet) {
   sheet.line({middle.x(), frame.lower.y()}, {middle.x(), frame.lower.y() - centring_mark}, Pen::frame);
 }
 
-/// Cells of a block_row of the title block from left to right, each a field's name above its value.
+/// Cells of a block_row of the title block from left to right, each a field's name above its value. A value that is too wide is written
+/// smaller, and cut only where even small letters do not do.
 class BlockRow {
  public:
   BlockRow(Sheet& sheet, const Point& lower_left, const Lettering& lettering)
@@ -37,7 +40,9 @@ class BlockRow {
   void cell(const std::string& name, const std::string& value, double width, double height = text_height) {
     sheet_.rectangle({at_, at_ + Point(width, block_row)}, Pen::thin);
     sheet_.text(name, at_ + Point(1, block_row - 1.2 - small_text), small_text);
-    sheet_.text(shortened(value, height, width - 2, lettering_), at_ + Point(1, 1.6), height);
+    const double room = width - 2, needed = lettering_(value, height);
+    const double fitting = needed > room ? std::max(small_text, height * room / needed) : height;
+    sheet_.text(shortened(value, fitting, room, lettering_), at_ + Point(1, 1.6), fitting);
     at_.x() += width;
   }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "reports/data/design_json.hpp"
@@ -27,6 +28,19 @@ std::vector<Sheet> all_sheets(const workshop::Task& task) {
   return sheets;
 }
 
+/// "1.4"; of a ratio of small numbers whose decimals do not end "2:3".
+std::string scale_words(double scale) {
+  constexpr int most = 20;
+  constexpr double rounding = 1e-12;
+  const std::string decimals = fmt::format("{:.6g}", scale), shortest = fmt::format("{}", scale);
+  if (decimals == shortest) return decimals;
+  for (int below = 1; below <= most; ++below)
+    if (const double above = std::round(scale * below);
+        above >= 1 && above <= most && std::abs(above / below - scale) <= rounding * scale)
+      return fmt::format("{:.0f}:{}", above, below);
+  return decimals;
+}
+
 }  // namespace
 
 std::string workshop_pdf(const Design& design, const WorkshopJob& job) {
@@ -35,7 +49,7 @@ std::string workshop_pdf(const Design& design, const WorkshopJob& job) {
   const auto bill = bill_of_materials(design);
   std::vector<Sheet> sheets = all_sheets({design, bill, job.paper, lettering});
   const std::string copy =
-      fmt::format("scale {:.6g}, rotation {:.6g}\u00b0", design.scale, degrees(design.rotation));
+      fmt::format("scale {}, rotation {:.6g}\u00b0", scale_words(design.scale), degrees(design.rotation));
   const workshop::Job block{job.title.empty() ? drawing_title(design) : job.title, copy, "",
                             workshop::content_hash(design_json(design)), job.program_version};
   for (std::size_t i = 0; i < sheets.size(); ++i) {

@@ -334,6 +334,15 @@ class Sheets(Case):
             self.assertTrue(page.says(sum_of))
             self.assertTrue(page.says(f"{number} of {len(pages)}"))
 
+    def test_title_blocks_cut_no_figure(self):
+        for scale, rotation, words in (('"2:3"', 180, "scale 2:3, rotation 180°"), (0.7071068, -123.4567, "scale 0.707107, rotation -123.457°"),
+                                       (1.4, 90, "scale 1.4, rotation 90°")):
+            text = TEN_LINES.replace("scale = 1.4", f"scale = {scale}").replace("rotation_deg = 90", f"rotation_deg = {rotation}")
+            pages = self.pages(self.drawn(text.replace("at = [60, -5]", "at = [90, -5]")))
+            for page in pages:
+                self.assertIn(words, {one.text for one in page.texts})
+            self.check_letters(pages, words)
+
     def test_stand_any_title(self):
         long_name = "a long name " * 15
         for name in (long_name, "(brackets) \\ and %", "Größe ½ Ω Жук 中文", "tab\tand\x01bell\x07", "  "):
