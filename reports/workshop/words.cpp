@@ -102,15 +102,20 @@ void Words::write(const std::string& text, const Point& anchor, double radius, d
                   const Point& preferred) {
   const Point half = Point(0.5 * lettering_(text, height), 0.5 * height);
   const Point room = half + Point(0.2, 0.2);
-  std::vector<PictureBox> near;
-  for (const double away : {0.5, 1.0, 1.7, 2.5, 3.5, 5.0})
-    for (const Point& direction : directions_from(preferred))
-      near.push_back({anchor + (radius + away) * direction + room.cwiseProduct(sides_of(direction)), room});
+  const auto places = [&](const std::vector<double>& distances) {
+    std::vector<PictureBox> all;
+    for (const double away : distances)
+      for (const Point& direction : directions_from(preferred))
+        all.push_back({anchor + (radius + away) * direction + room.cwiseProduct(sides_of(direction)), room});
+    return all;
+  };
   constexpr double apart = 0.25;  // mm, from any line
-  const auto clear = placer_.place_if_apart(near, apart);
-  const Point place = clear ? *clear : placer_.place_around(anchor, radius, room, Point(1, 1));
-  if (!clear) lead({place, room}, anchor);
-  sheet_.text(text, place - Point(0, half.y()), height, Align::middle);
+  const auto near = placer_.place_if_apart(places({0.5, 1.0, 1.7, 2.5, 3.5, 5.0}), apart);
+  auto place = near;
+  if (!place) place = placer_.place_if_apart(places({6.5, 8.5, 11, 14, 18, 23}), apart);
+  if (!place) place = placer_.place_around(anchor, radius, room, Point(1, 1));
+  if (!near) lead({*place, room}, anchor);
+  sheet_.text(text, *place - Point(0, half.y()), height, Align::middle);
 }
 
 void Words::write_in(const std::string& text, const View& view, const Region& region, double height) {

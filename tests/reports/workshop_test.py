@@ -74,6 +74,12 @@ def apart(one, other):
     return False
 
 
+def thin_box(a, b, thick=0.01):
+    """A line from a to b as a box, mm."""
+    x, y = (thick * (b[i] - a[i]) / math.dist(a, b) for i in (0, 1))
+    return [a, b, (b[0] - y, b[1] + x), (a[0] - y, a[1] + x)]
+
+
 class Case(program.Case):
     def drawn(self, text, name="job.toml", paper=None, folder="out"):
         """The folder that a spec becomes."""
@@ -342,6 +348,63 @@ class Sheets(Case):
             for page in pages:
                 self.assertIn(words, {one.text for one in page.texts})
             self.check_letters(pages, words)
+
+    def test_letters_of_the_assembly_lie_on_no_edge(self):
+        wide = """
+[copy]
+scale = "2:3"
+rotation_deg = 180
+[region]
+rectangle_mm = [-250, -450, 150, 120]
+[pole]
+at_mm = [-100, -200]
+[links]
+width_mm = 36
+hardware = "M10 bolt"
+thickness_mm = 12
+layers = 3
+shortest_mm = 70
+longest_mm = 900
+grid_mm = 5
+[limits]
+clearance_mm = 3
+transmission_deg = 25
+[cutting]
+process = "drill"
+[objective]
+groundings = ["pole", "tracer"]
+"""
+        large = """
+[copy]
+scale = 3
+rotation_deg = 37
+[region]
+rectangle_mm = [-4000, -3500, 1500, 900]
+[pole]
+at_mm = [-2500, -2500]
+[links]
+width_mm = 80
+hardware = "M12 bolt"
+thickness_mm = 18
+shortest_mm = 200
+longest_mm = 6000
+layers = 3
+[limits]
+clearance_mm = 5
+transmission_deg = 5
+"""
+        for name, text in (("wide", wide), ("large", large), ("ten", TEN_LINES)):
+            assembly = self.pages(self.drawn(text, name + ".toml", folder=name))[0]
+            inside = [path for path in assembly.paths if path.stroked and path.circle() is None and abs(path.pen - 0.5) < 0.01]
+            rings = [path.ends() for path in inside]
+            edges = [thin_box(a, b) for ring in rings for a, b in zip(ring, ring[1:] + ring[:1]) if math.dist(a, b) > 0.1]
+            self.assertGreater(len(edges), 8)
+            letters = [one for one in assembly.texts if re.fullmatch("[VABCXY]( pole| tracer| pen)?", one.text)]
+            self.assertEqual(len(letters), 6)
+            for one in letters:
+                box = one.corners()
+                for edge in edges:
+                    self.assertTrue(apart(box, edge), f"{name}: '{one.text}' lies on an edge")
 
     def test_stand_any_title(self):
         long_name = "a long name " * 15
