@@ -13,6 +13,7 @@
 #include "geometry/fixed_text.hpp"
 #include "reports/certificate.hpp"
 #include "reports/data/design_json.hpp"
+#include "reports/drawings/joint_stack.hpp"
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/overload_words.hpp"
 #include "reports/drawings/step_assembly.hpp"
@@ -103,7 +104,7 @@ std::string layers_line(const Design& design) {
   std::string text = "layers      ";
   for (const Link link : all_links)
     text += fmt::format("{} {} in {}", link == all_links.front() ? "" : ",", name(link), design.layers[link]);
-  text += " (1 is next to the table)\n";
+  text += "; " + lowest_layer_words(raised_by(joint_stacks(design))) + "\n";
   for (const std::string& sentence : design.why_not_fewer_layers) text += "             " + sentence + "\n";
   return text;
 }

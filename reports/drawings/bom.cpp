@@ -185,8 +185,7 @@ class Bill {
 
   std::string remark_on(const Hardware& hardware) const {
     std::string text(standards_of(hardware.kind));
-    if (raised_ > 0)
-      text += fmt::format("; layer 1 stands {:.9g} mm above the table, for the heads under it", raised_);
+    if (raised_ > 0) text += "; " + lowest_layer_words(raised_);
     switch (hardware.kind) {
       case HardwareKind::bolt: return text + "; self-locking nuts or thread lock: the joints turn";
       case HardwareKind::bearing:

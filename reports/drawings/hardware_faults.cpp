@@ -121,10 +121,9 @@ void tell_obstacles_beside(const Design& design, const JointStack& stack, double
 void tell_raised(const Design& design, double raised, std::vector<std::string>& faults) {
   for (std::size_t i = 0; raised > 0 && i < design.obstacles.size(); ++i)
     if (design.obstacles[i].lowest_layer > 1)
-      faults.push_back(fmt::format(
-          "layer 1 stands {:.9g} mm above the table, for the heads under it: {} must stand so much "
-          "higher too, since it begins in layer {}",
-          raised, printable(obstacle_name(design.obstacles, i)), design.obstacles[i].lowest_layer));
+      faults.push_back(fmt::format("{}: {} must stand so much higher too, since it begins in layer {}",
+                                   lowest_layer_words(raised), printable(obstacle_name(design.obstacles, i)),
+                                   design.obstacles[i].lowest_layer));
 }
 
 }  // namespace

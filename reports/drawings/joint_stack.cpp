@@ -180,4 +180,9 @@ double raised_by(const std::vector<JointStack>& stacks) {
   return -lowest;
 }
 
+std::string lowest_layer_words(double raised) {
+  return raised > 0 ? fmt::format("layer 1 stands {:.9g} mm above the table, for the heads under it", raised)
+                    : "layer 1 lies next to the table";
+}
+
 }  // namespace kempe

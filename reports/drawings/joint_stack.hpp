@@ -77,4 +77,7 @@ std::vector<StackItem> standing_out(const JointStack& stack);
 /// of so much under their lowest link. 0 where nothing hangs under layer 1.
 double raised_by(const std::vector<JointStack>& stacks);
 
+/// "layer 1 lies next to the table"; of a linkage `raised` (mm) "layer 1 stands 6 mm above the table, for the heads under it".
+std::string lowest_layer_words(double raised);
+
 }  // namespace kempe

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/drawings/blank.hpp"
+#include "reports/drawings/joint_stack.hpp"
 #include "reports/page/html_table.hpp"
 #include "reports/page/sections.hpp"
 #include "reports/pictures/html_text.hpp"
@@ -153,9 +154,10 @@ std::string pins_text(const Design& design) {
 
 std::string making(const Design& design) {
   const LinkStyle& style = design.style;
-  const std::string note = fmt::format(
-      "<p class=\"note\">Links {} wide and {} thick, pins {} across. Layer 1 lies next to the table.</p>\n",
-      length_text(style.width), length_text(style.thickness), pins_text(design));
+  const std::string note =
+      fmt::format("<p class=\"note\">Links {} wide and {} thick, pins {} across. L{}.</p>\n",
+                  length_text(style.width), length_text(style.thickness), pins_text(design),
+                  lowest_layer_words(raised_by(joint_stacks(design))).substr(1));
   return html_section("lengths", "Lengths to cut",
                       "<div class=\"columns\"><div>" + length_table(design) +
                           "</div><div class=\"beside\"><h3>Joints</h3>\n" + joint_table(design) +

@@ -161,6 +161,27 @@ class Restored(Case):
         self.assertNotIn("certificate.jsonl", told["files"])
 
 
+class Told(Case):
+    def made_and_said(self, text):
+        """What the program says of a design, whose folder is `made`."""
+        spec = self.scratch / "spec.toml"
+        spec.write_text(text)
+        run = kempe("synthesize", spec, "-o", self.scratch / "made")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run.stdout
+
+    def test_where_layer_1_stands(self):
+        text = TEN_LINES.replace("width_mm = 6\npin_diameter_mm = 3", "width_mm = 30\nthickness_mm = 7\nlongest_mm = 900")
+        text = text.replace("at = [60, -5]", "at = [260, -5]")
+        for hardware, raised in (('"6 mm dowel"', False), ('"M6 bolt"', True)):
+            said = self.made_and_said(text + f"hardware = {hardware}\n")
+            page = (self.scratch / "made" / "report.html").read_text()
+            words = r"ayer 1 stands [0-9.]+ mm above the table, for the heads under it" if raised else "ayer 1 lies next to the table"
+            for told in (said, page):
+                self.assertRegex(told, words)
+                self.assertEqual("next to the table" in told, not raised)
+
+
 class Hostile(Case):
     def test_of_a_design_that_lies_nothing_is_written(self):
         made = self.made()
