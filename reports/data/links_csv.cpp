@@ -25,9 +25,10 @@ std::string links_csv(const Design& design) {
   const RoundedLengths rounded = rounded_lengths(design);
   const auto as_made = rounded.lengths.values();
   const int decimals = decimals_of(rounded);
+  // Twelve digits: more would be the rounding of doubles, 114.30000000000001 for 4.5 in. design.json has them all.
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Link link = link_of_length(LinkLengths::names[i]);
-    text += fmt::format("{},{},{},{},{},{:.{}f}\n", name(link), LinkLengths::names[i], values[i],
+    text += fmt::format("{},{},{:.12g},{},{},{:.{}f}\n", name(link), LinkLengths::names[i], values[i],
                         design.layers[link], shape_as_made(link, design.style, design.linkage.shape()),
                         as_made[i], decimals);
   }

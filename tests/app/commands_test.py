@@ -548,6 +548,15 @@ class Inches(Case):
         under = self.TEXT + mechanism + "[[obstacles]]\ncircle_in = [0, 0, 1]\n"
         self.assertRefused(kempe("workspace", self.spec(under), "-o", out), 3, "the pole at (0, 0) in")
 
+    def test_lengths_in_the_table_have_no_rounding_noise(self):
+        text = self.TEXT.replace("scale = 2", "scale = 0.5\nrotation_deg = 180").replace("[8, 0, 4, 6]", "[8, -3, 4, 6]")
+        mechanism = '[mechanism]\nvertex = "pole"\nVA_in = 3\nVB_in = 5\nassembly = 0\n[limits]\ntransmission_deg = 1\n'
+        run = kempe("workspace", self.spec(text + mechanism), "-o", self.scratch / "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        table = (self.scratch / "out" / "links.csv").read_text()
+        self.assertIn("BCY,CY,114.3,", table)
+        self.assertNotRegex(table, r"\d{12}")
+
     def test_the_summary_names_keys_of_the_file(self):
         run = self.synthesize(self.TEXT)
         self.assertEqual(run.returncode, 0, run.stderr)
