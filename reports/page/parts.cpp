@@ -222,15 +222,15 @@ std::string given_pictures(const std::vector<PartPicture>& pictures) {
 
 std::string files_note(const ReportExtras& extras) {
   if (extras.pareto) return "";  // a front's folder holds no drawings
-  const std::string drawings =
-      "<p class=\"note\">To work from: <a href=\"workshop.pdf\">workshop.pdf</a>, every link with its "
-      "dimensions at 1:1, the stack, the assembly, the bench plan and the parts list, to print.</p>\n";
   if (!extras.why_no_parts.empty())
-    return drawings + fmt::format(
-                          "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "
-                          "<code>drawing.dxf</code> shows them; there are no files of the parts.</p>\n",
-                          html_escaped(extras.why_no_parts));
-  return drawings +
+    return fmt::format(
+        "<p class=\"note\"><b>The links cannot be cut as they are</b>: {}. "
+        "<code>drawing.dxf</code> and <a href=\"workshop.pdf\">workshop.pdf</a> show them, not to work "
+        "from; there are no files of the parts.</p>\n",
+        html_escaped(extras.why_no_parts));
+  return "<p class=\"note\">To work from: <a href=\"workshop.pdf\">workshop.pdf</a>, every link with its "
+         "dimensions at 1:1, the stack, the assembly, the bench plan, the parts list and what to know before "
+         "making, to print.</p>\n"
          "<p class=\"note\">To cut: <code>drawing.dxf</code> (all links, 1:1), or link by link "
          "<code>parts/VA.dxf</code>, <code>.svg</code> and <code>.stl</code> and so on.</p>\n";
 }

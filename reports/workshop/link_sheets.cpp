@@ -191,8 +191,9 @@ std::vector<std::string> notes_on(const Design& design, const DrawnLink& link) {
   for (const CutPart::Hole& hole : link.part.holes) widest = std::max(widest, hole.diameter);
   std::vector<std::string> notes{fmt::format("Ends, corners R{}", figure(half)),
                                  fmt::format("Thickness {}", figure(link.part.thickness))};
-  if (widest > 0 && widest < 2 * half)
-    notes.push_back(fmt::format("Hole to edge {}", figure(half - 0.5 * widest)));
+  if (widest > 0)
+    notes.push_back(widest < 2 * half ? fmt::format("Hole to edge {}", figure(half - 0.5 * widest))
+                                      : "Hole to edge: no wall");
   if (is_off(-link.box.lower.y() - half)) {
     const char datum = letter(link.part.holes.front().joint);
     notes.push_back(fmt::format("{} from left {}", datum, figure(-link.box.lower.x())));
@@ -218,6 +219,7 @@ std::string link_title(const Task& task, const CutPart& part) {
 struct Tables {
   Table holes, distances;
   std::vector<std::string> notes;
+  std::string why_not_cut;  ///< empty: the link can be cut
   double height(const Lettering& lettering) const {
     const double lines = line_pitch * text_height * static_cast<double>(notes.size());
     return std::max({holes.height(lettering), distances.height(lettering), notes_head + lines});
@@ -226,6 +228,13 @@ struct Tables {
 
 /// Where the tables stand: side by side at the foot, above the ruler.
 constexpr double between_tables = 5, above_tables = 4;
+
+/// Why the link cannot be cut, in lines across a field of the sheet.
+std::vector<std::string> lines_of(const std::string& why_not_cut, const Box& field,
+                                  const Lettering& lettering) {
+  if (why_not_cut.empty()) return {};
+  return wrapped("Do not cut: " + why_not_cut, heading_height, field.upper.x() - field.lower.x(), lettering);
+}
 
 /// The sheet of this link on paper lying or standing, at the largest scale that fits.
 struct Layout {
@@ -238,6 +247,8 @@ Layout layout_of(const Task& task, const DrawnLink& link, const Tables& tables, 
   const Point size = sheet_size(task.paper, orientation);
   Box field = room_of(size);
   field.lower.y() += ruler_room + tables.height(task.lettering) + above_tables;
+  field.upper.y() -= line_pitch * heading_height *
+                     static_cast<double>(lines_of(tables.why_not_cut, field, task.lettering).size());
   const Surround around = surround_of(link.part);
   const Point rest =
       field.upper - field.lower - Point(around.left + around.right, around.below + around.above);
@@ -254,6 +265,11 @@ Sheet dimensioned(const Task& task, const DrawnLink& link, const Tables& tables,
   const Point corner = layout.field.lower + 0.5 * (layout.field.upper - layout.field.lower - needed) +
                        Point(around.left, around.below);
   const View view{layout.scale, corner - layout.scale * link.box.lower};
+  double y = room_of(layout.size).upper.y() - heading_height;
+  for (const std::string& line : lines_of(tables.why_not_cut, layout.field, task.lettering)) {
+    sheet.text(line, {layout.field.lower.x(), y}, heading_height);
+    y -= line_pitch * heading_height;
+  }
   sheet.outline(view.at(link.part.outline), Pen::outline);
   draw_holes(sheet, link.part, view);
   draw_labels(sheet, link.part, view, task.lettering);
@@ -272,12 +288,13 @@ Sheet dimensioned(const Task& task, const DrawnLink& link, const Tables& tables,
 
 std::vector<Sheet> link_sheets(const Task& task, Link link) {
   const DrawnLink drawn = drawn_link(task, link);
-  const Tables tables{hole_table(drawn.part), distance_table(drawn.part), notes_on(task.design, drawn)};
+  const Tables tables{hole_table(drawn.part), distance_table(drawn.part), notes_on(task.design, drawn),
+                      why_not_cut(task.design)};
   const Layout standing = layout_of(task, drawn, tables, Orientation::portrait);
   const Layout lying = layout_of(task, drawn, tables, Orientation::landscape);
   const Layout& layout = lying.scale > standing.scale ? lying : standing;
   std::vector<Sheet> sheets{dimensioned(task, drawn, tables, layout)};
-  if (layout.scale == 1) return sheets;
+  if (layout.scale == 1 || !tables.why_not_cut.empty()) return sheets;
   const auto draw = [&](Sheet& sheet, const View& view) {
     sheet.outline(view.at(drawn.part.outline), Pen::outline);
     draw_holes(sheet, drawn.part, view);

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
+#include "reports/drawings/making_notes.hpp"
+#include "reports/drawings/parts_fault.hpp"
 #include "reports/workshop/sheets.hpp"
 #include "reports/workshop/table.hpp"
 #include "specs/hardware.hpp"
@@ -30,6 +34,24 @@ std::string size_of(const BomItem& item) {
   return text;
 }
 
+/// The sentence as a line of its own: "Hardware differs ...".
+std::string begun(std::string sentence) {
+  if (!sentence.empty())
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
+/// What a maker should know first, the gravest first.
+Table notes_list(const Task& task, double width) {
+  Table table{"Before making", {{"No.", 12, Align::middle}, {"Note", width - 12}}};
+  const auto add = [&](const std::string& note) {
+    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), begun(note)});
+  };
+  if (const std::string cannot = why_not_cut(task.design); !cannot.empty()) add(cannot);
+  for (const std::string& note : making_notes(task.design)) add(note);
+  return table;
+}
+
 Table parts_list(const Task& task, double width) {
   Table table{"Parts list",
               {{"Item", 12, Align::middle},
@@ -45,7 +67,8 @@ Table parts_list(const Task& task, double width) {
 }
 
 Table cutting_list(const Task& task, double width) {
-  Table table{"Cutting list",
+  const auto fault = parts_fault(task.design, task.design.cutting);
+  Table table{"Cutting list" + (fault ? ": cannot be cut, " + fault->note : ""),
               {{"Item", 12, Align::middle},
                {"Link", 18},
                {"Blank, mm", 48},
@@ -78,7 +101,10 @@ std::vector<Sheet> list_sheets(const Task& task) {
     y = room.upper.y();
   };
   new_sheet();
-  for (const Table& table : {parts_list(task, width), cutting_list(task, width)}) {
+  std::vector<Table> tables{parts_list(task, width), cutting_list(task, width)};
+  if (Table notes = notes_list(task, width); !notes.rows.empty())
+    tables.insert(tables.begin(), std::move(notes));
+  for (const Table& table : tables) {
     const bool keeps_together = table.height(task.lettering) <= room.upper.y() - room.lower.y();
     if (keeps_together && table.height(task.lettering) > y - room.lower.y()) new_sheet();
     for (std::size_t row = 0; row < table.rows.size();) {
@@ -112,6 +138,11 @@ std::string holes_text(const CutPart& part) {
   for (const auto& [diameter, count] : counted)
     text += fmt::format("{}{} x \u00d8{}", text.empty() ? "" : ", ", count, figure(diameter));
   return text;
+}
+
+std::string why_not_cut(const Design& design) {
+  const auto fault = parts_fault(design, design.cutting);
+  return fault ? "the links cannot be cut as they are: " + fault->sentence : "";
 }
 
 std::string stock_text(const Design& design) {

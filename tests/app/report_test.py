@@ -181,6 +181,13 @@ class Told(Case):
                 self.assertRegex(told, words)
                 self.assertEqual("next to the table" in told, not raised)
 
+    def test_links_that_cannot_be_cut_are_nothing_to_work_from(self):
+        text = TEN_LINES.replace("pin_diameter_mm = 3", "pin_diameter_mm = 6") + "[cutting]\nhole_fit_mm = 0.2\n"
+        self.made_and_said(text)
+        page = (self.scratch / "made" / "report.html").read_text()
+        self.assertIn("cannot be cut as they are", page)
+        self.assertNotIn("To work from", page)
+
 
 class Hostile(Case):
     def test_of_a_design_that_lies_nothing_is_written(self):

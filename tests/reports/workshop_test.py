@@ -256,6 +256,74 @@ class Parts(Case):
                     self.assertEqual("2 washers" if bill[number - 1]["name"] == "washer" else bill[number - 1]["name"], what)
 
 
+def said_on(page):
+    """All words of a sheet as one line; words that go on in the next line follow each other."""
+    return " ".join(one.text for one in page.texts)
+
+
+class Warnings(Case):
+    def notes(self, out):
+        return json.loads(kempe("report", out / "design.json", "-o", self.scratch / "again", "--json").stdout)["notes"]
+
+    def test_stand_before_the_parts(self):
+        text = """
+[copy]
+scale = 0.5
+[region]
+rectangle_mm = {at = [120, -60], size = [160, 120]}
+[links]
+width_mm = 25
+thickness_mm = 5
+hardware = {A = "M6 bolt", C = "3 mm dowel"}
+pin_diameter_mm = 8
+[limits]
+clearance_mm = 1
+[cutting]
+process = "laser"
+"""
+        for name, text in (("ten", TEN_LINES), ("mixed", text)):
+            out = self.drawn(text, name + ".toml", folder=name)
+            notes = self.notes(out)
+            self.assertGreater(len(notes), 0)
+            lists = [page for page in self.pages(out) if drawing_of(page)[0].startswith("Parts list")]
+            self.assertIn("Before making", {one.text for one in lists[0].texts})
+            said = " ".join(map(said_on, lists))
+            for note in notes:
+                self.assertIn(note[0].upper() + note[1:], said)
+            self.check_letters(self.pages(out), name)
+
+    def test_links_that_cannot_be_cut_say_so_on_every_sheet_of_theirs(self):
+        for name, region, width in (("small", "[60, -40, 9, 8]", 5), ("large", "[600, -400, 900, 800]", 50)):
+            with self.subTest(name):
+                out = self.drawn(f"""
+[copy]
+scale = "1:3"
+[region]
+rectangle_mm = {region}
+[links]
+width_mm = {width}
+pin_diameter_mm = {width}
+thickness_mm = 2
+longest_mm = 3000
+[limits]
+transmission_deg = 20
+[cutting]
+hole_fit_mm = 0.2
+""", name + ".toml", folder=name)
+                self.assertFalse((out / "parts").exists())
+                pages = self.pages(out)
+                sentence = f"he links cannot be cut as they are: holes of {width + 0.2} mm leave no wall in links {width} mm wide; thinner pins"
+                links = [page for page in pages if drawing_of(page)[0].startswith("Link ")]
+                self.assertEqual(len(links), 4, "no tiles to cut by")
+                for page in links:
+                    self.assertIn("Do not cut: t" + sentence, said_on(page))
+                    self.assertIn("Hole to edge: no wall", {one.text for one in page.texts})
+                lists = next(page for page in pages if drawing_of(page)[0].startswith("Parts list"))
+                self.assertIn("T" + sentence, said_on(lists))
+                self.assertTrue(any(page.says("Cutting list: cannot be cut, their holes are as wide as the links") for page in pages))
+                self.check_letters(pages, name)
+
+
 class Bench(Case):
     def check_places(self, out, obstacles):
         """Each place of the table against the design, from the edge of its [table]."""
