@@ -133,15 +133,19 @@ std::string force_text(double force, int decimals) {
 
 std::string angle_text(double angle, int decimals) { return number_text(degrees(angle), decimals) + "°"; }
 
-AreaUnit::AreaUnit(double largest) : small_(std::abs(largest) < 100) {}
+AreaUnit::AreaUnit(double largest)
+    : unit_(std::abs(largest) < 100    ? Unit{"mm²", 1, 1}
+            : std::abs(largest) < 10e6 ? Unit{"cm²", 100, 2}
+                                       : Unit{"m²", 1e6, 4}) {}
 
 std::string AreaUnit::text(double area) const {
-  const double value = small_ ? area : area / 100;
-  const int decimals = small_ || std::abs(value) >= 100 ? 1 : 2;
+  const double value = area / unit_.in_mm2;
+  const double size = std::abs(value);
+  const int decimals = size >= 100 ? 1 : size >= 1 ? std::min(2, unit_.decimals) : unit_.decimals;
   const double least = std::pow(10, -decimals);
   const bool tiny = value > 0 && value < 0.5 * least;
   return fmt::format("{}{}{}{}", tiny ? "< " : "", number_text(tiny ? least : value, decimals),
-                     no_break_space, small_ ? "mm²" : "cm²");
+                     no_break_space, unit_.name);
 }
 
 std::string area_text(double area) { return AreaUnit(area).text(area); }

@@ -38,7 +38,8 @@ std::string length_text(double length, int decimals = 3);
 std::string force_text(double force, int decimals = 2);
 /// "90°" from radians.
 std::string angle_text(double angle, int decimals = 2);
-/// The one unit in which the areas of a table or a legend are written: mm² where the largest is below 100 mm², else cm².
+/// The one unit in which the areas of a table or a legend are written: mm² where the largest is below 100 mm², m² where
+/// it is 10 m² or more, else cm².
 class AreaUnit {
  public:
   /// mm²
@@ -47,7 +48,12 @@ class AreaUnit {
   std::string text(double area) const;
 
  private:
-  bool small_;
+  struct Unit {
+    std::string_view name;
+    double in_mm2;
+    int decimals;  ///< of what is below 1
+  };
+  Unit unit_;
 };
 /// An area alone, in its own unit.
 std::string area_text(double area);

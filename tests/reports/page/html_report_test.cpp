@@ -272,6 +272,15 @@ TEST(MapPicture, TellsTheLevelsOfItsContoursApart) {
   }
 }
 
+TEST(HtmlText, WritesLargeAreasInSquareMetres) {
+  EXPECT_EQ(area_text(91608840), "91.61\u00a0m²");
+  EXPECT_EQ(area_text(9.99e6), "99900\u00a0cm²");
+  EXPECT_EQ(area_text(5320), "53.2\u00a0cm²");
+  EXPECT_EQ(area_text(53.2), "53.2\u00a0mm²");
+  EXPECT_EQ(AreaUnit(5e8).text(123400), "0.1234\u00a0m²");
+  EXPECT_EQ(AreaUnit(5e8).text(1), "< 0.0001\u00a0m²");
+}
+
 TEST(HtmlText, WritesNumbersAsAPersonWould) {
   EXPECT_EQ(number_text(50, 3), "50");
   EXPECT_EQ(number_text(-7.5, 3), "\u22127.5");
