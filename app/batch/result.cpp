@@ -21,8 +21,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* csv_columns[] = {"name",  "status",  "vertex",           "assembly",     "VA_mm",
-                                       "VB_mm", "size_mm", "transmission_deg", "clearance_mm", "message"};
+constexpr const char* csv_columns[] = {"name",
+                                       "status",
+                                       "vertex",
+                                       "assembly",
+                                       "VA_mm",
+                                       "VB_mm",
+                                       "size_mm",
+                                       "transmission_deg",
+                                       "clearance_mm",
+                                       "copy_error_worst_mm",
+                                       "copy_error_at_corner_mm",
+                                       "message"};
 
 /// JSON on one line; bytes that are no UTF-8, as a file's name may have, become U+FFFD.
 std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -40,6 +50,8 @@ Json figures(const Design& design) {
             {"clearance_mm", design.quality.clearance_min},
             {"region_covered", design.map.coverage.covered},
             {"copy_error_max_mm", design.verification.copy_error_max}};
+  if (const auto& worst = design.quality.copy_error_worst) line["copy_error_worst_mm"] = *worst;
+  if (const auto& found = design.quality.copy_error_at_corner) line["copy_error_at_corner_mm"] = *found;
   if (const auto& robust = design.quality.robust) line["robust_clearance_mm"] = robust->clearance;
   if (const auto& search = design.search) {  // as in design.json
     line["objective"] = std::string(name(search->objective));

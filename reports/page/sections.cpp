@@ -171,12 +171,15 @@ std::string copy_error_figure(const Design& design) {
     return html_key_figure("Robust", q.robust->holds ? length_text(q.robust->clearance, 2) : "not proven",
                            "clearance of every instrument");
   if (!q.copy_error_worst) return {};
-  if (q.copy_error_at_corner)
-    return html_key_figure("Copy error at worst", length_text(*q.copy_error_at_corner, 3),
-                           length_text(*q.copy_error_worst, 3) + " to the first order");
-  return html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
-                         design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3)
-                                                  : "under the tolerances");
+  const std::string limit =
+      design.limits.copy_error ? "limit " + length_text(*design.limits.copy_error, 3) : "";
+  if (!q.copy_error_at_corner)
+    return html_key_figure("Copy error at worst", length_text(*q.copy_error_worst, 3),
+                           limit.empty() ? "under the tolerances" : limit);
+  const std::string found = length_text(*q.copy_error_at_corner, 3);
+  return html_key_figure(
+      "Copy error at worst", breaks_copy_error_limit(design) ? "<b class=\"bad\">" + found + "</b>" : found,
+      (limit.empty() ? "" : limit + "; ") + length_text(*q.copy_error_worst, 3) + " to the first order");
 }
 
 std::string load_error_figure(const Design& design) {

@@ -202,9 +202,10 @@ std::string workspace(const Design& design) {
                                      "and clearance."}
           : std::vector<std::string>{
                 "Certified opening", angle_text(design.opening.width(), 1),
-                fmt::format(
-                    "From {} to {}: the angle between the bars VA and VB over which every limit is kept.",
-                    angle_text(design.opening.lower, 1), angle_text(design.opening.upper, 1))});
+                fmt::format("From {} to {}: the angle between the bars VA and VB over which the limits on "
+                            "transmission "
+                            "angle and clearance are kept.",
+                            angle_text(design.opening.lower, 1), angle_text(design.opening.upper, 1))});
   if (!map.uncertain.empty())
     rows.push_back({"Uncertain", areas.text(area(map.uncertain)),
                     "A band neither proven free nor proven in contact. Treat it as lost."});

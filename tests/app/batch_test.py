@@ -4,6 +4,7 @@
 usage: batch_test.py KEMPE
 """
 import collections
+import csv
 import itertools
 import json
 import os
@@ -120,6 +121,22 @@ class Sweeps(Case):
                             ([(f"a.x{i}", [1] * 100) for i in range(5)], ("cells", "fewer"))):
             with self.subTest(axes[0][0]):
                 self.refused(self.sweep(SPEC, axes), *words)
+
+
+class Figures(Case):
+    def test_the_copy_error_of_the_tolerances_stands_beside_the_solvers(self):
+        loose = {**SPEC, "tolerance": {"length_mm": 1.5, "play_mm": 0.05}}
+        lines = self.lines([SPEC, loose])
+        found = self.run_batch(lines, self.scratch / "out")
+        exact, toleranced = (json.loads(line) for line in found["results.jsonl"].splitlines())
+        design = json.loads((OneOfMany.design(self, lines, "line-2") / "design.json").read_text())["quality"]
+        for name in ("copy_error_worst_mm", "copy_error_at_corner_mm"):
+            self.assertNotIn(name, exact)
+            self.assertEqual(toleranced[name], design[name])
+        self.assertLess(toleranced["copy_error_max_mm"], 1e-9)
+        rows = list(csv.DictReader(found["results.csv"].decode().splitlines()))
+        self.assertEqual([row["copy_error_worst_mm"] for row in rows], ["", str(toleranced["copy_error_worst_mm"])])
+        self.assertEqual([row["copy_error_at_corner_mm"] for row in rows], ["", str(toleranced["copy_error_at_corner_mm"])])
 
 
 class OneOfMany(Case):

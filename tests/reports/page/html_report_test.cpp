@@ -281,6 +281,21 @@ TEST(HtmlText, WritesLargeAreasInSquareMetres) {
   EXPECT_EQ(AreaUnit(5e8).text(1), "< 0.0001\u00a0m²");
 }
 
+TEST(HtmlReport, SaysWhichLimitsTheCertifiedOpeningKeeps) {
+  ReportSpecimen specimen = plagiograph_specimen();
+  specimen.design.quality.copy_error_worst = 0.4;
+  specimen.design.quality.copy_error_at_corner = 0.6;
+  specimen.design.limits.copy_error = 0.5;
+  const std::string page = report_of(specimen);
+  EXPECT_THAT(page, Not(HasSubstr("every limit is kept")));
+  EXPECT_THAT(page, HasSubstr("over which the limits on transmission angle and clearance are kept"));
+  EXPECT_THAT(page, HasSubstr("<dt>Copy error at worst</dt><dd><b class=\"bad\">0.6\u00a0mm</b><small>limit "
+                              "0.5\u00a0mm; 0.4\u00a0mm to the first order</small>"));
+  specimen.design.limits.copy_error = 0.7;
+  EXPECT_THAT(report_of(specimen), HasSubstr("<dt>Copy error at worst</dt><dd>0.6\u00a0mm<small>limit "
+                                             "0.7\u00a0mm; 0.4\u00a0mm to the first order</small>"));
+}
+
 TEST(HtmlText, WritesNumbersAsAPersonWould) {
   EXPECT_EQ(number_text(50, 3), "50");
   EXPECT_EQ(number_text(-7.5, 3), "\u22127.5");
