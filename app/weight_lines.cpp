@@ -17,7 +17,8 @@ std::string sag_line(const Design& design) {
                  "their digits\n"
                : "";
   const bool plays = design.tolerance && design.tolerance->play > 0;
-  return fmt::format("sag          {:.4g} mm at most at tracer and pen, by weight{}\n", *design.quality.sag,
+  const double sag = *design.quality.sag > no_drop ? *design.quality.sag : 0;
+  return fmt::format("sag          {:.4g} mm at most at tracer and pen, by weight{}\n", sag,
                      plays ? " and play" : "");
 }
 

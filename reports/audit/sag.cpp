@@ -2,9 +2,12 @@
 
 #include "synthesis/loads/sag.hpp"
 
+#include <algorithm>
+
 #include "reports/audit/give_limit.hpp"
 #include "reports/audit/record.hpp"
 #include "reports/audit/slack.hpp"
+#include "synthesis/design/error_budget.hpp"
 
 namespace kempe {
 
@@ -22,7 +25,8 @@ void audit_sag(const AuditTask& task, AuditRecord& record) {
   if (why != nullptr) return limit.cannot_tell(task, why, ", without which it cannot be kept", record);
   const double found =
       largest_sag(task.linkage, sag_conditions(as_built(design), design.layers), *task.needed).sag.most();
-  record.figure(limit.figure, design.quality.sag, found, audit_slack::share_of_copy_error * found);
+  record.figure(limit.figure, design.quality.sag, found,
+                std::max(audit_slack::share_of_copy_error * found, no_drop));
   limit.check(task, found, record);
 }
 

@@ -121,12 +121,12 @@ struct Panel {
   ErrorPart part;
 };
 
-/// Empty where the error is nowhere or not everywhere known.
+/// Empty where the error is nowhere more than rounding, or not everywhere known.
 std::string panel_figure(const Design& design, const Panel& panel) {
   const Course course = course_of(design, panel.part);
   const bool is_known = std::all_of(course.errors.begin(), course.errors.end(),
                                     [](double each) { return std::isfinite(each); });
-  if (course.errors.size() < 2 || !is_known || !(course.most() > 0)) return {};
+  if (course.errors.size() < 2 || !is_known || !(course.most() > no_drop)) return {};
   const Point pole = design.linkage.pole();
   PictureExtent extent;
   extent.add(design.region);

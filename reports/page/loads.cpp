@@ -134,7 +134,7 @@ std::string sag_verdict(const Design& design) {
     return " How far pen or tracer sinks is not stated: two joints of a link are too near each other.";
   const double sag = *design.quality.sag;
   const auto& limit = design.limits.sag;
-  if (sag == 0) return " Neither pen nor tracer sinks.";
+  if (sag <= no_drop) return " Neither pen nor tracer sinks by weight or play.";
   const std::string figure = fmt::format("en or tracer sinks by up to <b>{}</b>", small_length(sag));
   return limit ? fmt::format(" Down: {}, p{}; {} are allowed.", sag <= *limit * (1 + 1e-9) ? "yes" : "no",
                              figure, length_text(*limit))

@@ -20,8 +20,12 @@ std::string three_digits(double value, std::string_view unit) {
   return fmt::format("{:.3g}\u00a0{}", value, unit);
 }
 
+/// N: what bears no more does not rest, but for rounding.
+constexpr double no_force = 1e-9;
+
 std::string drop_words(const Drop& drop, double bears) {
-  if (bears > 0) return fmt::format("rests on the table, which bears {} there", three_digits(bears, "N"));
+  if (bears > no_force)
+    return fmt::format("rests on the table, which bears {} there", three_digits(bears, "N"));
   return fmt::format("{} by weight, up to {} by play", length_text(drop.by_weight),
                      length_text(drop.by_play));
 }

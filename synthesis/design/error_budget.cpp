@@ -24,9 +24,6 @@ namespace {
 constexpr double flat_widths[] = {6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100};
 constexpr double flat_thicknesses[] = {2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40};
 
-/// mm: a sag below this is the rounding of none.
-constexpr double no_drop = 1e-9;
-
 template <std::size_t size>
 double next_of(const double (&sizes)[size], double value) {
   const auto* larger =

@@ -30,6 +30,9 @@ bool is_in_plane(ErrorSource source);
 /// "lengths", "play", "load", "pins", "layers", "weight", "tilt", "pull": for a person.
 std::string_view name(ErrorSource source);
 
+/// mm: a drop or a rise no larger is rounding, and told as none.
+inline constexpr double no_drop = 1e-9;
+
 /// One thing that a builder could do.
 struct BudgetChange {
   std::string words;  ///< "15 x 6 mm instead of 15 x 5 mm"

@@ -69,8 +69,7 @@ double SagAt::most() const {
 
 SagProfile::SagProfile(Complex k, Grounding grounding, const SagConditions& conditions)
     : shape_(shape_of(k, grounding)), roles_(roles_of(grounding)), conditions_(conditions),
-      pins_(pin_diameters(conditions.style, conditions.hardware)),
-      down_(standard_gravity * std::cos(conditions.tilt)) {}
+      pins_(pin_diameters(conditions.style, conditions.hardware)), down_(gravity_across(conditions.tilt)) {}
 
 void SagProfile::add_links(GrillagePlan& plan) const {
   const FlatBar bar = flat_bar(conditions_.style, conditions_.E, conditions_.G);

@@ -116,6 +116,17 @@ class Weight(unittest.TestCase):
         self.assertEqual(stated["load"]["tilt_deg"], 90)
         self.assertTrue(self.verified(stated)["certified"])
 
+    def test_on_an_upright_table_nothing_sinks_and_rounding_is_not_told(self):
+        spec = TASK + LOAD + 'tilt_deg = 90\nrests = ["pen"]\n'
+        said, stated = self.design(spec.replace("[tolerance]\nlength_mm = 0.05\nplay_mm = 0.02\n", ""))
+        self.assertEqual(stated["quality"]["sag_max_mm"], 0)
+        self.assertIn("sag          0 mm at most", said)
+        page = (self.here / "design" / "report.html").read_text()
+        self.assertNotRegex(page.split("<body>")[1].split("<script")[0], r"\de-1\d")
+        self.assertNotIn("<b>Sag</b>: ", page)
+        self.assertNotIn("rests on the table, which bears", page)
+        self.assertIn("Neither pen nor tracer sinks by weight or play.", page)
+
     def test_a_loaded_instrument_draws_beside_the_drawn_one(self):
         self.design(TASK + LOAD)
         plain = json.loads(self.trace("--json").stdout)
