@@ -70,7 +70,9 @@ std::string budget_lines(const Design& design) {
   std::string text = "budget       in the plane " + parts_of(*budget, true) + "\n";
   if (!budget->states_layers)
     text += "             what the layers add is not stated: two joints of a link are too near each other\n";
-  if (budget->sum(false) > 0) text += "             down " + parts_of(*budget, false) + "\n";
+  if (budget->sum(false) > 0)
+    text += std::string("             ") + (budget->pulls() ? "down or up " : "down ") +
+            parts_of(*budget, false) + "\n";
   if (const auto& limit = design.limits.load_error; limit && design.quality.loads) {
     const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
     if (links <= *limit * (1 + 1e-9) && links + beyond > *limit * (1 + 1e-9))
@@ -84,8 +86,9 @@ std::string budget_lines(const Design& design) {
                     down = help_words(budget->most_helpful(false));
   if (!in_plane.empty()) text += "             most would help " + in_plane + "\n";
   if (!down.empty())
-    text += fmt::format("             {} {}\n", in_plane.empty() ? "most would help" : "and against sinking",
-                        down);
+    text += fmt::format(
+        "             {} {}\n",
+        in_plane.empty() ? "most would help" : "and " + std::string(budget->help_out_of_plane()), down);
   return text;
 }
 

@@ -88,7 +88,9 @@ void add_rows(const Design& design, const ErrorBudget& budget, bool in_plane,
                     figure_text(entry.error, 5), figure_text(100 * share, 1), changes_text(entry)});
   }
   if (any)
-    rows.push_back({in_plane ? "<b>In the plane, all together</b>" : "<b>Down, all together</b>",
+    rows.push_back({in_plane         ? "<b>In the plane, all together</b>"
+                    : budget.pulls() ? "<b>Down or up, all together</b>"
+                                     : "<b>Down, all together</b>",
                     "<b>" + figure_text(sum, 4) + "</b>", "100", ""});
 }
 
@@ -129,13 +131,23 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
                      figure_text(100 * error / sum, 1), small_length(sum));
 }
 
+/// What the load does beside weight and play, which the sag does not have.
+std::string pull_verdict(const Design& design) {
+  const auto& layered = design.quality.layered;
+  if (!layered || !(layered->rise_max > no_drop)) return "";
+  return fmt::format(
+      " The load lifts or lowers pen or tracer by up to <b>{}</b>, by the layers of the links.",
+      small_length(layered->rise_max));
+}
+
 std::string sag_verdict(const Design& design) {
   if (!design.quality.sag)
     return " How far pen or tracer sinks is not stated: two joints of a link are too near each other.";
   const double sag = *design.quality.sag;
   const auto& limit = design.limits.sag;
   if (sag <= no_drop) return " Neither pen nor tracer sinks by weight or play.";
-  const std::string figure = fmt::format("en or tracer sinks by up to <b>{}</b>", small_length(sag));
+  const std::string figure =
+      fmt::format("en or tracer sinks by up to <b>{}</b> by weight and play", small_length(sag));
   return limit ? fmt::format(" Down: {}, p{}; {} are allowed.", sag <= *limit * (1 + 1e-9) ? "yes" : "no",
                              figure, length_text(*limit))
                : fmt::format(" P{}: the spec sets no limit on this (limits.sag_mm).", figure);
@@ -153,8 +165,8 @@ std::string what_helps(const ErrorBudget& budget) {
                     down = most_helpful_text(budget.most_helpful(false));
   if (in_plane.empty() && down.empty()) return {};
   return "<p>What would help most" + (in_plane.empty() ? "" : " in the plane: " + in_plane) +
-         (in_plane.empty() || down.empty() ? "" : ";") + (down.empty() ? "" : " against sinking: " + down) +
-         ".</p>\n";
+         (in_plane.empty() || down.empty() ? "" : ";") +
+         (down.empty() ? "" : fmt::format(" {}: {}", budget.help_out_of_plane(), down)) + ".</p>\n";
 }
 
 /// What breaks, buckles or bends beyond small bending, before all else.
@@ -166,7 +178,7 @@ std::string overload(const Design& design) {
 }
 
 std::string verdict(const Design& design, const ErrorBudget& budget) {
-  return overload(design) + "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) +
+  return overload(design) + "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) + pull_verdict(design) +
          "</p>\n" + what_helps(budget);
 }
 

@@ -17,6 +17,7 @@
 #include "reports/pictures/mechanism_picture.hpp"
 #include "reports/pictures/svg_element.hpp"
 #include "synthesis/design/copy_overlap.hpp"
+#include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/gravity.hpp"
 
 namespace kempe::report_sections {
@@ -199,6 +200,14 @@ std::string sag_figure(const Design& design) {
       design.limits.sag ? "limit " + length_text(*design.limits.sag, 2) : "by weight and play");
 }
 
+/// What the load adds to the sag, up or down.
+std::string rise_figure(const Design& design) {
+  const auto& layered = design.quality.layered;
+  if (!layered || !(layered->rise_max > no_drop)) return {};
+  return html_key_figure("Lifted or lowered", length_text(layered->rise_max, 2),
+                         "by the load at worst, beside the sag");
+}
+
 }  // namespace
 
 std::string key_figures(const Design& design) {
@@ -215,7 +224,7 @@ std::string key_figures(const Design& design) {
     html += html_key_figure("Smallest clearance", length_text(q.clearance_min, 2),
                             "limit " + length_text(design.limits.clearance, 2));
   return "<dl class=\"keys\">\n" + html + copy_error_figure(design) + load_error_figure(design) +
-         sag_figure(design) + "</dl>\n";
+         sag_figure(design) + rise_figure(design) + "</dl>\n";
 }
 
 namespace {

@@ -264,6 +264,17 @@ const BudgetEntry* ErrorBudget::most_helpful(bool in_plane) const {
   return best;
 }
 
+std::string_view ErrorBudget::help_out_of_plane() const {
+  const BudgetEntry* entry = most_helpful(false);
+  return entry != nullptr && entry->source == ErrorSource::pull ? "against what the load lifts or lowers"
+                                                                : "against sinking";
+}
+
+bool ErrorBudget::pulls() const {
+  return std::any_of(entries.begin(), entries.end(),
+                     [](const BudgetEntry& entry) { return entry.source == ErrorSource::pull; });
+}
+
 std::optional<ErrorBudget> error_budget(const Design& design) {
   const auto openings = openings_over(design.linkage, design.region);
   if (!design.load || !design.material || !openings || openings->empty()) return std::nullopt;

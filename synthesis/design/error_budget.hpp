@@ -59,6 +59,10 @@ struct ErrorBudget {
   double beyond_the_links() const;
   /// The entry of a group whose best change takes most of it away; null where none helps.
   const BudgetEntry* most_helpful(bool in_plane) const;
+  /// What the change of most_helpful(false) works against: "against sinking", or "against what the load lifts or lowers".
+  std::string_view help_out_of_plane() const;
+  /// True if the load lifts or lowers tracer or pen: then what is not in the plane is down or up.
+  bool pulls() const;
 };
 
 /// Of a design with load and material whose assembly mode reaches the region; nothing otherwise.

@@ -113,7 +113,7 @@ class Loads(unittest.TestCase):
         self.assertEqual(stated["search"]["value"], stated["quality"]["load_error_max_mm"])
         page = (self.here / "design" / "report.html").read_text()
         for words in ("Will it be stiff enough?", "Yes: ", "8\u00a0×\u00a02\u00a0mm instead of 6\u00a0×\u00a02\u00a0mm", "ream the hole",
-                      "In the plane, all together", "Down, all together", "Load, pins and layers over the region", "Sag over the region"):
+                      "In the plane, all together", "Down or up, all together", "Load, pins and layers over the region", "Sag over the region"):
             self.assertIn(words, page)
         narrow = json.loads((self.here / "design" / "design.json").read_text())
         self.assertRegex(said, "budget .* layers [0-9]")

@@ -127,6 +127,22 @@ class Weight(unittest.TestCase):
         self.assertNotIn("rests on the table, which bears", page)
         self.assertIn("Neither pen nor tracer sinks by weight or play.", page)
 
+    def test_what_the_load_lifts_stands_beside_what_sinks(self):
+        self.assertGreater(self.design(TASK + LOAD)[1]["quality"]["load_rise_max_mm"], 0.001)
+        page = (self.here / "design" / "report.html").read_text()
+        self.assertRegex(page, r"<dt>Lifted or lowered</dt><dd>[0-9.]+\u00a0mm<small>by the load at worst, beside the sag")
+        self.assertRegex(page, r"en or tracer sinks by up to <b>[^<]+</b> by weight and play: the spec sets no limit")
+        self.assertRegex(page, r"The load lifts or lowers pen or tracer by up to <b>[0-9.]+\u00a0mm</b>")
+        self.assertIn("Down or up, all together", page)
+        exact = TASK.replace("[tolerance]\nlength_mm = 0.05\nplay_mm = 0.02\n", "")
+        upright = self.design(exact + LOAD + "tilt_deg = 90\n")[0]
+        self.assertNotIn("and against sinking", upright)
+        self.assertRegex(upright, "down or up .* at worst: pull ")
+        self.assertIn("and against what the load lifts or lowers", upright)
+        page = (self.here / "design" / "report.html").read_text()
+        self.assertIn(" against what the load lifts or lowers: ", page)
+        self.assertNotIn("against sinking", page)
+
     def test_a_loaded_instrument_draws_beside_the_drawn_one(self):
         self.design(TASK + LOAD)
         plain = json.loads(self.trace("--json").stdout)
