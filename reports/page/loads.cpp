@@ -178,8 +178,8 @@ std::string overload(const Design& design) {
 }
 
 std::string verdict(const Design& design, const ErrorBudget& budget) {
-  return overload(design) + "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) + pull_verdict(design) +
-         "</p>\n" + what_helps(budget);
+  return overload(design) + "<p class=\"lead\">" + give_verdict(design, budget) + sag_verdict(design) +
+         pull_verdict(design) + "</p>\n" + what_helps(budget);
 }
 
 std::string share_of_strength(double stress, double strength, const std::string& material) {
