@@ -221,10 +221,11 @@ std::string stress_words(const Design& design) {
   const double in_plane = design.quality.loads->stress_max;
   if (!std::isfinite(in_plane)) return "a hole leaves nothing of a link";
   const auto& layered = design.quality.layered;
-  return fmt::format("the links are stressed to {:.3g} MPa{}; {} bears {:.3g} MPa", largest_stress(design),
-                     layered && layered->stress_max ? fmt::format(", {:.3g} MPa in the plane alone", in_plane)
-                                                    : std::string(" in the plane; out of it is not stated"),
-                     design.material->name, design.material->strength);
+  return fmt::format(
+      "the links are stressed to {} MPa{}; {} bears {} MPa", three_digits(largest_stress(design)),
+      layered && layered->stress_max ? fmt::format(", {} MPa in the plane alone", three_digits(in_plane))
+                                     : std::string(" in the plane; out of it is not stated"),
+      design.material->name, three_digits(design.material->strength));
 }
 
 /// Forces, how far the pen gives way, what the links weigh.
@@ -240,8 +241,8 @@ std::string loads_lines(const Design& design) {
         "direction\n",
         design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
         loads->error_max, loads->error_min);
-    text += fmt::format("             the hand holds {:.3g} N, the worst pin bears {:.3g} N\n",
-                        loads->hand_force_max, loads->pin_force_max);
+    text += fmt::format("             the hand holds {} N, the worst pin bears {} N\n",
+                        three_digits(loads->hand_force_max), three_digits(loads->pin_force_max));
     text += "             " + stress_words(design) + "\n";
   }
   if (design.quality.mass)

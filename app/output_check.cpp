@@ -15,7 +15,7 @@ class Place {
   explicit Place(const fs::path& path) : is_named_(!path.empty()) {
     std::error_code error;
     there_ = is_named_ && ::stat(path.c_str(), &status_) == 0;
-    if (is_named_) canonical_ = fs::weakly_canonical(fs::absolute(path), error);
+    if (is_named_) canonical_ = fs::weakly_canonical(fs::absolute(path, error), error);
   }
 
   bool is_one_file_with(const Place& other) const {

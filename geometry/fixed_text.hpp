@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,20 @@ inline std::string short_text(double value, int decimals) {
   std::string text;
   append_short_text(text, value, decimals);
   return text;
+}
+
+/// Rounded to three digits.
+inline double with_three_digits(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double grain = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
+  return std::round(value / grain) * grain;
+}
+
+/// With three digits and without an exponent: "12300", "4.37", "0.0025".
+inline std::string three_digits(double value) {
+  if (value == 0 || !std::isfinite(value)) return short_text(value, 0);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return short_text(with_three_digits(value), decimals > 0 ? decimals : 0);
 }
 
 }  // namespace kempe

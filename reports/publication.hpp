@@ -28,8 +28,7 @@ struct Drafted {
 ///     Its bound comes with the log of its proof (certificate.hpp): where that does not close before there is `enough`, no bound is
 ///     stated. From then on the design is verified at few places.
 ///  2. The drawings are read again from the draft; where they are not the design, the error says so. Once the time is over, they are not read.
-///  3. On two threads or more the files of the parts are made beside the proof's log; the bytes are the same.
-/// Putting the draft in place is the caller's.
+/// On two threads or more the files of the parts are made beside the proof's log; the bytes are the same. Putting the draft in place is the caller's.
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
                                                  const TimeToFinish& time = {}, int threads = 1);
 

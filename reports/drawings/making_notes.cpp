@@ -15,6 +15,13 @@ namespace kempe {
 
 std::vector<std::string> making_notes(const Design& design) {
   std::vector<std::string> notes = overload_words(design);
+  if (auto words = large_bending_words(design)) notes.push_back(*std::move(words));
+  for (std::string& note : part_notes(design)) notes.push_back(std::move(note));
+  return notes;
+}
+
+std::vector<std::string> part_notes(const Design& design) {
+  std::vector<std::string> notes;
   for (std::string& fault : hardware_faults(design)) notes.push_back(std::move(fault));
   for (std::string& words : mounting_words(design)) notes.push_back(std::move(words));
   const LinkStyle& style = design.style;

@@ -11,7 +11,7 @@
 namespace kempe {
 namespace {
 
-/// "; link ACX, in layer 3, comes within 0.2 mm of it": of a riser as thick as the stack's pin.
+/// "; link ACX, in layer 3, comes within 0.20 mm of a post there": of one as thick as the stack's pin.
 std::string links_in_the_way(const Design& design, const Body& body, const JointStack& stack) {
   std::string text;
   for (const Link link : all_links) {
@@ -20,8 +20,9 @@ std::string links_in_the_way(const Design& design, const Body& body, const Joint
     const double gap =
         distance_from_link(design, stack.joint, link, openings_over_region(design)) - 0.5 * stack.diameter;
     if (gap >= design.limits.clearance) continue;
-    text += fmt::format("; link {}, in layer {}, {}", name(link), layer,
-                        gap > 0 ? fmt::format("comes within {:.2f} mm of it", gap) : "passes through it");
+    text += fmt::format(
+        "; link {}, in layer {}, {}", name(link), layer,
+        gap > 0 ? fmt::format("comes within {:.2f} mm of a post there", gap) : "passes through a post there");
   }
   return text;
 }
@@ -41,8 +42,7 @@ std::vector<std::string> mounting_words(const Design& design) {
       const double height = height_above(design, body, stack);
       if (height == 0) continue;
       words.push_back(fmt::format(
-          "{} begins {:.6g} mm above the links at {}: what joins them, as thick as the post, is not in the "
-          "proof of contact{}",
+          "what carries {} is not in the proof of contact: it begins {:.6g} mm above the links at {}{}",
           printable(body_name(design.bodies, i)), height, stack.name, links_in_the_way(design, body, stack)));
     }
   return words;

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "geometry/fixed_text.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_forces.hpp"
+#include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
 #include "workspace/reach.hpp"
@@ -20,6 +23,15 @@ double longest_length(const CopyingLinkage& linkage) {
   double longest = 0;
   for (const double length : linkage.lengths().values()) longest = std::max(longest, length);
   return longest;
+}
+
+/// mm, of tracer or pen; 0 where it is not stated.
+double sunk_by_weight(const Design& design) {
+  const auto openings = openings_over(design.linkage, design.region);
+  if (!openings || !design.quality.sag) return 0;
+  const SagAt sag =
+      largest_sag(design.linkage, sag_conditions(spec_of(design), design.layers), *openings).sag;
+  return std::max(sag.tracer.by_weight, sag.pen.by_weight);
 }
 
 }  // namespace
@@ -50,23 +62,29 @@ std::vector<std::string> overload_words(const Design& design) {
   if (!design.load || !design.material || !design.quality.loads) return words;
   const Material& material = *design.material;
   const double stress = largest_stress(design);
-  if (!(stress <= material.strength))
-    words.push_back(fmt::format("the links break: they are stressed to {:.3g} MPa, and {} bears {:.3g} MPa",
-                                stress, material.name, material.strength));
+  if (!std::isfinite(stress))
+    words.push_back("the links break: a hole leaves nothing of a link");
+  else if (stress > material.strength)
+    words.push_back(fmt::format("the links break: they are stressed to {} MPa, and {} bears {} MPa",
+                                three_digits(stress), material.name, three_digits(material.strength)));
   const double push = largest_push_in_bars(design), buckling = buckling_load_of_bars(design);
   if (push > buckling)
     words.push_back(
-        fmt::format("the bars buckle: they are pushed with {:.3g} N, and {:.3g} N are enough to buckle them",
-                    push, buckling));
-  const double bent = std::max({design.quality.loads->error_max, design.quality.sag.value_or(0),
-                                design.quality.layered ? design.quality.layered->error_max : 0});
-  if (bent > small_bending * longest_length(design.linkage))
-    words.push_back(
-        fmt::format("the links bend by {:.3g} mm, more than a tenth of their length: figures of load error "
-                    "and sag hold for "
-                    "small bending, so take them as far too much",
-                    bent));
+        fmt::format("the bars buckle: they are pushed with {} N, and {} N are enough to buckle them",
+                    three_digits(push), three_digits(buckling)));
   return words;
+}
+
+std::optional<std::string> large_bending_words(const Design& design) {
+  if (!design.load || !design.material || !design.quality.loads) return std::nullopt;
+  const auto& layered = design.quality.layered;
+  const double bent = std::max({design.quality.loads->error_max, sunk_by_weight(design),
+                                layered ? std::max(layered->error_max, layered->rise_max) : 0});
+  if (bent <= small_bending * longest_length(design.linkage)) return std::nullopt;
+  return fmt::format(
+      "the links bend by {} mm, more than a tenth of their length: load error and sag are computed for small "
+      "bending, and the true ones are other figures",
+      three_digits(bent));
 }
 
 }  // namespace kempe

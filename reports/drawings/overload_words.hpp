@@ -1,6 +1,7 @@
 #pragma once
 // Whether the instrument bears its load, in words for summary, report and workshop.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,11 @@ double largest_push_in_bars(const Design& design);
 /// N: the push at which the longer bar buckles. Of a design with a material.
 double buckling_load_of_bars(const Design& design);
 
-/// A sentence each: links stressed beyond the material's strength; bars pushed beyond their buckling load; bending so large that figures of
-/// small bending are no longer right. Empty where the instrument bears its load, and without a load.
+/// A sentence each: a hole that leaves nothing of a link; links stressed beyond the material's strength; bars pushed beyond their buckling
+/// load. Empty where the instrument bears its load, and without a load.
 std::vector<std::string> overload_words(const Design& design);
+
+/// That links bend so far that figures of small bending are no longer right; nothing where they do not, and without a load.
+std::optional<std::string> large_bending_words(const Design& design);
 
 }  // namespace kempe

@@ -14,12 +14,13 @@ std::optional<PartsFault> no_hole(double hole, double pin, const CuttingSpec& cu
   if (hole <= 0)
     return PartsFault{
         "the fit leaves nothing of their holes",
-        fmt::format("cutting.hole_fit_mm = {:.6g} leaves nothing of the holes for pins of {:.6g} mm",
-                    cutting.hole_fit, pin)};
+        fmt::format(
+            "a fit of {:.6g} mm (cutting.hole_fit_mm) leaves nothing of the holes for pins of {:.6g} mm",
+            cutting.hole_fit, pin)};
   if (hole - cutting.kerf > least_wall_share * hole) return std::nullopt;
-  return PartsFault{
-      "the kerf is wider than their holes",
-      fmt::format("cutting.kerf_mm = {:.6g} is too wide to cut holes of {:.6g} mm", cutting.kerf, hole)};
+  return PartsFault{"the kerf is wider than their holes",
+                    fmt::format("a kerf of {:.6g} mm (cutting.kerf_mm) is too wide to cut holes of {:.6g} mm",
+                                cutting.kerf, hole)};
 }
 
 std::optional<PartsFault> no_wall_beside(double hole, double width) {

@@ -7,6 +7,9 @@
 namespace kempe {
 namespace {
 
+/// mm
+double limit_with_rounding(const Design& design) { return *design.limits.copy_error * (1 + 1e-9); }
+
 std::string understated_words(const Design& design) {
   const double worst = *design.quality.copy_error_worst, at_corner = *design.quality.copy_error_at_corner;
   std::string text = fmt::format(
@@ -15,8 +18,8 @@ std::string understated_words(const Design& design) {
       at_corner, 100 * (at_corner / worst - 1));
   if (breaks_copy_error_limit(design))
     text += fmt::format(
-        ", and more than limits.copy_error_mm = {:.6g} mm, which is kept to the first order alone",
-        *design.limits.copy_error);
+        ", and more than the {:.6g} mm that limits.copy_error_mm allows{}", *design.limits.copy_error,
+        worst <= limit_with_rounding(design) ? ", which are kept to the first order alone" : "");
   return text;
 }
 
@@ -41,7 +44,11 @@ std::vector<std::string> tolerance_words(const Design& design) {
   const Quality& q = design.quality;
   if (!design.tolerance || !q.copy_error_worst) return words;
   const CopyTolerance tolerance = CopyTolerance::uniform(*design.tolerance);
-  if (q.copy_error_at_corner) words.push_back(understated_words(design));
+  if (q.copy_error_at_corner)
+    words.push_back(understated_words(design));
+  else if (breaks_copy_error_limit(design))
+    words.push_back(fmt::format("the worst case is more than the {:.6g} mm that limits.copy_error_mm allows",
+                                *design.limits.copy_error));
   bool all_plates_exist = true;
   for (const PlateAtRisk& plate : plates_at_risk(design.linkage, tolerance)) {
     words.push_back(plate_words(plate));
@@ -55,8 +62,9 @@ std::vector<std::string> tolerance_words(const Design& design) {
 }
 
 bool breaks_copy_error_limit(const Design& design) {
-  const auto &limit = design.limits.copy_error, &found = design.quality.copy_error_at_corner;
-  return limit && found && *found > *limit;
+  const Quality& q = design.quality;
+  return design.limits.copy_error && q.copy_error_worst &&
+         q.copy_error_at_corner.value_or(*q.copy_error_worst) > limit_with_rounding(design);
 }
 
 }  // namespace kempe

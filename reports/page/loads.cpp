@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "geometry/fixed_text.hpp"
 #include "reports/drawings/overload_words.hpp"
 #include "reports/page/charts.hpp"
 #include "reports/page/error_pictures.hpp"
@@ -23,11 +24,7 @@
 namespace kempe::report_sections {
 namespace {
 
-/// With three digits.
-std::string force_words(double force) {
-  const double grain = force > 0 ? std::pow(10, std::floor(std::log10(force)) - 2) : 1;
-  return force_text(std::round(force / grain) * grain, 3);
-}
+std::string force_words(double force) { return force_text(with_three_digits(force), 3); }
 
 /// "30 N at the pen"; on a tilted table "30 N and 29.4 N of weight at the pen".
 std::string pull_words(const Load& load) {
@@ -172,8 +169,11 @@ std::string what_helps(const ErrorBudget& budget) {
 /// What breaks, buckles or bends beyond small bending, before all else.
 std::string overload(const Design& design) {
   std::string html;
-  for (const std::string& words : overload_words(design))
+  const auto add = [&](const std::string& words) {
     html += "<li><b class=\"bad\">" + html_escaped(words) + "</b></li>";
+  };
+  for (const std::string& words : overload_words(design)) add(words);
+  if (const auto words = large_bending_words(design)) add(*words);
   return html.empty() ? html : "<ul>" + html + "</ul>\n";
 }
 
@@ -247,7 +247,8 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
   rows.push_back(
       {"Bars, pushed", force_words(push), push > buckling ? "<b class=\"bad\">" + bears + "</b>" : bears});
   const std::string note =
-      worst.counts_layers
+      !std::isfinite(design.quality.loads->stress_max) ? "Links: a hole leaves nothing of one of them."
+      : worst.counts_layers
           ? fmt::format(
                 "Links: bending and pull in the plane, which alone come to {} MPa at most, with bending "
                 "and twist out of it, by layers and weights, across the joints' holes; no peaks at "

@@ -205,7 +205,7 @@ std::string hardware(const Design& design) {
 std::string notes(const Design& design) {
   std::string html;
   for (const std::string& words : tool_words(design.tool)) html += "<li>" + html_escaped(words) + "</li>";
-  for (const std::string& note : making_notes(design)) html += "<li>" + html_escaped(note) + "</li>";
+  for (const std::string& note : part_notes(design)) html += "<li>" + html_escaped(note) + "</li>";
   return html.empty() ? html : "<ul class=\"note\">" + html + "</ul>\n";
 }
 

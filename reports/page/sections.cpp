@@ -120,8 +120,11 @@ std::string header(const Design& design, const ReportExtras& extras) {
                                                                                       : "Region not covered");
   badges += html_badge(design.verification.holds,
                        design.verification.holds ? "Verified by a general solver" : "Not verified");
-  if (!overload_words(design).empty()) badges += html_badge(false, "Does not bear its load");
-  if (!hardware_faults(design).empty()) badges += html_badge(false, "Hardware does not fit: see the parts");
+  if (!overload_words(design).empty())
+    badges += html_badge(false, "Does not bear its load");
+  else if (large_bending_words(design))
+    badges += html_badge(false, "Bends too far for its figures");
+  if (!hardware_faults(design).empty()) badges += html_badge(false, "Hardware needs a look: see the parts");
   if (breaks_copy_error_limit(design))
     badges += html_badge(false, "An instrument can exceed the limit on the copy error");
   if (design.search && !design.search->complete) badges += html_badge(false, "Search stopped early");

@@ -548,7 +548,7 @@ class Verify(unittest.TestCase):
         self.assertIn("quality.copy_error_at_corner_mm", found["checked"])
 
         run = self.synthesize_text(ROUGHLY_MADE + SMALLEST_TO_THE_FIRST_ORDER, command="workspace")
-        kept_to_first_order = "more than limits.copy_error_mm = 3.5 mm, which is kept to the first order alone"
+        kept_to_first_order = "more than the 3.5 mm that limits.copy_error_mm allows, which are kept to the first order alone"
         self.assertIn(kept_to_first_order, run.stdout)
         out = self.scratch / "rough"
         report = (out / "report.html").read_text()
