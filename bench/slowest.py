@@ -36,11 +36,17 @@ def timed(kempe, lines, out):
     process = subprocess.Popen([kempe, "synthesize", "--batch", lines, "-o", out, "-j", "1", "--quiet"],
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     seconds, before, last, ended = [], 0.0, 0.0, False
+    read, known = {}, 0  # bytes of each file of the journal, and the whole lines in all
     try:
         while not ended:
             ended = process.poll() is not None
             last = cpu_so_far(process.pid) or last
-            known = len(journal(out))
+            for file in out.glob("journal-*.jsonl"):
+                with file.open("rb") as lines_of_file:
+                    lines_of_file.seek(read.get(file, 0))
+                    new = lines_of_file.read()
+                read[file] = read.get(file, 0) + len(new)
+                known += new.count(b"\n")
             if known > len(seconds):  # several that were quick share what they took
                 seconds += [(last - before) / (known - len(seconds))] * (known - len(seconds))
                 before = last
