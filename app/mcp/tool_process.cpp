@@ -16,7 +16,14 @@
 #include <utility>
 
 #include "app/command.hpp"
-#include "geometry/sanitized.hpp"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define KEMPE_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define KEMPE_SANITIZED 1
+#endif
+#endif
 
 namespace kempe::app {
 namespace {

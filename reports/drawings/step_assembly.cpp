@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "geometry/sanitized.hpp"
 #include "reports/drawings/design_drawing.hpp"
 #include "reports/drawings/joint_stack.hpp"
 #include "reports/drawings/part_drawings.hpp"
@@ -58,17 +57,9 @@ StepParts parts_in_pose(const Design& design, const CuttingSpec& cutting) {
 constexpr const char* how_to_add =
     "scripts/bootstrap step && scripts/build release -DKEMPE_WITH_OCCT=ON adds it";
 
-/// How the module is loaded. Its libraries look for some sixty thousand names, each of them first in all libraries of the program where the
-/// loader is not told to begin with the module's own: that takes half as long again or more. Sanitizers forbid it.
-#if defined(RTLD_DEEPBIND) && !defined(KEMPE_SANITIZED)
-constexpr int how_to_load = RTLD_LAZY | RTLD_LOCAL | RTLD_DEEPBIND;
-#else
-constexpr int how_to_load = RTLD_LAZY | RTLD_LOCAL;
-#endif
-
 /// The module's function, or why it is not there. A module once loaded stays: OpenCASCADE cannot be unloaded.
 tl::expected<WriteStep, std::string> load_module() {
-  if (void* module = ::dlopen(KEMPE_STEP_MODULE, how_to_load))
+  if (void* module = ::dlopen(KEMPE_STEP_MODULE, RTLD_LAZY | RTLD_LOCAL))
     if (void* found = ::dlsym(module, write_step_symbol)) return reinterpret_cast<WriteStep>(found);
   const char* said = ::dlerror();
   const std::string fault = said ? said : KEMPE_STEP_MODULE " is another program's";
