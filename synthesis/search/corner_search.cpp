@@ -10,14 +10,14 @@
 namespace kempe {
 namespace {
 
-/// The copy error, mm: of the worst instrument found where the first order understates it, else to the first order. Nothing without a limit.
-std::optional<double> copy_error_of(const SearchTask& task, const FoundDesign& design) {
+/// The copy error of the worst instrument found, mm, where the first order understates it; else nothing, as without a limit.
+std::optional<double> understated_error(const SearchTask& task, const FoundDesign& design) {
   const Spec& spec = task.spec();
   if (!task.limits.copy_error || !spec.tolerance) return std::nullopt;
   const auto corner =
       corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance), RegionReach(spec.region));
-  const double first_order = design.attained.copy_error;
-  return corner && first_order_understates(first_order, corner->worst) ? corner->worst : first_order;
+  if (!corner || !first_order_understates(design.attained.copy_error, corner->worst)) return std::nullopt;
+  return corner->worst;
 }
 
 std::optional<FoundDesign> found_with(const SearchTask& task, double copy_error, std::uint64_t& evaluations) {
@@ -32,7 +32,7 @@ std::optional<FoundDesign> found_with(const SearchTask& task, double copy_error,
 }  // namespace
 
 FoundDesign kept_at_corners(const SearchTask& task, const FoundDesign& found) {
-  std::optional<double> error = copy_error_of(task, found);
+  std::optional<double> error = understated_error(task, found);
   if (!error || *error <= *task.limits.copy_error) return found;
   const double limit = *task.limits.copy_error;
   const CornerBudget& budget = task.budgets().corner;
@@ -44,13 +44,15 @@ FoundDesign kept_at_corners(const SearchTask& task, const FoundDesign& found) {
     const double towards = (1 - 0.5 * budget.near) * limit / understated;
     const double lower = towards > keeps && towards < breaks ? towards : 0.5 * (keeps + breaks);
     const auto design = found_with(task, lower, evaluations);
-    if (design) error = copy_error_of(task, *design);
-    (design && *error > limit ? breaks : keeps) = lower;
+    error = design ? understated_error(task, *design) : std::nullopt;
+    const bool is_broken = error && *error > limit;
+    (is_broken ? breaks : keeps) = lower;
     if (!design) continue;  // too low a limit
-    understated = *error / design->attained.copy_error;
-    if (*error > limit) continue;
+    const double first_order = design->attained.copy_error, told = error.value_or(first_order);
+    understated = told / first_order;
+    if (is_broken) continue;
     keep_better(task.goal, *design, best);
-    if (*error >= (1 - budget.near) * limit) break;
+    if (told >= (1 - budget.near) * limit) break;
   }
   FoundDesign kept = best.value_or(found);
   kept.proven_bound = found.proven_bound;

@@ -19,45 +19,45 @@ std::optional<FoundDesign> found_for(const Spec& spec, int rounds) {
   return design ? std::optional(*design) : std::nullopt;
 }
 
-/// The worst instrument's copy error, where the first order does not tell it; else that of the first order. mm.
-double copy_error_told(const Spec& spec, const FoundDesign& design) {
-  const double first_order = design.attained.copy_error;
+/// mm, of the worst instrument found: what it is whether or not the first order tells it.
+double worst_instrument(const Spec& spec, const FoundDesign& design) {
   const auto corner =
       corner_error_over(design.linkage, CopyTolerance::uniform(*spec.tolerance), RegionReach(spec.region));
-  return corner && first_order_understates(first_order, corner->worst) ? corner->worst : first_order;
+  return corner ? corner->worst : 0;
 }
 
 TEST(CornerSearch, TheLimitOnTheCopyErrorIsKeptBeyondTheFirstOrder) {
   test::SpecDice dice(77);
-  int broken = 0, mended = 0;
+  int left_alone = 0, broken = 0, mended = 0;
   for (int i = 0; i < test::samples(16); ++i) {
     Spec spec = dice.spec();
-    spec.tolerance = Tolerance{.length = dice.uniform(0.2, 0.6), .play = dice.uniform(0, 0.3)};
+    spec.tolerance = Tolerance{.length = dice.uniform(0.2, 1.5), .play = dice.uniform(0, 0.3)};
     const auto free = found_for(spec, 0);
     if (!free) continue;
     spec.limits.copy_error = dice.uniform(0.7, 1) * free->attained.copy_error;
     const auto nominal = found_for(spec, 0);
     if (!nominal) continue;
-    const double limit = *spec.limits.copy_error;
+    const double limit = *spec.limits.copy_error, worst = worst_instrument(spec, *nominal);
     const auto design = found_for(spec, SearchBudgets{}.corner.rounds);
     ASSERT_TRUE(design) << i;
-    if (copy_error_told(spec, *nominal) <= limit) {
-      EXPECT_EQ(design->value, nominal->value) << i;
+    EXPECT_LE(design->attained.copy_error, limit * (1 + 1e-9)) << i;
+    ASSERT_EQ(design->proven_bound, nominal->proven_bound) << i;
+    if (worst <= limit || worst <= 1.02 * nominal->attained.copy_error) {
+      EXPECT_EQ(design->value, nominal->value)
+          << i;  // the first order tells it, also where it meets the limit
+      ++left_alone;
       continue;
     }
     ++broken;
-    const bool kept = copy_error_told(spec, *design) <= limit;
-    mended += kept;
-    if (!kept) {
-      EXPECT_EQ(design->value, nominal->value) << i;
-    }
-    EXPECT_LE(design->attained.copy_error, limit) << i;
-    ASSERT_EQ(design->proven_bound, nominal->proven_bound) << i;
-    EXPECT_LE(design->proven_bound.value_or(0), design->value * (1 + 1e-9)) << i;
+    const double now = worst_instrument(spec, *design);
+    mended += now <= limit || now <= 1.02 * design->attained.copy_error;
   }
+  RecordProperty("left alone", left_alone);
   RecordProperty("broken", broken);
   RecordProperty("mended", mended);
-  EXPECT_GE(mended, test::expected(3));
+  EXPECT_EQ(mended, broken);
+  EXPECT_GE(left_alone, test::expected(1));
+  EXPECT_GE(broken, test::expected(3));
 }
 
 }  // namespace
