@@ -1,7 +1,10 @@
-// For a limit of the first order, l, the search's best design has instruments with copy errors up to q(l) l. As q changes little with l, the
-// limit asked for is met by dividing it by the last design's q, kept between the largest l known to keep it and the smallest known not to.
+// For a limit of the first order, l, the search's best design has instruments with copy errors up to q(l) l, and q falls with l. So l is moved
+// by a part of the way, in its logarithm, that a constant q would ask for, between the largest l known to keep the limit asked for and the
+// smallest known not to.
 
 #include "synthesis/search/corner_search.hpp"
+
+#include <cmath>
 
 #include "synthesis/search/best/best_design.hpp"
 #include "synthesis/search/best/improve.hpp"
@@ -38,18 +41,18 @@ FoundDesign kept_at_corners(const SearchTask& task, const FoundDesign& found) {
   const CornerBudget& budget = task.budgets().corner;
   std::optional<FoundDesign> best;
   std::uint64_t evaluations = found.evaluations;
-  double keeps = 0, breaks = found.attained.copy_error, understated = *error / breaks;
+  double keeps = 0, breaks = found.attained.copy_error, last = breaks, told = *error;
   for (int round = 0; round < budget.rounds && breaks - keeps > budget.near * limit && !task.stopped();
        ++round) {
-    const double towards = (1 - 0.5 * budget.near) * limit / understated;
+    const double towards = last * std::pow((1 - 0.5 * budget.near) * limit / told, budget.step);
     const double lower = towards > keeps && towards < breaks ? towards : 0.5 * (keeps + breaks);
     const auto design = found_with(task, lower, evaluations);
     error = design ? understated_error(task, *design) : std::nullopt;
     const bool is_broken = error && *error > limit;
     (is_broken ? breaks : keeps) = lower;
     if (!design) continue;  // too low a limit
-    const double first_order = design->attained.copy_error, told = error.value_or(first_order);
-    understated = told / first_order;
+    last = lower;
+    told = error.value_or(design->attained.copy_error);
     if (is_broken) continue;
     keep_better(task.goal, *design, best);
     if (told >= (1 - budget.near) * limit) break;

@@ -161,6 +161,7 @@ struct DiagnosisBudget {
 /// Of designs that keep the limit on the copy error beyond the first order (corner_search.hpp).
 struct CornerBudget {
   int rounds = 8;      ///< searches with a lower limit
+  double step = 0.7;   ///< share of the way, in the limit's logarithm, of one search to the next
   double near = 0.01;  ///< share of the limit: a design whose copy error comes so near to it will do
 };
 
