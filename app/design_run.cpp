@@ -16,7 +16,6 @@
 #include "reports/drawings/joint_stack.hpp"
 #include "reports/drawings/making_notes.hpp"
 #include "reports/drawings/overload_words.hpp"
-#include "reports/drawings/step_assembly.hpp"
 #include "reports/drawings/tolerance_words.hpp"
 #include "reports/drawings/tool_words.hpp"
 #include "reports/earlier_design.hpp"
@@ -454,8 +453,6 @@ int publish_design(const Session& session, Design& design, const LoadedSpec& spe
   std::vector<std::string> told = left_out;  // and what is no news on stderr
   if (const auto removed = remove_left_over(folder, earlier, files); !removed.empty())
     told.push_back(removed_sentence(removed));
-  if (drafted->has_parts && !time.enough())
-    if (const auto lack = why_no_step()) told.push_back(*lack);
   answer(session, summary_text(design, spec.unit(), folder, files, told),
          summary_json(design, folder, files, told));
   for (const std::string& sentence : left_out) say(keys_in(spec.unit(), sentence));

@@ -3,25 +3,13 @@ include(CMakePackageConfigHelpers)
 install(TARGETS kempe EXPORT kempe-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/kempe DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
-# Modules lie below the library; it looks there, or the program that it is linked into.
-if(BUILD_SHARED_LIBS)
-  set_target_properties(kempe PROPERTIES INSTALL_RPATH "$ORIGIN/kempe")
-else()
-  target_link_options(kempe INTERFACE
-    $<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/kempe>)
-endif()
 if(TARGET kempe_program)
-  file(RELATIVE_PATH from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/kempe)
-  set_target_properties(kempe_program PROPERTIES INSTALL_RPATH "$ORIGIN/${from_program}")
   install(TARGETS kempe_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   if(TARGET kempe_manual)
     install(DIRECTORY ${PROJECT_BINARY_DIR}/app/share/ DESTINATION ${CMAKE_INSTALL_DATADIR})
   endif()
   install(FILES out/studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/kempe OPTIONAL)  # if scripts/studio has built it
   install(FILES ${KEMPE_CHECKER} DESTINATION ${CMAKE_INSTALL_DATADIR}/kempe/proof)
-endif()
-if(TARGET kempe_step)
-  install(TARGETS kempe_step LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/kempe)
 endif()
 install(EXPORT kempe-targets NAMESPACE kempe:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/kempe)
 

@@ -46,7 +46,6 @@ void add_nested(PartFiles& result, const std::vector<CutPart>& parts, const Cutt
 
 void add_assembly(PartFiles& result, const Design& design, const CuttingSpec& cutting, const StopFlag& stop) {
   if (stop()) return result.left_out.push_back("parts/assembly.step is left out: the time was over.");
-  if (why_no_step()) return;
   if (auto step = step_assembly(design, cutting))
     result.files.push_back({"parts/assembly.step", std::move(*step)});
   else

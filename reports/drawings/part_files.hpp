@@ -11,14 +11,12 @@ namespace kempe {
 
 struct PartFiles {
   std::vector<OutputFile> files;
-  /// What is not among them and why, a sentence each: "no nested.dxf: link ...". What no design of this build has, the
-  /// assembly without its module (why_no_step), is not repeated here.
+  /// What is not among them and why, a sentence each: "no nested.dxf: link ...".
   std::vector<std::string> left_out;
 };
 
-/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step where the module is
-/// that writes it (step_assembly.hpp), bom.csv, and nested.dxf if the cutting has a sheet that takes the parts. Of links that
-/// cannot be cut (parts_fault.hpp) only bom.csv. Once `stop` is set, the assembly, which takes longest, is left out.
+/// parts/VA.dxf, parts/VA.svg, parts/VA.stl and so on for each link, parts/assembly.step, bom.csv, and nested.dxf if the cutting has a
+/// sheet that takes the parts. Of links that cannot be cut (parts_fault.hpp) only bom.csv. Once `stop` is set, the assembly, which takes longest, is left out.
 PartFiles part_files(const Design& design, const CuttingSpec& cutting, const StopFlag& stop = {});
 
 }  // namespace kempe
