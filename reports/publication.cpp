@@ -4,12 +4,12 @@
 #include <iterator>
 #include <utility>
 
+#include "kinematics/parallel.hpp"
 #include "reports/audit/recheck.hpp"
 #include "reports/certificate.hpp"
 #include "reports/design_package.hpp"
 #include "reports/drawings/part_files.hpp"
 #include "reports/drawings/parts_fault.hpp"
-#include "synthesis/solvers/parallel.hpp"
 #include "synthesis/verification/verification.hpp"
 
 #ifdef __GLIBC__

@@ -20,9 +20,9 @@
 #include "app/interrupt.hpp"
 #include "app/output_check.hpp"
 #include "app/words.hpp"
+#include "kinematics/parallel.hpp"
 #include "reports/data/atomic_file.hpp"
 #include "specs/text/printable.hpp"
-#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe::app {
 namespace {

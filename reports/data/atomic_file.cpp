@@ -13,8 +13,8 @@
 #include <thread>
 #include <utility>
 
+#include "kinematics/parallel.hpp"
 #include "specs/text/printable.hpp"
-#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {

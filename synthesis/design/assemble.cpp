@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 
+#include "kinematics/parallel.hpp"
 #include "specs/hardware.hpp"
 #include "synthesis/design/allowed.hpp"
 #include "synthesis/loads/assess_loads.hpp"
@@ -16,7 +17,6 @@
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/problem/obstacle_reach.hpp"
 #include "synthesis/search/steps/design_check.hpp"
-#include "synthesis/solvers/parallel.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
 #include "synthesis/tolerance/corner_error.hpp"
 #include "workspace/footprint.hpp"

@@ -16,11 +16,11 @@
 
 #include <span>
 
+#include "kinematics/parallel.hpp"
 #include "synthesis/search/steps/prove.hpp"
 #include "synthesis/search/strategies/stock_lengths.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
 #include "synthesis/search/strategies/tree_search.hpp"
-#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {

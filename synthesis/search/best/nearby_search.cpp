@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "geometry/chance.hpp"
+#include "kinematics/parallel.hpp"
 #include "synthesis/search/steps/certify.hpp"
 #include "synthesis/search/steps/slack.hpp"
-#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/parallel.hpp"
 #include "synthesis/search/steps/promising_poles.hpp"
 #include "synthesis/search/steps/rank.hpp"
-#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {

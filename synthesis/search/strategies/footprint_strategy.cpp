@@ -4,9 +4,9 @@
 // search is steered by an estimate, which lies 2 to 11 % below the footprint (57 random designs), on some designs more than on
 // others. So the footprint itself decides, and the small designs that the search began with are candidates too.
 
+#include "kinematics/parallel.hpp"
 #include "synthesis/search/steps/certify.hpp"
 #include "synthesis/search/strategies/strategy.hpp"
-#include "synthesis/solvers/parallel.hpp"
 
 namespace kempe {
 namespace {

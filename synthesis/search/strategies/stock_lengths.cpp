@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kinematics/parallel.hpp"
 #include "synthesis/search/strategies/locked_lengths.hpp"
-#include "synthesis/solvers/parallel.hpp"
 #include "workspace/footprint.hpp"
 
 namespace kempe {

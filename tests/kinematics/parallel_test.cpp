@@ -1,5 +1,5 @@
 // Jobs on several threads: each once, and what one of them throws is thrown on.
-#include "synthesis/solvers/parallel.hpp"
+#include "kinematics/parallel.hpp"
 
 #include <gtest/gtest.h>
 

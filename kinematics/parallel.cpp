@@ -1,4 +1,4 @@
-#include "synthesis/solvers/parallel.hpp"
+#include "kinematics/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
