@@ -23,13 +23,26 @@ struct TimeToFinish {
 /// Why a file is left out.
 std::string left_out_for_time(const std::string& file);
 
+/// What states neither a design's bound nor its verification, and so can be made before they are known.
+struct EarlyFiles {
+  std::vector<OutputFile> files;  ///< those that are not made are empty
+  std::optional<PartFiles> parts;
+  std::optional<MapPicture> picture;  ///< for the report
+};
+
+/// Jobs that make them, each independent of the others: what is given here must outlive them. Of a region of very many corners the parts
+/// alone, so that no large texts wait in memory for others. Nothing more is made once `time.over` is set.
+std::vector<std::function<void()>> early_jobs(const Design& design, const CuttingSpec& cutting,
+                                              const TimeToFinish& time, EarlyFiles& to);
+
 /// Gives the files of a design's folder to `take`, one after the other: design.json first, map, drawings and report,
 /// then those of the parts (part_files.hpp). Stops at the first error of `take` and returns it; else what is left out and
 /// why. What is given depends on the other arguments alone, and on time: once `enough` is set, the assembly as STEP is left
-/// out, once `over` is, every file is but design.json and the tables. `parts`: the files of the parts, where they are made already.
+/// out, once `over` is, every file is but design.json and the tables. What `early` holds is taken from there. The rest is made on up to
+/// `threads` threads, of a region of very many corners on one.
 tl::expected<std::vector<std::string>, std::string> make_design_package(
     const Design& design, const CuttingSpec& cutting, const ReportExtras& extras,
     const std::function<tl::expected<void, std::string>(const OutputFile&)>& take,
-    const TimeToFinish& time = {}, std::optional<PartFiles> parts = {});
+    const TimeToFinish& time = {}, EarlyFiles early = {}, int threads = 1);
 
 }  // namespace kempe

@@ -1,8 +1,8 @@
 #include "reports/publication.hpp"
 
 #include <functional>
-#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "kinematics/parallel.hpp"
 #include "reports/audit/recheck.hpp"
@@ -36,17 +36,19 @@ tl::unexpected<NotPublished> refused(NotPublished::By by, std::string sentence) 
 tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras extras, FolderDraft& draft,
                                                  const TimeToFinish& time, int threads) {
   using enum NotPublished::By;
-  const VerificationRun run = run_verification(verification_task(design), {.stop = time.enough});
+  if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
+  tl::expected<Certificate, certificate::NoLog> certificate;
+  VerificationRun run;
+  EarlyFiles early;
+  std::vector<std::function<void()>> jobs{
+      [&] { certificate = certificate_of(design, time.enough); },
+      [&] { run = run_verification(verification_task(design), {.stop = time.enough}); }};
+  for (auto& job : early_jobs(design, design.cutting, time, early)) jobs.push_back(std::move(job));
+  run_parallel(jobs.size(), threads, [&](std::size_t i) { jobs[i](); });
   design.verification = run.found;
   if (!design.verification.holds)
     return refused(verification,
                    "the design failed its verification, nothing is written: " + design.verification.failure);
-  if (const auto fault = parts_fault(design, design.cutting)) extras.why_no_parts = fault->sentence;
-  tl::expected<Certificate, certificate::NoLog> certificate;
-  PartFiles parts;
-  const std::function<void()> jobs[] = {[&] { certificate = certificate_of(design, time.enough); },
-                                        [&] { parts = part_files(design, design.cutting, time.enough); }};
-  run_parallel(std::size(jobs), threads, [&](std::size_t i) { jobs[i](); });
   if (certificate) {
     extras.proof_log = certificate_name;
     design.quality.proven_bound = certificate->bound;
@@ -56,7 +58,7 @@ tl::expected<Drafted, NotPublished> draft_design(Design& design, ReportExtras ex
   give_memory_back();
   auto left_out = make_design_package(
       design, design.cutting, extras, [&](const OutputFile& file) { return draft.add(file); }, time,
-      std::move(parts));
+      std::move(early), threads);
   if (!left_out) return refused(writing, left_out.error());
   if (certificate)
     if (const auto added = draft.add({certificate_name, certificate->log}); !added)

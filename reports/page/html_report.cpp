@@ -30,8 +30,11 @@ std::string live_part(const Design& design, const MapPicture& picture) {
 bool report_is_live() { return !web_assets::live.text.empty(); }
 
 std::string html_report(const Design& design, const ReportExtras& extras) {
+  return html_report(design, extras, map_picture(design));
+}
+
+std::string html_report(const Design& design, const ReportExtras& extras, const MapPicture& picture) {
   namespace section = report_sections;
-  const MapPicture picture = map_picture(design);
   std::string body = section::header(design, extras) + section::pareto(extras) +
                      section::key_figures(design) + section::map(picture, report_is_live());
   body += section::making(design) + section::parts(design, extras) + section::quality(design, extras) +

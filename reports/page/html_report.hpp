@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kempe/paper.hpp"
+#include "reports/pictures/map_picture.hpp"
 #include "synthesis/design/design.hpp"
 
 namespace kempe {
@@ -51,6 +52,8 @@ struct ReportExtras {
 ///  2. no text of the extras becomes markup or script;
 ///  3. without JavaScript and in print the design is drawn on its map, with every table.
 std::string html_report(const Design& design, const ReportExtras& extras);
+/// The same with map_picture(design), which takes most of the time, made before.
+std::string html_report(const Design& design, const ReportExtras& extras, const MapPicture& picture);
 
 /// True if this build's report can be moved (built with the dynamic geometry of reports/web).
 bool report_is_live();
