@@ -142,8 +142,10 @@ Design assembled(
                 .material = spec.material,
                 .load = spec.load};
   note_ratio(design, spec.copy);
+  MapOptions on_threads = options;
+  on_threads.threads = threads;
   const std::function<void()> jobs[] = {[&] {
-                                          design.map = map_workspace(map_task(design), options);
+                                          design.map = map_workspace(map_task(design), on_threads);
                                           if (from == From::search) cover_as_searched(design, options.stop);
                                         },
                                         [&] {

@@ -8,6 +8,7 @@
 
 #include "geometry/chance.hpp"
 #include "geometry/edge_tree.hpp"
+#include "kinematics/parallel.hpp"
 
 namespace kempe {
 namespace {
@@ -281,20 +282,41 @@ std::optional<FittingSheet> largest_iso_sheet(const Region& region, bool turned,
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned,
+std::optional<FittingSheet> largest_rectangle(const Region& region, double proportion, bool turned,
                                               const StopFlag& stop) {
-  const auto place = best_place(flattened_finely(region), proportion, turned, stop);
+  const auto place = best_place(region, proportion, turned, stop);
   if (!place) return std::nullopt;
   return sheet_at(*place, proportion);
 }
 
+/// Upright or on its side, or at the best turn.
+using TwoWays = std::array<std::optional<FittingSheet>, 2>;
+
+std::optional<FittingSheet> wider(TwoWays found, double by = 1) {
+  auto& [upright, turned] = found;
+  return std::move(turned && (!upright || turned->width > by * upright->width) ? turned : upright);
+}
+
+/// Width over height of what the box holds; nothing of what is flat.
+std::optional<double> proportion_of(const Region& region) {
+  if (region.empty()) return std::nullopt;
+  const Box box = bounding_box(region);
+  const Point size = box.upper - box.lower;
+  if (!(size.minCoeff() > 0)) return std::nullopt;
+  return size.x() / size.y();
+}
+
+}  // namespace
+
+std::optional<FittingSheet> largest_rectangle(const ArcRegion& region, double proportion, bool turned,
+                                              const StopFlag& stop) {
+  return largest_rectangle(flattened_finely(region), proportion, turned, stop);
+}
+
 std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region, const StopFlag& stop) {
   const Region flattened_once = flattened_finely(region);
-  const auto upright = largest_iso_sheet(flattened_once, false, stop),
-             turned = largest_iso_sheet(flattened_once, true, stop);
-  return turned && (!upright || turned->width > upright->width) ? turned : upright;
+  return wider(
+      {largest_iso_sheet(flattened_once, false, stop), largest_iso_sheet(flattened_once, true, stop)});
 }
 
 std::optional<Point> format_size(std::string_view name) {
@@ -303,19 +325,23 @@ std::optional<Point> format_size(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like, const StopFlag& stop) {
+std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like, const StopFlag& stop,
+                                         int threads) {
+  const Region flattened_once = flattened_finely(free);
+  const std::optional<double> proportion = proportion_of(like);
+  TwoWays iso, alike;
+  run_parallel(proportion ? 4 : 2, threads, [&](std::size_t job) {
+    const bool turned = job % 2 == 1;
+    if (job < 2)
+      iso[job] = largest_iso_sheet(flattened_once, turned, stop);
+    else
+      alike[job - 2] = largest_rectangle(flattened_once, *proportion, turned, stop);
+  });
   std::vector<FittingSheet> sheets;
-  if (auto iso = largest_iso_sheet(free, stop)) sheets.push_back(std::move(*iso));
-  if (like.empty()) return sheets;
-  const Box box = bounding_box(like);
-  const Point size = box.upper - box.lower;
-  if (!(size.minCoeff() > 0)) return sheets;
-  auto upright = largest_rectangle(free, size.x() / size.y(), false, stop);
-  auto turned = largest_rectangle(free, size.x() / size.y(), true, stop);
-  if (turned && (!upright || turned->width > 1.01 * upright->width)) upright = std::move(turned);
-  if (upright) {
-    upright->name = "region's proportions";
-    sheets.push_back(std::move(*upright));
+  if (auto sheet = wider(std::move(iso))) sheets.push_back(std::move(*sheet));
+  if (auto sheet = wider(std::move(alike), 1.01)) {
+    sheet->name = "region's proportions";
+    sheets.push_back(std::move(*sheet));
   }
   return sheets;
 }

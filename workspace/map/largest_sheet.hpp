@@ -23,8 +23,9 @@ std::optional<FittingSheet> largest_iso_sheet(const ArcRegion& region, const Sto
 /// mm, width and height of "A0".."A8"; nothing for other names.
 std::optional<Point> format_size(std::string_view name);
 
-/// Both of the above for a map: the ISO sheet, and the rectangle of the proportions of `like`'s bounding box.
-std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like,
-                                         const StopFlag& stop = {});
+/// Both of the above for a map: the ISO sheet, and the rectangle of the proportions of `like`'s bounding box. On up to `threads` threads,
+/// whose number changes nothing.
+std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& like, const StopFlag& stop = {},
+                                         int threads = 1);
 
 }  // namespace kempe

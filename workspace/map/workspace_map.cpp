@@ -243,7 +243,7 @@ WorkspaceMap map_workspace(const MapTask& task, const MapOptions& options) {
   map.complete = !options.stop();
   tell(options, after_coverage);
   if (options.largest_sheets && map.complete)
-    map.largest_sheets = largest_sheets(map.collision_free, task.region, options.stop);
+    map.largest_sheets = largest_sheets(map.collision_free, task.region, options.stop, options.threads);
   if (options.largest_sheets && options.stop()) {  // what was found by then need not be the largest
     map.largest_sheets.clear();
     map.complete = false;

@@ -16,6 +16,7 @@ struct MapOptions {
   /// Refinement stops when the uncertain band takes less than this share of the collision-free area.
   double map_tolerance = 0.005;
   bool largest_sheets = true;  ///< look for them; the slowest part without obstacles
+  int threads = 1;             ///< to look for sheets on; their number changes nothing
   StopFlag stop{};             ///< set: the map stays as coarse as it is
   /// Told after each step and each refinement the share of the work done, 0..1, which never falls.
   std::function<void(double share)> progress{};
