@@ -4,8 +4,8 @@
 usage: kempe_check.py design.json [certificate.jsonl]   or   kempe_check.py certificate.jsonl
 
 A line a claim: proven, not proven or refuted. Exit code 0: all claims are proven; 1: one is not; 2: a file cannot be read.
-This file stands alone. Only what few files ask for is left to files beside it, and is not proven without them: claim 5 and the
-limit on the copy error to tolerance_check.py, bodies and a table's edge to bodies_check.py.
+This file holds claims 1 to 4. Files beside it hold the rest, which is not proven without them: limits_check.py the other limits
+of a design's file, tolerance_check.py claim 5 and the limit on the copy error, bodies_check.py bodies and a table's edge.
 
 eps:      claims 1, 2 and 5 and the limits forgive 1e-6 mm and 1e-6 degrees; claims 3 and 4 forgive nothing.
 Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the numbers of the files are the doubles nearest
@@ -263,8 +263,6 @@ def area(value, path):
     must(isinstance(value, dict) and len(value) == 1, path, value, "a table of at_mm or within_mm")
     return [[[fits(value["at_mm"], POINT, path)] * 2]] if "at_mm" in value else polygons(value.get("within_mm"), path)
 
-def stock(value, path): return value and fits(value, [LENGTH], path)
-
 POINT, LENGTH, MAYBE, WIDTH = [(-2e7, 2e7)] * 2, (0.0, 1e9), (0.0, 1e9, None), (1e-6, 1e9)
 SHAPES, OBJECTIVE, NUMBER = {"bar", "bent", "triangle"}, {"size", "transmission"}, (-1e9, 1e9, None)  # of others no log can be
 LIMITS = {"clearance_mm": LENGTH, "transmission_deg": (0.0, 90.0), "sheets_gap_mm": MAYBE, "copy_error_mm": MAYBE,
@@ -275,7 +273,8 @@ WIDTHS = {"link_width_mm": WIDTH, "pin_diameter_mm": WIDTH}
 LINKAGE = {**WIDTHS, "links": links, "vertex": set(VERTICES), "assembly": (0, 3), "pole_position_mm": POINT,
            "lengths_mm": lambda value, path: vars(fits(value, dict.fromkeys(LENGTHS, WIDTH), path))}
 CHOICE = {"links": {"longest_mm": LENGTH, "shortest_mm": LENGTH, "wall_mm": LENGTH, "seat_mm": MAYBE, "layers": (1, 8),
-                    "grid_mm": MAYBE, "stock_mm": stock, **{name + "_mm": MAYBE for name in LENGTHS}},
+                    "grid_mm": MAYBE, "stock_mm": lambda value, path: value and fits(value, [LENGTH], path),
+                    **{name + "_mm": MAYBE for name in LENGTHS}},
           "cutting": {"hole_fit_mm": (-10.0, 10.0)}, "objective": {"groundings": [set(VERTICES)]}, "pole": area}
 DESIGN = {"format": {"kempe-design/1"}, **TASK, "mechanism": LINKAGE}
 LOG = {"format": {"kempe-certificate/1"}, "claim": {"bound", "none"}, "objective": OBJECTIVE, "bound": NUMBER,
@@ -365,7 +364,7 @@ def beside(name):
 Pair = namedtuple("Pair", "one joints other others frame wide edges rings", defaults=([((0.0, 0.0),) * 2], None))
 
 class Design:
-    """Claims 1 and 2, and the limits."""
+    """Claims 1 and 2."""
     def __init__(self, name, data):
         self.name, self.data, self.losses, self.range = name, data, None, None
         task = self.task = fits(data, DESIGN, name + ": ")
@@ -501,36 +500,6 @@ class Design:
             except (Open, Refuted):
                 continue
         raise Open("no way from polygon to polygon was found")
-
-    def every_instrument(self):
-        """Claim 5: claim 2 with what the tolerances may take off every way."""
-        self.losses = beside("tolerance_check").Tolerances(self).losses
-        return f" (lengths within {self.task.length_mm or 0:g} mm, play {self.task.play_mm or 0:g} mm)" + self.clear()
-
-    def limits(self):
-        """What else the file limits."""
-        task, vertex = self.task, self.shape.vertex
-        if task.sheets_gap_mm is not None:  # the pen is a part that keeps away from the region itself
-            gap, pen = max(task.sheets_gap_mm, 1e-9 + EPS_MM), "V" if vertex == "pen" else "Y"
-            self.keep_out([Pair("the pen", pen, "the original", ["pole"], "table", gap, edges_of(rings), rings)
-                           for rings in self.region])
-        if task.copy_error_mm is not None:
-            beside("tolerance_check").Tolerances(self).copy_error()
-        need(all(self.data.get(key) is not None for key in CHOICE), "not checked: pole, links, objective (not stated)")
-        vars(task).update(vars(fits(self.data, CHOICE, self.name + ": ")))
-        for name, length in self.lengths.items():
-            low, high = permitted(task, name)
-            off = [low - length, length - high]
-            if name not in ("CX", "CY"):
-                off += [abs(math.remainder(length, task.grid_mm))] if task.grid_mm else []
-                off += [min(abs(length - each) for each in task.stock_mm)] if task.stock_mm else []
-            need(max(off) <= EPS_MM, f"length {name} = {length}: too short or long, not as locked, not of grid or stock", Refuted)
-        possible = vertex in task.groundings and max(self.layers.values()) <= task.layers
-        need(possible, "this vertex or layer is not permitted", Refuted)
-        away = min(hypot(*to_segment(self.pole, *edge)) for rings in task.pole for edge in edges_of(rings))
-        need(away <= EPS_MM or within(self.pole, task.pole), "the pole stands elsewhere than permitted", Refuted)
-        unread = sorted("limits." + key for key, value in self.data["limits"].items() if value is not None and key not in LIMITS)
-        need(not unread, "not checked: " + ", ".join(unread))
 
 # Designs of a log, a box: ranges of a, b and the pole's x, y; cosines of the least and largest |psi|; layer assignments.
 Node = namedtuple("Node", "box window assignments")
@@ -742,9 +711,9 @@ def main(names):
         raise Unreadable(f"{names[0]}: copy: found {fault}; allowed: a ratio that no shape of is degenerate")
     if design:
         claims = [("1 every point is reached on one assembly mode", design.reached),
-                  ("2 the parts keep their clearance", design.clear), ("limits of the file", design.limits)]
+                  ("2 the parts keep their clearance", design.clear), ("limits of the file", lambda: beside("limits_check").keep(design))]
         title = "5 every instrument within the tolerances stays on one assembly mode and keeps the clearance"
-        claims += [(title, design.every_instrument)] * bool(design.task.robust)
+        claims += [(title, lambda: beside("tolerance_check").every_instrument(design))] * bool(design.task.robust)
     if log:
         better = {"size": "smaller than {:.12g} mm", "transmission": "larger than {:.12g} degrees"}[log.objective]
         title = "4 no design exists" if log.claim == "none" else "3 no design is " + better.format(log.bound)

@@ -211,6 +211,12 @@ class Tolerances:
         return False
 
 
+def every_instrument(design):
+    """Claim 5: claim 2 with what the tolerances may take off every way."""
+    design.losses = Tolerances(design).losses
+    return f" (lengths within {design.task.length_mm or 0:g} mm, play {design.task.play_mm or 0:g} mm)" + design.clear()
+
+
 def cut(log, node, line):
     """A rule of claims 3 and 4: openings before the first and after the second cosine exceed the limit on the copy error; that is
     all of them, if the first is no larger."""

@@ -13,6 +13,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -26,12 +27,12 @@ import instruments
 import mutations
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
-TEXTS = {name: (SOURCE / "proof" / f"{name}.py").read_text(encoding="utf-8") for name in ("kempe_check", "tolerance_check", "bodies_check")}
+TEXTS = {name: (SOURCE / "proof" / f"{name}.py").read_text(encoding="utf-8") for name in ("kempe_check", "limits_check", "tolerance_check", "bodies_check")}
 FILES = SOURCE / "tests" / "proof" / "files"
 
 
 def checker(old=None, new=None):
-    """The checker, with a piece of its source replaced; the files beside it are `module.tolerance_check` and `module.bodies_check`."""
+    """The checker, with a piece of its source replaced; the files beside it are `module.limits_check` and so on."""
     texts = dict(TEXTS)
     if old is not None:
         assert sum(text.count(old) for text in texts.values()) == 1, f"not once in the checker: {old}"
@@ -48,6 +49,11 @@ def checker(old=None, new=None):
 WHOLE = checker()
 
 
+def files_beside(module):
+    """In this context the checker finds the files beside it."""
+    return unittest.mock.patch.dict(sys.modules, {name: getattr(module, name) for name in TEXTS})
+
+
 def run(module, design, log=None):
     """The checker's exit code and what it printed."""
     with tempfile.TemporaryDirectory() as folder:
@@ -59,8 +65,7 @@ def run(module, design, log=None):
             names.append(str(pathlib.Path(folder) / "certificate.jsonl"))
             pathlib.Path(names[-1]).write_text("".join(json.dumps(line) + "\n" for line in log), encoding="utf-8")
         out = io.StringIO()
-        beside = {name: getattr(module, name) for name in TEXTS}
-        with contextlib.redirect_stdout(out), unittest.mock.patch.dict(sys.modules, beside):
+        with contextlib.redirect_stdout(out), files_beside(module):
             try:
                 return (0 if module.main(names) else 1), out.getvalue()
             except module.Unreadable as fault:
@@ -151,14 +156,14 @@ DESIGN_RULES = [
     ("a grid", "if task.grid_mm else []", "if False else []", lambda: changed("plagiograph", "links", "grid_mm", 5)),
     ("a stock", "if task.stock_mm else []", "if False else []", lambda: changed("plagiograph", "links", "stock_mm", [30, 60])),
     ("a vertex not permitted", "vertex in task.groundings and", "", lambda: changed("plagiograph", "objective", "groundings", ["pole"])),
-    ("a layer too high", "and max(self.layers.values()) <= task.layers", "", lambda: changed("plagiograph", "links", "layers", 1)),
-    ("the pole elsewhere", "away <= EPS_MM or within(self.pole, task.pole)", "True",
+    ("a layer too high", "and max(design.layers.values()) <= task.layers", "", lambda: changed("plagiograph", "links", "layers", 1)),
+    ("the pole elsewhere", "away <= EPS_MM or within(design.pole, task.pole)", "True",
      lambda: changed("plagiograph", "pole", "at_mm", [0.001, 0])),
     ("a copy error above its limit", "if sine.lo > 0 and not self.exceeding(slopes, (limit + EPS_MM) * sine.lo):", "if True:", lambda: tolerant("plagiograph", 0.8886)),
     ("a limit of the copy error without a tolerance", 'raise Open("limits.copy_error_mm without a tolerance")', "pass",
      lambda: changed("plagiograph", "limits", "copy_error_mm", 5)),
-    ("no table of what was permitted", 'need(all(self.data.get(key) is not None for key in CHOICE), "not checked: pole, links, objective (not stated)")',
-     "if self.data.get(\"links\") is None: return",
+    ("no table of what was permitted", 'need(all(design.data.get(key) is not None for key in CHOICE), "not checked: pole, links, objective (not stated)")',
+     "if design.data.get(\"links\") is None: return",
      lambda: changed("plagiograph", "links", None)),
     ("parts that a wrong instrument brings too near", "if self.losses else lambda", "if False else lambda",
      lambda: tolerant("free", None, True, 4.3)),
@@ -216,21 +221,31 @@ class Designs(unittest.TestCase):
                 self.assertFalse(WHOLE.main([str(name)]))
             self.assertRegex(out.getvalue(), "5 every instrument .*: not proven: .*tolerance_check")
 
-    def test_one_file_stands_alone(self):
-        """Without the files beside it, it proves what has no body and no tolerance, and says of the others what it needs."""
+    def test_one_file_proves_claims_1_to_4_alone(self):
+        """Without the files beside it, it proves what has no body and no tolerance; of all else it says which file it needs."""
         router = {"name": "router", "at": "pen", "circle_mm": {"centre": [0.0, 0.0], "radius": 1.0}, "layers": [1, 1]}
         with tempfile.TemporaryDirectory() as folder:
-            alone = pathlib.Path(shutil.copy(SOURCE / "proof" / "kempe_check.py", folder))
-            for wrong, needs in ((design("plagiograph"), None), (changed("plagiograph", "bodies", [router]), "bodies_check"),
+            shutil.copy(SOURCE / "proof" / "kempe_check.py", folder)
+
+            def said_of(design):
+                (pathlib.Path(folder) / "design.json").write_text(json.dumps(design), encoding="utf-8")
+                command = [sys.executable, "kempe_check.py", "design.json", FILES / "plagiograph.jsonl"]
+                ran = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+                return ran.returncode, ran.stdout
+
+            code, said = said_of(design("plagiograph"))
+            self.assertEqual((code, re.findall("^([123]).*: proven", said, re.MULTILINE)), (1, ["1", "2", "3"]), said)
+            self.assertIn("limits of the file: not proven: needs limits_check.py", said)
+            shutil.copy(SOURCE / "proof" / "limits_check.py", folder)
+            self.assertEqual(said_of(design("plagiograph"))[0], 0)
+            for wrong, needs in ((changed("plagiograph", "bodies", [router]), "bodies_check"),
                                  (tolerant("plagiograph", 5.0), "tolerance_check")):
-                file = pathlib.Path(folder) / "design.json"
-                file.write_text(json.dumps(wrong), encoding="utf-8")
-                ran = subprocess.run([sys.executable, alone, file], capture_output=True, text=True)
-                self.assertEqual(ran.returncode, 1 if needs else 0, ran.stdout + ran.stderr)
-                self.assertIn(f": not proven: needs {needs}.py" if needs else "limits of the file: proven", ran.stdout)
+                code, said = said_of(wrong)
+                self.assertEqual(code, 1, said)
+                self.assertIn(f": not proven: needs {needs}.py", said)
 
     def test_the_checker_is_short(self):
-        self.assertLessEqual(len(TEXTS["kempe_check"].splitlines()), 764)
+        self.assertLessEqual(len(TEXTS["kempe_check"].splitlines()), 733)
         self.assertLessEqual(max(len(line) for text in TEXTS.values() for line in text.splitlines()), 132)
 
     def test_what_can_be_read_in_two_ways_is_not_read(self):
@@ -262,7 +277,7 @@ class Designs(unittest.TestCase):
         its_design, lines = design("two-layer"), log("two-layer")
         for obstacles in (its_design["obstacles"], lines[0]["task"]["obstacles"]):
             obstacles[0]["name"] = "of two lines \u2028 \u0085 \x0b"
-        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()), files_beside(WHOLE):
             names = [str(pathlib.Path(folder) / name) for name in ("design.json", "certificate.jsonl")]
             for name, values in zip(names, ([its_design], lines)):
                 pathlib.Path(name).write_text("".join(json.dumps(v, ensure_ascii=False) + "\n" for v in values), encoding="utf-8")
@@ -697,10 +712,16 @@ class Mutations(unittest.TestCase):
     """Random single changes of designs and logs: one that is accepted must not have changed the truth."""
 
     def test_random_mutations_of_designs(self):
-        self.assertEqual(mutations.designs(WHOLE, 200, 1)["wrong"], [])
+        with files_beside(WHOLE):
+            found = mutations.designs(WHOLE, 200, 1)
+        self.assertEqual(found["wrong"], [])
+        self.assertGreater(min(found["refused"], found["true"]), 40)
 
     def test_random_mutations_of_logs(self):
-        self.assertEqual(mutations.logs(WHOLE, 200, 2)["wrong"], [])
+        with files_beside(WHOLE):
+            found = mutations.logs(WHOLE, 200, 2)
+        self.assertEqual(found["wrong"], [])
+        self.assertGreater(min(found["refused"], found["true"]), 40)
 
 
 if __name__ == "__main__":
