@@ -8,17 +8,15 @@ This file holds claims 1 to 4. Files beside it hold the rest, which is not prove
 of a design's file, tolerance_check.py claim 5 and the limit on the copy error, bodies_check.py bodies and a table's edge.
 
 eps:      claims 1, 2 and 5 and the limits forgive 1e-6 mm and 1e-6 degrees; claims 3 and 4 forgive nothing.
-Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the numbers of the files are the doubles nearest
-          to them; rings are simple, and holes lie inside their polygon.
+Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the files' numbers are the doubles nearest to them.
 """
 import json
-import math
 import sys
 from collections import namedtuple
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, product
-from math import hypot, inf, nextafter
+from math import atan2, cos, dist, factorial, hypot, inf, nextafter, pi, sin, sqrt
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -60,20 +58,17 @@ class I:
 
     def __add__(self, o):
         o = o if o.__class__ is I else I(o)
-        if not self or not o:
-            return self or o
-        return I(nextafter(self.lo + o.lo, -inf), nextafter(self.hi + o.hi, inf), total(self.d, o.d))
+        both = self and o  # else one is exactly 0
+        return I(nextafter(self.lo + o.lo, -inf), nextafter(self.hi + o.hi, inf), total(self.d, o.d)) if both else self or o
 
     def __mul__(self, o):
         o = o if o.__class__ is I else I(o)
-        if not self or not o:
-            return ZERO
-        if self is ONE or o is ONE:
-            return o if self is ONE else self
+        if self is ONE or o is ONE or not (self and o):
+            return ZERO if not (self and o) else o if self is ONE else self
         ends = (self.lo * o.lo, self.lo * o.hi, self.hi * o.lo, self.hi * o.hi)
         lo, hi = nextafter(min(ends), -inf), nextafter(max(ends), inf)
         need(lo > -1e150 and hi < 1e150)  # so no infinity comes up, and no NaN
-        return I(lo, hi, total(self.slopes_times(o), o.slopes_times(self)) if self.d or o.d else None)
+        return I(lo, hi, (self.d or o.d) and total(self.slopes_times(o), o.slopes_times(self)))
 
     def __truediv__(self, o):
         o = o if o.__class__ is I else I(o)
@@ -82,17 +77,17 @@ class I:
         inverse.d = o.slopes_times(-(inverse * inverse))
         return self * inverse
 
-    __radd__, __rmul__ = __add__, __mul__
-
     def sqrt(self):
         need(self.lo >= 0)
-        root = I(max(0.0, nextafter(math.sqrt(self.lo), -inf)), nextafter(math.sqrt(self.hi), inf))
+        root = I(max(0.0, nextafter(sqrt(self.lo), -inf)), nextafter(sqrt(self.hi), inf))
         root.d = self.d and self.slopes_times(I(0.5) / root)
         return root
 
     def square(self):
         found = self * self
         return I(max(0.0, found.lo), found.hi, found.d)
+
+    __radd__, __rmul__ = __add__, __mul__
 
 class Z:
     """A complex number x + iy of two intervals."""
@@ -106,25 +101,24 @@ class Z:
     def __sub__(self, o): return Z(self.x - o.x, self.y - o.y)
     def __mul__(self, o):
         return Z(self.x * o.x - self.y * o.y, self.x * o.y + self.y * o.x) if o.__class__ is Z else Z(self.x * o, self.y * o)
-
     def __truediv__(self, o): return self * o.conj() / o.square() if o.__class__ is Z else Z(self.x / o, self.y / o)
     def conj(self): return Z(self.x, -self.y)
     def square(self): return self.x.square() + self.y.square()  # of the modulus
     def middle(self): return self.x.middle(), self.y.middle()
 
-ZERO, ONE = I(0.0), I(1.0)
-NIL, UNIT = Z(ZERO, ZERO), Z(ONE, ZERO)
-
 def total(slopes, others):
     both = slopes and others
     return {**slopes, **{v: slopes[v] + x if v in slopes else x for v, x in others.items()}} if both else slopes or others
+
+ZERO, ONE = I(0.0), I(1.0)
+NIL, UNIT = Z(ZERO, ZERO), Z(ONE, ZERO)
 
 @cache
 def unit_circle(degrees):
     """Cosine + i sine of decimal degrees, by Taylor's series: 50 digits of pi, cut at 2^-160; 50 terms leave less than 1e-50."""
     quarters, rest = divmod(Fraction(degrees) % 360, 90)
     x = Fraction(int(rest * Fraction("3.14159265358979323846264338327950288419716939937511") / 180 * 2 ** 160), 2 ** 160)
-    terms = [x ** n / math.factorial(n) * (-1) ** (n // 2) for n in range(50)]
+    terms = [x ** n / factorial(n) * (-1) ** (n // 2) for n in range(50)]
     c, s = (I(float(sum(terms[odd::2]))) + (I(-1e-40, 1e-40) if rest else 0.0) for odd in (0, 1))
     return [Z(c, s), Z(-s, c), Z(-c, -s), Z(s, -c)][int(quarters)]
 
@@ -133,16 +127,15 @@ def edges_of(rings): return [edge for ring in rings for edge in zip(ring, ring[1
 def exact(*points): return [[Fraction(c) for c in p] for p in points]
 def span(points): return [(min(c), max(c)) for c in zip(*points)]  # of x and of y
 def within(point, some): return any(where(point, rings) >= 0 for rings in some)  # one of some polygons, or on its edge
+def largest(some): return max(abs(c) for rings in some for ring in rings for corner in ring for c in corner)
 
-def side(p, q, r):
-    """The sign of the turn p-q-r, exact."""
+def side(p, q, r):  # the sign of the turn p-q-r, exact
     left, right = (q[0] - p[0]) * (r[1] - p[1]), (q[1] - p[1]) * (r[0] - p[0])
     if left.__class__ is Fraction or abs(left - right) > 1e-14 * (abs(left) + abs(right)) + 1e-290:
         return left - right
     return side(*exact(p, q, r))
 
-def where(point, rings):
-    """1 inside, 0 on an edge, -1 outside, by the even-odd rule; exact."""
+def where(point, rings):  # 1 inside, 0 on an edge, -1 outside, by the even-odd rule; exact
     (x, y), inside = point, -1
     for p, q in edges_of(rings):
         if min(p[1], q[1]) <= y <= max(p[1], q[1]):
@@ -153,15 +146,13 @@ def where(point, rings):
                 inside = -inside
     return inside
 
-def to_segment(p, a, b):
-    """From p to the nearest point of the segment a-b."""
+def to_segment(p, a, b):  # from p to the nearest point of the segment a-b
     ax, ay, dx, dy = a[0] - p[0], a[1] - p[1], b[0] - a[0], b[1] - a[1]
     length = dx * dx + dy * dy
     t = min(1, max(0, -(ax * dx + ay * dy) / length)) if length else 0  # so that fractions stay exact
     return ax + t * dx, ay + t * dy
 
-def apart(A, B):
-    """The shortest way from convex A to convex B, given by their corners in order; (0, 0) if they meet."""
+def apart(A, B):  # the shortest way from convex A to convex B, given by their corners in order; (0, 0) if they meet
     edges, others = ([(Q[i - 1], Q[i]) for i in range(len(Q))] for Q in (A, B))
     crossed = len(A) > 1 < len(B) and any(side(a, b, c) * side(a, b, d) < 0 > side(c, d, a) * side(c, d, b)
                                           for (a, b), (c, d) in product(edges, others))
@@ -170,13 +161,15 @@ def apart(A, B):
     ways = [to_segment(p, *e) for p in A for e in others] + [(-x, -y) for x, y in (to_segment(p, *e) for p in B for e in edges)]
     return min(ways, key=lambda v: hypot(*v))
 
-def convex(ring):
-    """True if a closed ring, which is simple, turns one way only."""
+def beyond(p, ring):  # how far outside a closed convex ring a place is; negative: how deep inside
+    least = min(hypot(*to_segment(p, *edge)) for edge in edges_of([ring]))
+    return -least if where(p, [ring]) > 0 else least
+
+def convex(ring):  # true if a closed ring, which is simple, turns one way only
     turns = [side(*corners) for corners in zip(ring, ring[1:], ring[2:] + ring[1:2])]
     return min(turns) >= 0 or max(turns) <= 0
 
-def squared_distances(origin, some):
-    """The least and the largest to the polygons' edges: exact, then rounded outwards."""
+def squared_distances(origin, some):  # the least and the largest to the polygons' edges: exact, then rounded outwards
     (o,), edges = exact(origin), edges_of(exact(*ring) for rings in some for ring in rings)
     squares = [x * x + y * y for p, q in edges for x, y in ((p[0] - o[0], p[1] - o[1]), to_segment(o, p, q))]
     return [I(nextafter(float(square), -inf), nextafter(float(square), inf)) for square in (min(squares), max(squares))]
@@ -196,8 +189,7 @@ def cover(rings, pending, pending_in):
     while todo:
         (box, edges, pending), cells = todo.pop(), cells + 1
         hull = [*{p for edge in edges for p in edge}.union(filter(inside, product(*box)))]
-        left = pending_in(box, hull, pending) if hull else None
-        if left is not None:
+        if hull and (left := pending_in(box, hull, pending)) is not None:
             axis, low, high = max(((i, *box[i]) for i in (0, 1)), key=lambda each: each[2] - each[1])
             m = 0.5 * low + 0.5 * high
             need(low < m < high and cells <= MOST_CELLS)
@@ -211,7 +203,7 @@ def cloud(still, moving, ways):
     ends = [still + Z(*(sum((d.get(v, ZERO) * x for v, x in way.items()), ZERO) for d in slopes)) for way in ways]
     points, middle = [e.middle() for e in ends], still.middle()
     radius = 0.5 * (1 + 1e-15) * max(hypot(nextafter(e.x.hi - e.x.lo, inf), nextafter(e.y.hi - e.y.lo, inf)) for e in ends)
-    return points, radius, max(math.dist(p, middle) for p in points)
+    return points, radius, max(dist(p, middle) for p in points)
 
 # Values of a file
 def plain(reason): return str(reason).encode("unicode_escape").decode()  # on one line: names from the files may hold anything
@@ -250,8 +242,8 @@ def polygons(value, path):
 def obstacle(value, path):
     found = fits(value, {"shape": polygons, "layers": [(0, 64)] * 2}, path)
     must(len(found.shape) == 1, path, value, "one polygon")
-    layers = range(found.layers[0], found.layers[1] + 1)
-    return SimpleNamespace(rings=found.shape[0], layers=layers, name=value.get("name") or "an obstacle", **AT_REST)
+    (low, high), name = found.layers, value.get("name") or "an obstacle"
+    return SimpleNamespace(rings=found.shape[0], layers=range(low, high + 1), name=name, **AT_REST)
 
 def links(value, path):
     found = {link.name: link for link in fits(value, [{"name": set(LINKS), "layer": (1, 64), "shape": SHAPES}], path)}
@@ -289,10 +281,9 @@ class Shape:
         s = self.s = {"pole": k, "tracer": UNIT - k, "pen": UNIT - UNIT / k}[vertex]
         self.vertex, self.g = vertex, {"pole": UNIT, "tracer": -UNIT, "pen": -k}[vertex]
         self.abs_s, self.abs_1s, self.abs_g = (z.square().sqrt() for z in (s, UNIT - s, self.g))
-        self.straight = not (k.y.lo or k.y.hi)
-        self.modes = 2 if self.straight else 4
-        self.up = -1.0 if s.y.hi < 0 or self.straight and s.x.hi < 0 else 1.0  # the sign of arg s
-        need((self.straight or s.y.lo > 0 or s.y.hi < 0) and self.abs_s.lo > 0, "the shape is nearly degenerate")
+        self.modes = 4 if k.y.lo or k.y.hi else 2
+        self.up = -1.0 if s.y.hi < 0 or self.modes == 2 and s.x.hi < 0 else 1.0  # the sign of arg s
+        need((self.modes == 2 or s.y.lo > 0 or s.y.hi < 0) and self.abs_s.lo > 0, "the shape is nearly degenerate")
         self.turn = s.conj() / self.abs_s
         half = (self.abs_s + self.abs_1s + 1.0) * 0.5
         self.size = (half + 1.0, half + self.abs_s)  # of a and of b
@@ -305,18 +296,15 @@ class Shape:
         pole = seen["V" if vertex == "pole" else "X"]
         self.seen = {**{j: (alpha - pole[0], beta - pole[1]) for j, (alpha, beta) in seen.items()}, "pole": (NIL, NIL)}
 
-    def signs(self, mode):
-        """Of sin psi and of sin d."""
+    def signs(self, mode):  # of sin psi and of sin d
         sin_d = -1 if mode < self.modes // 2 else 1
-        return (sin_d if self.straight else 1 if mode in (0, 3) else -1) * self.up, sin_d
+        return (sin_d if self.modes == 2 else 1 if mode in (0, 3) else -1) * self.up, sin_d
 
-    def window(self, mode, degrees):
-        """Cosines of the least and the largest |psi| with the transmission angle asked for."""
+    def window(self, mode, degrees):  # cosines of the least and the largest |psi| with the transmission angle asked for
         limit, (sign, sign_d) = unit_circle(degrees), self.signs(mode)
-        # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 where d comes to arg s itself.
+        # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 (then first) where d comes to arg s.
         cc, cs = self.s.x * (-self.up * sign) / self.abs_s, self.s.y * self.up / self.abs_s
-        starts_dead = sign_d * self.up > 0
-        return (limit.x, cc * limit.x + cs * limit.y) if starts_dead else (cc * limit.x - cs * limit.y, -limit.x)
+        return (limit.x, cc * limit.x + cs * limit.y) if sign_d * self.up > 0 else (cc * limit.x - cs * limit.y, -limit.x)
 
     def opened(self, a, b, w, sign):
         """By (1) and (2), for constants alpha, beta: the place alpha p + beta q/s, seen from the table and from frames that turn
@@ -331,8 +319,7 @@ class Shape:
 def may_meet(one, other): return not set(JOINTS[one]) & set(JOINTS[other])
 def half(task, part): return 0.5 * (task.link_width_mm if part in LINKS else task.pin_diameter_mm)
 
-def occupied(part, layers):
-    """The layers that a part fills, given those of the links."""
+def occupied(part, layers):  # the layers that a part fills, given those of the links
     levels = sorted(layers[link] for link in LAYERED_BY[part])
     return set(levels if part in LINKS else range(levels[0] + 1, levels[-1]) if part.startswith("pin") else range(1, levels[0]))
 
@@ -347,13 +334,11 @@ def permitted(task, name):
     most = task.longest_mm if strip is None else min(task.longest_mm, (I(strip) - task.link_width_mm).hi)
     return (least, most) if locked is None else (max(least, locked), min(most, locked))
 
-def pieces(task, part):
-    """Convex pieces of a part's axis, by joints."""
+def pieces(task, part):  # convex pieces of a part's axis, by joints
     joints = JOINTS[part]
     return [joints[:2], joints[::2]] if len(joints) == 3 and task.plate == "bent" else [joints]
 
-def beside(name):
-    """Another file of the checker."""
+def beside(name):  # another file of the checker
     try:
         return __import__(name)
     except ModuleNotFoundError:
@@ -366,7 +351,7 @@ Pair = namedtuple("Pair", "one joints other others frame wide edges rings", defa
 class Design:
     """Claims 1 and 2."""
     def __init__(self, name, data):
-        self.name, self.data, self.losses, self.range = name, data, None, None
+        self.name, self.data, self.range, self.losses = name, data, None, lambda z: lambda *which: 0.0
         task = self.task = fits(data, DESIGN, name + ": ")
         (self.layers, task.plate), self.lengths, self.pole = task.links, task.lengths_mm, task.pole_position_mm
         shape = self.shape = Shape(task, task.vertex)
@@ -378,51 +363,47 @@ class Design:
         given = task.region + [o.rings for o in task.obstacles]
         local = [[[(c[0] - self.pole[0], c[1] - self.pole[1]) for c in ring] for ring in rings] for rings in given]
         self.region, self.blocks = local[:len(task.region)], local[len(task.region):]
-        sizes = [max((abs(c) for rings in some for ring in rings for corner in ring for c in corner), default=0.0)
-                 for some in (given + [[[self.pole]]], local)]
-        self.slip = 2.0 ** -50 * sizes[0] + 2.0 ** -44 * sizes[1]
+        self.slip = 2.0 ** -50 * largest(given + [[[self.pole]]]) + 2.0 ** -44 * largest(local)
 
-    def reached(self):
-        """Claim 1. Sets the range of distances, and what the openings are at its ends."""
-        task, shape, self.openings = self.task, self.shape, []
+    def reached(self):  # Claim 1. Sets the range of distances, and what the openings are at its ends.
+        task, shape, ends = self.task, self.shape, []
         need(not within(self.pole, task.region), "the pole stands in the region, where the tracer cannot go", Refuted)
         for name, length in self.lengths.items():
-            fitting = (self.exact[name] - length).size() <= EPS_MM
-            need(fitting, f"length {name} = {length} does not fit VA, VB and the ratio", Refuted)
+            off = (self.exact[name] - length).size()
+            need(off <= EPS_MM, f"length {name} = {length} does not fit VA, VB and the ratio", Refuted)
         first, last = shape.window(task.assembly, max(0.0, task.transmission_deg - EPS_DEG))
         for place, square in zip(("nearest", "farthest"), squared_distances(self.pole, task.region)):
             c = (square * shape.abs_g.square() - self.a.square() - self.b.square()) / (self.a * self.b * 2.0)
-            here = f"the {place} place, {math.sqrt(square.middle()):.6g} mm from the pole,"
+            here = f"the {place} place, {sqrt(square.middle()):.6g} mm from the pole,"
             need(c.lo <= 1 and c.hi >= -1, here + " is out of reach", Refuted)
             need(c.lo <= first.hi and c.hi >= last.lo, here + " is too near to a dead or change point, or beyond it", Refuted)
             need(c.hi < first.lo and c.lo > last.hi)
-            self.openings.append((square.sqrt(), c))
-        self.range = [opening[0] for opening in self.openings]
+            ends.append((square.sqrt(), c))
+        self.range, self.cosines = zip(*ends)
         return f" (transmission {task.transmission_deg:g} degrees, eps {EPS_DEG:g} degrees)"
 
-    def seen(self, z):
-        """All joints from the pole, with the tracer at z."""
+    def seen(self, z):  # all joints from the pole, with the tracer at z
         place = self.shape.opened(self.a, self.b, self.shape.g * z, self.sign)["table"]
         return {joint: place(*constants) for joint, constants in self.shape.seen.items()}
 
     def clear(self):
         """Claim 2, or claim 5 with losses. Contact of the linkage with itself does not change if all turns about the pole."""
         need(self.range, "claim 1 comes first")
-        task, itself, blocked = self.task, [], []
+        task, pairs = self.task, []
         for other, one in combinations(JOINTS, 2):
             together, joined = share(one, other, self.layers, ()), not may_meet(one, other)
             need(not (together and joined and {one, other} <= set(LINKS)), f"{other}, {one} share a joint and a layer", Refuted)
             if not joined and (together or one.startswith("post") and other.startswith("post")):
                 # Parallel to VB and ACX, or to VA and BCY: seen from there such parts do not turn.
-                wide = half(task, one) + half(task, other) + task.clearance_mm
-                frame = "ACX" if {"VB", "ACX"} & {one, other} else "VA"
-                itself += [Pair(other, A, one, B, frame, wide) for A, B in product(pieces(task, other), pieces(task, one))]
+                frame, wide = "ACX" if {"VB", "ACX"} & {one, other} else "VA", half(task, one) + half(task, other) + task.clearance_mm
+                pairs += [Pair(other, A, one, B, frame, wide) for A, B in product(pieces(task, other), pieces(task, one))]
         for (i, block), part in product(enumerate(self.blocks), JOINTS):
             if share(part, i, self.layers, task.obstacles):
                 wide, name = half(task, part) + task.clearance_mm, task.obstacles[i].name
-                blocked += [Pair(part, one, name, ["pole"], "table", wide, edges_of(block), block) for one in pieces(task, part)]
-        for pair in beside("bodies_check").pairs_of(self) if self.data.get("bodies") or self.data.get("table") else ():
-            (blocked if pair.frame == "table" else itself).append(pair)
+                pairs += [Pair(part, one, name, ["pole"], "table", wide, edges_of(block), block) for one in pieces(task, part)]
+        if self.data.get("bodies") or self.data.get("table"):
+            pairs += beside("bodies_check").pairs_of(self)
+        blocked, itself = ([pair for pair in pairs if (pair.frame == "table") == fixed] for fixed in (True, False))
         first, last = (self.range[0].lo, 0.0), (self.range[1].hi, 0.0)
         cover([[first, last, first]], itself, self.pending_in)
         self.keep_out(blocked)
@@ -446,18 +427,16 @@ class Design:
         z = Z(*(I(low - slip, high + slip, {v: ONE}) for v, (low, high) in zip("xy", box)))
         try:
             moving, still = (self.shape.opened(self.a, self.b, self.shape.g * at, self.sign) for at in (z, Z(*m)))
-            loss = self.losses(z) if self.losses else lambda *which: 0.0
+            loss = self.losses(z)
         except Open:
             return pending
         ways = [{v: I(c - slip, c + slip) - o for v, c, o in zip("xy", corner, m)} for corner in hull]
 
         spot = cache(lambda joint, frame: still[frame](*seen[joint]).middle())
-
         @cache
         def way(i, j, frame):  # from joint to joint
             constants = [to - of for of, to in zip(seen[i], seen[j])]
             return cloud(still[frame](*constants), moving[frame](*constants), ways)
-
         left, todo = [], list(pending)
         while todo:
             pair = todo.pop()
@@ -466,34 +445,32 @@ class Design:
             clouds = {(i, j): way(i, j, frame) for i, j in product(pair.joints, pair.others)}
             P, Q = ([spot(joint, frame) for joint in some] for some in (pair.joints, pair.others))
             v = apart(P, [(q[0] + e[0], q[1] + e[1]) for q in Q for e in ends])
-            if gap := hypot(*v):  # one direction n proves the two apart all over the cell
+            gap, several = hypot(*v), len(pair.edges) // 2
+            if gap:  # one direction n proves the two apart all over the cell
                 n = v[0] / gap, v[1] / gap
                 far = min(n[0] * p[0] + n[1] * p[1] for p in ends)
                 near = min(min(n[0] * p[0] + n[1] * p[1] for p in points) - radius - loss(n, pair, *joints)
                            for joints, (points, radius, _) in clouds.items())
                 slack = 1e-14 * (abs(far) + abs(near) + max(abs(c) for p in ends for c in p)) + 4 * slip
-                if far + near >= pair.wide - EPS_MM + slack:
-                    continue
-            several = len(pair.edges) // 2
-            if several and math.dist(ends[0], ends[2]) > max(moved for *_, moved in clouds.values()):
+            parted = gap and far + near >= pair.wide - EPS_MM + slack
+            if not parted and several and dist(ends[0], ends[2]) > max(moved for *_, moved in clouds.values()):
                 todo += [pair._replace(edges=some) for some in (pair.edges[:several], pair.edges[several:])]
-                continue
-            met = not several and gap < pair.wide - 2 * EPS_MM and (frame != "table" or within(m, self.region))
-            need(not met, f"{pair.one} and {pair.other} come to {gap:.6g} mm from axis to axis with the tracer at "
-                          f"({m[0]:.6g}, {m[1]:.6g}) from the pole; needed: {pair.wide:g}", Refuted)
-            left.append(pair)
+            elif not parted:
+                met = not several and gap < pair.wide - 2 * EPS_MM and (frame != "table" or within(m, self.region))
+                need(not met, f"{pair.one} and {pair.other} come to {gap:.6g} mm from axis to axis with the tracer at "
+                              f"({m[0]:.6g}, {m[1]:.6g}) from the pole; needed: {pair.wide:g}", Refuted)
+                left.append(pair)
         return left or None
 
     def join(self, one, other, pairs):
         """Two polygons are joined if a way from corner to corner, straight or on a circle about the pole, is clear as well."""
-        A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: math.dist(*pq))
-        least, most, start, end = self.range[0].hi, self.range[1].lo, math.atan2(A[1], A[0]), math.atan2(B[1], B[0])
-        arcs = product([least + part * (most - least) for part in (0.5, 0.25, 0.75, 0.1, 0.9)],
-                       [(end - start + 2 * math.pi * turns) / 400 for turns in (0, -1, 1)])
-        circles = ([(r * math.cos(start + turn * i), r * math.sin(start + turn * i)) for i in range(401)] for r, turn in arcs)
-        for steps in ([], *circles):
+        A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: dist(*pq))
+        least, most, start, end = self.range[0].hi, self.range[1].lo, atan2(A[1], A[0]), atan2(B[1], B[0])
+        for share, turns, steps in [(0, 0, 0), *product((0.5, 0.25, 0.75, 0.1, 0.9), (0, -1, 1), (401,))]:
+            r, turn = least + share * (most - least), (end - start + 2 * pi * turns) / 400
+            arc = [(r * cos(start + turn * i), r * sin(start + turn * i)) for i in range(steps)]
             try:
-                for p, q in zip([A, *steps], [*steps, B]):
+                for p, q in zip([A, *arc], [*arc, B]):
                     need(hypot(*to_segment((0.0, 0.0), p, q)) >= least - EPS_MM and max(hypot(*p), hypot(*q)) <= most + EPS_MM)
                     cover([[p, q, p]], pairs, self.pending_in)
                 return
@@ -511,22 +488,20 @@ class Certificate:
     def __init__(self, name, lines):
         self.data, self.lines, self.at = lines[0] if lines else None, lines, 0
         task = self.task = fits(self.data, LOG, name + ": ")
-        self.blocks, self.claim, self.objective, self.bound = task.obstacles, task.claim, task.objective, task.bound
-        self.by = self.objective if self.bound is not None else None
-        must((self.claim == "none") == (self.bound is None), name + ": bound", self.bound, "a number beside claim bound alone")
+        self.blocks, self.by = task.obstacles, task.objective if task.claim == "bound" else None
+        must((task.claim == "none") == (task.bound is None), name + ": bound", task.bound, "a number beside claim bound alone")
 
-    def belongs_to(self, design):
-        """The log speaks of the design's task, and proves what the design's file states."""
-        copy, mechanism = design.data["copy"], design.data["mechanism"]
+    def belongs_to(self, design):  # the log speaks of the design's task, and proves what the design's file states
+        copy, mechanism, task = design.data["copy"], design.data["mechanism"], self.task
         wanted = {key: copy.get("wanted_" + key, copy[key]) for key in ("scale", "rotation_deg")}
         theirs = {**{key: design.data.get(key) for key in SHARED}, **{key: mechanism[key] for key in WIDTHS},
                   "plate": design.task.plate, "copy": wanted}
         for key in theirs:
             need(self.data["task"].get(key) == theirs[key], f"the log's {key} is not the design's")
-        stated, over = fits(design.data, STATED, design.name + ": "), 1 if self.objective == "size" else -1
-        need(self.claim == "bound" and stated.objective == self.objective, "the log is not about the design's objective")
-        need(over * stated.value >= over * self.bound - EPS_MM, f"this design has {stated.value}", Refuted)
-        need(stated.lower_bound is None or over * (stated.lower_bound - self.bound) <= EPS_MM, f"it states {stated.lower_bound}")
+        stated, over = fits(design.data, STATED, design.name + ": "), 1 if self.by == "size" else -1
+        need(self.by == stated.objective, "the log is not about the design's objective")
+        need(over * stated.value >= over * task.bound - EPS_MM, f"this design has {stated.value}", Refuted)
+        need(stated.lower_bound is None or over * (stated.lower_bound - task.bound) <= EPS_MM, f"it states {stated.lower_bound}")
 
     def prove(self):
         for vertex in (v for v in VERTICES if v in self.task.groundings):
@@ -552,11 +527,10 @@ class Certificate:
         box.update({v: I(*ends) for v, ends in zip("xy", span(corner for rings in task.pole for corner in rings[0]))})
         joined = [pair for pair in combinations(LINKS, 2) if not may_meet(*pair)]
         every = (dict(zip(LINKS, layers)) for layers in product(range(1, task.layers + 1), repeat=4))
-        least = max(task.transmission_deg, self.bound if self.by == "transmission" else 0.0)
+        least = max(task.transmission_deg, self.task.bound if self.by == "transmission" else 0.0)
         return Node(box, self.shape.window(mode, least), [l for l in every if all(l[one] != l[other] for one, other in joined)])
 
-    def step(self, node, line):
-        """The children of a node; none if its leaf refutes it."""
+    def step(self, node, line):  # the children of a node; none if its leaf refutes it
         for rule in ("split", "share", "contact", "copy_error"):
             if rule in line:
                 return getattr(self, rule)(node, line)
@@ -587,8 +561,7 @@ class Certificate:
 
     def copy_error(self, node, line): return beside("tolerance_check").cut(self, node, line)
 
-    def material(self, named, origin="pole"):
-        """(alpha, beta) of a material point of a part, seen from a joint."""
+    def material(self, named, origin="pole"):  # (alpha, beta) of a material point of a part, seen from a joint
         part, *t = named
         t, seen = [float(x) for x in t], [self.shape.seen[joint] for joint in JOINTS[part]]
         on_part = len(t) == len(seen) - 1 and all(0 <= x <= 1 for x in t) and sum(map(Fraction, t)) <= 1
@@ -596,13 +569,8 @@ class Certificate:
         return [sum(((to - at) * x for x, to in zip(t, others)), start=at - o)
                 for o, (at, *others) in zip(self.shape.seen[origin], zip(*seen))]
 
-    def joint(self, part, *t):
-        """The joint that a point of a part is; None if it is none."""
-        return next((joint for joint, share in zip(JOINTS[part], (1 - sum(t), *t)) if share == 1), None)
-
     @cache
-    def place(self, value):
-        """A place of the region, as intervals."""
+    def place(self, value):  # a place of the region, as intervals
         if len(value) == 2:
             need(within(fits([*value], POINT, "place"), self.task.region), f"{value} is not in the region")
             return Z(*value)
@@ -619,21 +587,19 @@ class Certificate:
         the product m of a and b; its slopes by x and y are -2 `pull`."""
         a, b, x, y = (I(node.box[v].middle()) for v in "abxy")
         (of_a, of_b), gg, P = self.shape.size, self.shape.abs_g.square(), Z(x, y)
-        Q, k, l, m, bound, pull = ZERO, ZERO, ZERO, ZERO, ZERO, NIL
-        terms = {"far": (ONE, -gg, ZERO), "near": (-ONE, gg, ZERO), "posts": (ZERO, ONE, self.shape.posts.square())}
+        Q, k, l, m, sizes, pull = ZERO, ZERO, ZERO, ZERO, ZERO, NIL
+        # How often each has R, the square of the way to its place, 1 and the size
+        terms = {"far": (ONE, -gg, ZERO, ZERO), "near": (-ONE, gg, ZERO, ZERO), "posts": (ZERO, ONE, -self.shape.posts.square(), ZERO),
+                 "bound": (ZERO, ZERO, I(self.task.bound or 0.0), -ONE)}
         for name, *places, weight in line["of"]:
             need(0 <= weight < 1e9, "a weight is negative")
-            weight = I(float(weight))
-            if name == "bound":
-                need(self.by == "size", "there is no bound")
-                bound, Q = bound + weight, Q + weight * (self.bound - of_a * a - of_b * b)
-                continue
-            away = self.place(tuple(places[0])) - P
-            of_R, times, less = (weight * each for each in terms[name])
-            l, m = l + of_R, m + of_R * node.window[name == "near"]
-            Q, k, pull = Q + times * away.square() - less, k + times, pull + away * times
-        Q += l * (a.square() + b.square()) + m * a * b * 2.0
-        slopes = (l * a + m * b) * 2.0 - bound * of_a, (l * b + m * a) * 2.0 - bound * of_b, pull.x * 2.0, pull.y * 2.0
+            need(name != "bound" or self.by == "size", "there is no bound")
+            away = NIL if name == "bound" else self.place(tuple(places[0])) - P
+            of_R, of_way, rest, of_size = (each * float(weight) for each in terms[name])
+            l, m, sizes = l + of_R, m + of_R * node.window[name == "near"], sizes + of_size
+            Q, k, pull = Q + of_way * away.square() + rest, k + of_way, pull + away * of_way
+        Q += l * (a.square() + b.square()) + m * a * b * 2.0 + sizes * (of_a * a + of_b * b)
+        slopes = (l * a + m * b) * 2.0 + sizes * of_a, (l * b + m * a) * 2.0 + sizes * of_b, pull.x * 2.0, pull.y * 2.0
         reach = [I(max((I(node.box[v].hi) - at).hi, (at - node.box[v].lo).hi)) for v, at in zip("abxy", (a, b, x, y))]
         most = Q + I((m * 2.0).size()) * reach[0] * reach[1]
         for slope, h, q in zip(slopes, reach, (l, l, k, k)):
@@ -646,7 +612,7 @@ class Certificate:
         """The box of poles holds no place of their area: no edge of it comes near, and a corner is not inside."""
         one, two, four, three = corners(node.box, "xy")
         edges = [edge for rings in self.task.pole for edge in edges_of(rings)]
-        near = 1e-12 * max(abs(c) for c in one + three + sum(sum(edges, ()), ()))
+        near = 1e-12 * largest([*self.task.pole, [[one, three]]])
         return not within(one, self.task.pole) and min(hypot(*apart([one, two, three, four], edge)) for edge in edges) > near
 
     def leaf_sheets(self, node, line):
@@ -656,14 +622,15 @@ class Certificate:
 
     def leaf_obstacle(self, node, line):
         """A part's point stays, over the box, within reach of a convex piece of an obstacle, or of a body seen from its joint."""
-        index, named, edge, box = line["obstacle"], line["point"], line["edge"], node.box
+        index, (part, *t), edge, box = line["obstacle"], line["point"], line["edge"], node.box
         block, (ring, *holes) = self.blocks[index], self.blocks[index].rings
-        meets = block.joint not in JOINTS[named[0]] and all(share(named[0], index, l, self.blocks) for l in node.assignments)
+        meets = block.joint not in JOINTS[part] and all(share(part, index, l, self.blocks) for l in node.assignments)
         need(meets, "the part does not meet this obstacle")
         convex_piece = 0 <= edge < len(ring) - 1 if edge is not None else not holes and convex(ring)
         need(convex_piece, "the obstacle is not convex, or has no such edge")
         K, T = ring[:-1] if edge is None else ring[edge:edge + 2], self.place(tuple(line["place"]))
-        constants, copied = self.material(named, block.joint), self.joint(*named) in COPIED
+        constants = self.material((part, *t), block.joint)
+        copied = any(at and joint in COPIED for joint, at in zip(JOINTS[part], (not any(t), *(x == 1 for x in t))))
         def point_at(a, b, x, y):
             w = self.shape.g * (T - Z(x, y))
             seen = w * constants[1] if copied else self.shape.opened(a, b, w, self.sign)["table"](*constants)
@@ -672,16 +639,12 @@ class Certificate:
         wide = {v: I(i.lo, i.hi, {v: ONE} if v in names else None) for v, i in box.items()}
         ways = [{v: c - middle[v] for v, c in zip(names, corner)} for corner in corners(box, names)]
         points, radius, _ = cloud(point_at(**middle), point_at(**wide), ways)
-        allowed = (half(self.task, named[0]) + self.task.clearance_mm + block.beyond) * (1 - 1e-15)
-        slack = 1e-14 * max(abs(c) for p in points + K for c in p)  # apart() is off by less
-        def within_reach(K):
-            away = [max(-hypot(*to_segment(p, *e)) for e in edges_of([K + K[:1]])) if len(K) > 2 and where(p, [K + K[:1]]) > 0
-                    else hypot(*apart([p], K)) for p in points]  # inside it the way out is negative
-            return all(d + radius + slack < allowed for d in away)
-        return within_reach(K[::len(K) // 40 + 1]) or within_reach(K)  # of a round obstacle some corners are mostly enough
+        slack = 1e-14 * max(abs(c) for p in points + K for c in p)  # beyond() is off by less
+        allowed = (half(self.task, part) + self.task.clearance_mm + block.beyond) * (1 - 1e-15)
+        return any(all(beyond(p, [*some, some[0]]) + radius + slack < allowed for p in points)
+                   for some in (K[::len(K) // 40 + 1], K))  # of a round obstacle some corners are mostly enough
 
-def claim(name, proof):
-    """Prints one claim's line; True if it is proven."""
+def claim(name, proof):  # prints one claim's line; True if it is proven
     try:
         said = f"proven{proof() or ''}"
     except (Refuted, Open, ArithmeticError) as reason:
@@ -693,8 +656,7 @@ def once(pairs):
     need(len(dict(pairs)) == len(pairs), f"a key twice in {[key for key, _ in pairs]}", ValueError)
     return dict(pairs)
 
-def read(name):
-    """The objects of a JSON or JSON lines file."""
+def read(name):  # the objects of a JSON or JSON lines file
     try:
         text = Path(name).read_text(encoding="utf-8").rstrip("\n")
         return [json.loads(part, object_pairs_hook=once) for part in (text.split("\n") if name.endswith(".jsonl") else [text])]
@@ -710,13 +672,13 @@ def main(names):
     except Open as fault:
         raise Unreadable(f"{names[0]}: copy: found {fault}; allowed: a ratio that no shape of is degenerate")
     if design:
-        claims = [("1 every point is reached on one assembly mode", design.reached),
-                  ("2 the parts keep their clearance", design.clear), ("limits of the file", lambda: beside("limits_check").keep(design))]
+        claims = [("1 every point is reached on one assembly mode", design.reached), ("2 the parts keep their clearance", design.clear),
+                  ("limits of the file", lambda: beside("limits_check").keep(design))]
         title = "5 every instrument within the tolerances stays on one assembly mode and keeps the clearance"
         claims += [(title, lambda: beside("tolerance_check").every_instrument(design))] * bool(design.task.robust)
     if log:
-        better = {"size": "smaller than {:.12g} mm", "transmission": "larger than {:.12g} degrees"}[log.objective]
-        title = "4 no design exists" if log.claim == "none" else "3 no design is " + better.format(log.bound)
+        better = {"size": "smaller than {:.12g} mm", "transmission": "larger than {:.12g} degrees", None: ""}[log.by]
+        title = "3 no design is " + better.format(log.task.bound) if log.by else "4 no design exists"
         claims.append((title, lambda: (design and log.belongs_to(design)) or log.prove()))
     good = all([claim(*each) for each in claims])
     if design:

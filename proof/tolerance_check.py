@@ -139,7 +139,7 @@ class Tolerances:
         """The limit is kept from the nearest to the farthest place: over cells of cos psi."""
         if not self.design.range:
             raise Open("claim 1 comes first")
-        self.over_cells([end for opening in self.design.openings for end in (opening[1].lo, opening[1].hi)], self.too_wrong_in)
+        self.over_cells([end for cosine in self.design.cosines for end in (cosine.lo, cosine.hi)], self.too_wrong_in)
 
     def exceeded(self, *cosines):
         """No opening between these cosines of psi keeps the limit."""

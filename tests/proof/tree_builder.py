@@ -134,9 +134,9 @@ class Builder:
                 p, l = sign * g2 * unit, -sign * unit
                 out.append(([name, list(key), unit], [p * (dx * dx + dy * dy) + l * (a * a + b * b + 2 * a * b * window),
                             2 * l * (a + b * window), 2 * l * (b + a * window), -2 * p * dx, -2 * p * dy, l, p, 2 * l * window]))
-        if log.claim == "bound" and log.objective == "size":
+        if log.by == "size":
             A, B = (f.middle() for f in shape.size)
-            out.append((["bound", 1 / (A + B)], [(log.bound - A * a - B * b) / (A + B), -A / (A + B), -B / (A + B), 0, 0, 0, 0, 0]))
+            out.append((["bound", 1 / (A + B)], [(log.task.bound - A * a - B * b) / (A + B), -A / (A + B), -B / (A + B), 0, 0, 0, 0, 0]))
         smallest = min(1.0, shape.abs_s.middle(), shape.abs_1s.middle()) * shape.abs_g.middle()
         h = (log.task.pin_diameter_mm + log.task.clearance_mm) / smallest
         key, c = self.nearest((x, y))
