@@ -1,10 +1,14 @@
-"""The part of kempe_check.py that the claim "limits of the file" needs: what a design's file limits beside the clearance and the
-transmission angle. The theorems stand in docs/proof.md.
+"""The part of kempe_check.py that a design's file needs beside claims 1 and 2: the claim "limits of the file", of all that is
+limited but the clearance and the transmission angle; and that a log given with the file is about its task and proves what it
+states. The theorems stand in docs/proof.md.
 """
 import math
 from math import hypot
 
-from kempe_check import (CHOICE, EPS_MM, LIMITS, Pair, Refuted, beside, edges_of, fits, need, permitted, to_segment, within)
+from kempe_check import (CHOICE, EPS_MM, LIMITS, NUMBER, OBJECTIVE, SHARED, WIDTHS, Pair, Refuted, beside, edges_of, fits, need,
+                         permitted, to_segment, within)
+
+STATED = {"search": {"objective": OBJECTIVE, "value": NUMBER[:2]}, "quality": {"lower_bound": NUMBER}}
 
 
 def keep(design):
@@ -31,3 +35,17 @@ def keep(design):
     need(away <= EPS_MM or within(design.pole, task.pole), "the pole stands elsewhere than permitted", Refuted)
     unread = sorted("limits." + key for key, value in design.data["limits"].items() if value is not None and key not in LIMITS)
     need(not unread, "not checked: " + ", ".join(unread))
+
+
+def match(log, design):
+    """The log speaks of the design's task, and proves what the design's file states."""
+    copy, mechanism, bound = design.data["copy"], design.data["mechanism"], log.task.bound
+    wanted = {key: copy.get("wanted_" + key, copy[key]) for key in ("scale", "rotation_deg")}
+    theirs = {**{key: design.data.get(key) for key in SHARED}, **{key: mechanism[key] for key in WIDTHS},
+              "plate": design.task.plate, "copy": wanted}
+    for key in theirs:
+        need(log.data["task"].get(key) == theirs[key], f"the log's {key} is not the design's")
+    stated, over = fits(design.data, STATED, design.name + ": "), 1 if log.by == "size" else -1
+    need(log.by == stated.objective, "the log is not about the design's objective")
+    need(over * stated.value >= over * bound - EPS_MM, f"this design has {stated.value}", Refuted)
+    need(stated.lower_bound is None or over * (stated.lower_bound - bound) <= EPS_MM, f"it states {stated.lower_bound}")

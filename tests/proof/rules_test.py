@@ -168,7 +168,7 @@ DESIGN_RULES = [
     ("parts that a wrong instrument brings too near", "loss = self.losses(z)", "loss = lambda *which: 0.0",
      lambda: tolerant("free", None, True, 4.3)),
     ("the format", '{"kempe-design/1"}', '{"kempe-design/1", "kempe-design/2"}', lambda: changed("plagiograph", "format", "kempe-design/2")),
-    ("a hole outside its polygon", "all(where(c, rings[:1]) >= 0 for rings in found for hole in rings[1:] for c in hole)", "True",
+    ("a hole outside its polygon", "all(within(c, [rings[:1]]) for rings in found for c in sum(rings[1:], []))", "True",
      lambda: changed("plagiograph", "region", "coordinates", 0, lambda p: p + [rectangle(69, 0, 70.1, 1)])),
 ]
 
@@ -227,14 +227,15 @@ class Designs(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copy(SOURCE / "proof" / "kempe_check.py", folder)
 
-            def said_of(design):
-                (pathlib.Path(folder) / "design.json").write_text(json.dumps(design), encoding="utf-8")
-                command = [sys.executable, "kempe_check.py", "design.json", FILES / "plagiograph.jsonl"]
-                ran = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+            def said_of(value):
+                (pathlib.Path(folder) / "design.json").write_text(json.dumps(value), encoding="utf-8")
+                ran = subprocess.run([sys.executable, "kempe_check.py", "design.json"], cwd=folder, capture_output=True, text=True)
                 return ran.returncode, ran.stdout
 
+            its_log = [sys.executable, "kempe_check.py", FILES / "plagiograph.jsonl"]
+            self.assertEqual(subprocess.run(its_log, cwd=folder, capture_output=True).returncode, 0)
             code, said = said_of(design("plagiograph"))
-            self.assertEqual((code, re.findall("^([123]).*: proven", said, re.MULTILINE)), (1, ["1", "2", "3"]), said)
+            self.assertEqual((code, re.findall("^([12]).*: proven", said, re.MULTILINE)), (1, ["1", "2"]), said)
             self.assertIn("limits of the file: not proven: needs limits_check.py", said)
             shutil.copy(SOURCE / "proof" / "limits_check.py", folder)
             self.assertEqual(said_of(design("plagiograph"))[0], 0)
@@ -245,7 +246,7 @@ class Designs(unittest.TestCase):
                 self.assertIn(f": not proven: needs {needs}.py", said)
 
     def test_the_checker_is_short(self):
-        self.assertLessEqual(len(TEXTS["kempe_check"].splitlines()), 733)
+        self.assertLessEqual(len(TEXTS["kempe_check"].splitlines()), 649)
         self.assertLessEqual(max(len(line) for text in TEXTS.values() for line in text.splitlines()), 132)
 
     def test_what_can_be_read_in_two_ways_is_not_read(self):
@@ -423,7 +424,7 @@ LOG_RULES = [
     ("a point that the lengths move", "at and joint in COPIED", "True", lambda: all_around(["VB", 0.5])),
     ("an obstacle that is not convex", "need(convex_piece,", "need(True,",
      lambda: with_task("block", "obstacles", 0, "shape", "coordinates", 0, 0, dented)),
-    ("a link that carries the body", "block.joint not in JOINTS[named[0]] and ", "", lambda: met(["BCY", 0.0, 0.0])),
+    ("a link that carries the body", "block.joint not in JOINTS[part] and ", "", lambda: met(["BCY", 0.0, 0.0])),
     ("a body out of reach", "block.beyond) * (1 - 1e-15)", "1e9)", lambda: met(["ACX", 0.0, 0.0], 1.0)),
     ("a body seen from elsewhere", "start=at - o)", "start=NIL)", lambda: met(["ACX", 0.0, 0.0], 1.0)),
     ("a body in no layer of the part", 'need(meets, "the part', 'need(True, "the part', lambda: met(["pin A"])),
@@ -434,9 +435,9 @@ LOG_RULES = [
     ("a copy error within its limit, without a design left", "tolerances.exceeded(low, high)", "pass",
      lambda: too_wrong(0.8, [0.0, 0.5])),
     ("a copy error that is no number", "fits(line[\"copy_error\"], [(-1.0, 1.0)] * 2, \"copy_error\")", "line[\"copy_error\"]", lambda: too_wrong(0.8, [math.nan, math.nan])),
-    ("another task", "need(self.data[\"task\"].get(key) == theirs[key],", "need(True,",
+    ("another task", "need(log.data[\"task\"].get(key) == theirs[key],", "need(True,",
      lambda: with_task("plagiograph", "cutting", "gap_mm", 6), "plagiograph"),
-    ("a weaker bound than the file's", "over * (stated.lower_bound - self.bound) <= EPS_MM", "True",
+    ("a weaker bound than the file's", "over * (stated.lower_bound - bound) <= EPS_MM", "True",
      lambda: altered("plagiograph", "format", bound=log("plagiograph")[0]["bound"] - 1), "plagiograph"),
 ]
 
