@@ -4,12 +4,12 @@
 usage: kempe_check.py design.json [certificate.jsonl]   or   kempe_check.py certificate.jsonl
 
 A line a claim: proven, not proven or refuted. Exit code 0: all claims are proven; 1: one is not; 2: a file cannot be read.
-This file holds claims 1 to 4. Files beside it hold the rest, which is not proven without them: limits_check.py a design's other
-limits, and that a log is about it; tolerance_check.py claim 5 and the limit on the copy error; bodies_check.py bodies and a
-table's edge.
+Claims 1 to 4 stand here. Beside it stand limits_check.py (a design's other limits; that a log is about it), tolerance_check.py
+(claim 5; limits on the copy error) and bodies_check.py (bodies; a table's edge): what they hold is not proven without them.
 
 eps:      claims 1, 2 and 5 and the limits forgive 1e-6 mm and 1e-6 degrees; claims 3 and 4 forgive nothing.
-Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the files' numbers are the doubles nearest to them.
+Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the numbers of the files are the doubles nearest
+          to them; rings are simple, and holes lie inside their polygon.
 """
 import json
 import sys
@@ -281,6 +281,7 @@ class Shape:
     def signs(self, mode):  # of sin psi and of sin d
         sin_d = -1 if mode < self.modes // 2 else 1
         return (sin_d if self.modes == 2 else 1 if mode in (0, 3) else -1) * self.up, sin_d
+
     def window(self, mode, degrees):  # cosines of the least and the largest |psi| with the transmission angle asked for
         limit, (sign, sign_d) = unit_circle(degrees), self.signs(mode)
         # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 (then first) where d comes to arg s.
@@ -314,6 +315,7 @@ def permitted(task, name):  # the least and the largest length; a strip holds ha
 def pieces(task, part):  # convex pieces of a part's axis, by joints
     joints = JOINTS[part]
     return [joints[:2], joints[::2]] if len(joints) == 3 and task.plate == "bent" else [joints]
+
 def beside(name):  # another file of the checker
     try:
         return __import__(name)
@@ -341,7 +343,7 @@ class Design:
         self.region, self.blocks = local[:len(task.region)], local[len(task.region):]
         self.slip = 2.0 ** -50 * largest(given + [[[self.pole]]]) + 2.0 ** -44 * largest(local)
 
-    def reached(self):  # Claim 1. Sets the range of distances, and what the openings are at its ends.
+    def reached(self):  # claim 1; sets the range of distances, and the cosines of psi at its ends
         task, shape, ends = self.task, self.shape, []
         need(not within(self.pole, task.region), "the pole stands in the region, where the tracer cannot go", Refuted)
         for name, length in self.lengths.items():
@@ -438,8 +440,8 @@ class Design:
         """Two polygons are joined if a way from corner to corner, straight or on a circle about the pole, is clear as well."""
         A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: dist(*pq))
         least, most, start, end = self.range[0].hi, self.range[1].lo, atan2(A[1], A[0]), atan2(B[1], B[0])
-        for share, turns, steps in [(0, 0, 0), *product((0.5, 0.25, 0.75, 0.1, 0.9), (0, -1, 1), (401,))]:
-            r, turn = least + share * (most - least), (end - start + 2 * pi * turns) / 400
+        for part, turns, steps in [(0, 0, 0), *product((0.5, 0.25, 0.75, 0.1, 0.9), (0, -1, 1), (401,))]:
+            r, turn = least + part * (most - least), (end - start + 2 * pi * turns) / 400
             arc = [(r * cos(start + turn * i), r * sin(start + turn * i)) for i in range(steps)]
             try:
                 for p, q in zip([A, *arc], [*arc, B]):
@@ -500,6 +502,7 @@ class Certificate:
         old, at = node.box[line["split"]], float(line["at"])
         need(old.lo < at < old.hi, f"{at} does not split {old.lo} to {old.hi}")
         return [node._replace(box={**node.box, line["split"]: part}) for part in (I(old.lo, at), I(at, old.hi))]
+
     def share(self, node, line):
         one, other = line["share"]
         need(one in JOINTS and (other in JOINTS or 0 <= other < len(self.blocks)), "unknown parts")
@@ -538,6 +541,7 @@ class Certificate:
 
     def leaf_lengths(self, node, line): return any(i.lo > i.hi for i in node.box.values())
     def leaf_layers(self, node, line): return not node.assignments
+
     def leaf_sum(self, node, line):
         """A sum Q of requirements is negative all over the box: about its middle, Q has the squares k of x and y, l of a and b, and
         the product m of a and b; its slopes by x and y are -2 `pull`."""
