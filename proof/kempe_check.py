@@ -268,7 +268,7 @@ class Shape:
         need((self.modes == 2 or s.y.lo > 0 or s.y.hi < 0) and self.abs_s.lo > 0, "the shape is nearly degenerate")
         self.turn = s.conj() / self.abs_s
         half = (self.abs_s + self.abs_1s + 1.0) * 0.5
-        self.size = (half + 1.0, half + self.abs_s)  # of a and of b
+        self.size, self.gg = (half + 1.0, half + self.abs_s), self.abs_g.square()  # of a and of b; |g| squared
         between = I(task.pin_diameter_mm) + task.clearance_mm  # of two posts; so far from the tracer the pole is at least:
         self.posts = I((between / (I(min(1.0, self.abs_s.hi, self.abs_1s.hi)) * self.abs_g)).lo)
         self.of_a = {"VA": ONE, "BC": ONE, "BY": self.abs_s, "CY": self.abs_1s}
@@ -351,7 +351,7 @@ class Design:
             need(off <= EPS_MM, f"length {name} = {length} does not fit VA, VB and the ratio", Refuted)
         first, last = shape.window(task.assembly, max(0.0, task.transmission_deg - EPS_DEG))
         for place, square in zip(("nearest", "farthest"), squared_distances(self.pole, task.region)):
-            c = (square * shape.abs_g.square() - self.a.square() - self.b.square()) / (self.a * self.b * 2.0)
+            c = (square * shape.gg - self.a.square() - self.b.square()) / (self.a * self.b * 2.0)
             here = f"the {place} place, {sqrt(square.middle()):.6g} mm from the pole,"
             need(c.lo <= 1 and c.hi >= -1, here + " is out of reach", Refuted)
             need(c.lo <= first.hi and c.hi >= last.lo, here + " is too near to a dead or change point, or beyond it", Refuted)
@@ -546,7 +546,7 @@ class Certificate:
         """A sum Q of requirements is negative all over the box: about its middle, Q has the squares k of x and y, l of a and b, and
         the product m of a and b; its slopes by x and y are -2 `pull`."""
         a, b, x, y = (I(node.box[v].middle()) for v in "abxy")
-        (of_a, of_b), gg, P = self.shape.size, self.shape.abs_g.square(), Z(x, y)
+        (of_a, of_b), gg, P = self.shape.size, self.shape.gg, Z(x, y)
         Q, k, l, m, sizes, pull = ZERO, ZERO, ZERO, ZERO, ZERO, NIL
         # How often each has R, the square of the way to its place, 1 and the size
         terms = {"far": (ONE, -gg, ZERO, ZERO), "near": (-ONE, gg, ZERO, ZERO),
@@ -554,8 +554,8 @@ class Certificate:
         for name, *places, weight in line["of"]:
             need(0 <= weight < 1e9, "a weight is negative")
             need(name != "bound" or self.by == "size", "there is no bound")
-            away = NIL if name == "bound" else self.place(tuple(places[0])) - P
-            of_R, of_way, rest, of_size = (each * float(weight) for each in terms[name])
+            away, weight = NIL if name == "bound" else self.place(tuple(places[0])) - P, I(float(weight))
+            of_R, of_way, rest, of_size = (weight * each if each else ZERO for each in terms[name])
             l, m, sizes = l + of_R, m + of_R * node.window[name == "near"], sizes + of_size
             Q, k, pull = Q + of_way * away.square() + rest, k + of_way, pull + away * of_way
         Q += l * (a.square() + b.square()) + m * a * b * 2.0 + sizes * (of_a * a + of_b * b)
