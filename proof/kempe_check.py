@@ -1,12 +1,9 @@
 #!/usr/bin/env python3
 """Checks a design of Kempe from its files alone; shares no code with Kempe. The theorems stand in docs/proof.md.
-
 usage: kempe_check.py design.json [certificate.jsonl]   or   kempe_check.py certificate.jsonl
-
 A line a claim: proven, not proven or refuted. Exit code 0: all claims are proven; 1: one is not; 2: a file cannot be read.
 Claims 1 to 4 stand here. Beside it stand limits_check.py (a design's other limits; that a log is about it), tolerance_check.py
 (claim 5; limits on the copy error) and bodies_check.py (bodies; a table's edge): what they hold is not proven without them.
-
 eps:      claims 1, 2 and 5 and the limits forgive 1e-6 mm and 1e-6 degrees; claims 3 and 4 forgive nothing.
 Assumes:  + - * / and sqrt of doubles are rounded correctly (IEEE 754); the numbers of the files are the doubles nearest
           to them; rings are simple, and holes lie inside their polygon.
@@ -20,7 +17,6 @@ from itertools import combinations, product
 from math import atan2, cos, dist, factorial, hypot, inf, nextafter, pi, sin, sqrt
 from pathlib import Path
 from types import SimpleNamespace
-
 EPS_MM, EPS_DEG = 1e-6, 1e-6
 MOST_CELLS = 200_000  # of one search; then the answer is "not proven"
 LINKS = ("VA", "VB", "ACX", "BCY")
@@ -33,11 +29,9 @@ LENGTHS = ("VA", "VB", "AC", "BC", "AX", "CX", "BY", "CY")
 VERTICES = ("pole", "tracer", "pen")  # who stands at the vertex V
 SHARED = ("region", "pole", "links", "limits", "obstacles", "bodies", "table", "objective", "tolerance", "cutting")  # by both files
 AT_REST = {"joint": "pole", "beyond": 0.0, "rest": 1.0}  # seen from; what its rings are grown by; 1 in the table's frame
-
 class Open(Exception): """Nothing is decided."""
 class Refuted(Exception): """A claim is false, and why."""
 class Unreadable(Exception): """A file that says nothing definite: file, key, what was found, what is allowed."""
-
 def need(good, reason="", fault=Open):
     if not good:
         raise fault(reason)
@@ -65,22 +59,18 @@ class I:
         lo, hi = nextafter(min(ends), -inf), nextafter(max(ends), inf)
         need(lo > -1e150 and hi < 1e150)  # so no infinity comes up, and no NaN
         return I(lo, hi, (self.d or o.d) and total(self.slopes_times(o), o.slopes_times(self)))
-
     def __truediv__(self, o):
         o = o if o.__class__ is I else I(o)
         need(o.lo > 1e-140 or o.hi < -1e-140)
         inverse = I(nextafter(1 / o.hi, -inf), nextafter(1 / o.lo, inf))
         return self * I(inverse.lo, inverse.hi, o.slopes_times(-(inverse * inverse)))
-
     def sqrt(self):
         need(self.lo >= 0)
         root = I(max(0.0, nextafter(sqrt(self.lo), -inf)), nextafter(sqrt(self.hi), inf))
         return I(root.lo, root.hi, self.d and self.slopes_times(I(0.5) / root))
-
     def square(self):
         found = self * self
         return I(max(0.0, found.lo), found.hi, found.d)
-
     __radd__, __rmul__ = __add__, __mul__
 
 class Z:
@@ -97,14 +87,11 @@ class Z:
     def conj(self): return Z(self.x, -self.y)
     def square(self): return self.x.square() + self.y.square()  # of the modulus
     def middle(self): return self.x.middle(), self.y.middle()
-
 def total(slopes, others):
     more = slopes and others and {v: slopes[v] + x if v in slopes else x for v, x in others.items()}
     return {**slopes, **more} if more else slopes or others
-
 ZERO, ONE = I(0.0), I(1.0)
 NIL, UNIT = Z(ZERO, ZERO), Z(ONE, ZERO)
-
 @cache
 def unit_circle(degrees):  # cosine + i sine of decimal degrees, by Taylor: 50 digits of pi, cut at 2^-160; 50 terms leave < 1e-50
     quarters, rest = divmod(Fraction(degrees) % 360, 90)
@@ -124,7 +111,6 @@ def side(p, q, r):  # the sign of the turn p-q-r, exact
     if left.__class__ is Fraction or abs(left - right) > 1e-14 * (abs(left) + abs(right)) + 1e-290:
         return left - right
     return side(*exact(p, q, r))
-
 def where(point, rings):  # 1 inside, 0 on an edge, -1 outside, by the even-odd rule; exact
     (x, y), inside = point, -1
     for p, q in edges_of(rings):
@@ -135,13 +121,11 @@ def where(point, rings):  # 1 inside, 0 on an edge, -1 outside, by the even-odd 
             if (p[1] > y) != (q[1] > y) and (turn > 0) == (q[1] > p[1]):
                 inside = -inside
     return inside
-
 def to_segment(p, a, b):  # from p to the nearest point of the segment a-b
     ax, ay, dx, dy = a[0] - p[0], a[1] - p[1], b[0] - a[0], b[1] - a[1]
     length = dx * dx + dy * dy
     t = min(1, max(0, -(ax * dx + ay * dy) / length)) if length else 0  # so that fractions stay exact
     return ax + t * dx, ay + t * dy
-
 def apart(A, B):  # the shortest way from convex A to convex B, given by their corners in order; (0, 0) if they meet
     edges, others = ([(Q[i - 1], Q[i]) for i in range(len(Q))] for Q in (A, B))
     crossed = len(A) > 1 < len(B) and any(side(a, b, c) * side(a, b, d) < 0 > side(c, d, a) * side(c, d, b)
@@ -150,7 +134,6 @@ def apart(A, B):  # the shortest way from convex A to convex B, given by their c
         return 0.0, 0.0
     ways = [to_segment(p, *e) for p in A for e in others] + [(-x, -y) for x, y in (to_segment(p, *e) for p in B for e in edges)]
     return min(ways, key=lambda v: hypot(*v))
-
 def beyond(p, ring):  # how far outside a closed convex ring a place is; negative: how deep inside
     least = min(hypot(*to_segment(p, *edge)) for edge in edges_of([ring]))
     return -least if where(p, [ring]) > 0 else least
@@ -182,7 +165,6 @@ def cover(rings, pending, pending_in):
             for half, keep in (((low, m), -1), ((m, high), 1)):
                 parts = [part for edge in edges for part in clip(edge, axis, m, keep)]
                 todo.append(([*box[:axis], half, *box[axis + 1:]], parts, left))
-
 def cloud(still, moving, ways):
     """Places whose hull, grown by a radius, holds a point over a cell (mean value theorem); the radius; how far the point moves."""
     slopes = moving.x.d or {}, moving.y.d or {}
@@ -214,34 +196,29 @@ def fits(value, shape, path):
     elif isinstance(shape, set):
         must(any(value == each for each in shape), path, value, " or ".join(sorted(map(str, shape))))
     return shape(value, path) if callable(shape) else value
-
 def polygons(value, path):
     found = fits(value, {"type": {"MultiPolygon"}, "coordinates": [[[POINT]]]}, path).coordinates
     closed = all(len(ring) > 3 and ring[0] == ring[-1] for rings in found for ring in rings)
     must(found and all(found) and closed, path, value, "polygons of closed rings of three corners and more")
     must(all(within(c, [rings[:1]]) for rings in found for c in sum(rings[1:], [])), path, value, "holes inside their polygon")
     return found
-
 def obstacle(value, path):
     found = fits(value, {"shape": polygons, "layers": [(0, 64)] * 2}, path)
     must(len(found.shape) == 1, path, value, "one polygon")
     (low, high), name = found.layers, value.get("name") or "an obstacle"
     return SimpleNamespace(rings=found.shape[0], layers=range(low, high + 1), name=name, **AT_REST)
-
 def links(value, path):
     found = {link.name: link for link in fits(value, [{"name": set(LINKS), "layer": (1, 64), "shape": SHAPES}], path)}
     good = len(value) == len(found) == 4 and found["ACX"].shape == found["BCY"].shape != "bar"
     must(good, path, value, "VA, VB, ACX and BCY, both plates of one shape")
     return {link: found[link].layer for link in LINKS}, found["ACX"].shape
-
 def area(value, path):
     must(isinstance(value, dict) and len(value) == 1, path, value, "a table of at_mm or within_mm")
     return [[[fits(value["at_mm"], POINT, path)] * 2]] if "at_mm" in value else polygons(value.get("within_mm"), path)
-
 POINT, LENGTH, MAYBE, WIDTH = [(-2e7, 2e7)] * 2, (0.0, 1e9), (0.0, 1e9, None), (1e-6, 1e9)
 SHAPES, OBJECTIVE, NUMBER = {"bar", "bent", "triangle"}, {"size", "transmission"}, (-1e9, 1e9, None)  # of others no log can be
-LIMITS = {"clearance_mm": LENGTH, "transmission_deg": (0.0, 90.0), "sheets_gap_mm": MAYBE, "copy_error_mm": MAYBE,
-          "longest_strip_mm": MAYBE}
+LIMITS = {"clearance_mm": LENGTH, "transmission_deg": (0.0, 90.0),
+          **dict.fromkeys(("sheets_gap_mm", "copy_error_mm", "longest_strip_mm"), MAYBE)}
 TASK = {"region": polygons, "obstacles": [obstacle], "copy": {"scale": WIDTH, "rotation_deg": (-3600.0, 3600.0)},
         "limits": LIMITS, "tolerance": {"length_mm": MAYBE, "play_mm": MAYBE, "robust": {True, False, None}}}
 WIDTHS = {"link_width_mm": WIDTH, "pin_diameter_mm": WIDTH}
@@ -277,17 +254,14 @@ class Shape:
         seen = {"V": (NIL, NIL), "A": (UNIT, NIL), "B": (NIL, s), "C": (UNIT, s), "X": (UNIT, UNIT), "Y": (s, s)}
         pole = seen["V" if vertex == "pole" else "X"]
         self.seen = {**{j: (alpha - pole[0], beta - pole[1]) for j, (alpha, beta) in seen.items()}, "pole": (NIL, NIL)}
-
     def signs(self, mode):  # of sin psi and of sin d
         sin_d = -1 if mode < self.modes // 2 else 1
         return (sin_d if self.modes == 2 else 1 if mode in (0, 3) else -1) * self.up, sin_d
-
     def window(self, mode, degrees):  # cosines of the least and the largest |psi| with the transmission angle asked for
         limit, (sign, sign_d) = unit_circle(degrees), self.signs(mode)
         # The change point in this half turn is psi = -arg s modulo pi; the dead point is 0 (then first) where d comes to arg s.
         cc, cs = self.s.x * (-self.up * sign) / self.abs_s, self.s.y * self.up / self.abs_s
         return (limit.x, cc * limit.x + cs * limit.y) if sign_d * self.up > 0 else (cc * limit.x - cs * limit.y, -limit.x)
-
     def opened(self, a, b, w, sign):
         """By (1) and (2), for constants alpha, beta: the place alpha p + beta q/s, seen from the table and from frames that turn
         with p (VA) and with q (ACX)."""
@@ -297,7 +271,6 @@ class Shape:
         return {"table": lambda alpha, beta: w * ((alpha - beta) * p + beta),
                 "VA": lambda alpha, beta: alpha * a + beta * (psi * b),
                 "ACX": lambda alpha, beta: (alpha * (psi.conj() * a) + beta * b) * self.turn}
-
 def may_meet(one, other): return not set(JOINTS[one]) & set(JOINTS[other])
 def half(task, part): return 0.5 * (task.link_width_mm if part in LINKS else task.pin_diameter_mm)
 def between(task, *parts): return sum(half(task, part) for part in parts) + task.clearance_mm  # from axis to axis
@@ -311,21 +284,17 @@ def permitted(task, name):  # the least and the largest length; a strip holds ha
     strip, locked = task.longest_strip_mm, getattr(task, name + "_mm")
     most = task.longest_mm if strip is None else min(task.longest_mm, (I(strip) - task.link_width_mm).hi)
     return (least, most) if locked is None else (max(least, locked), min(most, locked))
-
 def pieces(task, part):  # convex pieces of a part's axis, by joints
     joints = JOINTS[part]
     return [joints[:2], joints[::2]] if len(joints) == 3 and task.plate == "bent" else [joints]
-
 def beside(name):  # another file of the checker
     try:
         return __import__(name)
     except ModuleNotFoundError:
         raise Open(f"needs {name}.py") from None
-
 # Two parts whose axes may not come nearer than `wide`: names, joints that span them, the frame they are seen from; the other is
 # spanned by its joints and by each of some edges, those of a polygon's rings.
 Pair = namedtuple("Pair", "one joints other others frame wide edges rings", defaults=([((0.0, 0.0),) * 2], None))
-
 class Design:
     """Claims 1 and 2."""
     def __init__(self, name, data):
@@ -342,13 +311,11 @@ class Design:
         local = [[[(c[0] - self.pole[0], c[1] - self.pole[1]) for c in ring] for ring in rings] for rings in given]
         self.region, self.blocks = local[:len(task.region)], local[len(task.region):]
         self.slip = 2.0 ** -50 * largest(given + [[[self.pole]]]) + 2.0 ** -44 * largest(local)
-
     def reached(self):  # claim 1; sets the range of distances, and the cosines of psi at its ends
         task, shape, ends = self.task, self.shape, []
         need(not within(self.pole, task.region), "the pole stands in the region, where the tracer cannot go", Refuted)
         for name, length in self.lengths.items():
-            off = (self.exact[name] - length).size()
-            need(off <= EPS_MM, f"length {name} = {length} does not fit VA, VB and the ratio", Refuted)
+            need((self.exact[name] - length).size() <= EPS_MM, f"{name} = {length} does not fit VA, VB and the ratio", Refuted)
         first, last = shape.window(task.assembly, max(0.0, task.transmission_deg - EPS_DEG))
         for place, square in zip(("nearest", "farthest"), squared_distances(self.pole, task.region)):
             c = (square * shape.gg - self.a.square() - self.b.square()) / (self.a * self.b * 2.0)
@@ -359,7 +326,6 @@ class Design:
             ends.append((square.sqrt(), c))
         self.range, self.cosines = zip(*ends)
         return f" (transmission {task.transmission_deg:g} degrees, eps {EPS_DEG:g} degrees)"
-
     def seen(self, z):  # all joints from the pole, with the tracer at z
         place = self.shape.opened(self.a, self.b, self.shape.g * z, self.sign)["table"]
         return {joint: place(*constants) for joint, constants in self.shape.seen.items()}
@@ -386,7 +352,6 @@ class Design:
         for rings in self.region[1:] if blocked else ():
             self.join(self.region[0][0], rings[0], blocked)
         return f" (clearance {task.clearance_mm:g} mm, eps {EPS_MM:g} mm)"
-
     def keep_out(self, pairs):
         """Parts keep away from rings, over the region. One that meets no edge is inside always or never: one place decides."""
         for rings in self.region if pairs else ():
@@ -396,7 +361,6 @@ class Design:
                 inside = pair.rings(at) if callable(pair.rings) else where(at, pair.rings) > 0
                 need(not inside, f"{pair.one} is inside {pair.other}", Refuted)
             cover(rings, pairs, self.pending_in)
-
     def pending_in(self, box, hull, pending):  # the pairs not proven apart over the hull; None if none is left and all closes
         m, slip, seen = tuple(0.5 * low + 0.5 * high for low, high in box), self.slip, self.shape.seen
         z = Z(*(I(low - slip, high + slip, {v: ONE}) for v, (low, high) in zip("xy", box)))
@@ -406,7 +370,6 @@ class Design:
         except Open:
             return pending
         ways = [{v: I(c - slip, c + slip) - o for v, c, o in zip("xy", corner, m)} for corner in hull]
-
         spot = cache(lambda joint, frame: still[frame](*seen[joint]).middle())
         @cache
         def way(i, j, frame):  # from joint to joint
@@ -435,7 +398,6 @@ class Design:
                               f"({m[0]:.6g}, {m[1]:.6g}) from the pole; needed: {pair.wide:g}", Refuted)
                 left.append(pair)
         return left or None
-
     def join(self, one, other, pairs):
         """Two polygons are joined if a way from corner to corner, straight or on a circle about the pole, is clear as well."""
         A, B = min(product(one[::1 + len(one) // 40], other[::1 + len(other) // 40]), key=lambda pq: dist(*pq))
@@ -463,7 +425,6 @@ class Certificate:
         task = self.task = fits(self.data, LOG, name + ": ")
         self.blocks, self.by = task.obstacles, task.objective if task.claim == "bound" else None
         must((task.claim == "none") == (task.bound is None), name + ": bound", task.bound, "a number beside claim bound alone")
-
     def prove(self):
         for vertex in (v for v in VERTICES if v in self.task.groundings):
             self.shape = Shape(self.task, vertex)
@@ -479,7 +440,6 @@ class Certificate:
                         raise Open(f"{vertex}, mode {mode}, line {self.at + 1}: {fault or 'nothing is decided'}") from None
         need(self.at == len(self.lines) - 1, f"line {self.at + 2}: all trees are closed")
         return f" ({self.at} nodes)"
-
     def root(self, mode):
         task, box = self.task, {}
         for v, factors in ("a", self.shape.of_a), ("b", self.shape.of_b):
@@ -490,25 +450,20 @@ class Certificate:
         every = (dict(zip(LINKS, layers)) for layers in product(range(1, task.layers + 1), repeat=4))
         least = max(task.transmission_deg, self.task.bound if self.by == "transmission" else 0.0)
         return Node(box, self.shape.window(mode, least), [l for l in every if all(l[one] != l[other] for one, other in joined)])
-
     def step(self, node, line):  # the children of a node; none if its leaf refutes it
-        for rule in ("split", "share", "contact", "copy_error"):
-            if rule in line:
-                return getattr(self, rule)(node, line)
+        if rule := next((rule for rule in ("split", "share", "contact", "copy_error") if rule in line), None):
+            return getattr(self, rule)(node, line)
         need(getattr(self, "leaf_" + line["leaf"])(node, line), f"{line['leaf']} does not refute")
         return []
-
     def split(self, node, line):
         old, at = node.box[line["split"]], float(line["at"])
         need(old.lo < at < old.hi, f"{at} does not split {old.lo} to {old.hi}")
         return [node._replace(box={**node.box, line["split"]: part}) for part in (I(old.lo, at), I(at, old.hi))]
-
     def share(self, node, line):
         one, other = line["share"]
         need(one in JOINTS and (other in JOINTS or 0 <= other < len(self.blocks)), "unknown parts")
         return [node._replace(assignments=[l for l in node.assignments if share(one, other, l, self.blocks) == wanted])
                 for wanted in (True, False)]
-
     def contact(self, node, line):
         u, (one, other) = I(float(line["u"])), line["contact"]
         keep_apart = may_meet(one[0], other[0]) and all(share(one[0], other[0], l, ()) for l in node.assignments)
@@ -519,7 +474,6 @@ class Certificate:
         met = all((alpha * a + beta * (turn * b)).square().hi < allowed.square().lo for a, b in corners(node.box, "ab"))
         need(met, "the points are not in contact all over the box")
         return [node._replace(window=window) for window in ((node.window[0], turn.x), (turn.x, node.window[1]))]
-
     def copy_error(self, node, line): return beside("tolerance_check").cut(self, node, line)
     def material(self, named, origin="pole"):  # (alpha, beta) of a material point of a part, seen from a joint
         part, *t = named
@@ -528,7 +482,6 @@ class Certificate:
         need(on_part and (len(t) < 2 or self.task.plate != "bent" or 0 in t), f"{named} is no point of a part")
         return [sum(((to - at) * x for x, to in zip(t, others)), start=at - o)
                 for o, (at, *others) in zip(self.shape.seen[origin], zip(*seen))]
-
     @cache
     def place(self, value):  # a place of the region, as intervals
         if len(value) == 2:
@@ -538,10 +491,8 @@ class Certificate:
         need(min(polygon, ring, corner) >= 0 and 0 <= t <= 1, f"{value} is no place of the region")
         p, q = (Z(*c) for c in self.task.region[polygon][ring][corner:corner + 2])
         return p + (q - p) * float(t)
-
     def leaf_lengths(self, node, line): return any(i.lo > i.hi for i in node.box.values())
     def leaf_layers(self, node, line): return not node.assignments
-
     def leaf_sum(self, node, line):
         """A sum Q of requirements is negative all over the box: about its middle, Q has the squares k of x and y, l of a and b, and
         the product m of a and b; its slopes by x and y are -2 `pull`."""
@@ -567,13 +518,11 @@ class Certificate:
             inside = q.hi < 0 and g.hi < (q * h * -2.0).lo
             most += g.square() / (q * -4.0) if inside else g * h + q * h.square()
         return most.hi < 0
-
     def leaf_pole(self, node, line):  # no edge of the pole's area comes near the box of poles, and a corner of it is not inside
         one, two, four, three = corners(node.box, "xy")
         edges = [edge for rings in self.task.pole for edge in edges_of(rings)]
         near = 1e-12 * largest([*self.task.pole, [[one, three]]])
         return not within(one, self.task.pole) and min(hypot(*apart([one, two, three, four], edge)) for edge in edges) > near
-
     def leaf_sheets(self, node, line):
         one, other = (self.place(tuple(p)) for p in line["places"])
         ways = [Z(*P) + self.shape.k * (one - Z(*P)) - other for P in corners(node.box, "xy")]
@@ -609,7 +558,6 @@ def claim(name, proof):  # prints one claim's line; True if it is proven
         said = ("refuted" if isinstance(reason, Refuted) else "not proven") + (": " + plain(reason) if str(reason) else "")
     print(f"{name}: {said}")
     return said.startswith("proven")
-
 def once(pairs):
     need(len(dict(pairs)) == len(pairs), f"a key twice in {[key for key, _ in pairs]}", ValueError)
     return dict(pairs)
@@ -619,7 +567,6 @@ def read(name):  # the objects of a JSON or JSON lines file
         return [json.loads(part, object_pairs_hook=once) for part in (text.split("\n") if name.endswith(".jsonl") else [text])]
     except (OSError, ValueError, RecursionError) as fault:
         raise Unreadable(f"{name}: found {plain(fault)[:80]}; allowed: a file of JSON, each key once")
-
 def main(names):
     need(len(names) in (1, 2), __doc__, Unreadable)
     files, claims = [read(name) for name in names], []
