@@ -21,7 +21,8 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix);
 Eigen::VectorXd definite_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 /// True if a symmetric matrix is positive definite.
 bool is_definite(const Eigen::MatrixXd& matrix);
-/// In falling order, by bidiagonals that are divided and conquered: of large matrices many times as fast as Jacobi's turns.
+/// In falling order, each to a rounding of the largest, from the bidiagonal form: of large matrices many times as fast as Jacobi's turns. Of a matrix
+/// that is not finite they are not either.
 Eigen::VectorXd singular_values_of(const Eigen::MatrixXd& matrix);
 /// What `solve` of each decomposition gives.
 Eigen::VectorXd solution_of(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& matrix,

@@ -7,9 +7,9 @@
 //
 // Errors are counted in those of the start, so that the solvers see numbers near 1.
 
-#include <Eigen/QR>
 #include <cmath>
 
+#include "geometry/decompositions.hpp"
 #include "synthesis/paths/path_program.hpp"
 #include "synthesis/paths/slack.hpp"
 #include "synthesis/solvers/nlopt_backend.hpp"
@@ -136,7 +136,8 @@ std::size_t meet_points(const PathProgram& path, VectorXd& x) {
   constexpr std::size_t most_rounds = 8;
   for (std::size_t round = 0; round < most_rounds; ++round) {
     if (!path.errors(x, here.value, &here.slope)) return round + 1;
-    const VectorXd trial = x - here.slope.completeOrthogonalDecomposition().solve(here.value);
+    const VectorXd trial =
+        x - solution_of(Eigen::CompleteOrthogonalDecomposition<MatrixXd>(here.slope), here.value);
     if (!trial.allFinite() || !path.errors(trial, there.value, nullptr)) return round + 1;
     if (!(there.value.squaredNorm() < here.value.squaredNorm()) || (was_kept && !kept(trial)))
       return round + 1;

@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "geometry/convex_hull.hpp"
+#include "geometry/decompositions.hpp"
 #include "synthesis/paths/slack.hpp"
 #include "synthesis/solvers/van_der_corput.hpp"
 
@@ -71,7 +70,7 @@ std::vector<Eigen::Vector3d> meeting_of(const Eigen::Matrix3d& one, const Eigen:
 
 /// w and Z that five rows allow, to the accuracy of their roots.
 std::vector<Eigen::Vector4d> roots_of(const Rows8& rows) {
-  const Eigen::JacobiSVD<Rows8> svd(rows, Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
   if (svd.singularValues()[4] < slack::rows_depend * svd.singularValues()[0]) return {};
   // Turned within the null space, so that no root lies at infinity by a symmetry of the poses.
   Eigen::Matrix3d turned;
@@ -118,7 +117,7 @@ bool met_exactly(const std::vector<BodyPlacement>& poses, const Point* across, E
       slope.row(3).head<2>() = across->transpose();
     }
     if (value.cwiseAbs().maxCoeff() < 1e-14 * (1 + size)) return true;
-    const Eigen::Vector4d step = slope.fullPivHouseholderQr().solve(value);
+    const Eigen::Vector4d step = solution_of(Eigen::FullPivLU<Eigen::MatrixXd>(slope), value);
     if (!step.allFinite()) return false;
     wz -= step;
     if (step.norm() < 1e-15 * (1 + wz.norm())) return value.cwiseAbs().maxCoeff() < 1e-12 * (1 + size);

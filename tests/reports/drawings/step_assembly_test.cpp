@@ -28,6 +28,7 @@
 #include "reports/drawings/part_drawings.hpp"
 #include "reports/drawings/part_files.hpp"
 #include "reports/drawings/step_writer.hpp"
+#include "tests/random.hpp"
 #include "tests/reports/sample_designs.hpp"
 
 namespace kempe {
@@ -181,10 +182,8 @@ TEST(StepAssembly, OfPartsThatAreNoSolidsIsRefused) {
 
 /// What a person draws between walls that bulge out and in, round holes, and cylinders.
 TEST(StepWriter, SolidsAreWholeAndAsLargeAsTheirOutlines) {
-  std::mt19937 random(7);
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+  std::mt19937_64 random(7);
+  const auto between = [&](double low, double high) { return test::uniform(random, low, high); };
   for (int round = 0; round < 60; ++round) {
     const int corners = 2 + round % 9;
     const double size = std::pow(10, between(-1, 4)), turn = between(-pi, pi);
