@@ -73,7 +73,13 @@ void measure_loads(Design& design, const Spec& spec) {
     if (auto& layered = design.quality.layered) {
       const auto stresses = profile.stresses_over(
           lengths, *openings, widest_hole(spec.links.style, spec.links.hardware, spec.cutting));
-      layered = {with_nine_digits(layered->error_max), with_nine_digits(layered->rise_max)};
+      const auto rounded = [](const std::optional<double>& figure) {
+        return figure ? std::optional(with_nine_digits(*figure)) : std::nullopt;
+      };
+      layered = LayeredFigures{.error_max = with_nine_digits(layered->error_max),
+                               .rise_max = with_nine_digits(layered->rise_max),
+                               .weight_error_max = rounded(layered->weight_error_max),
+                               .weight_rise_max = rounded(layered->weight_rise_max)};
       if (stresses && std::isfinite(stresses->largest()))
         layered->stress_max = with_nine_digits(stresses->largest());
     }

@@ -12,6 +12,7 @@
 #include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
+#include "synthesis/loads/plane_weight.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/top_over.hpp"
 #include "synthesis/tolerance/copy_error.hpp"
@@ -81,6 +82,31 @@ BudgetEntry pins_entry(const Measured& of) {
       {{fmt::format("pins of {:.3g} mm", other.pin_diameter), of.give(style, of.pins(other, {})) - rigid}}};
 }
 
+/// mm, the most that the pen moves in the plane by the links' own weight: with links, pins and layers, or where the layers say nothing with links and
+/// pins alone.
+double own_weight(const Measured& of, const SagConditions& conditions) {
+  const CopyingLinkage& linkage = of.design.linkage;
+  const BarLengths lengths{linkage.VA(), linkage.VB()};
+  const double layered =
+      LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, most_force_at_pen(*of.design.load))
+          .by_weight_over(lengths, of.openings)
+          .in_plane;
+  if (std::isfinite(layered)) return layered;
+  return PlaneWeight(linkage.k(), linkage.grounding(), conditions.style, *of.design.material, conditions.tilt,
+                     of.pins(conditions.style, of.design.hardware))
+      .most_over(lengths, of.openings);
+}
+
+void add_own_weight(const Measured& of, std::vector<BudgetEntry>& entries) {
+  const SagConditions now = sag_conditions(spec_of(of.design), of.design.layers);
+  const double error = own_weight(of, now);
+  if (!(error > no_drop)) return;
+  SagConditions wider = now;
+  wider.style.width = next_of(flat_widths, now.style.width);
+  entries.push_back(
+      {ErrorSource::own_weight, error, {{instead(wider.style, now.style), own_weight(of, wider)}}});
+}
+
 const SourceContribution* largest_source(const std::vector<SourceContribution>& sources, std::size_t from,
                                          std::size_t to) {
   const auto begin = sources.begin() + static_cast<std::ptrdiff_t>(from);
@@ -142,7 +168,8 @@ SagConditions with_next_thickness(SagConditions conditions) {
   return conditions;
 }
 
-/// What links in layers above each other do: in the plane what they give beyond load and pins, and how far tracer or pen rises or sinks.
+/// What links in layers above each other do: in the plane what they give beyond load and pins, and how far tracer or pen rises or sinks, on a
+/// tilted table by the links' own weight along it too.
 struct LayersDo {
   double in_plane, rise;  ///< mm; infinite where they cannot be stated
 };
@@ -154,7 +181,7 @@ LayersDo layers_do(const Measured& of, const SagConditions& conditions) {
           .over({linkage.VA(), linkage.VB()}, of.openings);
   if (!all) return {infinity, infinity};
   const double stated = of.give(conditions.style, of.pins(conditions.style, of.design.hardware));
-  return {std::max(0.0, all->error_max - stated), all->rise_max};
+  return {std::max(0.0, all->error_max - stated), all->rise_max + all->weight_rise_max.value_or(0)};
 }
 
 /// False where they cannot be stated.
@@ -238,8 +265,8 @@ double gain_of(const BudgetEntry& entry) {
 bool is_in_plane(ErrorSource source) { return source < ErrorSource::weight; }
 
 std::string_view name(ErrorSource source) {
-  constexpr std::string_view names[] = {"lengths", "play",   "load", "pins",
-                                        "layers",  "weight", "tilt", "pull"};
+  constexpr std::string_view names[] = {"lengths",    "play",   "load", "pins", "layers",
+                                        "own weight", "weight", "tilt", "pull"};
   return names[static_cast<std::size_t>(source)];
 }
 
@@ -253,8 +280,15 @@ double ErrorBudget::sum(bool in_plane) const {
 double ErrorBudget::beyond_the_links() const {
   double sum = 0;
   for (const BudgetEntry& entry : entries)
-    if (entry.source == ErrorSource::pins || entry.source == ErrorSource::layers) sum += entry.error;
+    if (entry.source == ErrorSource::pins || entry.source == ErrorSource::layers ||
+        entry.source == ErrorSource::own_weight)
+      sum += entry.error;
   return sum;
+}
+
+bool ErrorBudget::has_own_weight() const {
+  return std::any_of(entries.begin(), entries.end(),
+                     [](const BudgetEntry& entry) { return entry.source == ErrorSource::own_weight; });
 }
 
 const BudgetEntry* ErrorBudget::most_helpful(bool in_plane) const {
@@ -284,6 +318,7 @@ std::optional<ErrorBudget> error_budget(const Design& design) {
   budget.entries.push_back(load_entry(of));
   budget.entries.push_back(pins_entry(of));
   budget.states_layers = add_layers(of, budget.entries);
+  add_own_weight(of, budget.entries);
   add_sag(of, budget.entries);
   put_in_order(budget.entries);
   return budget;
@@ -307,7 +342,8 @@ double ErrorCourse::tolerances(double opening) const {
 
 double ErrorCourse::give(double opening) const {
   const double flat = give_.at(bars_, opening).worst, layered = layered_.at(bars_, opening).in_plane;
-  return std::isfinite(layered) ? std::max(flat, layered) : infinity;
+  const double own_weight = layered_.by_weight(bars_, opening).in_plane;
+  return std::isfinite(layered) ? std::max(flat, layered) + own_weight : infinity;
 }
 
 double ErrorCourse::sag(double opening) const { return sag_.at(bars_.VA, bars_.VB, opening).most(); }

@@ -21,13 +21,14 @@ enum class ErrorSource {
   load,     ///< in the plane, by bending and pull of the links
   pins,     ///< in the plane, by pins that bend between their layers
   layers,   ///< in the plane, by links that bend and twist out of it, since pins pull beside their middles
-  weight,   ///< down, by the weight of links, pen and tracer
-  tilt,     ///< down, by pins that tilt within their play
-  pull      ///< down or up, by the same bending and twist as `layers`
+  own_weight,  ///< in the plane, by the links' own weight along a tilted table, with what pins and layers give under it
+  weight,  ///< down, by the weight of links, pen and tracer
+  tilt,    ///< down, by pins that tilt within their play
+  pull     ///< down or up, by the same bending and twist as `layers`
 };
 /// False of those that let pen or tracer sink or rise.
 bool is_in_plane(ErrorSource source);
-/// "lengths", "play", "load", "pins", "layers", "weight", "tilt", "pull": for a person.
+/// "lengths", "play", "load", "pins", "layers", "own weight", "weight", "tilt", "pull": for a person.
 std::string_view name(ErrorSource source);
 
 /// mm: a drop or a rise no larger is rounding, and told as none.
@@ -55,12 +56,14 @@ struct ErrorBudget {
   bool states_layers = true;
   /// mm, of the entries in the plane or of the others.
   double sum(bool in_plane) const;
-  /// mm, pins and layers: what a load error of the links alone does not have.
+  /// mm, pins, layers and the links' own weight: what a load error of the links alone does not have.
   double beyond_the_links() const;
   /// The entry of a group whose best change takes most of it away; null where none helps.
   const BudgetEntry* most_helpful(bool in_plane) const;
   /// What the change of most_helpful(false) works against: "against sinking", or "against what the load lifts or lowers".
   std::string_view help_out_of_plane() const;
+  /// True if the links' own weight pulls along the table.
+  bool has_own_weight() const;
   /// True if the load lifts or lowers tracer or pen: then what is not in the plane is down or up.
   bool pulls() const;
 };
@@ -74,8 +77,8 @@ class ErrorCourse {
   /// Of a design as above.
   explicit ErrorCourse(const Design& design);
   double tolerances(double opening) const;  ///< lengths and play together; 0 without a tolerance
-  double give(
-      double opening) const;  ///< load, pins and layers together; infinite where the layers are not stated
+  double give(double opening)
+      const;  ///< load, pins, layers and own weight together; infinite where the layers are not stated
   double sag(double opening) const;  ///< of tracer or pen; infinite where the equations say nothing
 
  private:

@@ -17,6 +17,9 @@ inline double gravity_across(double tilt) {
   return share > upright ? standard_gravity * share : 0;
 }
 
+/// m/s^2: what of gravity pulls along the table; nothing on a level one.
+inline double gravity_along(double tilt) { return standard_gravity * std::sin(tilt); }
+
 /// N: so much pulls the pen along the plane at most: the load's force and, on a tilted table, the weight of what the pen carries, as if both
 /// had one direction.
 inline double most_force_at_pen(const Load& load) {

@@ -12,6 +12,7 @@ HandWork::HandWork(const CopyingLinkage& linkage, const LinkStyle& style, const 
                    std::optional<LayeredErrorProfile> layered)
     : linkage_(linkage), load_(load), friction_(load.friction, style, hardware),
       bending_(linkage.k(), linkage.grounding(), style, material, load.pen_force, pins),
+      weight_(linkage.k(), linkage.grounding(), style, material, load.tilt, pins),
       layered_(std::move(layered)),
       masses_(mass_points(linkage, {style, material.density, load.pen_mass, load.tracer_mass})),
       moments_(mass_moments(linkage, masses_)) {}
@@ -37,13 +38,18 @@ void HandWork::let_give(const Pose& pose, HandWorkAt& result) const {
   const Complex p = as_complex(pose.A - pose.V), q = as_complex(pose.B - pose.V), along = p / std::abs(p);
   const BarLengths lengths{linkage_.VA(), linkage_.VB()};
   const double opening = std::arg(q / p);
-  const Complex force = std::conj(along) * as_complex(result.pen_force);
+  const Complex force = std::conj(along) * as_complex(result.pen_force),
+                downhill = std::conj(along) * Complex(0, -1);
   if (layered_) {
-    const Point give = layered_->give(lengths, opening, as_point(force));
+    const Point give = layered_->give(lengths, opening, as_point(force)) +
+                       layered_->give_by_weight(lengths, opening, as_point(downhill));
     result.counts_layers = give.allFinite();
     if (result.counts_layers) result.give = as_point(along * as_complex(give));
   }
-  if (!result.counts_layers) result.give = as_point(along * bending_.displacement(lengths, opening, force));
+  if (result.counts_layers) return;
+  result.give = as_point(along * bending_.displacement(lengths, opening, force));
+  if (weight_.weighs())
+    result.give += as_point(along * as_complex(weight_.give(lengths, opening) * as_point(downhill)));
 }
 
 }  // namespace kempe

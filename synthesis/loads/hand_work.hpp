@@ -19,11 +19,12 @@ struct HandWorkAt {
   PinLoads pins{};                  ///< under the pen's force
   double pole = 0;                  ///< N, all that the pole's post bears under the pen's force
   double mass = 0;                  ///< kg felt along the motion
-  Point give = Point::Zero();       ///< mm, how far the pen gives way in the plane under its force
-  bool counts_layers = false;       ///< `give` has what the links' layers add
+  Point give =
+      Point::Zero();  ///< mm, how far the pen gives way in the plane under its force and the links' weight
+  bool counts_layers = false;  ///< `give` has what the links' layers add
 };
 
-/// One linkage under one load. Weights of the links count for the hand, not for pins and bending: they are small beside a tool's. The table
+/// One linkage under one load. Weights of the links count for the hand and for how far the pen gives way, not for the pins. The table
 /// pushes points that rest on it, and never pulls them. Quasi-static: no force of inertia is in it.
 class HandWork {
  public:
@@ -43,6 +44,7 @@ class HandWork {
   Load load_;
   PinFriction friction_;
   LoadErrorProfile bending_;
+  PlaneWeight weight_;
   std::optional<LayeredErrorProfile> layered_;
   std::vector<MassPoint> masses_;
   MassMoments moments_;

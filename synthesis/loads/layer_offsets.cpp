@@ -10,6 +10,7 @@
 
 #include "specs/hardware.hpp"
 #include "synthesis/loads/link_arms.hpp"
+#include "synthesis/loads/over_directions.hpp"
 #include "synthesis/loads/pin_compliance.hpp"
 #include "synthesis/loads/steel.hpp"
 #include "synthesis/loads/top_over.hpp"
@@ -19,6 +20,11 @@ namespace {
 
 /// Pins of SagProfile::plan in their order.
 enum : std::size_t { at_pole, at_V, at_A, at_B, at_C, pin_count };
+
+/// Of VA and VB.
+Link upper_bar(const LayerAssignment& layers) {
+  return layers[Link::VA] > layers[Link::VB] ? Link::VA : Link::VB;
+}
 
 /// On the upper link of each pin from the lower one, for the force F_Y at Y; of the post on what stands on it.
 std::array<Complex, pin_count> upward_forces(Complex s, const LayerAssignment& layers, bool pole_is_at_V,
@@ -38,6 +44,21 @@ std::array<Complex, pin_count> upward_forces(Complex s, const LayerAssignment& l
           upward(Link::ACX, Link::BCY, on_ACX_at_C)};
 }
 
+/// The same under the links' own weight along the table.
+std::array<Complex, pin_count> upward_forces(const UnderWeight& weight, const LayerAssignment& layers,
+                                             bool pole_is_at_V) {
+  const auto on = [&](Link link, Joint joint) {
+    return weight.by_pins[static_cast<std::size_t>(link)][static_cast<std::size_t>(joint)];
+  };
+  const auto upper = [&](Link one, Link other, Joint joint) {
+    return layers[one] > layers[other] ? on(one, joint) : -on(one, joint);
+  };
+  const Complex between =
+      pole_is_at_V ? on(upper_bar(layers), Joint::V) : upper(Link::VB, Link::VA, Joint::V);
+  return {weight.post, between, upper(Link::ACX, Link::VA, Joint::A), upper(Link::BCY, Link::VB, Joint::B),
+          upper(Link::ACX, Link::BCY, Joint::C)};
+}
+
 /// Heights of the same pins between the middles of what they join, in layers.
 std::array<double, pin_count> heights(const LayerAssignment& layers, bool pole_is_at_V) {
   const auto between = [&](Link one, Link other) { return std::abs(layers[one] - layers[other]) * 1.0; };
@@ -46,40 +67,39 @@ std::array<double, pin_count> heights(const LayerAssignment& layers, bool pole_i
           between(Link::VB, Link::BCY), between(Link::ACX, Link::BCY)};
 }
 
-/// What the pins give while their ends do not tilt.
-PinCompliance upright_pins(Grounding grounding, const SagConditions& conditions) {
+/// What the pins give while their ends do not tilt; at the pole's post the upper of the two bars stands on what lies between it and the lower
+/// one, which is the pin at V.
+PinCompliance pins_by_place(Grounding grounding, const SagConditions& conditions) {
   const LayerAssignment& layers = conditions.layers;
   const Joint pole = roles_of(grounding).pole;
   PinCompliance pins = pin_compliance(grounding, layers, conditions.style, conditions.hardware);
   const double height = conditions.style.thickness * heights(layers, pole == Joint::V)[at_pole];
   pins.pole = upright_pin(pin_at(conditions.style, conditions.hardware, pole), height);
-  // At the pole's post the upper of the two bars stands on what lies between it and the lower one.
-  if (pole == Joint::V && layers[Link::VA] > layers[Link::VB]) pins.A += std::exchange(pins.V, 0.0);
   return pins;
+}
+/// The bar whose end pulls at the pin at V.
+Link bar_on_pin_V(Grounding grounding, const SagConditions& conditions) {
+  return pole_is_at_V(grounding) ? upper_bar(conditions.layers) : Link::VB;
+}
+/// The same as the force on the pen counts them: each bar pulls as hard at V as at its other end.
+PinCompliance upright_pins(Grounding grounding, const SagConditions& conditions) {
+  PinCompliance pins = pins_by_place(grounding, conditions);
+  if (bar_on_pin_V(grounding, conditions) == Link::VA) pins.A += std::exchange(pins.V, 0.0);
+  return pins;
+}
+
+/// A link's part of stresses.
+double& of_link(LinkStresses& stresses, Link link) {
+  return link == Link::VA    ? stresses.VA
+         : link == Link::VB  ? stresses.VB
+         : link == Link::ACX ? stresses.ACX
+                             : stresses.BCY;
 }
 
 /// The larger eigenvalue of a symmetric matrix.
 double larger_eigenvalue(const Eigen::Matrix2d& matrix) {
   const double mean = 0.5 * matrix.trace();
   return mean + std::hypot(0.5 * (matrix(0, 0) - matrix(1, 1)), 0.5 * (matrix(0, 1) + matrix(1, 0)));
-}
-
-/// In how many parts of a turn a value is looked for: many where it has a kink wherever another set of points bears, and a top for the
-/// tracer and one for the pen; a few where it is the largest of figures that each have two tops.
-constexpr int parts_with_contacts = 16, parts_without = 4;
-
-/// The most of what value(direction, rad) is over all directions; NaN if it is NaN in one that is looked at.
-template <class Value>
-double most_over_directions(const Value& value, int parts = parts_with_contacts) {
-  constexpr int steps = 40;
-  const auto known = [&](double direction) {
-    const double here = value(direction);
-    return std::isfinite(here) ? here : infinity;
-  };
-  double most = 0;
-  for (int i = 0; i < parts; ++i)
-    most = std::max(most, known(top_over({2 * pi * i / parts, 2 * pi * (i + 1) / parts}, known, steps)));
-  return std::isfinite(most) ? most : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// What a force F on the pen does in the plane to a beam of the plan, as vectors w of link_forces.hpp for F.
@@ -136,6 +156,12 @@ struct LayeredErrorProfile::Bent {
   bool is_finite() const { return compliance.allFinite() && weighed_rises.allFinite(); }
 };
 
+/// What the links' own weight along the table does while a given set of points bears: a column for gravity along x and along y.
+struct LayeredErrorProfile::OwnWeight {
+  Eigen::Matrix2d give, rises;                       ///< mm, of the pen in the plane; of tracer and pen
+  std::vector<std::array<PieceForces, 2>> pieces{};  ///< of the plan's beams
+};
+
 /// Which points bear under the weights and a force, at one opening, and what the force does. Refers to the profile.
 class LayeredErrorProfile::Contacts {
  public:
@@ -144,8 +170,10 @@ class LayeredErrorProfile::Contacts {
       : of_(of), plan_(of.sag_.plan(lengths.VA, lengths.VB, opening)), couples_(couples_at(opening)),
         lines_(piece_lines(plan_, of.shape_, of.factor_, opening)),
         resting_(set_of(of.conditions_.tracer_rests, of.conditions_.pen_rests)),
-        under_weights_(set_of(under_weights.tracer_bears, under_weights.pen_bears)) {}
+        under_weights_(set_of(under_weights.tracer_bears, under_weights.pen_bears)), lengths_(lengths),
+        opening_(opening) {}
 
+  unsigned set_under_weights() const { return under_weights_; }
   const Bent& under_weights() { return on(under_weights_); }
   const Bent& under(const Point& force) { return on(bearing_under(force)); }
   /// MPa: the largest stress in a link under a force and the weights, as they bend it.
@@ -170,6 +198,15 @@ class LayeredErrorProfile::Contacts {
       if (std::isnan(largest)) break;
     }
     return largest;
+  }
+  /// What the links' own weight along the table does, by the layers in the plane too, while these points bear.
+  OwnWeight own_weight(unsigned bearing) const;
+  /// The sets of points that may bear.
+  std::vector<unsigned> sets() const {
+    std::vector<unsigned> all;
+    for (const unsigned bearing : {0U, 1U, 2U, 3U})
+      if ((bearing & ~resting_) == 0) all.push_back(bearing);
+    return all;
   }
   /// No force of that size, N, whatever its direction, lifts a point off the table or lets one down.
   bool are_those_of_the_weights(double force) {
@@ -224,12 +261,20 @@ class LayeredErrorProfile::Contacts {
     return *bent;
   }
 
-  Bent bent_on(unsigned bearing) const {
-    const std::array<int, 2> points{static_cast<int>(of_.roles_.tracer), static_cast<int>(of_.roles_.pen)};
+  /// Tracer and pen.
+  std::array<int, 2> points() const {
+    return {static_cast<int>(of_.roles_.tracer), static_cast<int>(of_.roles_.pen)};
+  }
+  Grillage grillage_on(unsigned bearing) const {
     std::vector<int> props;
     for (const unsigned point : {0U, 1U})
-      if (has(bearing, point)) props.push_back(points[point]);
-    const Grillage grillage(plan_, props);
+      if (has(bearing, point)) props.push_back(points()[point]);
+    return Grillage(plan_, props);
+  }
+
+  Bent bent_on(unsigned bearing) const {
+    const std::array<int, 2> points = this->points();
+    const Grillage grillage = grillage_on(bearing);
     const Grillage::Tilted tilted = grillage.tilted_by(couples_);
     const GrillageState weighed = grillage.loaded();
     return {couples_.transpose() * tilted.slopes,
@@ -244,14 +289,25 @@ class LayeredErrorProfile::Contacts {
 
   /// Of a newton at the pen, along x and along y, for Grillage::tilted_by.
   Eigen::MatrixX2d couples_at(double opening) const {
-    const bool pole_is_at_V = of_.roles_.pole == Joint::V;
-    const LayerAssignment& layers = of_.conditions_.layers;
-    const auto high = heights(layers, pole_is_at_V);
+    return couples_of([&](Complex force) {
+      return upward_forces(of_.shape_, of_.conditions_.layers, of_.roles_.pole == Joint::V, opening,
+                           std::conj(of_.factor_) * force);
+    });
+  }
+  /// Of the links' own weight, where gravity pulls along x and along y.
+  Eigen::MatrixX2d couples_of_weight() const {
+    return couples_of([&](Complex direction) {
+      return upward_forces(of_.weight_.under(lengths_, opening_, direction), of_.conditions_.layers,
+                           of_.roles_.pole == Joint::V);
+    });
+  }
+  /// A column for each axis, of the pins' forces that forces_along(axis) are.
+  template <class Forces>
+  Eigen::MatrixX2d couples_of(const Forces& forces_along) const {
+    const auto high = heights(of_.conditions_.layers, of_.roles_.pole == Joint::V);
     Eigen::MatrixX2d couples = Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(plan_.nodes.size()), 2);
     for (int axis = 0; axis < 2; ++axis) {
-      const Complex force = axis == 0 ? Complex(1) : Complex(0, 1);
-      const auto forces =
-          upward_forces(of_.shape_, layers, pole_is_at_V, opening, std::conj(of_.factor_) * force);
+      const std::array<Complex, pin_count> forces = forces_along(axis == 0 ? Complex(1) : Complex(0, 1));
       for (std::size_t i = 0; i < pin_count; ++i) {
         const Point couple = as_point(0.5 * of_.conditions_.style.thickness * high[i] * forces[i]);
         couples.col(axis).segment<2>(2 * plan_.pins[i].node) += couple;
@@ -266,8 +322,30 @@ class LayeredErrorProfile::Contacts {
   Eigen::MatrixX2d couples_;
   std::vector<PieceLines> lines_;
   unsigned resting_, under_weights_;
+  BarLengths lengths_;
+  double opening_;
   std::array<std::optional<Bent>, 4> bent_{};
 };
+
+LayeredErrorProfile::OwnWeight LayeredErrorProfile::Contacts::own_weight(unsigned bearing) const {
+  const Grillage::Tilted tilted = grillage_on(bearing).tilted_by(couples_of_weight());
+  OwnWeight own{of_.weight_.give(lengths_, opening_) + couples_.transpose() * tilted.slopes,
+                tilted.rises(points(), Eigen::all)};
+  const Eigen::MatrixX2d moments = beam_moments(plan_, tilted.rises, tilted.slopes, false);
+  const std::vector<PieceForces> by_x = of_.weight_.pieces(lengths_, opening_, 1),
+                                 by_y = of_.weight_.pieces(lengths_, opening_, Complex(0, 1));
+  for (std::size_t i = 0; i < by_x.size(); ++i) {
+    std::array<PieceForces, 2> by_axis{by_x[i], by_y[i]};
+    const Eigen::Index row = 3 * static_cast<Eigen::Index>(i);
+    for (const std::size_t axis : {0U, 1U}) {
+      const auto moment = [&](Eigen::Index k) { return moments(row + k, static_cast<Eigen::Index>(axis)); };
+      by_axis[axis].out_of_plane = {moment(0), moment(1)};
+      by_axis[axis].twist = moment(2);
+    }
+    own.pieces.push_back(by_axis);
+  }
+  return own;
+}
 
 LayeredErrorProfile::LayeredErrorProfile(Complex k, Grounding grounding, const SagConditions& conditions,
                                          double pen_force)
@@ -275,6 +353,8 @@ LayeredErrorProfile::LayeredErrorProfile(Complex k, Grounding grounding, const S
       conditions_(conditions), sag_(k, grounding, conditions),
       upright_(k, grounding, conditions.style, Material{"", conditions.E, conditions.density, 0}, 1,
                upright_pins(grounding, conditions)),
+      weight_(k, grounding, conditions.style, Material{"", conditions.E, conditions.density, 0},
+              conditions.tilt, pins_by_place(grounding, conditions), bar_on_pin_V(grounding, conditions)),
       force_(pen_force) {}
 
 Eigen::Matrix2d LayeredErrorProfile::upright(const BarLengths& lengths, double opening) const {
@@ -331,6 +411,51 @@ LinkStresses LayeredErrorProfile::stresses(const BarLengths& lengths, double ope
   return {of(Link::VA), of(Link::VB), of(Link::ACX), of(Link::BCY)};
 }
 
+LayeredErrorAt LayeredErrorProfile::by_weight(const BarLengths& lengths, double opening) const {
+  if (!weight_.weighs()) return {};
+  LayeredErrorAt most;
+  const Contacts contacts(*this, lengths, opening, {{opening, opening}});
+  for (const unsigned bearing : contacts.sets()) {
+    const OwnWeight own = contacts.own_weight(bearing);
+    if (!own.give.allFinite() || !own.rises.allFinite()) return {infinity, infinity};
+    most.in_plane = std::max(most.in_plane, larger_singular_value(own.give));
+    most.rise = std::max({most.rise, own.rises.row(0).norm(), own.rises.row(1).norm()});
+  }
+  return most;
+}
+
+LinkStresses LayeredErrorProfile::stresses_by_weight(const BarLengths& lengths, double opening,
+                                                     double hole) const {
+  LinkStresses most;
+  if (!weight_.weighs()) return most;
+  const SectionModuli at_joints = section_moduli(conditions_.style, hole),
+                      between = section_moduli(conditions_.style, 0);
+  const Contacts contacts(*this, lengths, opening, {{opening, opening}});
+  for (const unsigned bearing : contacts.sets()) {
+    const OwnWeight own = contacts.own_weight(bearing);
+    std::size_t piece = 0;
+    for (const Link link : all_links)
+      for (std::size_t arm = 0; arm < arms_of(link, shape_).size(); ++arm, ++piece) {
+        const double here = most_over_directions(
+            [&](double direction) {
+              return largest_stress(turned(own.pieces[piece], direction), at_joints, between);
+            },
+            parts_without);
+        double& of = of_link(most, link);
+        of = std::max(of, std::isfinite(here) ? here : infinity);
+      }
+  }
+  return most;
+}
+
+Eigen::Vector2d LayeredErrorProfile::give_by_weight(const BarLengths& lengths, double opening,
+                                                    const Point& direction) const {
+  if (!weight_.weighs()) return Eigen::Vector2d::Zero();
+  const SupportedStretch under_weights = sag_.supported_at(lengths.VA, lengths.VB, opening);
+  const Contacts contacts(*this, lengths, opening, under_weights);
+  return contacts.own_weight(contacts.set_under_weights()).give * direction;
+}
+
 /// Calls `look` with each interval of openings over which the figures are smooth, or nearly so, and the stretch that it is part of.
 template <class Look>
 void LayeredErrorProfile::for_each_part(const BarLengths& lengths, const OpeningInterval& openings,
@@ -363,8 +488,23 @@ std::optional<LayeredFigures> LayeredErrorProfile::over(const BarLengths& length
     figures.error_max = std::max(figures.error_max, most(&LayeredErrorAt::in_plane));
     figures.rise_max = std::max(figures.rise_max, most(&LayeredErrorAt::rise));
   });
-  return std::isfinite(figures.error_max) && std::isfinite(figures.rise_max) ? std::optional(figures)
-                                                                             : std::nullopt;
+  if (!std::isfinite(figures.error_max) || !std::isfinite(figures.rise_max)) return std::nullopt;
+  if (!weight_.weighs()) return figures;
+  const LayeredErrorAt by_weight = by_weight_over(lengths, openings);
+  if (!std::isfinite(by_weight.in_plane) || !std::isfinite(by_weight.rise)) return std::nullopt;
+  figures.weight_error_max = by_weight.in_plane;
+  figures.weight_rise_max = by_weight.rise;
+  return figures;
+}
+
+LayeredErrorAt LayeredErrorProfile::by_weight_over(const BarLengths& lengths,
+                                                   const OpeningInterval& openings) const {
+  if (!weight_.weighs()) return {};
+  const auto most = [&](double LayeredErrorAt::*figure) {
+    const auto value = [&](double opening) { return by_weight(lengths, opening).*figure; };
+    return value(top_over(openings, value));
+  };
+  return {most(&LayeredErrorAt::in_plane), most(&LayeredErrorAt::rise)};
 }
 
 std::optional<LinkStresses> LayeredErrorProfile::stresses_over(const BarLengths& lengths,
@@ -389,6 +529,14 @@ std::optional<LinkStresses> LayeredErrorProfile::stresses_over(const BarLengths&
     look(Link::ACX, &LinkStresses::ACX);
     look(Link::BCY, &LinkStresses::BCY);
   });
+  if (weight_.weighs())
+    for (const Link link : all_links) {
+      const auto value = [&](double opening) {
+        LinkStresses here = stresses_by_weight(lengths, opening, hole);
+        return of_link(here, link);
+      };
+      of_link(most, link) += value(top_over(openings, value));
+    }
   return std::isfinite(most.largest()) ? std::optional(most) : std::nullopt;
 }
 

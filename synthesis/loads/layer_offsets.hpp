@@ -8,6 +8,10 @@
 //
 // The table pushes a point that rests on it and never pulls: under weights and force together each such point either bears, or is lifted off.
 // What the force does is the state under both less that under the weights alone; stress is that of the state under both.
+//
+// On a tilted table the links' own weight along it (plane_weight.hpp) pulls at the pins too, and so has couples of its own. What it does in
+// addition, while any set of points bears, is no more than the most of what it does while each set that may bear does so: all is linear while
+// the set stays. Stress is a norm of what a piece bears, so the stresses of two loads add up to no less than that of both.
 // Derivation: docs/loads.md.
 
 #include <Eigen/Core>
@@ -15,6 +19,7 @@
 
 #include "synthesis/loads/load_error.hpp"
 #include "synthesis/loads/load_figures.hpp"
+#include "synthesis/loads/plane_weight.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/strength.hpp"
 
@@ -38,17 +43,27 @@ class LayeredErrorProfile {
   std::optional<LayeredFigures> over(const BarLengths& lengths, const OpeningInterval& openings) const;
 
   /// The largest stress in each link (strength.hpp), each at its own opening and direction of the force: in the plane by the force, out of
-  /// it by its couples and the weights. `hole`: mm, the diameter that every joint takes of its link. Nothing where moments lose their digits.
+  /// it by its couples and the weights; on a tilted table with the largest by the links' own weight along it, over all turns, added. `hole`: mm, the diameter that every joint takes of its link. Nothing where moments lose their digits.
   std::optional<LinkStresses> stresses_over(const BarLengths& lengths, const OpeningInterval& openings,
                                             double hole) const;
-  /// At an opening, rad; NaN where there is nothing to state.
+  /// At an opening, rad; NaN where there is nothing to state. Without the links' own weight along the table.
   LinkStresses stresses(const BarLengths& lengths, double opening, double hole) const;
 
   /// How far the pen gives way in the plane there under this force, N, all in, mm; x axis along bar VA. NaN as above.
   Point give(const BarLengths& lengths, double opening, const Point& force) const;
 
+  /// What the links' own weight along the table does in addition, the most over all turns of the linkage; nothing on a level table, infinite
+  /// where there is nothing to state.
+  LayeredErrorAt by_weight(const BarLengths& lengths, double opening) const;
+  /// The most of each over an interval of openings, each at its own one.
+  LayeredErrorAt by_weight_over(const BarLengths& lengths, const OpeningInterval& openings) const;
+  LinkStresses stresses_by_weight(const BarLengths& lengths, double opening, double hole) const;
+  /// The same where gravity pulls in this direction, of size 1, in the frame of give(), on the points that the weights press down.
+  Point give_by_weight(const BarLengths& lengths, double opening, const Point& direction) const;
+
  private:
   struct Bent;
+  struct OwnWeight;
   class Contacts;
   LayeredErrorAt at(const BarLengths& lengths, double opening, const SupportedStretch& under_weights) const;
   Eigen::Matrix2d upright(const BarLengths& lengths, double opening) const;
@@ -61,6 +76,7 @@ class LayeredErrorProfile {
   SagConditions conditions_;
   SagProfile sag_;
   LoadErrorProfile upright_;  ///< links, and pins whose ends do not tilt
+  PlaneWeight weight_;        ///< the same under their own weight along the table
   double force_;
 };
 

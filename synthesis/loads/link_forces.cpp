@@ -93,6 +93,14 @@ PinForces pin_forces(Complex k, Grounding grounding, double opening) {
   return pins;
 }
 
+PinForces operator+(const PinForces& one, const PinForces& other) {
+  return {one.A + other.A, one.B + other.B, one.C + other.C, one.V + other.V, one.pole + other.pole};
+}
+
+PinForces operator*(double times, const PinForces& forces) {
+  return {times * forces.A, times * forces.B, times * forces.C, times * forces.V, times * forces.pole};
+}
+
 double hand_force(Complex k) { return std::abs(k); }
 
 }  // namespace kempe

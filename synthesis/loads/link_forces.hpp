@@ -62,6 +62,8 @@ struct PinForces {
   double largest() const;
 };
 PinForces pin_forces(Complex k, Grounding grounding, double opening);
+PinForces operator+(const PinForces& one, const PinForces& other);
+PinForces operator*(double times, const PinForces& forces);
 
 /// N at the tracer for each newton at the pen.
 double hand_force(Complex k);

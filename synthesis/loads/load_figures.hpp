@@ -13,6 +13,9 @@ struct LoadFigures {
   double hand_force_max = 0;  ///< N, at the tracer
   double stress_max =
       0;  ///< MPa, in the link that is strained most: bending and pull in the plane, across the joint's hole
+  /// mm, most that the pen gives way in the plane by the links' own weight; absent on a level table. On a tilted one pin_force_max and
+  /// stress_max have that weight too.
+  std::optional<double> weight_error_max{};
 };
 
 /// The worst of each with the links in their layers and pins that give way (layer_offsets.hpp), over the same openings and directions.
@@ -22,6 +25,9 @@ struct LayeredFigures {
   /// MPa, in the link that is strained most: with bending and twist out of the plane. Absent where a hole leaves nothing of a link or moments
   /// lose their digits.
   std::optional<double> stress_max{};
+  /// mm, by the links' own weight along a tilted table: most that the pen gives way in the plane with links, pins and layers together, and that
+  /// tracer or pen rises or sinks. Absent on a level table.
+  std::optional<double> weight_error_max{}, weight_rise_max{};
 };
 
 }  // namespace kempe

@@ -45,11 +45,14 @@ double largest_stress(const PieceForces& forces, const SectionModuli& at_ends, c
     return std::hypot(stress, std::sqrt(3.0) * forces.twist / moduli.twist);
   };
   double corner = 0;
-  for (const std::size_t end : {0U, 1U})
-    corner = std::max(corner, std::abs(forces.in_plane[end]) / at_ends.in_plane +
-                                  std::abs(forces.out_of_plane[end]) / at_ends.out_of_plane);
-  const double largest = with_twist(std::abs(forces.pull) / at_ends.area + corner, at_ends);
-  if (forces.own_weight == 0) return largest;
+  for (const std::size_t end : {0U, 1U}) {
+    const double pull = end == 0 ? forces.pull : forces.pull + forces.pull_growth;
+    corner = std::max(
+        corner, std::abs(pull) / at_ends.area + (std::abs(forces.in_plane[end]) / at_ends.in_plane +
+                                                 std::abs(forces.out_of_plane[end]) / at_ends.out_of_plane));
+  }
+  const double largest = with_twist(corner, at_ends);
+  if (forces.own_weight == 0 && forces.own_weight_in_plane == 0) return largest;
   // Where a corner's stress along the piece, a parabola, is at its top.
   double inside = 0;
   for (const double side : {-1.0, 1.0})
@@ -58,7 +61,9 @@ double largest_stress(const PieceForces& forces, const SectionModuli& at_ends, c
         return side * forces.in_plane[end] / between.in_plane +
                face * forces.out_of_plane[end] / between.out_of_plane;
       };
-      const double bow = face * forces.own_weight / between.out_of_plane, rise = bending(1) - bending(0),
+      const double bow = face * forces.own_weight / between.out_of_plane +
+                         side * forces.own_weight_in_plane / between.in_plane,
+                   rise = bending(1) - bending(0) + forces.pull_growth / between.area,
                    x = 0.5 * (rise + bow) / bow;
       if (x > 0 && x < 1)
         inside = std::max(inside,
@@ -68,6 +73,14 @@ double largest_stress(const PieceForces& forces, const SectionModuli& at_ends, c
 }
 
 double LinkStresses::largest() const { return std::max({VA, VB, ACX, BCY}); }
+
+LinkStresses operator+(const LinkStresses& one, const LinkStresses& other) {
+  return {one.VA + other.VA, one.VB + other.VB, one.ACX + other.ACX, one.BCY + other.BCY};
+}
+
+LinkStresses operator*(double times, const LinkStresses& stresses) {
+  return {times * stresses.VA, times * stresses.VB, times * stresses.ACX, times * stresses.BCY};
+}
 
 LinkStresses link_stresses(Complex k, Grounding grounding, const LinkStyle& style, double hole,
                            const BarLengths& lengths, double opening) {

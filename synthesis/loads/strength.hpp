@@ -24,10 +24,12 @@ double torsion_modulus(double width, double thickness);
 
 /// What a straight piece of a link between two of its joints bears.
 struct PieceForces {
-  double pull = 0;                       ///< N
-  std::array<double, 2> in_plane{};      ///< N mm, bending at both ends, a straight line between them
-  std::array<double, 2> out_of_plane{};  ///< N mm, the same out of the plane, but for
-  double own_weight = 0;                 ///< N mm: times x (1 - x) more at x of the length
+  double pull = 0;                   ///< N, where it begins
+  double pull_growth = 0;            ///< N, by so much more at its end
+  std::array<double, 2> in_plane{};  ///< N mm, bending at both ends, a straight line between them, but for
+  double own_weight_in_plane = 0;    ///< N mm: times x (1 - x) more at x of the length
+  std::array<double, 2> out_of_plane{};  ///< N mm, the same out of the plane, with
+  double own_weight = 0;                 ///< N mm
   double twist = 0;                      ///< N mm
 };
 /// MPa, the largest equivalent stress (von Mises) in a piece: at its ends over the section with the hole, between them over the whole one.
@@ -40,6 +42,8 @@ struct LinkStresses {
   double VA = 0, VB = 0, ACX = 0, BCY = 0;
   double largest() const;
 };
+LinkStresses operator+(const LinkStresses& one, const LinkStresses& other);
+LinkStresses operator*(double times, const LinkStresses& stresses);
 /// For each newton at the pen, worst over the directions, in the plane alone: in a bar the pull over the net section at its holes; in a plate
 /// bending and pull together at the joint in its middle, where the section has lost the hole (no peaks at its edge). With the bending out of
 /// the plane: LayeredErrorProfile. `hole`: mm, the diameter that every joint takes of its link.

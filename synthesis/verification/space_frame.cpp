@@ -12,7 +12,7 @@
 #include "geometry/decompositions.hpp"
 #include "kinematics/links.hpp"
 #include "specs/hardware.hpp"
-#include "synthesis/solvers/golden_section.hpp"
+#include "synthesis/verification/any_direction.hpp"
 #include "synthesis/verification/plate_pieces.hpp"
 
 namespace kempe {
@@ -174,24 +174,37 @@ class SpaceFrame {
   SpaceFrameResponse pushed_at(Joint pen, Joint tracer) const {
     const Freedoms& at = tool(pen);
     const std::array<int, 2> points{height(tracer), height(pen)};
-    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(beams_.count(), 5);
+    Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(beams_.count(), parts_.link_pull > 0 ? 7 : 5);
     loads(at[0], 0) = loads(at[1], 1) = loads(points[0], 3) = loads(points[1], 4) = 1;
     loads.col(2) = weights();
     loads(points[0], 2) -= parts_.tracer_weight;
     loads(points[1], 2) -= parts_.pen_weight;
+    if (parts_.link_pull > 0) loads.rightCols<2>() = pulls();
     const Eigen::MatrixXd moved = beams_.moved_by(loads);
     SpaceFrameResponse response;
     response.in_plane << moved(at[0], 0), moved(at[0], 1), moved(at[1], 0), moved(at[1], 1);
     response.rises = moved(points, Eigen::seqN(0, 2));
     response.lifts = moved(points, Eigen::seqN(3, 2));
     response.weighed = moved(points, 2);
+    if (parts_.link_pull > 0) {
+      response.in_plane_by_pull << moved(at[0], 5), moved(at[0], 6), moved(at[1], 5), moved(at[1], 6);
+      response.rises_by_pull = moved(points, Eigen::seqN(5, 2));
+    }
     for (const Piece& piece : pieces_) {
-      SpaceFramePiece one{piece.length, piece.weight, {}};
+      SpaceFramePiece one{.link = piece.link, .length = piece.length, .weight = piece.weight};
+      one.forces.setZero();
       for (Eigen::Index load = 0; load < moved.cols(); ++load)
         one.forces.col(load) = beams_.at_first_end(piece.beam, moved.col(load));
       // What the weight puts on its held ends, which the joints have borne as loads.
       one.forces(2, 2) += 0.5 * piece.weight * piece.length;
       one.forces(4, 2) -= piece.weight * piece.length * piece.length / 12;
+      for (const int axis : {0, 1}) {
+        const Point pull = pull_of(piece, axis);
+        one.pulls.col(axis) = pull;
+        one.forces(0, 5 + axis) -= 0.5 * pull.x() * piece.length;
+        one.forces(1, 5 + axis) -= 0.5 * pull.y() * piece.length;
+        one.forces(5, 5 + axis) -= pull.y() * piece.length * piece.length / 12;
+      }
       response.pieces.push_back(one);
     }
     return response;
@@ -200,11 +213,57 @@ class SpaceFrame {
  private:
   /// A piece of a link: its beam, and its weight, N/mm.
   struct Piece {
+    Link link;
     std::size_t beam;
     Freedoms from, to;
     Point way;
-    double length, weight;
+    double length, weight, pull;
   };
+
+  /// N/mm on a piece, along it and to its left, of a pull along an axis of the plane.
+  static Point pull_of(const Piece& piece, int axis) {
+    const Point along = piece.way / piece.length;
+    return piece.pull * (axis == 0 ? Point(along.x(), -along.y()) : Point(along.y(), along.x()));
+  }
+
+  /// Of the links' weight along the plane, a column for each axis that it may pull along, on all freedoms.
+  Eigen::MatrixXd pulls() const {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(beams_.count(), 2);
+    for (const int axis : {0, 1}) {
+      for (const Piece& piece : pieces_) {
+        const double turning = pull_of(piece, axis).y() * piece.length * piece.length / 12;
+        for (const bool begins : {true, false}) {
+          const Freedoms& end = begins ? piece.from : piece.to;
+          all(end[static_cast<std::size_t>(axis)], axis) += 0.5 * piece.pull * piece.length;
+          all(end[5], axis) += begins ? turning : -turning;
+        }
+      }
+      for (const Link link : all_links)
+        for (const Joint joint : all_joints)
+          if (const double area = lump_area(link, joint); area > 0)
+            all(nodes_[static_cast<std::size_t>(link)][static_cast<std::size_t>(joint)]
+                      [static_cast<std::size_t>(axis)],
+                axis) += parts_.link_pull * parts_.style.thickness * area;
+    }
+    return all;
+  }
+  /// mm^2: what of a link weighs at that joint alone.
+  double lump_area(Link link, Joint joint) const {
+    LinkJoints of = joints_of(link);
+    const double w = parts_.style.width;
+    const auto end = of.joints.begin() + of.count;
+    if (std::find(of.joints.begin(), end, joint) == end) return 0;
+    if (is_triangle(of)) {
+      const auto apart = [&](Joint a, Joint b) { return (pose_[a] - pose_[b]).norm(); };
+      const Point a = pose_[of.joints[1]] - pose_[of.joints[0]],
+                  b = pose_[of.joints[2]] - pose_[of.joints[0]];
+      double sides = 0;
+      for (const Joint other : of.joints) sides += apart(joint, other);
+      return std::abs(cross(a, b)) / 6 + 0.25 * w * sides + pi * w * w / 12;
+    }
+    if (of.count == 3) of.joints = middle_first(of.joints, pose_, parts_.straight);
+    return of.count == 3 && joint == of.joints[0] ? 0 : pi * w * w / 8;
+  }
 
   /// Of the links, N and N mm on all freedoms: along their pieces, half a disc beyond the outer ends; a triangle's at its corners.
   Eigen::VectorXd weights() const {
@@ -264,9 +323,9 @@ class SpaceFrame {
         const Point way = pose_[to] - pose_[from], along = way.normalized();
         const std::size_t beam = beams_.add(node(link, from), node(link, to), {way.x(), way.y(), 0},
                                             {-along.y(), along.x(), 0}, bar);
-        const double weight =
-            is_triangle(of) ? 0 : parts_.link_weight * parts_.style.width * parts_.style.thickness;
-        pieces_.push_back({beam, node(link, from), node(link, to), way, way.norm(), weight});
+        const double section = is_triangle(of) ? 0 : parts_.style.width * parts_.style.thickness;
+        pieces_.push_back({link, beam, node(link, from), node(link, to), way, way.norm(),
+                           parts_.link_weight * section, parts_.link_pull * section});
       }
     }
   }
@@ -316,24 +375,6 @@ Eigen::Vector2d push_of(const SpaceFrameResponse& response, const FrameTable& ta
   return push.cwiseMax(0);
 }
 
-/// The most over all directions of value(direction, rad): sampled, and refined beside each that stands above its neighbours.
-template <class Value>
-double most_in_any_direction(const Value& value) {
-  constexpr std::size_t directions = 180;
-  constexpr int steps = 40;
-  constexpr double step = 2 * pi / directions;
-  std::array<double, directions> seen;
-  for (std::size_t i = 0; i < directions; ++i) seen[i] = value(step * static_cast<double>(i));
-  double most = 0;
-  for (std::size_t i = 0; i < directions; ++i) {
-    if (!std::isfinite(seen[i])) return seen[i];
-    if (seen[i] < seen[(i + 1) % directions] || seen[i] < seen[(i + directions - 1) % directions]) continue;
-    const double at = step * static_cast<double>(i);
-    most = std::max({most, seen[i], value(top_by_golden_section(value, at - step, at + step, steps))});
-  }
-  return most;
-}
-
 /// Of a rectangle without a hole in its middle, or with one: what forces and moments are divided by.
 struct FrameSection {
   FrameSection(const LinkStyle& style, double hole) {
@@ -354,26 +395,37 @@ struct FrameSection {
   double area, in_plane, out_of_plane, twist;
 };
 
-/// In a piece under this share of each of its five loads: at its ends beside holes, and between them, where one of the corners' stresses, a
+/// In a piece under this share of each of its loads: at its ends beside holes, and between them, where one of the corners' stresses, a
 /// parabola through three places, has its vertex.
-double stress_in(const SpaceFramePiece& piece, const Eigen::Vector<double, 5>& loads,
+double stress_in(const SpaceFramePiece& piece, const Eigen::Vector<double, 7>& loads,
                  const FrameSection& at_holes, const FrameSection& whole) {
   const Eigen::Vector<double, 6> end = piece.forces * loads;
-  const double L = piece.length;
-  const auto in = [&](double x) { return end[5] - x * end[1]; };
-  const auto out = [&](double x) { return end[4] + x * end[2] - 0.5 * piece.weight * x * x; };
+  const Point pull = piece.pulls * loads.tail<2>();
+  const double L = piece.length, weight = loads[2] * piece.weight;
+  const auto along = [&](double x) { return end[0] + x * pull.x(); };
+  const auto in = [&](double x) { return end[5] - x * end[1] - 0.5 * pull.y() * x * x; };
+  const auto out = [&](double x) { return end[4] + x * end[2] - 0.5 * weight * x * x; };
   const auto at = [&](const FrameSection& section, double x) {
-    return section.stress(end[0], in(x), out(x), end[3]);
+    return section.stress(along(x), in(x), out(x), end[3]);
   };
   double most = std::max(at(at_holes, 0), at(at_holes, L));
-  if (piece.weight == 0) return most;
-  for (const double side : {-1.0, 1.0}) {
-    const auto corner = [&](double x) { return side * in(x) / whole.in_plane + out(x) / whole.out_of_plane; };
-    const double low = corner(0), middle = corner(0.5 * L), high = corner(L), bow = low - 2 * middle + high,
-                 x = 0.5 * L + 0.25 * L * (low - high) / bow;
-    if (x > 0 && x < L) most = std::max(most, at(whole, x));
-  }
+  if (weight == 0 && pull.isZero(0)) return most;
+  for (const double side : {-1.0, 1.0})
+    for (const double face : {-1.0, 1.0}) {
+      const auto corner = [&](double x) {
+        return along(x) / whole.area + side * in(x) / whole.in_plane + face * out(x) / whole.out_of_plane;
+      };
+      const double low = corner(0), middle = corner(0.5 * L), high = corner(L), bow = low - 2 * middle + high,
+                   x = 0.5 * L + 0.25 * L * (low - high) / bow;
+      if (x > 0 && x < L) most = std::max(most, at(whole, x));
+    }
   return most;
+}
+
+/// Of resting points, by a load that would let them rise so: what the table puts on those of the set, N, while it holds them.
+Eigen::Vector2d hold(const Eigen::Matrix2d& lifts, const Eigen::Vector2d& rises, bool tracer, bool pen) {
+  if (tracer && pen) return -(lifts.inverse() * rises);
+  return {tracer ? -rises[0] / lifts(0, 0) : 0, pen ? -rises[1] / lifts(1, 1) : 0};
 }
 
 }  // namespace
@@ -406,17 +458,47 @@ MostOfFrame most_movement(const SpaceFrameResponse& response, const FrameTable& 
 }
 
 double most_stress(const SpaceFrameResponse& response, const FrameTable& table, double force,
-                   const LinkStyle& style, double hole) {
+                   const LinkStyle& style, double hole, std::optional<Link> only) {
   const FrameSection at_holes(style, hole), whole(style, 0);
   return most_in_any_direction([&](double direction) {
     const Point push = force * Point(std::cos(direction), std::sin(direction));
-    Eigen::Vector<double, 5> loads;
-    loads << push, 1, push_of(response, table, table.free_rises + response.rises * push);
+    Eigen::Vector<double, 7> loads;
+    loads << push, 1, push_of(response, table, table.free_rises + response.rises * push), 0, 0;
     double most = 0;
     for (const SpaceFramePiece& piece : response.pieces)
-      most = std::max(most, stress_in(piece, loads, at_holes, whole));
+      if (!only || piece.link == *only) most = std::max(most, stress_in(piece, loads, at_holes, whole));
     return most;
   });
+}
+
+MostByPull most_by_pull(const SpaceFrameResponse& response, const FrameTable& table, const LinkStyle& style,
+                        std::optional<double> hole) {
+  MostByPull most;
+  for (const bool tracer : {false, true})
+    for (const bool pen : {false, true}) {
+      if ((tracer && !table.tracer_rests) || (pen && !table.pen_rests)) continue;
+      Eigen::Matrix2d held;
+      for (const int axis : {0, 1})
+        held.col(axis) = hold(response.lifts, response.rises_by_pull.col(axis), tracer, pen);
+      const Eigen::Matrix2d give = response.in_plane_by_pull + response.rises.transpose() * held,
+                            rises = response.rises_by_pull + response.lifts * held;
+      const auto along = [](double direction) { return Point(std::cos(direction), std::sin(direction)); };
+      most.give =
+          std::max(most.give,
+                   most_in_any_direction([&](double direction) { return (give * along(direction)).norm(); }));
+      most.rise = std::max({most.rise, rises.row(0).norm(), rises.row(1).norm()});
+      if (!hole) continue;
+      const FrameSection at_holes(style, *hole), whole(style, 0);
+      for (const SpaceFramePiece& piece : response.pieces) {
+        double& of_link = most.stress[static_cast<std::size_t>(piece.link)];
+        of_link = std::max(of_link, most_in_any_direction([&](double direction) {
+                             Eigen::Vector<double, 7> loads;
+                             loads << 0, 0, 0, held * along(direction), along(direction);
+                             return stress_in(piece, loads, at_holes, whole);
+                           }));
+      }
+    }
+  return most;
 }
 
 }  // namespace kempe
