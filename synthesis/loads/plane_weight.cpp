@@ -259,8 +259,7 @@ LinkStresses PlaneWeight::stresses(const BarLengths& lengths, double opening, do
   if (!weighs()) return {};
   if (!(hole < style_.width)) return {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
   const SectionModuli at_joints = section_moduli(style_, hole), between = section_moduli(style_, 0);
-  const std::vector<PieceForces> by_x = pieces(lengths, opening, 1),
-                                 by_y = pieces(lengths, opening, i_unit);
+  const std::vector<PieceForces> by_x = pieces(lengths, opening, 1), by_y = pieces(lengths, opening, i_unit);
   std::array<double, 4> most{};
   std::size_t number_of_piece = 0;
   for (const Link link : all_links)

@@ -27,8 +27,9 @@ FrameResponse frame_response(const Pose& pose, const JointRoles& roles, bool str
 
 /// What the links' own weight does, worst over the ways along the table that it may pull, while pole and tracer are held.
 struct FrameUnderWeight {
-  double most = 0;               ///< mm: how far the pen moves
-  Eigen::Matrix2d moved = Eigen::Matrix2d::Zero();  ///< mm, the pen, by a pull along x and along y of the pose
+  double most = 0;  ///< mm: how far the pen moves
+  Eigen::Matrix2d moved =
+      Eigen::Matrix2d::Zero();   ///< mm, the pen, by a pull along x and along y of the pose
   std::array<double, 4> pins{};  ///< N, at either end of VA, at either end of VB, at C and on the pole's post
   std::array<double, 4> stresses{};  ///< MPa, of VA, VB, ACX and BCY, anywhere along them
 };

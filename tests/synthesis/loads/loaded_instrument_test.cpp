@@ -135,7 +135,8 @@ TEST(LoadedInstrument, GivesWayAsItsBentLinksClose) {
     SCOPED_TRACE(i);
     const auto [linkage, opening, pose, heading] = random_case(random);
     const Load load{.pen_force = 0.1, .pen_mass = 0.02, .tilt = uniform(random, 0, 1.5)};
-    const auto work = HandWork(linkage, style, {}, steel, load).at(pose, heading);
+    const Material weightless{"", steel.E, 0, 0};  // of the links' own weight: plane_weight_test.cpp
+    const auto work = HandWork(linkage, style, {}, weightless, load).at(pose, heading);
     ASSERT_TRUE(work);
     const Point tracer = pose[linkage.tracer_joint()];
     const auto loaded =

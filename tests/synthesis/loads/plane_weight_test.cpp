@@ -11,6 +11,7 @@
 #include "kinematics/assembly_mode.hpp"
 #include "kinematics/copying_linkage.hpp"
 #include "synthesis/loads/gravity.hpp"
+#include "synthesis/loads/hand_work.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
 #include "synthesis/loads/moving_masses.hpp"
 #include "synthesis/verification/frame.hpp"
@@ -46,9 +47,12 @@ WeighedCase random_case(Chance& chance) {
     const auto linkage =
         CopyingLinkage::make(k, grounding, chance.uniform(20, 400), chance.uniform(20, 400), mode.number);
     if (!linkage || mode.openings.width() < 0.5) continue;
-    WeighedCase one{*linkage, {}, {"some", std::exp(chance.uniform(7, 12)), chance.uniform(500, 9000), 100},
+    WeighedCase one{*linkage,
+                    {},
+                    {"some", std::exp(chance.uniform(7, 12)), chance.uniform(500, 9000), 100},
                     chance.uniform(0.05, pi / 2),
-                    chance.uniform(mode.openings.lower + 0.2, mode.openings.upper - 0.2), 0};
+                    chance.uniform(mode.openings.lower + 0.2, mode.openings.upper - 0.2),
+                    0};
     one.style = {.width = chance.uniform(5, 30), .thickness = chance.uniform(2, 10)};
     one.style.plate = chance.share() < 0.3 ? PlateStyle::triangle : PlateStyle::bent;
     one.hole = 0.4 * one.style.width;
@@ -65,18 +69,17 @@ TEST(PlaneWeight, AgreesWithThePlaneFrame) {
     SCOPED_TRACE(i);
     const WeighedCase one = random_case(chance);
     const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
-    const FrameUnderWeight frame =
-        frame_under_weight(pose, roles_of(one.linkage.grounding()), one.straight(), one.style, one.material,
-                           one.hole, one.pull());
+    const FrameUnderWeight frame = frame_under_weight(pose, roles_of(one.linkage.grounding()), one.straight(),
+                                                      one.style, one.material, one.hole, one.pull());
     const PlaneWeight closed = one.weight();
     most = std::max(most, apart(closed.most(one.lengths(), one.opening), frame.most));
     // Any direction of gravity, on the table.
     const Complex along = as_complex((pose.A - pose.V).normalized()),
                   gravity = std::polar(1.0, chance.uniform(-pi, pi));
     const Point here = closed.give(one.lengths(), one.opening) * as_point(std::conj(along) * gravity);
-    moved = std::max(moved, std::abs(along * as_complex(here) -
-                                     as_complex(Point(frame.moved * as_point(gravity)))) /
-                                frame.most);
+    moved = std::max(
+        moved,
+        std::abs(along * as_complex(here) - as_complex(Point(frame.moved * as_point(gravity)))) / frame.most);
     const PinForces forces = closed.pin_forces(one.lengths(), one.opening);
     const std::array<double, 4> stated{forces.A, forces.B, forces.C, forces.pole};
     const double largest = *std::max_element(frame.pins.begin(), frame.pins.end());
@@ -91,8 +94,29 @@ TEST(PlaneWeight, AgreesWithThePlaneFrame) {
   EXPECT_LT(moved, 1e-6);
   EXPECT_LT(pins, 1e-6);
   EXPECT_LT(stress, 1e-6);
-  std::printf("largest relative differences: most %.2g, in one direction %.2g, pins %.2g, stress %.2g\n", most,
-              moved, pins, stress);
+  std::printf("largest relative differences: most %.2g, in one direction %.2g, pins %.2g, stress %.2g\n",
+              most, moved, pins, stress);
+}
+
+/// What a hand sees whose instrument weighs something, beside one that weighs nothing.
+TEST(PlaneWeight, LetsThePenOfATracedDrawingDownhill) {
+  Chance chance(78);
+  double apart = 0;
+  for (int i = 0; i < test::samples(100); ++i) {
+    SCOPED_TRACE(i);
+    const WeighedCase one = random_case(chance);
+    const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
+    const Material weightless{"", one.material.E, 0, 0};
+    const Load load{.pen_force = 1, .tilt = one.tilt};
+    const auto heavy = HandWork(one.linkage, one.style, {}, one.material, load).at(pose, {1, 0}),
+               light = HandWork(one.linkage, one.style, {}, weightless, load).at(pose, {1, 0});
+    ASSERT_TRUE(heavy && light);
+    const FrameUnderWeight frame = frame_under_weight(pose, roles_of(one.linkage.grounding()), one.straight(),
+                                                      one.style, one.material, one.hole, one.pull());
+    apart = std::max(apart, (heavy->give - light->give + frame.moved * Point(0, 1)).norm() /
+                                (light->give.norm() + frame.most));
+  }
+  EXPECT_LT(apart, 1e-6);
 }
 
 /// A frame in space with bar VA along x, of links in three layers.
@@ -106,14 +130,15 @@ TEST(PlaneWeight, AgreesWithAFrameInSpaceWherePinsAndLayersGive) {
     one.style.pin_diameter = chance.uniform(4, 9);
     const CopyingLinkage& linkage = one.linkage;
     const double opening = one.opening;
-    SagConditions made{.style = one.style,
-                       .layers = assignments[static_cast<std::size_t>(
-                           static_cast<double>(assignments.size()) * chance.share())],
-                       .E = one.material.E,
-                       .G = one.material.E / 2.5,
-                       .density = one.material.density,
-                       .tilt = one.tilt,
-                       .grip = 5};
+    SagConditions made{
+        .style = one.style,
+        .layers =
+            assignments[static_cast<std::size_t>(static_cast<double>(assignments.size()) * chance.share())],
+        .E = one.material.E,
+        .G = one.material.E / 2.5,
+        .density = one.material.density,
+        .tilt = one.tilt,
+        .grip = 5};
     made.tracer_rests = i % 3 == 1;
     made.pen_rests = i % 5 == 1;
     const Point VA = linkage.pose_at(opening, 0).A - linkage.pose_at(opening, 0).V;
@@ -125,8 +150,8 @@ TEST(PlaneWeight, AgreesWithAFrameInSpaceWherePinsAndLayersGive) {
          .E = made.E,
          .G = made.G,
          .link_pull = one.pull()});
-    const MostByPull seen =
-        most_by_pull(frame, {.tracer_rests = made.tracer_rests, .pen_rests = made.pen_rests}, one.style, one.hole);
+    const MostByPull seen = most_by_pull(
+        frame, {.tracer_rests = made.tracer_rests, .pen_rests = made.pen_rests}, one.style, one.hole);
     const LayeredErrorProfile profile(linkage.k(), linkage.grounding(), made, 1);
     const LayeredErrorAt stated = profile.by_weight(one.lengths(), opening);
     give = std::max(give, apart(stated.in_plane, seen.give));
@@ -178,13 +203,11 @@ TEST(PlaneWeight, TheHandHoldsTheSlopeOfThePotential) {
     if (one.style.plate == PlateStyle::triangle) continue;
     const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
     const auto points = mass_points(one.linkage, {one.style, one.material.density, 0, 0});
-    const auto slope =
-        hand_force_of_weight(one.linkage, mass_moments(one.linkage, points), pose, one.tilt);
+    const auto slope = hand_force_of_weight(one.linkage, mass_moments(one.linkage, points), pose, one.tilt);
     ASSERT_TRUE(slope);
     const Complex along = as_complex((pose.A - pose.V).normalized());
     const Complex hand =
-        along *
-        one.weight().under(one.lengths(), one.opening, std::conj(along) * Complex(0, -1)).hand;
+        along * one.weight().under(one.lengths(), one.opening, std::conj(along) * Complex(0, -1)).hand;
     EXPECT_LT(std::abs(hand - as_complex(*slope)), 1e-9 * (1 + slope->norm()));
   }
 }
