@@ -77,9 +77,9 @@ std::string budget_lines(const Design& design) {
     const double links = design.quality.loads->error_max, beyond = budget->beyond_the_links();
     if (links <= *limit * (1 + 1e-9) && links + beyond > *limit * (1 + 1e-9))
       text += fmt::format(
-          "             limits.load_error_mm speaks of the links alone; with pins and layers the pen gives "
-          "way by "
-          "up to {:.3g} mm\n",
+          "             limits.load_error_mm speaks of the links alone; with {} the pen gives way by up to "
+          "{:.3g} mm\n",
+          budget->has_own_weight() ? "pins, layers and the links' own weight" : "pins and layers",
           links + beyond);
   }
   const std::string in_plane = help_words(budget->most_helpful(true)),

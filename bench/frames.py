@@ -131,6 +131,7 @@ class Design:
         self.pull = self.force + 9.80665 * math.sin(math.radians(load.get("tilt_deg", 0))) * load.get("pen_mass_kg", 0)
         self.masses = {self.pen: load.get("pen_mass_kg", 0), self.tracer: load.get("tracer_mass_kg", 0)}
         self.down = 9.80665 * math.cos(math.radians(load.get("tilt_deg", 0)))
+        self.is_level = load.get("tilt_deg", 0) == 0
         self.tilt = ((design["tolerance"] or {}).get("play_mm") or 0) / load["grip_mm"]
         self.layers = {link["name"]: link["layer"] for link in mechanism["links"]}
         self.pin = mechanism["pin_diameter_mm"]
@@ -386,7 +387,7 @@ def figures(design, answer):
         if pins_x:
             pin = max(pin, *(stretches(a, b)[0] for a, b in zip(pins_x, pins_y)))
     result = {"load_error_max_mm": most, "load_error_min_mm": least, "hand_force_max_N": hand}
-    if pin:
+    if pin and design.is_level:  # on a tilted table that has the links' own weight too, which these frames are not given
         result["pin_force_max_N"] = pin
     return {name: (design.force if name == "hand_force_max_N" else design.pull) * value for name, value in result.items()}
 

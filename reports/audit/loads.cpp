@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "kinematics/assembly_mode.hpp"
@@ -37,7 +39,10 @@ namespace {
 using namespace audit_slack;
 
 constexpr char layered_key[] = "quality.load_error_layered_max_mm", rise_key[] = "quality.load_rise_max_mm",
-               layered_stress_key[] = "quality.stress_layered_max_MPa";
+               layered_stress_key[] = "quality.stress_layered_max_MPa",
+               weight_key[] = "quality.weight_error_max_mm",
+               layered_weight_key[] = "quality.weight_error_layered_max_mm",
+               weight_rise_key[] = "quality.weight_rise_max_mm";
 
 constexpr int openings_looked_at = 400;
 
@@ -47,24 +52,46 @@ void for_each_opening(const OpeningInterval& openings, int steps, const Look& lo
   for (int i = 0; i <= steps; ++i) look(openings.lower + openings.width() * i / steps);
 }
 
-/// The largest of each over the openings, for one newton; of `least` the least.
-FrameResponse response_over(const AuditTask& task, const OpeningInterval& openings) {
+/// N for each mm^3 of the links, along the table.
+double pull_along_table(const StoredDesign& design) {
+  return gravity_along(design.load->tilt) * design.material->density * cubic_metres_per_mm3;
+}
+
+/// What the frames say over the openings.
+struct PlaneResponse {
+  FrameResponse by_newton;  ///< the largest of each, for one newton; of `least` the least
+  /// By the load's force and the links' own weight along the table together, and the latter alone; the largest of each.
+  double pin_force = 0, stress = 0, by_weight = 0;
+};
+
+/// `weighs`: with the links' own weight.
+PlaneResponse response_over(const AuditTask& task, const OpeningInterval& openings, bool weighs) {
   const Spec spec = as_built(task.design);
+  const double force = most_force_at_pen(*task.design.load), pull = pull_along_table(task.design);
   const double hole = widest_hole(spec.links.style, spec.links.hardware, spec.cutting);
   const bool straight = is_straight(task.linkage.shape());
-  FrameResponse over;
+  PlaneResponse all;
+  FrameResponse& over = all.by_newton;
   over.least = HUGE_VAL;
   for_each_opening(openings, openings_looked_at, [&](double opening) {
-    const FrameResponse here =
-        frame_response(task.linkage.pose_at(opening, 0), roles_of(task.linkage.grounding()), straight,
-                       spec.links.style, *spec.material, hole);
+    const Pose pose = task.linkage.pose_at(opening, 0);
+    const JointRoles roles = roles_of(task.linkage.grounding());
+    const FrameResponse here = frame_response(pose, roles, straight, spec.links.style, *spec.material, hole);
+    FrameUnderWeight weight;
+    if (weighs)
+      weight = frame_under_weight(pose, roles, straight, spec.links.style, *spec.material, hole, pull);
+    for (std::size_t i = 0; i < here.pins.size(); ++i) {
+      all.pin_force = std::max(all.pin_force, force * here.pins[i] + weight.pins[i]);
+      all.stress = std::max(all.stress, force * here.stresses[i] + weight.stresses[i]);
+    }
+    all.by_weight = std::max(all.by_weight, weight.most);
     over.worst = std::max(over.worst, here.worst);
     over.least = std::min(over.least, here.least);
     over.pin_force = std::max(over.pin_force, here.pin_force);
     over.hand_force = std::max(over.hand_force, here.hand_force);
     over.stress = std::max(over.stress, here.stress);
   });
-  return over;
+  return all;
 }
 
 /// The most of a figure over the openings: sampled, and refined beside the best, since it may have kinks. NaN, which no figure agrees with, where
@@ -82,8 +109,8 @@ double most_over(const OpeningInterval& openings, const std::vector<double>& sam
   return std::max(*best, figure(top));
 }
 
-/// The same with the links in their layers and pins that give way, for the load's force.
-LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings) {
+/// The same with the links in their layers and pins that give way, for the load's force; `weighs`: with the links' own weight along the table.
+LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterval& openings, bool weighs) {
   const StoredDesign& design = task.design;
   const CopyingLinkage& linkage = task.linkage;
   const Load& load = *design.load;
@@ -96,38 +123,71 @@ LayeredFigures layered_response_over(const AuditTask& task, const OpeningInterva
                               .G = design.material->shear_modulus(),
                               .link_weight = down * design.material->density * cubic_metres_per_mm3,
                               .tracer_weight = down * load.tracer_mass,
-                              .pen_weight = down * load.pen_mass};
+                              .pen_weight = down * load.pen_mass,
+                              .link_pull = weighs ? pull_along_table(design) : 0};
   const double hole = widest_hole(design.style, design.hardware, as_built(design).cutting);
   const bool has_stress = design.quality.layered->stress_max.has_value() && hole < design.style.width;
   struct Here {
     MostOfFrame most;
-    double stress;
+    MostByPull by_weight{};
+    std::array<double, 4> stress{};
   };
   const auto at = [&](double opening) -> Here {
     const SpaceFrameResponse response =
         space_frame_response(linkage.pose_at(opening, 0), roles_of(linkage.grounding()), parts);
     const FrameTable table{load.rests_at(Carrier::tracer), load.rests_at(Carrier::pen), response.weighed};
     const double force = most_force_at_pen(load);
-    return {most_movement(response, table, force),
-            has_stress ? most_stress(response, table, force, design.style, hole) : HUGE_VAL};
+    Here here{.most = most_movement(response, table, force)};
+    if (weighs)
+      here.by_weight =
+          most_by_pull(response, table, design.style, has_stress ? std::optional(hole) : std::nullopt);
+    for (const Link link : all_links)
+      here.stress[static_cast<std::size_t>(link)] =
+          has_stress && (weighs || link == Link::VA)
+              ? most_stress(response, table, force, design.style, hole,
+                            weighs ? std::optional(link) : std::nullopt)
+              : 0;
+    return here;
   };
-  std::vector<double> give, rise, stress;
+  std::vector<double> give, rise, weight_give, weight_rise;
+  std::array<std::vector<double>, 4> stress, weight_stress;
   for_each_opening(openings, openings_looked_at, [&](double opening) {
     const Here here = at(opening);
     give.push_back(here.most.give);
     rise.push_back(here.most.rise);
-    stress.push_back(here.stress);
+    weight_give.push_back(here.by_weight.give);
+    weight_rise.push_back(here.by_weight.rise);
+    for (std::size_t link = 0; link < stress.size(); ++link) {
+      stress[link].push_back(here.stress[link]);
+      weight_stress[link].push_back(here.by_weight.stress[link]);
+    }
   });
   LayeredFigures figures{most_over(openings, give, [&](double opening) { return at(opening).most.give; }),
                          most_over(openings, rise, [&](double opening) { return at(opening).most.rise; }),
                          HUGE_VAL};
-  if (has_stress)
-    figures.stress_max = most_over(openings, stress, [&](double opening) { return at(opening).stress; });
+  if (weighs) {
+    figures.weight_error_max =
+        most_over(openings, weight_give, [&](double opening) { return at(opening).by_weight.give; });
+    figures.weight_rise_max =
+        most_over(openings, weight_rise, [&](double opening) { return at(opening).by_weight.rise; });
+  }
+  if (!has_stress) return figures;
+  // Each link's most by force and weights and its most by the pull along the table add up to no less than both together.
+  figures.stress_max = 0;
+  for (std::size_t link = 0; link < stress.size(); ++link) {
+    double most = most_over(openings, stress[link], [&](double opening) { return at(opening).stress[link]; });
+    if (weighs)
+      most += most_over(openings, weight_stress[link],
+                        [&](double opening) { return at(opening).by_weight.stress[link]; });
+    if (!(most <= *figures.stress_max)) figures.stress_max = most;
+    if (!weighs) break;
+  }
   return figures;
 }
 
-void check_load_figures(const LoadFigures& stated, const Load& load, const FrameResponse& found,
+void check_load_figures(const LoadFigures& stated, const Load& load, const PlaneResponse& all,
                         AuditRecord& record) {
+  const FrameResponse& found = all.by_newton;
   const auto under = [&](double force, const char* key, double claimed, double per_newton, double scale) {
     record.figure(key, claimed, force * per_newton, share_of_load * force * scale);
   };
@@ -136,18 +196,27 @@ void check_load_figures(const LoadFigures& stated, const Load& load, const Frame
   };
   figure("quality.load_error_max_mm", stated.error_max, found.worst, found.worst);
   figure("quality.load_error_min_mm", stated.error_min, found.least, found.worst);
-  figure("quality.pin_force_max_N", stated.pin_force_max, found.pin_force, found.pin_force);
+  record.figure("quality.pin_force_max_N", stated.pin_force_max, all.pin_force,
+                share_of_load * all.pin_force);
   under(load.pen_force, "quality.hand_force_max_N", stated.hand_force_max, found.hand_force,
         found.hand_force);
   if (std::isfinite(found.stress) || std::isfinite(stated.stress_max))
-    figure("quality.stress_max_MPa", stated.stress_max, found.stress, found.stress);
+    record.figure("quality.stress_max_MPa", stated.stress_max, all.stress, share_of_load * all.stress);
+  if (stated.weight_error_max)
+    record.figure(weight_key, *stated.weight_error_max, all.by_weight, share_of_load * all.by_weight);
 }
 
 void check_layered_figures(const AuditTask& task, const LayeredFigures& stated, AuditRecord& record) {
-  const auto [give, rise, stress] = layered_response_over(task, *task.needed);
+  const LayeredFigures found = layered_response_over(task, *task.needed, stated.weight_error_max.has_value());
+  const double give = found.error_max, rise = found.rise_max, stress = *found.stress_max;
   record.figure(layered_key, stated.error_max, give, share_of_load * give);
   record.figure(rise_key, stated.rise_max, rise, share_of_load * rise + share_of_rounding * give);
-  record.figure(layered_stress_key, stated.stress_max, *stress, share_of_load * *stress);
+  record.figure(layered_stress_key, stated.stress_max, stress, share_of_load * stress);
+  if (!stated.weight_error_max || !stated.weight_rise_max) return;
+  record.figure(layered_weight_key, *stated.weight_error_max, *found.weight_error_max,
+                share_of_load * *found.weight_error_max);
+  record.figure(weight_rise_key, *stated.weight_rise_max, *found.weight_rise_max,
+                share_of_load * *found.weight_rise_max + share_of_rounding * *found.weight_error_max);
 }
 
 void check_mass(const AuditTask& task, AuditRecord& record) {
@@ -176,13 +245,17 @@ void audit_loads(const AuditTask& task, AuditRecord& record) {
   if (why != nullptr) {
     for (const char* key : {layered_key, rise_key, layered_stress_key})
       if (layered && (key != layered_stress_key || layered->stress_max)) record.not_checked(key, why);
+    if (layered && layered->weight_error_max)
+      for (const char* key : {layered_weight_key, weight_rise_key}) record.not_checked(key, why);
+    if (design.quality.loads && design.quality.loads->weight_error_max) record.not_checked(weight_key, why);
     return limit.cannot_tell(task, why, " under which it could be kept", record);
   }
   if (layered) check_layered_figures(task, *layered, record);
   if (limit.is_absent()) return;
-  const FrameResponse found = response_over(task, *task.needed);
+  const bool weighs = design.quality.loads && design.quality.loads->weight_error_max;
+  const PlaneResponse found = response_over(task, *task.needed, weighs);
   if (design.quality.loads) check_load_figures(*design.quality.loads, *design.load, found, record);
-  limit.check(task, most_force_at_pen(*design.load) * found.worst, record);
+  limit.check(task, most_force_at_pen(*design.load) * found.by_newton.worst, record);
 }
 
 }  // namespace kempe

@@ -102,11 +102,17 @@ Json quality_json(const Design& design) {
     json["pin_force_max_N"] = finite_or_null(quality.loads->pin_force_max);
     json["hand_force_max_N"] = finite_or_null(quality.loads->hand_force_max);
     json["stress_max_MPa"] = finite_or_null(quality.loads->stress_max);
+    if (quality.loads->weight_error_max)
+      json["weight_error_max_mm"] = finite_or_null(*quality.loads->weight_error_max);
   }
   if (quality.layered) {
     json["load_error_layered_max_mm"] = finite_or_null(quality.layered->error_max);
     json["load_rise_max_mm"] = finite_or_null(quality.layered->rise_max);
     if (quality.layered->stress_max) json["stress_layered_max_MPa"] = *quality.layered->stress_max;
+    if (quality.layered->weight_error_max && quality.layered->weight_rise_max) {
+      json["weight_error_layered_max_mm"] = *quality.layered->weight_error_max;
+      json["weight_rise_max_mm"] = *quality.layered->weight_rise_max;
+    }
   }
   if (quality.sag) json["sag_max_mm"] = finite_or_null(*quality.sag);
   if (quality.mass) json["mass_kg"] = finite_or_null(*quality.mass);

@@ -8,6 +8,7 @@
 #include "geometry/fixed_text.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/link_forces.hpp"
+#include "synthesis/loads/plane_weight.hpp"
 #include "synthesis/loads/sag.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
@@ -46,11 +47,15 @@ double largest_push_in_bars(const Design& design) {
   const auto openings = openings_over(design.linkage, design.region);
   if (!design.load || !openings) return 0;
   const CopyingLinkage& linkage = design.linkage;
+  const PlaneWeight weight(linkage.k(), linkage.grounding(), design.style,
+                           design.material.value_or(Material{}), design.load->tilt);
+  const double force = most_force_at_pen(*design.load);
   const auto push = [&](double opening) {
-    const PinForces forces = pin_forces(linkage.k(), linkage.grounding(), opening);
+    const PinForces forces = force * pin_forces(linkage.k(), linkage.grounding(), opening) +
+                             weight.pin_forces({linkage.VA(), linkage.VB()}, opening);
     return std::max(forces.A, forces.B);
   };
-  return most_force_at_pen(*design.load) * push(top_over(*openings, push));
+  return push(top_over(*openings, push));
 }
 
 double buckling_load_of_bars(const Design& design) {
@@ -79,7 +84,8 @@ std::optional<std::string> large_bending_words(const Design& design) {
   if (!design.load || !design.material || !design.quality.loads) return std::nullopt;
   const auto& layered = design.quality.layered;
   const double bent = std::max({design.quality.loads->error_max, sunk_by_weight(design),
-                                layered ? std::max(layered->error_max, layered->rise_max) : 0});
+                                layered ? std::max(layered->error_max, layered->rise_max) : 0,
+                                design.quality.loads->weight_error_max.value_or(0)});
   if (bent <= small_bending * longest_length(design.linkage)) return std::nullopt;
   return fmt::format(
       "the links bend by {} mm, more than a tenth of their length: load error and sag are computed for small "

@@ -16,6 +16,7 @@
 #include "reports/pictures/svg_element.hpp"
 #include "reports/pictures/svg_path.hpp"
 #include "synthesis/design/error_budget.hpp"
+#include "synthesis/loads/gravity.hpp"
 
 namespace kempe {
 namespace {
@@ -178,7 +179,9 @@ std::string error_pictures(const Design& design) {
   const ErrorCourse course(design);
   const auto tolerances = [&](double opening) { return course.tolerances(opening); };
   const auto give = [&](double opening) { return course.give(opening); };
-  std::vector<Panel> panels{{"give", "Load, pins and layers", give}};
+  const bool weighs = gravity_along(design.load->tilt) > 0;
+  std::vector<Panel> panels{
+      {"give", weighs ? "Load, own weight, pins and layers" : "Load, pins and layers", give}};
   if (design.tolerance) {
     panels.insert(panels.begin(), {"made", "Lengths and play", tolerances});
     panels.push_back({"in-plane", "All in the plane",
@@ -187,10 +190,13 @@ std::string error_pictures(const Design& design) {
   panels.push_back({"sag", "Sag", [&](double opening) { return course.sag(opening); }});
   std::string figures;
   for (const Panel& panel : panels) figures += panel_figure(design, panel);
+  const std::string own_weight =
+      weighs ? "The links' own weight along the table is that of the worst turn of the linkage. " : "";
   return "<div class=\"panels\">" + figures +
          "</div>\n<p class=\"note\">The error with the tracer at each place of the region, in the worst "
          "direction; darker is more, each picture on its own scale. The load error is that of links, "
-         "pins and layers. All depend on the distance from the pole alone.</p>\n";
+         "pins and layers. " +
+         own_weight + "All depend on the distance from the pole alone.</p>\n";
 }
 
 }  // namespace kempe

@@ -17,6 +17,7 @@
 #include "synthesis/design/error_budget.hpp"
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
+#include "synthesis/loads/plane_weight.hpp"
 #include "synthesis/loads/strength.hpp"
 #include "synthesis/loads/top_over.hpp"
 #include "workspace/reach.hpp"
@@ -57,6 +58,7 @@ std::string source_words(const Design& design, ErrorSource source) {
     case ErrorSource::load: return "Load, " + pull_words(*design.load);
     case ErrorSource::pins: return "Pins, bent between their layers";
     case ErrorSource::layers: return "Layers: links bent out of the plane";
+    case ErrorSource::own_weight: return "The links' own weight along the table";
     case ErrorSource::weight: return "Weight";
     case ErrorSource::tilt: return "Tilt: pins within their play";
     case ErrorSource::pull: break;
@@ -116,11 +118,11 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
                  : "By links and pins yes; what the layers add is not stated, for two joints of a "
                    "link are too near each other: " +
                        text;
+    const char* rest = budget.has_own_weight() ? "pins, layers and the links' own weight" : "pins and layers";
     return fmt::format(
-        "By the links alone yes, with pins and layers no: {} That is what the links give; with pins and "
-        "layers "
+        "By the links alone yes, with {} no: {} That is what the links give; with {} "
         "it is up to <b>{}</b>. A smaller limits.load_error_mm makes room for them.",
-        text, small_length(whole));
+        rest, text, rest, small_length(whole));
   }
   if (!design.tolerance) return fmt::format("U{}.", figure.substr(1));
   const double sum = budget.sum(true);
@@ -132,9 +134,14 @@ std::string give_verdict(const Design& design, const ErrorBudget& budget) {
 std::string pull_verdict(const Design& design) {
   const auto& layered = design.quality.layered;
   if (!layered || !(layered->rise_max > no_drop)) return "";
+  const std::string by_weight =
+      layered->weight_rise_max && *layered->weight_rise_max > no_drop
+          ? fmt::format(", the links' own weight along the table by up to <b>{}</b> more",
+                        small_length(*layered->weight_rise_max))
+          : "";
   return fmt::format(
-      " The load lifts or lowers pen or tracer by up to <b>{}</b>, by the layers of the links.",
-      small_length(layered->rise_max));
+      " The load lifts or lowers pen or tracer by up to <b>{}</b>, by the layers of the links{}.",
+      small_length(layered->rise_max), by_weight);
 }
 
 std::string sag_verdict(const Design& design) {
@@ -196,8 +203,8 @@ std::string share_of_strength(double stress, double strength, const std::string&
 }
 
 struct WorstForces {
-  PinForces pins;
-  LinkStresses stresses;       ///< MPa, by the force of the load
+  PinForces pins;              ///< N
+  LinkStresses stresses;       ///< MPa
   bool counts_layers = false;  ///< with bending and twist out of the plane
 };
 
@@ -206,9 +213,15 @@ WorstForces worst_forces(const Design& design, const OpeningInterval& openings) 
   const BarLengths lengths{linkage.VA(), linkage.VB()};
   const double hole = widest_hole(design.style, design.hardware, design.cutting),
                force = most_force_at_pen(*design.load);
-  const auto pins = [&](double opening) { return pin_forces(linkage.k(), linkage.grounding(), opening); };
+  const PlaneWeight weight(linkage.k(), linkage.grounding(), design.style, *design.material,
+                           design.load->tilt);
+  const auto pins = [&](double opening) {
+    return force * pin_forces(linkage.k(), linkage.grounding(), opening) +
+           weight.pin_forces(lengths, opening);
+  };
   const auto stresses = [&](double opening) {
-    return link_stresses(linkage.k(), linkage.grounding(), design.style, hole, lengths, opening);
+    return force * link_stresses(linkage.k(), linkage.grounding(), design.style, hole, lengths, opening) +
+           weight.stresses(lengths, opening, hole);
   };
   const auto worst = [&](auto figure) { return figure(top_over(openings, figure)); };
   WorstForces all;
@@ -216,11 +229,11 @@ WorstForces worst_forces(const Design& design, const OpeningInterval& openings) 
               .B = worst([&](double d) { return pins(d).B; }),
               .C = worst([&](double d) { return pins(d).C; }),
               .V = worst([&](double d) { return pins(d).V; }),
-              .pole = pins(openings.lower).pole};
-  all.stresses = {.VA = force * worst([&](double d) { return stresses(d).VA; }),
-                  .VB = force * worst([&](double d) { return stresses(d).VB; }),
-                  .ACX = force * worst([&](double d) { return stresses(d).ACX; }),
-                  .BCY = force * worst([&](double d) { return stresses(d).BCY; })};
+              .pole = worst([&](double d) { return pins(d).pole; })};
+  all.stresses = {.VA = worst([&](double d) { return stresses(d).VA; }),
+                  .VB = worst([&](double d) { return stresses(d).VB; }),
+                  .ACX = worst([&](double d) { return stresses(d).ACX; }),
+                  .BCY = worst([&](double d) { return stresses(d).BCY; })};
   const SagConditions conditions = sag_conditions(spec_of(design), design.layers);
   const auto layered = LayeredErrorProfile(linkage.k(), linkage.grounding(), conditions, force)
                            .stresses_over(lengths, openings, hole);
@@ -231,13 +244,14 @@ WorstForces worst_forces(const Design& design, const OpeningInterval& openings) 
 
 std::string forces_table(const Design& design, const OpeningInterval& openings) {
   const WorstForces worst = worst_forces(design, openings);
-  const double force = most_force_at_pen(*design.load), strength = design.material->strength;
+  const double strength = design.material->strength;
+  const bool weighs = gravity_along(design.load->tilt) > 0;
   std::vector<std::vector<std::string>> rows{
       {"Hand, at the tracer", force_words(design.quality.loads->hand_force_max), "the same everywhere"},
-      {"Pole's post", force_words(force * worst.pins.pole), "the same everywhere"},
-      {"Pins A and B", force_words(force * std::max(worst.pins.A, worst.pins.B)),
-       "grows towards the change points"},
-      {"Pin C", force_words(force * worst.pins.C), "grows towards the change points"}};
+      {"Pole's post", force_words(worst.pins.pole),
+       weighs ? "with the links' own weight, which depends on the opening" : "the same everywhere"},
+      {"Pins A and B", force_words(std::max(worst.pins.A, worst.pins.B)), "grows towards the change points"},
+      {"Pin C", force_words(worst.pins.C), "grows towards the change points"}};
   const LinkStresses& stress = worst.stresses;
   for (const auto& [link, value] : {std::pair{"Link VA", stress.VA}, std::pair{"Link VB", stress.VB},
                                     std::pair{"Link ACX", stress.ACX}, std::pair{"Link BCY", stress.BCY}})
@@ -257,8 +271,12 @@ std::string forces_table(const Design& design, const OpeningInterval& openings) 
           : "Links: bending and pull in the plane alone, across the joints' holes; what bends them out of it "
             "is "
             "not stated, for two joints of a link are too near each other.";
+  const std::string own_weight =
+      weighs ? " Post, pins, bars and links bear the links' own weight along the table too, the worst of all "
+               "turns of the linkage; the hand's force is without it."
+             : "";
   return html_table("budget", {{"What bears"}, {"Force", true}, {"At worst"}}, rows) + "<p class=\"note\">" +
-         note + "</p>\n";
+         note + own_weight + "</p>\n";
 }
 
 std::string load_chart(const Design& design, const OpeningInterval& used) {

@@ -139,8 +139,9 @@ std::string quality(const Design& design, const ReportExtras& extras) {
     add("Load error of the links, worst", length_text(q.loads->error_max, 5),
         at_most(q.loads->error_max, design.limits.load_error),
         fmt::format("How far the links let the pen give way under {} at the worst place of the region. "
-                    "Pins and layers add to it: see the error budget.",
-                    force_text(most_force_at_pen(*design.load))));
+                    "Pins and layers add to it{}: see the error budget.",
+                    force_text(most_force_at_pen(*design.load)),
+                    q.loads->weight_error_max ? ", and so does the links' own weight along the table" : ""));
     add("Largest force in a pin", force_text(q.loads->pin_force_max), {},
         fmt::format("The hand holds {}.", force_text(q.loads->hand_force_max)));
   }

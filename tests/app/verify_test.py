@@ -268,7 +268,8 @@ def falsehoods(design):
     for key in ("size_mm", "clearance_min_mm", "copy_error_worst_mm", "copy_error_rss_mm", "distortion_worst_mm", "footprint_mm2"):
         if key != "clearance_min_mm" or not design["obstacles"]:  # among obstacles it is certain to 0.01 mm only
             scaled("quality", key)
-    for key in ("load_error_layered_max_mm", "load_rise_max_mm", "stress_layered_max_MPa"):  # both ways: they are the most, not bounds
+    for key in ("load_error_layered_max_mm", "load_rise_max_mm", "stress_layered_max_MPa", "pin_force_max_N", "weight_error_max_mm",
+                "weight_error_layered_max_mm", "weight_rise_max_mm"):  # both ways: they are the most, not bounds
         for factor in (0.999, 1.001):
             scaled("quality", key, factor)
     add("quality.clearance_min_mm", lambda d: d["quality"].update(clearance_min_mm=(quality["clearance_min_mm"] or 0) + 0.05))

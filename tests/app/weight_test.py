@@ -60,11 +60,46 @@ class Weight(unittest.TestCase):
         self.assertGreater(stated["load_error_max_mm"], 1.1 * level["load_error_max_mm"])
         self.assertEqual(stated["hand_force_max_N"], level["hand_force_max_N"])
         loaded = json.loads(self.trace("--load", "--forces", self.here / "forces.csv", "--json").stdout)
-        self.assertLessEqual(loaded["departure_max_mm"], stated["load_error_layered_max_mm"] * (1 + 1e-9))
+        self.assertLessEqual(loaded["departure_max_mm"],
+                             (stated["load_error_layered_max_mm"] + stated["weight_error_layered_max_mm"]) * (1 + 1e-9))
         rows = list(csv.DictReader((self.here / "forces.csv").read_text().splitlines()))
         pins = max(float(row[f"pin_{pin}_N"]) for row in rows for pin in "ABCV")
         self.assertLessEqual(pins, stated["pin_force_max_N"] * (1 + 1e-9))
         self.assertGreater(pins, 0.3 * stated["pin_force_max_N"])
+
+    def test_the_links_own_weight_pulls_along_a_tilted_table(self):
+        load = "[load]\npen_N = 10\n"
+        keys = ("weight_error_max_mm", "weight_error_layered_max_mm", "weight_rise_max_mm")
+        said, level = self.design(TASK + load)
+        self.assertNotIn("own weight", said)
+        self.assertNotIn("own weight", (self.here / "design" / "report.html").read_text())
+        tilted = self.design(TASK + load + "tilt_deg = 30\n")[1]
+        said, upright = self.design(TASK + load + "tilt_deg = 90\n")
+        self.assertRegex(said, r"budget .* own weight [0-9.e-]+")
+        self.assertIn("The links' own weight along the table", (self.here / "design" / "report.html").read_text().replace("&#39;", "'"))
+        for key in keys:
+            self.assertNotIn(key, level["quality"])
+            self.assertAlmostEqual(upright["quality"][key], 2 * tilted["quality"][key], delta=1e-6 * upright["quality"][key])
+        self.assertGreater(upright["quality"]["weight_error_layered_max_mm"], upright["quality"]["weight_error_max_mm"])
+        for key in ("pin_force_max_N", "stress_max_MPa"):
+            self.assertGreater(upright["quality"][key], level["quality"][key])
+        self.assertEqual(upright["quality"]["load_error_max_mm"], level["quality"]["load_error_max_mm"])
+        self.assertTrue(self.verified(upright)["certified"])
+        for key in (*keys, "pin_force_max_N", "stress_max_MPa", "stress_layered_max_MPa"):
+            for share in (0.999, 1.001):
+                wrong = json.loads(json.dumps(upright))
+                wrong["quality"][key] *= share
+                self.assertEqual([one["limit"] for one in self.verified(wrong)["broken"]], ["quality." + key])
+        lighter = json.loads(json.dumps(upright))
+        lighter["load"]["tilt_deg"] = 45
+        self.assertLessEqual({"quality." + key for key in keys}, {one["limit"] for one in self.verified(lighter)["broken"]})
+        silent = json.loads(json.dumps(upright))  # as older files, whose forces and stress lack the weight
+        for key in keys:
+            silent["quality"].pop(key)
+        self.assertIn("quality.pin_force_max_N", [one["limit"] for one in self.verified(silent)["broken"]])
+        back = kempe("report", self.here / "design" / "design.json", "-o", self.here / "again")
+        self.assertEqual(back.returncode, 0, back.stderr)
+        self.assertEqual(json.loads((self.here / "again" / "design.json").read_text())["quality"], upright["quality"])
 
     def trace(self, *more, design="design"):
         return kempe("trace", self.here / design / "design.json", self.here / "square.svg", "-o", self.here / "copy.svg", "--fit", *more)

@@ -25,20 +25,29 @@ Robustness robustness(const JsonField& field) {
 /// All of them or none.
 std::optional<LoadFigures> load_figures(const JsonField& field) {
   if (!field.find("load_error_max_mm")) return std::nullopt;
-  return LoadFigures{.error_max = amount(field["load_error_max_mm"]),
-                     .error_min = amount(field["load_error_min_mm"]),
-                     .pin_force_max = amount(field["pin_force_max_N"]),
-                     .hand_force_max = amount(field["hand_force_max_N"]),
-                     .stress_max = amount_or_null(field["stress_max_MPa"]).value_or(HUGE_VAL)};
+  LoadFigures figures{.error_max = amount(field["load_error_max_mm"]),
+                      .error_min = amount(field["load_error_min_mm"]),
+                      .pin_force_max = amount_or_null(field["pin_force_max_N"]).value_or(HUGE_VAL),
+                      .hand_force_max = amount(field["hand_force_max_N"]),
+                      .stress_max = amount_or_null(field["stress_max_MPa"]).value_or(HUGE_VAL)};
+  if (const auto weight = field.find("weight_error_max_mm"))
+    figures.weight_error_max = amount_or_null(*weight).value_or(HUGE_VAL);
+  return figures;
 }
 
-/// Error and rise or none; with them the stress, or not.
+/// Error and rise or none; with them the stress, or not, and error and rise by the links' own weight, or neither.
 std::optional<LayeredFigures> layered_figures(const JsonField& field) {
   constexpr std::string_view error = "load_error_layered_max_mm", rise = "load_rise_max_mm",
-                             stress = "stress_layered_max_MPa";
-  if (!field.find(error) && !field.find(rise) && !field.find(stress)) return std::nullopt;
+                             stress = "stress_layered_max_MPa", weight = "weight_error_layered_max_mm",
+                             weight_rise = "weight_rise_max_mm";
+  const bool has_weight = field.find(weight) || field.find(weight_rise);
+  if (!field.find(error) && !field.find(rise) && !field.find(stress) && !has_weight) return std::nullopt;
   LayeredFigures figures{.error_max = amount(field[error]), .rise_max = amount(field[rise])};
   if (const auto one = field.find(stress)) figures.stress_max = amount(*one);
+  if (has_weight) {
+    figures.weight_error_max = amount(field[weight]);
+    figures.weight_rise_max = amount(field[weight_rise]);
+  }
   return figures;
 }
 

@@ -29,7 +29,8 @@ constexpr KnownKeys known_keys[] = {
      "size_mm transmission_min_deg clearance_min_mm copy_error_worst_mm copy_error_rss_mm "
      "distortion_worst_mm footprint_mm2 lower_bound robust load_error_max_mm load_error_min_mm "
      "pin_force_max_N hand_force_max_N stress_max_MPa load_error_layered_max_mm load_rise_max_mm "
-     "stress_layered_max_MPa sag_max_mm mass_kg copy_error_at_corner_mm"},
+     "stress_layered_max_MPa weight_error_max_mm weight_error_layered_max_mm weight_rise_max_mm sag_max_mm "
+     "mass_kg copy_error_at_corner_mm"},
     {"quality.robust", "holds clearance_min_mm clearance_loss_mm nominal_value"},
     {"workspace",
      "reachable_mm2 usable_mm2 collision_free_mm2 uncertain_mm2 region_covered why_not_covered "

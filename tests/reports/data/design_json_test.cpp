@@ -226,6 +226,34 @@ TEST(DesignJson, KeepsWhatPinsAndLayersAdd) {
   EXPECT_FALSE(older->quality.layered);
 }
 
+TEST(DesignJson, KeepsWhatTheLinksOwnWeightDoes) {
+  Design design = plagiograph();
+  design.quality.loads = LoadFigures{0.2, 0.01, 30, 17.5, 12};
+  design.quality.layered = LayeredFigures{0.25, 0.01};
+  EXPECT_EQ(design_json(design).find("weight_"), std::string::npos);
+  design.quality.loads->weight_error_max = 0.125;
+  design.quality.layered->weight_error_max = 0.5;
+  design.quality.layered->weight_rise_max = 0.75;
+  const Json with = Json::parse(design_json(design));
+  const auto read = read_design(with.dump(), "d.json");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_TRUE(read->unknown_keys.empty());
+  EXPECT_EQ(read->quality.loads->weight_error_max, 0.125);
+  EXPECT_EQ(read->quality.layered->weight_error_max, 0.5);
+  EXPECT_EQ(read->quality.layered->weight_rise_max, 0.75);
+  for (const char* key : {"weight_error_layered_max_mm", "weight_rise_max_mm"}) {
+    Json one = with;
+    one["quality"].erase(key);
+    EXPECT_EQ(read_design(one.dump(), "d.json").error().key, std::string("quality.") + key);
+  }
+  // At a dead point the hand cannot hold the links.
+  design.quality.loads->weight_error_max = design.quality.loads->pin_force_max = HUGE_VAL;
+  const auto dead = read_design(design_json(design), "d.json");
+  ASSERT_TRUE(dead) << dead.error().message();
+  EXPECT_EQ(dead->quality.loads->weight_error_max, HUGE_VAL);
+  EXPECT_EQ(dead->quality.loads->pin_force_max, HUGE_VAL);
+}
+
 TEST(DesignJson, NamesEveryKeyItDoesNotKnow) {
   Json json = written();
   for (const char* pointer :
