@@ -240,8 +240,9 @@ std::string loads_lines(const Design& design) {
         "direction\n",
         design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
         loads->error_max, loads->error_min);
-    text += fmt::format("             the hand holds {} N, the worst pin bears {} N\n",
-                        three_digits(loads->hand_force_max), three_digits(loads->pin_force_max));
+    text += fmt::format("             the hand holds {} N, the worst pin bears {} N{}\n",
+                        three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
+                        loads->weight_error_max ? " with the links' own weight" : "");
     text += "             " + stress_words(design) + "\n";
   }
   if (design.quality.mass)
