@@ -30,8 +30,7 @@ std::optional<LoadFigures> load_figures(const JsonField& field) {
                       .pin_force_max = amount_or_null(field["pin_force_max_N"]).value_or(HUGE_VAL),
                       .hand_force_max = amount(field["hand_force_max_N"]),
                       .stress_max = amount_or_null(field["stress_max_MPa"]).value_or(HUGE_VAL)};
-  if (const auto weight = field.find("weight_error_max_mm"))
-    figures.weight_error_max = amount_or_null(*weight).value_or(HUGE_VAL);
+  if (const auto weight = field.find("weight_error_max_mm")) figures.weight_error_max = amount(*weight);
   return figures;
 }
 
