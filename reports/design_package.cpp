@@ -100,7 +100,7 @@ tl::expected<std::vector<std::string>, std::string> make_design_package(
   std::vector<std::string> made(files.size());
   for (OutputFile& file : early.files)
     for (std::size_t i = 0; i < files.size(); ++i)
-      if (file.name == files[i].first) made[i] = std::move(file.contents);
+      if (file.name == files[i].first) std::swap(made[i], file.contents);
   // Else one text after the other: those of a region of a million corners are large.
   if (has_small_texts(design))
     run_parallel(files.size(), threads, [&](std::size_t i) {

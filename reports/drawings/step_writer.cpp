@@ -256,9 +256,9 @@ std::optional<std::string> fault_of(const std::string& name, const Point& centre
 }
 
 std::optional<std::string> fault_of(const StepPlate& plate) {
-  if (const auto fault = fault_of(plate.name, plate.bottom, plate.top)) return fault;
+  if (auto fault = fault_of(plate.name, plate.bottom, plate.top)) return fault;
   for (const StepPlate::Hole& hole : plate.holes)
-    if (const auto fault = fault_of(plate.name, hole.centre, hole.diameter)) return fault;
+    if (auto fault = fault_of(plate.name, hole.centre, hole.diameter)) return fault;
   for (const ArcVertex& corner : plate.outline)
     if (!corner.at.allFinite() || !std::isfinite(corner.bulge))
       return plate.name + " has a corner that is no place";
@@ -268,10 +268,10 @@ std::optional<std::string> fault_of(const StepPlate& plate) {
 
 std::optional<std::string> fault_of(const StepParts& parts) {
   for (const StepPlate& plate : parts.plates)
-    if (const auto fault = fault_of(plate)) return fault;
+    if (auto fault = fault_of(plate)) return fault;
   for (const StepCylinder& one : parts.cylinders) {
-    if (const auto fault = fault_of(one.name, one.bottom, one.top)) return fault;
-    if (const auto fault = fault_of(one.name, one.centre, one.diameter)) return fault;
+    if (auto fault = fault_of(one.name, one.bottom, one.top)) return fault;
+    if (auto fault = fault_of(one.name, one.centre, one.diameter)) return fault;
   }
   return {};
 }

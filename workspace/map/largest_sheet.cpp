@@ -292,9 +292,9 @@ std::optional<FittingSheet> largest_rectangle(const Region& region, double propo
 /// Upright or on its side, or at the best turn.
 using TwoWays = std::array<std::optional<FittingSheet>, 2>;
 
-std::optional<FittingSheet> wider(TwoWays found, double by = 1) {
-  auto& [upright, turned] = found;
-  return std::move(turned && (!upright || turned->width > by * upright->width) ? turned : upright);
+std::optional<FittingSheet> wider(const TwoWays& found, double by = 1) {
+  const auto& [upright, turned] = found;
+  return turned && (!upright || turned->width > by * upright->width) ? turned : upright;
 }
 
 /// Width over height of what the box holds; nothing of what is flat.
@@ -338,8 +338,8 @@ std::vector<FittingSheet> largest_sheets(const ArcRegion& free, const Region& li
       alike[job - 2] = largest_rectangle(flattened_once, *proportion, turned, stop);
   });
   std::vector<FittingSheet> sheets;
-  if (auto sheet = wider(std::move(iso))) sheets.push_back(std::move(*sheet));
-  if (auto sheet = wider(std::move(alike), 1.01)) {
+  if (auto sheet = wider(iso)) sheets.push_back(std::move(*sheet));
+  if (auto sheet = wider(alike, 1.01)) {
     sheet->name = "region's proportions";
     sheets.push_back(std::move(*sheet));
   }
