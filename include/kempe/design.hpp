@@ -44,10 +44,11 @@ class KEMPE_EXPORT FinishedDesign {
   std::optional<double> load_error() const;
   /// The same with pins and layers (docs/loads.md); absent also where two joints of a link are so near each other that nothing is stated.
   std::optional<double> load_error_layered() const;
-  /// mm, most that tracer or pen rises or sinks under the load, by the layers of the links; absent as above.
+  /// mm, most that tracer or pen rises or sinks under the load, by the layers of the links, without what the links' own weight along a tilted
+  /// table adds; absent as above.
   std::optional<double> load_rise() const;
-  /// MPa, largest stress in a link under the load, by bending and pull in the plane alone; infinite where a hole leaves nothing of a link;
-  /// absent without Spec::load.
+  /// MPa, largest stress in a link under the load, by bending and pull in the plane alone, on a tilted table with the links' own weight along
+  /// it; infinite where a hole leaves nothing of a link; absent without Spec::load.
   std::optional<double> stress() const;
   /// The same with the bending and twist out of the plane that layers and weights add, as an equivalent stress (docs/loads.md): what the
   /// material's strength is compared with; absent as load_error_layered(), and where a hole leaves nothing.

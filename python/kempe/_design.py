@@ -268,7 +268,8 @@ class Design:
 
     @property
     def stress_max_MPa(self) -> Optional[float]:
-        """Largest stress in a link under the load, by bending and pull in the plane alone; None without a load."""
+        """Largest stress in a link under the load, by bending and pull in the plane alone, on a tilted table with the links' own
+        weight along it; None without a load."""
         return self._inside.stress
 
     @property
