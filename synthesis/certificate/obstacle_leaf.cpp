@@ -73,7 +73,9 @@ bool keeps_to_one_side(const Hull& hull, const Point& from, const Point& to, dou
 /// Outlines that are convex can be taken as a whole, others by their edges.
 ObstacleLeaves::Target ObstacleLeaves::target_of(const Ring& outline, bool by_edges_alone) {
   const Box box = bounding_box(Region{{{outline, {}}}});
-  Target target{{}, {}, {}, 0.5 * (box.lower + box.upper), 0.5 * (box.upper - box.lower).norm()};
+  Target target;
+  target.centre = 0.5 * (box.lower + box.upper);
+  target.radius = 0.5 * (box.upper - box.lower).norm();
   for (const Point& corner : outline) target.corners.push_back(as_complex(corner));
   target.few = target.corners;
   if (outline.size() == 1) {
@@ -88,6 +90,7 @@ ObstacleLeaves::Target ObstacleLeaves::target_of(const Ring& outline, bool by_ed
       for (const Complex& corner : target.corners)
         target.left_out = std::max(target.left_out, distance_from(corner, target.few));
     }
+    target.outline.emplace(target.few);
   } else {
     for (std::size_t i = 0; i < outline.size(); ++i) target.edges.emplace_back(i);
   }
@@ -146,6 +149,10 @@ ObstacleLeaves::ObstacleLeaves(const RootTask& task)
       steadiest_[part] = std::min(steadiest_[part], strays);
     }
   }
+  for (const Joint one : all_joints)
+    for (const Joint other : all_joints)
+      unsteadiest_ = std::max(unsteadiest_, strays_beside(bounding::material_point(one, shape),
+                                                          bounding::material_point(other, shape)));
   for (const Target& target : targets_) {
     auto& strays = seen_strays_.emplace_back();
     if (!target.seen_from) continue;
@@ -159,25 +166,55 @@ double ObstacleLeaves::strays_beside(const bounding::MaterialPoint& at, const bo
   return std::abs((at.of_a - from.of_a) - (at.of_b - from.of_b));
 }
 
-std::optional<Step> ObstacleLeaves::step(const Node& node) const {
+std::optional<Step> ObstacleLeaves::step(Node& node) const {
   if (targets_.empty()) return std::nullopt;
   if (node.guess)
     if (auto step = leaf_for(node, *node.guess)) return step;
   if (!small_enough(node.cell)) return std::nullopt;
-  const std::vector<Meeting> meetings = meetings_in(node.assignments);
+  auto near = std::make_shared<NearParts>();
+  near->places = task_.places.spread().size();
   std::optional<Step> best;
-  for (const KnownPlace& place : task_.places.spread()) {
-    const auto middle = middle_at(node.cell, place.at);
-    if (!middle) continue;
-    for (const auto& [part, obstacle] : meetings) {
-      const auto found = deepest(part, obstacle, place, *middle);
-      if (!found) continue;
-      auto step = leaf_for(node, found->guess);
-      if (step && step->children.empty()) return step;
-      if (step && !best) best = std::move(step);
+  const KnownPlace* place = nullptr;
+  std::optional<Middle> middle;
+  for (const PartBeside& one : to_look_at(node)) {
+    if (const KnownPlace& its = task_.places.spread()[one.place]; &its != place) {
+      place = &its;
+      middle = middle_at(node.cell, its.at);
     }
+    const double gap = middle ? gap_to(one.part, one.obstacle, *middle) : 0;
+    if (middle && gap > middle->moves + targets_[one.obstacle].left_out) continue;
+    near->all.push_back(one);
+    if (!middle || gap > 0) continue;
+    const auto found = deepest(one.part, one.obstacle, *place, *middle);
+    if (!found) continue;
+    auto step = leaf_for(node, found->guess);
+    if (step && step->children.empty()) return step;
+    if (step && !best) best = std::move(step);
   }
+  node.near = std::move(near);
+  if (best)
+    for (Node& child : best->children) child.near = node.near;
   return best;
+}
+
+/// What came near in the node that this one was split from, of the parts that still share a layer with the obstacle; at places that are new
+/// since then all of them.
+std::vector<PartBeside> ObstacleLeaves::to_look_at(const Node& node) const {
+  const std::vector<Meeting> meetings = meetings_in(node.assignments);
+  std::vector<PartBeside> all;
+  std::size_t first_new = 0;
+  if (node.near) {
+    first_new = node.near->places;
+    std::vector<bool> may_share(targets_.size() * part_count);
+    for (const auto& [part, obstacle] : meetings) may_share[obstacle * part_count + part.number] = true;
+    std::copy_if(
+        node.near->all.begin(), node.near->all.end(), std::back_inserter(all),
+        [&](const PartBeside& one) { return may_share[one.obstacle * part_count + one.part.number]; });
+  }
+  for (std::size_t place = first_new; place < task_.places.spread().size(); ++place)
+    for (const auto& [part, obstacle] : meetings)
+      all.push_back({static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(obstacle), part});
+  return all;
 }
 
 ObstacleLeaves::ByTheCopy ObstacleLeaves::by_the_copy(const Node& node) const {
@@ -323,6 +360,9 @@ std::optional<ObstacleLeaves::Middle> ObstacleLeaves::middle_at(const DesignCell
         as_point(as_complex(cell.pole()) + p * (m.of_a - pole.of_a) + (w - p) * (m.of_b - pole.of_b));
   }
   middle.unsteady = (cell.half(Variable::a) + cell.half(Variable::b)) * 2 * a * b / h;
+  const double poles = std::hypot(cell.half(Variable::x), cell.half(Variable::y)), g = std::abs(task_.root.g);
+  middle.moves = of_the_way * (unsteadiest_ * middle.unsteady +
+                               poles * (1 + (1 + unsteadiest_) * g * (2 + a / std::sqrt(r) + 2 * a * b / h)));
   return middle;
 }
 
@@ -337,11 +377,46 @@ bool ObstacleLeaves::out_of_reach(PartName part, std::size_t obstacle, const Mid
   const double need = needed(part, obstacle);
   if (!target.seen_from && of_the_way * steadiest_[part.number] * middle.unsteady > need + target.deepest)
     return true;
+  return keeps_off(part, obstacle, middle, 0);
+}
+
+/// True if no point of the part comes as near to a circle around the obstacle as what it needs and `beyond` (mm) more.
+bool ObstacleLeaves::keeps_off(PartName part, std::size_t obstacle, const Middle& middle,
+                               double beyond) const {
+  const Target& target = targets_[obstacle];
   const Point centre = carrier_place(target, middle) + target.centre;
-  const auto is_away = [&](const JointHull& piece) {
-    return keeps_away(placed(piece, middle.joints), centre, need + target.radius);
-  };
-  return std::all_of(axes_[part.number].begin(), axes_[part.number].end(), is_away);
+  const double away = needed(part, obstacle) + target.radius + beyond;
+  return std::all_of(axes_[part.number].begin(), axes_[part.number].end(), [&](const JointHull& piece) {
+    return keeps_away(placed(piece, middle.joints), centre, away);
+  });
+}
+
+/// How much farther than it needs a part keeps from an obstacle, or from the edges of one that is looked at by these, mm; no more than 0 where
+/// it comes as near as that. What is more than the design moves may be less than it is.
+double ObstacleLeaves::gap_to(PartName part, std::size_t obstacle, const Middle& middle) const {
+  const Target& target = targets_[obstacle];
+  const double beyond = middle.moves + target.left_out;
+  if (keeps_off(part, obstacle, middle, beyond)) return infinity;
+  const double need = needed(part, obstacle);
+  const Point origin = carrier_place(target, middle);
+  double least = infinity;
+  for (const JointHull& piece : axes_[part.number]) {
+    const Hull hull = placed(piece, middle.joints);
+    if (target.outline) {
+      std::array<Complex, 3> corners{};
+      for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = as_complex(hull.at[i] - origin);
+      const std::span seen(corners.data(), static_cast<std::size_t>(hull.count));
+      least = std::min(least, convex_distance(seen, *target.outline, need + beyond) - need);
+      continue;
+    }
+    for (std::size_t i = 0; i < target.corners.size(); ++i) {
+      const Point from = origin + as_point(target.corners[i]),
+                  to = origin + as_point(target.corners[(i + 1) % target.corners.size()]);
+      if (!keeps_to_one_side(hull, from, to, need + beyond))
+        least = std::min(least, distance(hull, Hull{{from, to, to}, 2}) - need);
+    }
+  }
+  return least;
 }
 
 /// The edges of a target, which is looked at by its edges, that the part comes near enough to.

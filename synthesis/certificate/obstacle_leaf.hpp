@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/convex_distance.hpp"
 #include "specs/spec_keys.hpp"
 #include "synthesis/certificate/proof_node.hpp"
 
@@ -18,8 +19,9 @@ class ObstacleLeaves {
  public:
   explicit ObstacleLeaves(const RootTask& task);
 
-  /// A leaf if an obstacle refutes the node; a parting of its layer assignments if it refutes some of them; or nothing.
-  std::optional<Step> step(const Node& node) const;
+  /// A leaf if an obstacle refutes the node; a parting of its layer assignments if it refutes some of them; or nothing. Notes in the node
+  /// what came near.
+  std::optional<Step> step(Node& node) const;
   struct ByTheCopy {
     std::optional<Step> step{};
     std::optional<ObstacleGuess>
@@ -47,6 +49,7 @@ class ObstacleLeaves {
     std::array<Point, 6> joints;  ///< by their numbers
     /// mm: over the cell the point V + of_a p + of_b q/s moves by at least |of_a - of_b| times this, both counted from the pole's joint.
     double unsteady = 0;
+    double moves = 0;  ///< mm: about twice what any joint moves beside another over the cell
   };
   std::optional<Middle> middle_at(const DesignCell& cell, const Point& place) const;
   /// A part and an obstacle that share a layer in some assignment.
@@ -55,6 +58,9 @@ class ObstacleLeaves {
     std::size_t obstacle;
   };
   std::vector<Meeting> meetings_in(const Assignments& assignments) const;
+  std::vector<PartBeside> to_look_at(const Node& node) const;
+  bool keeps_off(PartName part, std::size_t obstacle, const Middle& middle, double beyond) const;
+  double gap_to(PartName part, std::size_t obstacle, const Middle& middle) const;
   bool out_of_reach(PartName part, std::size_t obstacle, const Middle& middle) const;
   std::vector<std::optional<std::size_t>> edges_in_reach(PartName part, std::size_t obstacle,
                                                          const Middle& middle) const;
@@ -70,7 +76,9 @@ class ObstacleLeaves {
   struct Target {
     std::vector<std::optional<std::size_t>> edges;  ///< or all of it
     std::vector<Complex> corners;
-    std::vector<Complex> few;        ///< enough of them to find a point in it: of a circle's 1440 some forty
+    std::vector<Complex> few;  ///< enough of them to find a point in it: of a circle's 1440 some forty
+    std::optional<FixedConvex>
+        outline{};                   ///< of these, where it is met as a whole; absent for a single point, too
     Point centre = Point::Zero();    ///< of a circle around it
     double radius = 0, deepest = 0;  ///< mm; no place lies deeper in it
     int lowest_layer = 1, highest_layer = most_layers;
@@ -104,6 +112,7 @@ class ObstacleLeaves {
   std::array<std::vector<JointHull>, part_count> axes_;
   std::array<std::vector<AxisPoint>, part_count> points_;
   std::array<double, part_count> steadiest_{};    ///< the least share of its points
+  double unsteadiest_ = 0;                        ///< the largest share of joints beside each other
   std::array<double, part_count> half_widths_{};  ///< mm
   /// For each target that a joint carries the shares of every part's points beside that joint.
   std::vector<std::array<std::vector<double>, part_count>> seen_strays_;

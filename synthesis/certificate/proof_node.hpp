@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,11 +27,24 @@ struct ObstacleGuess {
   Point place = Point::Zero();  ///< of the tracer, mm
 };
 
+/// A part beside an obstacle with the tracer at a place, by their numbers.
+struct PartBeside {
+  std::uint32_t place = 0, obstacle = 0;
+  PartName part{};
+};
+
+/// What came near an obstacle in a cell: nothing else does in the cells within it, as far as doubles tell.
+struct NearParts {
+  std::vector<PartBeside> all;  ///< place by place
+  std::size_t places = 0;       ///< how many places were looked at
+};
+
 /// Designs that are still to be refuted.
 struct Node {
   DesignCell cell;
   Assignments assignments;
-  std::optional<ObstacleGuess> guess;
+  std::optional<ObstacleGuess> guess{};
+  std::shared_ptr<const NearParts> near{};  ///< absent: all parts, at all places
 };
 
 /// A line and what is left to refute after it.
@@ -54,7 +68,7 @@ struct RootTask {
 /// `guess`: for these.
 inline Step share_step(const Node& node, const Share& line, const Assignments& sharing,
                        const std::optional<ObstacleGuess>& guess) {
-  Node first{node.cell, sharing, guess}, second{node.cell, {}, std::nullopt};
+  Node first{node.cell, sharing, guess, node.near}, second{node.cell, {}, std::nullopt, node.near};
   std::set_difference(node.assignments.begin(), node.assignments.end(), sharing.begin(), sharing.end(),
                       std::back_inserter(second.assignments));
   return {line, {std::move(first), std::move(second)}};

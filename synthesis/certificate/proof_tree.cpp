@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <variant>
 
@@ -60,7 +61,7 @@ class Growth {
       auto step = proof_.step(node);
       path_.push_back({std::move(node), lines_.size(), open_.size()});
       if (!step) {
-        if (!begin_anew() && !go_back()) return tl::unexpected(NoLog::too_tight);
+        if (!look_from_more_places() && !go_back()) return tl::unexpected(NoLog::too_tight);
         continue;
       }
       lines_.push_back(std::move(step->line));
@@ -81,17 +82,35 @@ class Growth {
     std::size_t lines = 0, open = 0;
   };
 
-  /// Begins anew with one place more at which obstacles are looked at; false if the last node shows none where one is met.
-  bool begin_anew() {
-    constexpr int most_added = 20;
+  /// Adds a place at which obstacles are looked at, if the last node shows one where one is met, and begins anew, as many boxes are larger
+  /// with it. After some such places that no longer pays: then the tree goes on from the largest box on the way down that the place refutes.
+  bool look_from_more_places() {
+    constexpr int most_begun_anew = 20, most_added = 400;
     if (added_ == most_added) return false;
     const auto place = proof_.place_met(path_.back().node);
     if (!place) return false;
     ++added_;
     places_.add(*place);
-    lines_.resize(first_line_);
-    path_.clear();
-    open_.assign(1, {proof_.whole(), 0});
+    if (added_ <= most_begun_anew) {
+      lines_.resize(first_line_);
+      path_.clear();
+      open_.assign(1, {proof_.whole(), 0});
+      return true;
+    }
+    return go_up_to([&](Node node) {
+      const auto step = proof_.step(node);
+      return step && step->children.empty();
+    });
+  }
+
+  /// Takes back what is below the first node on the way down of which this is true, and goes on from there; false if there is none.
+  bool go_up_to(const std::function<bool(const Node&)>& is_refuted) {
+    const auto refuted =
+        std::find_if(path_.begin(), path_.end(), [&](const Visit& visit) { return is_refuted(visit.node); });
+    if (refuted == path_.end()) return false;
+    lines_.resize(refuted->lines);
+    open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(refuted->open), open_.end());
+    open_.push_back({refuted->node, static_cast<std::size_t>(refuted - path_.begin())});
     return true;
   }
 
@@ -99,14 +118,7 @@ class Growth {
   bool go_back() {
     while (proof_.bounds_size() && bound_.loosen()) {
       proof_.bound_size(bound_.bound());
-      const auto refuted = std::find_if(path_.begin(), path_.end(), [&](const Visit& visit) {
-        return proof_.refuted_by_sum(visit.node.cell);
-      });
-      if (refuted == path_.end()) continue;
-      lines_.resize(refuted->lines);
-      open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(refuted->open), open_.end());
-      open_.push_back({refuted->node, static_cast<std::size_t>(refuted - path_.begin())});
-      return true;
+      if (go_up_to([&](const Node& node) { return proof_.refuted_by_sum(node.cell); })) return true;
     }
     return false;
   }

@@ -61,7 +61,7 @@ RootProof::RootProof(const Spec& spec, const RegionPlaces& places, Grounding gro
   put_whole(transmission);
 }
 
-std::optional<Step> RootProof::step(const Node& node) const {
+std::optional<Step> RootProof::step(Node& node) const {
   if (task_.root.mode.a.empty() || task_.root.mode.b.empty()) return Step{LengthsLeaf{}, {}};
   if (node.assignments.empty()) return Step{LayersLeaf{}, {}};
   const BestSum sum = best_sum(task_.sums, node.cell);

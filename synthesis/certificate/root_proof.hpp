@@ -29,7 +29,7 @@ class RootProof {
   bool refuted_by_sum(const DesignCell& cell) const { return best_sum(task_.sums, cell).refutes; }
 
   /// Nothing if the cell is too narrow to cut.
-  std::optional<Step> step(const Node& node) const;
+  std::optional<Step> step(Node& node) const;
   /// Where the middle design of a node meets an obstacle.
   std::optional<KnownPlace> place_met(const Node& node) const { return obstacles_.place_met(node); }
 

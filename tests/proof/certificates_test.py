@@ -28,6 +28,8 @@ LONG = (23, 106)  # of the same seed: their trees close in 3,000 lines if no cel
 LONGEST = 37  # of the same seed: a verdict that none exists, whose log has 90,000 lines
 # Of another seed: obstacles are met between the points spread along long links, or at places between those looked at first.
 MET_BETWEEN_SEED, MET_BETWEEN, NEAR = 5005, (797, 806, 922), 1e-3
+# Of one more: small obstacles in the way of long thin links, looked at from more than twenty places before its tree closes.
+FROM_MANY_PLACES_SEED, FROM_MANY_PLACES = 5003, 433
 NO_DESIGN = """[copy]
 scale = 0.5
 [region]
@@ -206,7 +208,8 @@ def main():
             specs = list(random_specs(options.source, root, options.count, options.seed))
         else:
             specs = [*random_specs(options.source, root, max(CHOSEN) + 1, CHOSEN_SEED, (*CHOSEN, *LONG, LONGEST)),
-                     *random_specs(options.source, root, max(MET_BETWEEN) + 1, MET_BETWEEN_SEED, MET_BETWEEN)]
+                     *random_specs(options.source, root, max(MET_BETWEEN) + 1, MET_BETWEEN_SEED, MET_BETWEEN),
+                     *random_specs(options.source, root, FROM_MANY_PLACES + 1, FROM_MANY_PLACES_SEED, (FROM_MANY_PLACES,))]
         for spec in [*shipped, *specs]:
             with tempfile.TemporaryDirectory() as folder:
                 trial = Trial(options, spec, pathlib.Path(folder) / "out")
