@@ -14,6 +14,9 @@ inline constexpr Complex i_unit{0, 1};
 inline double dot(Complex a, Complex b) { return a.real() * b.real() + a.imag() * b.imag(); }
 inline double cross(Complex a, Complex b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
+/// a / b for vectors of ordinary size, by the plain formula: operator/ guards against overflow, at several times the cost.
+inline Complex quotient(Complex a, Complex b) { return Complex(dot(b, a), cross(b, a)) / std::norm(b); }
+
 /// The centre of the arc from a to b of which `bulge`, not 0, is the tangent of a quarter of the sweep (arc_polygon.hpp).
 inline Complex arc_centre(Complex a, Complex b, double bulge) {
   return 0.5 * (a + b) + i_unit * (b - a) * (1 - bulge * bulge) / (4 * bulge);

@@ -57,19 +57,23 @@ std::vector<Obstruction> obstructions_of(const Spec& spec) {
   return kempe::obstructions_of(spec.obstacles, that_keep_direction(spec.bodies), spec.table);
 }
 
-ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
-                           const std::vector<LayerAssignment>& layers, StopFlag stop)
-    : ObstacleTest(spec, mode, layers,
-                   std::make_shared<const std::vector<ObstacleShape>>(obstacle_shapes(obstructions_of(spec))),
-                   std::move(stop)) {}
+std::shared_ptr<const ObstacleScene> obstacle_scene(const Spec& spec, const StopFlag& stop) {
+  return std::make_shared<const ObstacleScene>(ObstacleScene{obstacle_shapes(obstructions_of(spec), stop),
+                                                             tracer_places(spec.region, first_places),
+                                                             tracer_places(spec.region, many_places)});
+}
 
 ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
-                           const std::vector<LayerAssignment>& layers, KnownShapes shapes, StopFlag stop)
+                           const std::vector<LayerAssignment>& layers, const StopFlag& stop)
+    : ObstacleTest(spec, mode, layers, obstacle_scene(spec, stop), stop) {}
+
+ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
+                           const std::vector<LayerAssignment>& layers,
+                           std::shared_ptr<const ObstacleScene> scene, StopFlag stop)
     : mode_(mode), moving_(mode), k_(spec.copy.k()), reach_(k_, mode.grounding, mode.assembly_mode.number),
       roles_(roles_of(mode.grounding)), clearance_(spec.limits.clearance),
-      usable_(mode.usable(spec.limits.transmission)), shapes_(std::move(shapes)),
-      many_places_(tracer_places(spec.region, many_places)), stop_(std::move(stop)) {
-  for (const Point& place : tracer_places(spec.region, first_places)) places_.push_back({place});
+      usable_(mode.usable(spec.limits.transmission)), scene_(std::move(scene)), stop_(std::move(stop)) {
+  for (const Point& place : scene_->places) places_.push_back({place});
   const auto any = CopyingLinkage::make(spec.copy.k(), mode.grounding, 100, 100, mode.assembly_mode.number);
   const std::vector<Obstruction> obstructions = obstructions_of(spec);
   std::map<TermKey, std::size_t> known;
@@ -83,7 +87,7 @@ ObstacleTest::ObstacleTest(const Spec& spec, const ModeFacts& mode,
 }
 
 void ObstacleTest::add_term(Term term) {
-  convex_pairs_ += (*shapes_)[term.what.obstacle].groups.empty() ? 1 : 2;
+  convex_pairs_ += scene_->shapes[term.what.obstacle].groups.empty() ? 1 : 2;
   terms_.push_back(std::move(term));
 }
 
@@ -116,13 +120,13 @@ bool ObstacleTest::is_hit_by_the_copy(const PoleSpec& pole, const ObstacleTerm& 
   const PoleDisc poles = disc_of_poles(pole);
   const DesignBox any{{{1, 1}, {1, 1}}, poles.centre, poles.radius};
   const Joint joint = end.piece.hull.joints.front();
-  const ObstacleShape& obstacle = (*shapes_)[end.obstacle];
+  const ObstacleShape& obstacle = scene_->shapes[end.obstacle];
   const auto may_be_hit = [&](const Point& place) {
     const Complex from_pole = as_complex(place - poles.centre);
     const Complex at = as_complex(poles.centre) + (joint == roles_.tracer ? from_pole : k_ * from_pole);
     return std::abs(at - obstacle.centre) < obstacle.radius + end.piece.half_width + clearance_;
   };
-  return std::any_of(many_places_.begin(), many_places_.end(), [&](const Point& place) {
+  return std::any_of(scene_->many_places.begin(), scene_->many_places.end(), [&](const Point& place) {
     if (!may_be_hit(place) || place == poles.centre || stop_()) return false;
     const PlacedJoints joints(reach_, roles_, {}, poles.centre, place);
     const JointMoves moves = copying_joints_move_at_most(mode_, k_, any, place, joints.all());
@@ -140,7 +144,7 @@ LogLengths ObstacleTest::middle_of(const DesignBox& box) const {
 double ObstacleTest::gap_rounding(const ObstacleTerm& term, const PlacedJoints& joints) const {
   double largest = 0;
   for (const Joint joint : all_joints) largest = std::max(largest, std::abs(joints[joint]));
-  const ObstacleShape& obstacle = (*shapes_)[term.obstacle];
+  const ObstacleShape& obstacle = scene_->shapes[term.obstacle];
   return slack::obstacle_gap_rounding *
          (largest + std::abs(obstacle.centre) + obstacle.radius + term.piece.half_width + clearance_);
 }
@@ -166,7 +170,7 @@ bool ObstacleTest::is_hit_all_over(const Term& term, const JointSpreads& spreads
     }
     return true;
   };
-  for (const EncircledPart& part : (*shapes_)[term.what.obstacle].parts) {
+  for (const EncircledPart& part : scene_->shapes[term.what.obstacle].parts) {
     const auto may_reach = [&](const JointSpread& point) {
       return std::abs(point.middle - part.centre) < part.radius + needed - point.rest;
     };
@@ -253,8 +257,8 @@ struct ObstacleTest::Look {
       if (of_one ? !term.layers.has(*of_one) : !term.layers.meets(alive)) continue;
       if (!is_reached && !term.is_of_the_copy) continue;
       const double clearance = test.clearance_;
-      const double gap =
-          obstacle_gap(term.what, (*test.shapes_)[term.what.obstacle], joints, clearance);  // exact below it
+      const double gap = obstacle_gap(term.what, test.scene_->shapes[term.what.obstacle], joints,
+                                      clearance);  // exact below it
       least = std::min(least, gap - clearance);
       if (gap >= clearance) continue;
       double here = 0;
@@ -328,7 +332,7 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
     if (stop_()) return false;
     const PlacedJoints joints(reach_, roles_, lengths, sides, pole, place);
     return std::none_of(terms_.begin(), terms_.end(), [&](const Term& term) {
-      return term.layers.has(layers) && obstacle_gap(term.what, (*shapes_)[term.what.obstacle], joints,
+      return term.layers.has(layers) && obstacle_gap(term.what, scene_->shapes[term.what.obstacle], joints,
                                                      clearance_, Beyond::anything) < clearance_;
     });
   };
@@ -337,8 +341,8 @@ bool ObstacleTest::is_clear(double VA, double VB, const Point& pole, std::size_t
   };
   if (first && !is_kept(places_[first->place])) return false;
   if (!std::all_of(places_.begin(), places_.end(), is_kept)) return false;
-  const auto hit = std::find_if_not(many_places_.begin(), many_places_.end(), is_clear_at);
-  if (hit == many_places_.end()) return true;
+  const auto hit = std::find_if_not(scene_->many_places.begin(), scene_->many_places.end(), is_clear_at);
+  if (hit == scene_->many_places.end()) return true;
   if (!stop_() && places_.size() < most_places) places_.push_back({*hit});
   return false;
 }
@@ -352,7 +356,7 @@ void ObstacleTest::look_further(const DesignBox& box, const LayerSet& alive) {
     double deepest = 0;
     for (const Term& term : terms_)
       if (term.layers.meets(alive))
-        deepest = std::max(deepest, clearance_ - obstacle_gap(term.what, (*shapes_)[term.what.obstacle],
+        deepest = std::max(deepest, clearance_ - obstacle_gap(term.what, scene_->shapes[term.what.obstacle],
                                                               joints, clearance_, Beyond::anything));
     return deepest;
   };
@@ -360,7 +364,7 @@ void ObstacleTest::look_further(const DesignBox& box, const LayerSet& alive) {
   for (const Place& place : places_) known = std::max(known, depth_at(place.at));
   double deepest = 2 * known;
   std::optional<Point> found;
-  for (const Point& place : many_places_)
+  for (const Point& place : scene_->many_places)
     if (const double depth = depth_at(place); depth > deepest) deepest = depth, found = place;
   if (found) places_.push_back({*found});
 }

@@ -33,8 +33,15 @@ struct Sight {
   std::size_t judged = 0;
 };
 
-/// Many tests share them: to divide outlines of many corners into convex parts takes long.
-using KnownShapes = std::shared_ptr<const std::vector<ObstacleShape>>;
+/// What the tests of all groundings and assembly modes share: to divide outlines of many corners into convex parts takes long, and so does
+/// to spread places over a region.
+struct ObstacleScene {
+  std::vector<ObstacleShape> shapes;  ///< in the order of obstructions_of()
+  std::vector<Point> places;          ///< of the tracer, looked at in every box
+  std::vector<Point> many_places;     ///< looked at for single designs
+};
+/// Of a spec; once stopped, with what there is so far.
+std::shared_ptr<const ObstacleScene> obstacle_scene(const Spec& spec, const StopFlag& stop = {});
 
 /// The obstacles, bodies and table's edge of a spec, in the order of obstructions_of(). Bodies that turn with a link are left out:
 /// without them designs can only be better.
@@ -45,10 +52,10 @@ class ObstacleTest {
  public:
   /// Assignments are known by their place in `layers`. Once `stop` is set, no more is ruled out and no design is found clear.
   ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
-               StopFlag stop = {});
-  /// With shapes that are known: those of the spec's obstructions.
+               const StopFlag& stop = {});
+  /// With a scene that is known: the spec's.
   ObstacleTest(const Spec& spec, const ModeFacts& mode, const std::vector<LayerAssignment>& layers,
-               KnownShapes shapes, StopFlag stop);
+               std::shared_ptr<const ObstacleScene> scene, StopFlag stop);
 
   /// The assignments in which a link's end at tracer or pen is surely hit, whatever the lengths are and wherever the spec lets the pole
   /// stand.
@@ -106,9 +113,8 @@ class ObstacleTest {
   JointRoles roles_;
   double clearance_;
   Range usable_;  ///< |psi| that keep the transmission limit
-  KnownShapes shapes_;
-  std::vector<Place> places_;       ///< looked at in every box
-  std::vector<Point> many_places_;  ///< looked at for single designs
+  std::shared_ptr<const ObstacleScene> scene_;
+  std::vector<Place> places_;  ///< looked at in every box
   std::vector<Term> terms_;
   LayerSet hit_by_the_copy_{};    ///< in which something is hit whatever the lengths are
   std::size_t convex_pairs_ = 0;  ///< what the terms cost: those with a shape of few parts one, others two

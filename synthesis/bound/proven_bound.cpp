@@ -165,11 +165,9 @@ class Tree {
   void add_obstacle_test(const Branch& branch) {
     std::vector<LayerAssignment> layers;
     for (const bounding::LayerChoice& choice : branch.layers) layers.push_back(choice.layers);
-    if (!obstacle_shapes_)
-      obstacle_shapes_ = std::make_shared<const std::vector<ObstacleShape>>(
-          obstacle_shapes(bounding::obstructions_of(spec_), options_.stop));
-    obstacle_tests_.push_back(std::make_unique<bounding::ObstacleTest>(spec_, branch.mode, layers,
-                                                                       obstacle_shapes_, options_.stop));
+    if (!obstacle_scene_) obstacle_scene_ = bounding::obstacle_scene(spec_, options_.stop);
+    obstacle_tests_.push_back(
+        std::make_unique<bounding::ObstacleTest>(spec_, branch.mode, layers, obstacle_scene_, options_.stop));
   }
 
   /// Drops layer assignments in which every design of the box has a part in an obstacle, body or the table's edge; false if none is left.
@@ -287,7 +285,7 @@ class Tree {
   bool by_size_;
   bounding::PolePlaces poles_;
   std::vector<Branch> branches_;
-  bounding::KnownShapes obstacle_shapes_;
+  std::shared_ptr<const bounding::ObstacleScene> obstacle_scene_;
   std::vector<std::unique_ptr<bounding::ObstacleTest>>
       obstacle_tests_;                            // one a branch, if there are obstacles
   std::vector<bounding::LoadFloor> load_floors_;  // one a branch, if loads are to be seen

@@ -84,10 +84,10 @@ std::vector<GapTerm> gap_terms(const CopyingLinkage& linkage, const LayerAssignm
   return terms;
 }
 
-JointFrame::JointFrame(Complex s, double VA, double VB, double opening) {
-  const Complex p = VA, q = std::polar(VB, opening);
+JointFrame::JointFrame(Complex s, double VA, Complex q) {
+  const Complex p = VA;
   of_p_ = {0, p, 0, p, p, s * p};  // V A B C X Y
-  of_q_ = {0, 0, q, q, q / s, q};
+  of_q_ = {0, 0, q, q, quotient(q, s), q};
   for (std::size_t i = 0; i < 6; ++i) at_[i] = of_p_[i] + of_q_[i];
 }
 

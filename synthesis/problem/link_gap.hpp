@@ -37,7 +37,10 @@ std::vector<GapTerm> gap_terms(const CopyingLinkage& linkage, const LayerAssignm
 /// The joints at an opening, V at the origin and p along x.
 class JointFrame {
  public:
-  JointFrame(Complex shape, double VA, double VB, double opening);
+  JointFrame(Complex shape, double VA, double VB, double opening)
+      : JointFrame(shape, VA, std::polar(VB, opening)) {}
+  /// `q`: from V to B, mm.
+  JointFrame(Complex shape, double VA, Complex q);
   JointFrame(Complex shape, const LogLengths& lengths, double opening)
       : JointFrame(shape, std::exp(lengths.u), std::exp(lengths.v), opening) {}
   Complex operator[](Joint joint) const { return at_[static_cast<std::size_t>(joint)]; }

@@ -295,12 +295,12 @@ std::vector<ObstacleTerm> obstacle_terms(const CopyingLinkage& linkage, const La
 
 PlacedJoints::PlacedJoints(const Reach& reach, const JointRoles& roles, const LogLengths& lengths,
                            const SideLengths& sides, const Point& pole, const Point& tracer)
-    : reach_(reach), roles_(roles), lengths_(lengths), reach_vector_(as_complex(tracer - pole)),
-      opening_(reach.opening_at(sides, std::abs(reach_vector_))),
-      frame_(reach.shape(), sides.VA, sides.VB, opening_) {
+    : reach_(reach), roles_(roles), lengths_(lengths), sides_(sides),
+      reach_vector_(as_complex(tracer - pole)),
+      frame_(reach.shape(), sides.VA, sides.VB * reach.direction_at(sides, std::abs(reach_vector_))) {
   const Complex ground = frame_[roles.pole], arm = frame_[roles.tracer] - ground;
   // Where the opening had to be clamped the arm is too long or too short: its direction is right, which is enough.
-  const Complex turn = reach_vector_ / arm;
+  const Complex turn = quotient(reach_vector_, arm);
   for (const Joint joint : all_joints)
     at_[static_cast<std::size_t>(joint)] = as_complex(pole) + turn * (frame_[joint] - ground);
 }
@@ -330,7 +330,7 @@ PlacedJoints::Motion PlacedJoints::motion(Joint joint) const {
   const Complex xi_u = change([&](Joint j) { return frame_.of_p(j); });
   const Complex xi_v = change([&](Joint j) { return frame_.of_q(j); });
   const Complex xi_d = change([&](Joint j) { return i_unit * frame_.of_q(j); });
-  const LinkageJet radius = reach_.radius(lengths_, opening_);
+  const LinkageJet radius = reach_.radius(lengths_, reach_.opening_at(sides_, std::abs(reach_vector_)));
   const double slope = radius.gradient[2];
   // At a serial dead point the opening has no derivative; no design comes near one.
   const double per_slope = std::abs(slope) > slack::zero_slope * radius.value ? 1 / slope : 0;

@@ -110,8 +110,8 @@ class PlacedJoints {
   const Reach& reach_;
   JointRoles roles_;
   LogLengths lengths_;
+  SideLengths sides_;
   Complex reach_vector_;  ///< tracer - pole
-  double opening_;
   JointFrame frame_;
   std::array<Complex, 6> at_;
 };

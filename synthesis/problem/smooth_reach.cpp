@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/complex_vectors.hpp"
 #include "synthesis/problem/slack.hpp"
 
 namespace kempe {
@@ -13,9 +14,10 @@ const double log_two = std::log(2.0);
 }  // namespace
 
 Reach::Reach(Complex k, Grounding grounding, int assembly_mode)
-    : s_(shape_of(k, grounding)), chain_(chain_length_per_tracer(k, grounding)),
-      log_s_(std::log(std::abs(s_))), arg_s_(std::arg(s_)),
-      interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)].openings) {
+    : s_(shape_of(k, grounding)), direction_of_s_(s_ / std::abs(s_)),
+      chain_(chain_length_per_tracer(k, grounding)), log_s_(std::log(std::abs(s_))), arg_s_(std::arg(s_)),
+      interval_(assembly_modes(s_)[static_cast<std::size_t>(assembly_mode)].openings),
+      lower_end_(std::polar(1.0, interval_.lower)), upper_end_(std::polar(1.0, interval_.upper)) {
   bend_ = std::sin(interval_.middle() - arg_s_) > 0 ? 1 : -1;
   near_is_lower_ = bend_ < 0;
   const double scale = std::abs(s_), turn = std::abs(1.0 - s_);
@@ -48,11 +50,23 @@ SideLengths Reach::sides(const LogLengths& lengths) const {
   return {std::exp(lengths.u), std::exp(lengths.v), std::exp(lengths.v - log_s_)};
 }
 
-double Reach::opening_at(const SideLengths& sides, double radius) const {
-  // tan^2(e/2) = ((a+b)^2 - w^2) / (w^2 - (a-b)^2) keeps its digits at both dead points, unlike acos.
+// tan^2(psi/2) = outer / inner keeps its digits at both dead points, unlike acos. Out of reach one of them is 0.
+Reach::HalfAngle Reach::half_angle(const SideLengths& sides, double radius) const {
   const double a = sides.VA, b = sides.b, w = radius * chain_;
-  const double outer = std::max(0.0, (a + b - w) * (a + b + w));
-  const double inner = std::max(0.0, (w - std::abs(a - b)) * (w + std::abs(a - b)));
+  return {std::max(0.0, (a + b - w) * (a + b + w)),
+          std::max(0.0, (w - std::abs(a - b)) * (w + std::abs(a - b)))};
+}
+
+Complex Reach::direction_at(const SideLengths& sides, double radius) const {
+  const auto [outer, inner] = half_angle(sides, radius);
+  const Complex half(std::sqrt(inner), bend_ * std::sqrt(outer));
+  const Complex direction = direction_of_s_ * (half * half) / (outer + inner);
+  if (cross(lower_end_, direction) > 0 && cross(direction, upper_end_) > 0) return direction;
+  return std::polar(1.0, opening_at(sides, radius));  // at an end, or none is reached
+}
+
+double Reach::opening_at(const SideLengths& sides, double radius) const {
+  const auto [outer, inner] = half_angle(sides, radius);
   double opening = arg_s_ + bend_ * 2 * std::atan2(std::sqrt(outer), std::sqrt(inner));
   opening -= 2 * pi * std::round((opening - interval_.middle()) / (2 * pi));
   return std::clamp(opening, interval_.lower, interval_.upper);

@@ -67,6 +67,8 @@ class Reach {
     return opening_at(sides(lengths), radius);
   }
   double opening_at(const SideLengths& sides, double radius) const;
+  /// exp(i opening_at()), mostly without a sine or an arc.
+  Complex direction_at(const SideLengths& sides, double radius) const;
 
   /// How far an opening stands from the interval's near or far end, rad (negative outside).
   double from_near_end(double opening) const;
@@ -89,13 +91,20 @@ class Reach {
   const LengthFactors& factors() const { return factors_; }
 
  private:
+  /// Squares in proportion to those of sine and cosine of psi / 2, mm^2.
+  struct HalfAngle {
+    double outer, inner;
+  };
+  HalfAngle half_angle(const SideLengths& sides, double radius) const;
   double near_cosine(const OpeningInterval& allowed) const;  ///< cos psi at the end nearer to the pole
   double far_cosine(const OpeningInterval& allowed) const;
 
   Complex s_;
+  Complex direction_of_s_;
   double chain_, log_s_, arg_s_;
   double bend_;  ///< sign of sin psi over the interval
   OpeningInterval interval_;
+  Complex lower_end_, upper_end_;  ///< directions of the interval's ends
   bool near_is_lower_;
   LengthFactors factors_{};
 };
