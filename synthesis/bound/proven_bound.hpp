@@ -52,6 +52,8 @@ struct BoundOptions {
   /// The search ends when bound >= (1 - tolerance) * best value known (for transmission: bound <= (1 +
   /// tolerance) * it).
   double tolerance = 0.001;
+  /// It also ends once what is left open is better than the best value met by no more than this share of what that is better than the incumbent.
+  double share_of_gap = 0;
   /// Boxes that may be looked at (a box's test for contact in a layer assignment counts as one more): what
   /// limits the time, so that the result does not depend on the machine.
   std::size_t boxes = 200000;

@@ -19,7 +19,7 @@ struct RelaxedDesigns::Box {
 RelaxedDesigns::RelaxedDesigns(const Spec& spec, bool by_size, const BoundOptions& options,
                                const Trials* trials, const PolePlaces& places)
     : spec_(spec), options_(options), trials_(trials), places_(places), by_size_(by_size) {
-  if (options.incumbent) best_ = by_size_ ? *options.incumbent : -*options.incumbent;
+  if (options.incumbent) incumbent_ = best_ = by_size_ ? *options.incumbent : -*options.incumbent;
 }
 
 void RelaxedDesigns::try_in(const TreeNode& node, const Branch& branch, ObstacleTest* obstacles,

@@ -1,6 +1,8 @@
 #pragma once
 // Designs of the relaxation that the bound's tree meets: the best of them is what a box must be able to beat.
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -22,7 +24,9 @@ class RelaxedDesigns {
   double best() const { return best_; }
   /// Bounds at least this good end the search.
   double enough(double tolerance) const {
-    return best_ < infinity ? best_ - tolerance * std::abs(best_) : infinity;
+    if (!(best_ < infinity)) return infinity;
+    const double of_gap = incumbent_ < infinity ? options_.share_of_gap * (incumbent_ - best_) : 0;
+    return best_ - std::max(tolerance * std::abs(best_), of_gap);
   }
   /// The transmission angle that designs of interest have at least, rad.
   double transmission() const {
@@ -49,7 +53,7 @@ class RelaxedDesigns {
   const Trials* trials_;
   const PolePlaces& places_;
   bool by_size_;
-  double best_ = infinity;
+  double incumbent_ = infinity, best_ = infinity;  ///< as TreeNode::bound
   std::optional<RelaxedDesign> design_;
   int tried_out_ = 0;
   std::set<std::size_t> soft_tried_out_;  // branches

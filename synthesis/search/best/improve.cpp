@@ -94,6 +94,7 @@ SearchResult improved(const SearchTask& task, SearchResult found) {
   const auto bound =
       proven_bound(task.space().spec(), {.incumbent = found.design->value,
                                          .tolerance = slack::tree_bound,
+                                         .share_of_gap = task.limits.load_error ? slack::gap_of_a_limit : 0,
                                          .stop = task.stop(),
                                          .progress = task.control.progress_of("proving a bound")});
   if (task.stopped()) {
