@@ -41,6 +41,21 @@ std::optional<double> FinishedDesign::load_rise() const {
   return layered ? std::optional(layered->rise_max) : std::nullopt;
 }
 
+std::optional<double> FinishedDesign::weight_error() const {
+  const auto& loads = inside_->quality.loads;
+  return loads ? loads->weight_error_max : std::nullopt;
+}
+
+std::optional<double> FinishedDesign::weight_error_layered() const {
+  const auto& layered = inside_->quality.layered;
+  return layered ? layered->weight_error_max : std::nullopt;
+}
+
+std::optional<double> FinishedDesign::weight_rise() const {
+  const auto& layered = inside_->quality.layered;
+  return layered ? layered->weight_rise_max : std::nullopt;
+}
+
 std::optional<double> FinishedDesign::stress() const {
   const auto& loads = inside_->quality.loads;
   return loads ? std::optional(loads->stress_max) : std::nullopt;

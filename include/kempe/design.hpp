@@ -47,6 +47,14 @@ class KEMPE_EXPORT FinishedDesign {
   /// mm, most that tracer or pen rises or sinks under the load, by the layers of the links, without what the links' own weight along a tilted
   /// table adds; absent as above.
   std::optional<double> load_rise() const;
+  /// mm, most that the pen gives way over all openings by the links' own weight along a tilted table, which load_error() is without; absent on
+  /// a level table and where load_error() is.
+  std::optional<double> weight_error() const;
+  /// The same with pins and layers; absent also where load_error_layered() is.
+  std::optional<double> weight_error_layered() const;
+  /// mm, most that tracer or pen rises or sinks by the links' own weight along a tilted table, which load_rise() is without; absent as
+  /// weight_error_layered().
+  std::optional<double> weight_rise() const;
   /// MPa, largest stress in a link under the load, by bending and pull in the plane alone, on a tilted table with the links' own weight along
   /// it; infinite where a hole leaves nothing of a link; absent without Spec::load.
   std::optional<double> stress() const;

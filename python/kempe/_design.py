@@ -267,6 +267,21 @@ class Design:
         return self._inside.load_rise
 
     @property
+    def weight_error_max_mm(self) -> Optional[float]:
+        """Most that the pen gives way by the links' own weight along a tilted table; None on a level one and without a load."""
+        return self._inside.weight_error
+
+    @property
+    def weight_error_layered_max_mm(self) -> Optional[float]:
+        """The same with pins and layers; None also where load_error_layered_max_mm is."""
+        return self._inside.weight_error_layered
+
+    @property
+    def weight_rise_max_mm(self) -> Optional[float]:
+        """Most that tracer or pen rises or sinks by the links' own weight along a tilted table; None as above."""
+        return self._inside.weight_rise
+
+    @property
     def stress_max_MPa(self) -> Optional[float]:
         """Largest stress in a link under the load, by bending and pull in the plane alone, on a tilted table with the links' own
         weight along it; None without a load."""
@@ -458,8 +473,9 @@ class Design:
 
 
 _FIGURES = ("size_mm", "transmission_min_deg", "clearance_min_mm", "footprint_mm2", "copy_error_worst_mm", "load_error_max_mm",
-            "load_error_layered_max_mm", "load_rise_max_mm", "stress_max_MPa", "stress_layered_max_MPa", "sag_max_mm", "mass_kg",
-            "robust_clearance_mm", "objective", "value", "lower_bound", "complete")
+            "load_error_layered_max_mm", "load_rise_max_mm", "weight_error_max_mm", "weight_error_layered_max_mm", "weight_rise_max_mm",
+            "stress_max_MPa", "stress_layered_max_MPa", "sag_max_mm", "mass_kg", "robust_clearance_mm", "objective", "value",
+            "lower_bound", "complete")
 
 
 def _with_lines(copy: dict[str, Any]) -> dict[str, Any]:

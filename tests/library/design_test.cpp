@@ -119,6 +119,23 @@ TEST(Library, SaysWhatPinsAndLayersDoUnderALoad) {
   EXPECT_NE(outcome->json().find("\"stress_layered_max_MPa\""), std::string::npos);
 }
 
+TEST(Library, SaysWhatTheLinksOwnWeightDoesAlongATiltedTable) {
+  Spec spec = given_mechanism();
+  spec.material = Material{"steel", 200e3, 7850, 235};
+  spec.links.style.thickness = 2;
+  spec.load = Load{.pen_force = 10};
+  const Outcome level = map(spec);
+  EXPECT_FALSE(level->weight_error() || level->weight_error_layered() || level->weight_rise());
+  spec.load->tilt = 1;  // rad
+  const Outcome tilted = map(spec);
+  ASSERT_TRUE(tilted) << tilted.reason();
+  ASSERT_TRUE(tilted->weight_error() && tilted->weight_error_layered() && tilted->weight_rise());
+  EXPECT_GT(*tilted->weight_error(), 0);
+  EXPECT_GT(*tilted->weight_error_layered(), *tilted->weight_error());
+  EXPECT_GT(*tilted->weight_rise(), 0);
+  EXPECT_GT(*tilted->stress(), *level->stress());
+}
+
 TEST(Library, GivesTheSameDesignForAnyNumberOfThreads) {
   Options two;
   two.threads = 2;

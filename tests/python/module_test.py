@@ -210,6 +210,11 @@ class Designs(InAFolder):
                      "sag_max_mm", "mass_kg"):
             self.assertEqual(getattr(loaded, name), loaded.to_dict()["quality"][name], name)
             self.assertGreater(getattr(loaded, name), 0, name)
+        tilted = kempe.synthesize(SPEC.replace(material="steel", load={"pen_N": 5, "tilt_deg": 60}))
+        for name in ("weight_error_max_mm", "weight_error_layered_max_mm", "weight_rise_max_mm"):
+            self.assertEqual(getattr(tilted, name), tilted.to_dict()["quality"][name], name)
+            self.assertGreater(getattr(tilted, name), 0, name)
+            self.assertIsNone(getattr(loaded, name), name)
         self.assertIsNone(DESIGN.load_error_layered_max_mm)
         self.assertIsNone(DESIGN.stress_layered_max_MPa)
 
