@@ -103,8 +103,8 @@ std::string forces_csv(const Trace& trace, const HandWork& work) {
     }
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.stroke,
                    row.tracer.x(), row.tracer.y(), at->hand.x(), at->hand.y(), at->hand.norm(), at->friction,
-                   at->pole, at->pins.A, at->pins.B, at->pins.C, at->pins.V, at->mass, at->give.x(),
-                   at->give.y());
+                   std::abs(at->pins.post), std::abs(at->pins.A), std::abs(at->pins.B), std::abs(at->pins.C),
+                   std::abs(at->pins.V), at->mass, at->give.x(), at->give.y());
   }
   return text;
 }

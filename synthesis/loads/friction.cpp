@@ -32,14 +32,13 @@ Point hand_force_against(const CopyingLinkage& linkage, const Point& pen_force) 
   return -as_point(std::conj(linkage.k()) * as_complex(pen_force));
 }
 
-double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force,
+double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const PinLoads& loads,
                      const Point& tracer_velocity, const PinFriction& friction) {
   const auto turning = turning_by_tracer(linkage, pose);
   if (!turning) return infinity;
   const Eigen::Vector2d speeds = *turning * tracer_velocity;
   const double of_p = std::abs(speeds[0]), of_q = std::abs(speeds[1]),
                between = std::abs(speeds[1] - speeds[0]);
-  const PinLoads loads = pin_loads(linkage, pose, pen_force);
   const bool at_V = linkage.pole_joint() == Joint::V;
   const double at_joints =
       loads.A * friction.at(Joint::A) + loads.B * friction.at(Joint::B) + loads.C * friction.at(Joint::C);

@@ -32,9 +32,14 @@ PinLoads pin_loads(const CopyingLinkage& linkage, const Pose& pose, const Point&
 /// N that the hand pushes with at the tracer to hold a force on the pen, without friction: -conj(k) F_pen.
 Point hand_force_against(const CopyingLinkage& linkage, const Point& pen_force);
 
-/// N mm/s lost in the pins while the tracer moves at `tracer_velocity`, mm/s, with a force on the pen; infinite at a dead point.
-double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force,
+/// N mm/s lost in the pins under these forces while the tracer moves at `tracer_velocity`, mm/s; infinite at a dead point.
+double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const PinLoads& loads,
                      const Point& tracer_velocity, const PinFriction& friction);
+/// The same with a force on the pen.
+inline double friction_loss(const CopyingLinkage& linkage, const Pose& pose, const Point& pen_force,
+                            const Point& tracer_velocity, const PinFriction& friction) {
+  return friction_loss(linkage, pose, pin_loads(linkage, pose, pen_force), tracer_velocity, friction);
+}
 
 /// The largest share of a drag's work at the pen that friction takes in addition, over all directions of motion (sampled every 2 degrees),
 /// where the drag opposes the pen's motion.

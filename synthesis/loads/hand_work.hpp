@@ -16,16 +16,15 @@ struct HandWorkAt {
   Point pen_force = Point::Zero();  ///< on the pen: drag and the weight of what it carries
   Point hand = Point::Zero();       ///< of the hand on the tracer, friction included
   double friction = 0;              ///< N, what friction adds along the motion
-  PinLoads pins{};                  ///< under the pen's force
-  double pole = 0;                  ///< N, all that the pole's post bears under the pen's force
+  PinPulls pins{};                  ///< with the weight of the links
   double mass = 0;                  ///< kg felt along the motion
   Point give =
       Point::Zero();  ///< mm, how far the pen gives way in the plane under its force and the links' weight
   bool counts_layers = false;  ///< `give` has what the links' layers add
 };
 
-/// One linkage under one load. Weights of the links count for the hand and for how far the pen gives way, not for the pins. The table
-/// pushes points that rest on it, and never pulls them. Quasi-static: no force of inertia is in it.
+/// One linkage under one load. On a tilted table the weights of the links count in all of it. The table pushes points that rest on it, and never
+/// pulls them. Quasi-static: no force of inertia is in it.
 class HandWork {
  public:
   /// `pins`: what pins give beside the links. `layered`: links, pins and layers together, of which the pen's give is then; where its equations
@@ -38,7 +37,8 @@ class HandWork {
   std::optional<HandWorkAt> at(const Pose& pose, const Point& heading) const;
 
  private:
-  void let_give(const Pose& pose, HandWorkAt& result) const;
+  void load_links(const Pose& pose, HandWorkAt& result) const;
+  PinLoads loads_of(const PinPulls& pulls) const;
 
   CopyingLinkage linkage_;
   Load load_;

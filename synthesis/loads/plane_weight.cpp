@@ -167,6 +167,19 @@ UnderWeight PlaneWeight::under(const BarLengths& lengths, double opening, Comple
   return result;
 }
 
+PinPulls PlaneWeight::pulls(const BarLengths& lengths, double opening, Complex direction,
+                            Complex pen_force) const {
+  std::array<Complex, 6> loads{};
+  loads[number(roles_.pen)] = pen_force;
+  const Held by_pen = held_under(loads, lengths, opening);
+  const UnderWeight by_weight = under(lengths, opening, direction);
+  const auto both = [&](Link link, Joint joint) {
+    return at(by_pen.on, link, joint) + at(by_weight.by_pins, link, joint);
+  };
+  return {both(Link::VA, Joint::A), both(Link::VB, Joint::B), both(Link::ACX, Joint::C),
+          both(Link::VB, Joint::V), both(Link::VA, Joint::V), by_pen.post + by_weight.post};
+}
+
 double PlaneWeight::work_in_arms(const ForcesOnLinks& by_force, const ForcesOnLinks& by_weight,
                                  const Weights& weights, Complex direction) const {
   const double EA = E_ * style_.width * style_.thickness,

@@ -36,6 +36,16 @@ struct UnderWeight {
   Complex hand = 0;         ///< N, of the hand on the tracer
 };
 
+/// What pins and the post put on the links, N.
+struct PinPulls {
+  Complex A = 0;        ///< on link VA
+  Complex B = 0;        ///< on link VB
+  Complex C = 0;        ///< on plate ACX
+  Complex V = 0;        ///< on link VB, of what it turns on there
+  Complex VA_at_V = 0;  ///< on link VA there
+  Complex post = 0;     ///< on all that stands on it
+};
+
 /// Of all linkages of one ratio and grounding, of links of one section and material on a table of one tilt.
 class PlaneWeight {
  public:
@@ -60,7 +70,9 @@ class PlaneWeight {
 
   /// Forces where gravity pulls in this direction, of size 1.
   UnderWeight under(const BarLengths& lengths, double opening, Complex direction) const;
-  /// What the arms bear then, in the order of all_links and arms_of(), each from its LinkArm::from to its LinkArm::to.
+  /// The same of a force on the pen too (N, x axis along bar VA).
+  PinPulls pulls(const BarLengths& lengths, double opening, Complex direction, Complex pen_force) const;
+  /// What the arms bear under the weight alone, in the order of all_links and arms_of(), each from its LinkArm::from to its LinkArm::to.
   std::vector<PieceForces> pieces(const BarLengths& lengths, double opening, Complex direction) const;
 
  private:

@@ -13,6 +13,7 @@
 #include "synthesis/loads/gravity.hpp"
 #include "synthesis/loads/hand_work.hpp"
 #include "synthesis/loads/layer_offsets.hpp"
+#include "synthesis/loads/link_arms.hpp"
 #include "synthesis/loads/moving_masses.hpp"
 #include "synthesis/verification/frame.hpp"
 #include "synthesis/verification/space_frame.hpp"
@@ -117,6 +118,59 @@ TEST(PlaneWeight, LetsThePenOfATracedDrawingDownhill) {
                                 (light->give.norm() + frame.most));
   }
   EXPECT_LT(apart, 1e-6);
+}
+
+/// Straight and bent links with half discs at their ends.
+double weight_of(const WeighedCase& one, Link link) {
+  const Pose pose = one.linkage.pose_at(one.opening, 0);
+  double area = pi * one.style.width * one.style.width / 4;
+  for (const LinkArm& arm : arms_of(link, one.linkage.shape()))
+    area += one.style.width * (pose[arm.to] - pose[arm.from]).norm();
+  return area * one.style.thickness * one.pull();
+}
+
+/// Every plate is at rest under its pins, the hand or the pen at its end and its weight; and so is the whole. The hand's force comes from the
+/// ratio and from the slope of the potential.
+TEST(PlaneWeight, PinsHoldEveryPlateWhileTheHandDraws) {
+  Chance chance(80);
+  double level = 0, plates = 0;
+  for (int i = 0; i < test::samples(400); ++i) {
+    SCOPED_TRACE(i);
+    WeighedCase one = random_case(chance);
+    one.style.plate = PlateStyle::bent;
+    const Pose pose = one.linkage.pose_at(one.opening, chance.uniform(-pi, pi));
+    const Point heading = as_point(std::polar(1.0, chance.uniform(-pi, pi)));
+    Load load{.pen_force = chance.uniform(0, 50), .tilt = one.tilt};
+    const auto drawn = HandWork(one.linkage, one.style, {}, one.material, load).at(pose, heading);
+    ASSERT_TRUE(drawn);
+    const Complex pen = as_complex(drawn->pen_force),
+                  hand = as_complex(drawn->hand - drawn->friction * heading);
+    const auto down = [&](Link link) { return Complex(0, -weight_of(one, link)); };
+    const auto from_outside = [&](Joint joint) {
+      const JointRoles roles = roles_of(one.linkage.grounding());
+      return joint == roles.pen ? pen : joint == roles.tracer ? hand : drawn->pins.post;
+    };
+    const PinPulls& by = drawn->pins;
+    const Complex all = down(Link::VA) + down(Link::VB) + down(Link::ACX) + down(Link::BCY);
+    const double size = std::abs(by.A) + std::abs(by.B) + std::abs(by.C) + std::abs(by.post);
+    for (const Complex rest :
+         {by.C - by.A + from_outside(Joint::X) + down(Link::ACX),
+          -by.C - by.B + from_outside(Joint::Y) + down(Link::BCY), by.B + by.V + down(Link::VB),
+          by.A + by.VA_at_V + down(Link::VA), pen + hand + by.post + all})
+      plates = std::max(plates, std::abs(rest) / size);
+    load.tilt = 0;
+    const auto flat = HandWork(one.linkage, one.style, {}, one.material, load).at(pose, heading);
+    const PinLoads known = pin_loads(one.linkage, pose, flat->pen_force);
+    const PinFriction rubbing(load.friction, one.style, {});
+    const double lost = friction_loss(one.linkage, pose, flat->pen_force, heading, rubbing);
+    EXPECT_NEAR(flat->friction, lost, 1e-9 * (1 + lost));
+    for (const auto& [pull, stated] : {std::pair(flat->pins.A, known.A), std::pair(flat->pins.B, known.B),
+                                       std::pair(flat->pins.C, known.C), std::pair(flat->pins.V, known.V)})
+      level = std::max(level, std::abs(std::abs(pull) - stated) / (1e-9 + load.pen_force));
+  }
+  EXPECT_LT(plates, 1e-10);
+  EXPECT_LT(level, 1e-8);
+  std::printf("largest shares left over: plates %.2g, pins on a level table %.2g\n", plates, level);
 }
 
 /// A frame in space with bar VA along x, of links in three layers.
