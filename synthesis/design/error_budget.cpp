@@ -243,10 +243,15 @@ void add_sag(const Measured& of, std::vector<BudgetEntry>& entries) {
   entries.push_back(std::move(by_play));
 }
 
+/// Share of a source's error: a change that takes less of it away is not worth a new part.
+constexpr double least_gain = 0.05;
+
 /// Changes that help, the best first; entries in the order of ErrorBudget.
 void put_in_order(std::vector<BudgetEntry>& entries) {
   for (BudgetEntry& entry : entries) {
-    std::erase_if(entry.changes, [&](const BudgetChange& change) { return !(change.after < entry.error); });
+    std::erase_if(entry.changes, [&](const BudgetChange& change) {
+      return !(change.after < (1 - least_gain) * entry.error);
+    });
     std::stable_sort(entry.changes.begin(), entry.changes.end(),
                      [](const BudgetChange& a, const BudgetChange& b) { return a.after < b.after; });
   }
