@@ -507,6 +507,30 @@ TEST(ProvenBound, AnIncumbentSavesBoxesAndIsNeverExceeded) {
   }
 }
 
+/// As where a limit on the load error, which the bound does not know, holds a design back.
+TEST(ProvenBound, MayEndAShareOfTheGapToAWorseIncumbentAway) {
+  Chance chance(9);
+  int nearer_than_asked = 0, designs = 0;
+  for (int n = 0; n < test::samples(40); ++n) {
+    const Spec spec = random_spec(chance);
+    const auto close = proven_bound(spec, Objective::size, {.tolerance = 1e-4}).value();
+    if (close.no_design || !close.relaxation || !close.tight) continue;
+    ++designs;
+    const double incumbent = chance.uniform(1, 1.5) * *close.relaxation;
+    const auto loose =
+        proven_bound(spec, Objective::size, {.incumbent = incumbent, .tolerance = 1e-4, .share_of_gap = 0.1})
+            .value();
+    ASSERT_TRUE(loose.relaxation && loose.tight);
+    EXPECT_LE(loose.value, *close.relaxation * (1 + 1e-12));
+    EXPECT_GE(loose.value, *loose.relaxation - 0.1 * (incumbent - *loose.relaxation) - 1e-4 * incumbent);
+    const auto exact =
+        proven_bound(spec, Objective::size, {.incumbent = incumbent, .tolerance = 1e-4}).value();
+    EXPECT_LE(loose.boxes, exact.boxes);
+    nearer_than_asked += loose.boxes == exact.boxes;
+  }
+  EXPECT_GT(designs, nearer_than_asked);
+}
+
 TEST(ProvenBound, ItsOwnDesignKeepsTheLimitsAndHasTheValueItSays) {
   Chance chance(10);
   int designs = 0;

@@ -39,6 +39,25 @@ std::optional<double> distance_to_outline(const JointHull& hull, const Pose& pos
   return std::sqrt(least);
 }
 
+/// Within reach, beyond it on either side, and at both dead points.
+TEST(Reach, DirectionIsThatOfTheOpening) {
+  Dice dice(70);
+  for (int i = 0; i < 2000; ++i) {
+    const CopyingLinkage linkage = test::random_linkage(dice);
+    const Reach reach(linkage.k(), linkage.grounding(), linkage.assembly_mode().number);
+    const SideLengths sides = reach.sides({std::log(linkage.VA()), std::log(linkage.VB())});
+    const OpeningInterval& openings = linkage.assembly_mode().openings;
+    const double farthest = linkage.radius_at(openings.lower) + linkage.radius_at(openings.upper);
+    const double within = linkage.radius_at(openings.lower + dice.between(0, 1) * openings.width());
+    for (const double radius : {within, dice.between(0, 1.5) * farthest, linkage.radius_at(openings.lower),
+                                linkage.radius_at(openings.upper)}) {
+      const Complex direction = reach.direction_at(sides, radius);
+      EXPECT_NEAR(std::abs(direction), 1, 1e-14) << i;
+      EXPECT_LT(std::abs(direction - std::polar(1.0, reach.opening_at(sides, radius))), 1e-14) << i;
+    }
+  }
+}
+
 TEST(ObstacleGap, OfManyCornersIsTheDistanceToTheNearestEdge) {
   Dice dice(71);
   int apart = 0, beyond = 0;
