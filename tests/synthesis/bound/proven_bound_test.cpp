@@ -511,7 +511,7 @@ TEST(ProvenBound, AnIncumbentSavesBoxesAndIsNeverExceeded) {
 TEST(ProvenBound, MayEndAShareOfTheGapToAWorseIncumbentAway) {
   Chance chance(9);
   int nearer_than_asked = 0, designs = 0;
-  for (int n = 0; n < test::samples(40); ++n) {
+  for (int n = 0; n < test::samples(10); ++n) {
     const Spec spec = random_spec(chance);
     const auto close = proven_bound(spec, Objective::size, {.tolerance = 1e-4}).value();
     if (close.no_design || !close.relaxation || !close.tight) continue;
