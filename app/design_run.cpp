@@ -227,6 +227,16 @@ std::string stress_words(const Design& design) {
       design.material->name, three_digits(design.material->strength));
 }
 
+/// What the load breaks or bends too far.
+std::string overload_lines(const Design& design) {
+  std::string text;
+  std::vector<std::string> sentences = overload_words(design);
+  if (auto words = large_bending_words(design)) sentences.push_back(*std::move(words));
+  for (const std::string& words : sentences)
+    text += (text.empty() ? "overload     " : "             ") + words + "\n";
+  return text;
+}
+
 /// Forces, how far the pen gives way, what the links weigh.
 std::string loads_lines(const Design& design) {
   std::string text;
@@ -240,7 +250,7 @@ std::string loads_lines(const Design& design) {
         "direction\n",
         design.load->pen_force, weight > 0 ? fmt::format("and {:.3g} N of weight ", weight) : "",
         loads->error_max, loads->error_min);
-    text += fmt::format("             the hand holds {} N, the worst pin bears {} N{}\n",
+    text += fmt::format("             the hand holds {} N against it, the worst pin bears {} N{}\n",
                         three_digits(loads->hand_force_max), three_digits(loads->pin_force_max),
                         loads->weight_error_max ? " with the links' own weight" : "");
     text += "             " + stress_words(design) + "\n";
@@ -309,6 +319,7 @@ std::string summary_text(const Design& design, SpecUnit unit, const std::filesys
   else if (!design.map.complete && !design.region.empty())
     text += "clearance    NOT MEASURED: stopped early; the limit is kept where the region is covered\n";
   text += keys_in(unit, copy_error_lines(design));
+  text += keys_in(unit, overload_lines(design));
   text += loads_lines(design);
   text += weight_lines(design);
   text += keys_in(unit, budget_lines(design));
@@ -321,7 +332,7 @@ std::string summary_text(const Design& design, SpecUnit unit, const std::filesys
       "changes of assembly mode\n",
       design.verification.samples, design.verification.over_workspace ? " of the free workspace" : "",
       design.verification.copy_error_max, design.verification.loop_residual_max, design.verification.flips);
-  for (const std::string& note : making_notes(design))
+  for (const std::string& note : part_notes(design))
     text += fmt::format("parts        {}\n", keys_in(unit, note));
   text += fmt::format("written      {}:", printable(folder.string()));
   bool has_parts = false;

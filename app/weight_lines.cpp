@@ -9,6 +9,8 @@
 namespace kempe::app {
 namespace {
 
+bool stands_upright(const Design& design) { return design.load && design.load->tilt > pi / 2 * (1 - 1e-12); }
+
 std::string sag_line(const Design& design) {
   if (!design.quality.sag)
     return design.material && openings_over(design.linkage, design.region)
@@ -17,15 +19,19 @@ std::string sag_line(const Design& design) {
                  "their digits\n"
                : "";
   const bool plays = design.tolerance && design.tolerance->play > 0;
+  if (stands_upright(design))
+    return plays ? fmt::format("sag          {:.4g} mm at most at tracer and pen, by play\n",
+                               *design.quality.sag)
+                 : "sag          none: on an upright table nothing sinks by its weight\n";
   const double sag = *design.quality.sag > no_drop ? *design.quality.sag : 0;
   return fmt::format("sag          {:.4g} mm at most at tracer and pen, by weight{}\n", sag,
                      plays ? " and play" : "");
 }
 
 std::string balance_lines(const Feel& feel, double tilt) {
-  std::string text =
-      fmt::format("weight       the hand holds up to {:.3g} N on the table tilted by {:.4g} degrees\n",
-                  feel.weight_most, degrees(tilt));
+  std::string text = fmt::format(
+      "weight       the hand holds up to {:.3g} N besides, on the table tilted by {:.4g} degrees\n",
+      feel.weight_most, degrees(tilt));
   text += "balance      " + words(feel.counterweights[0]) + "\n             " +
           words(feel.counterweights[1]) + "\n";
   if (feel.springs)

@@ -367,7 +367,8 @@ Eigen::Vector2d push_of(const SpaceFrameResponse& response, const FrameTable& ta
   if (!table.pen_rests) return table.tracer_rests ? alone(0) : Eigen::Vector2d::Zero();
   if (!table.tracer_rests) return alone(1);
   for (const Eigen::Index point : {0, 1}) {
-    const Eigen::Vector2d push = alone(point), rises = free + lifts * push;
+    Eigen::Vector2d push = alone(point);
+    const Eigen::Vector2d rises = free + lifts * push;
     if (rises[1 - point] >= 0) return push;
   }
   // Neither bears alone, and so both do.
