@@ -120,24 +120,22 @@ void without_copy_gap(Questions& questions, double demanded) {
                             .design = *design});
 }
 
-void without_copy_error(Questions& questions, double demanded) {
-  Spec spec = questions.spec();
-  spec.limits.copy_error = std::nullopt;
-  const auto design = questions.best_of(spec);
-  if (!design) return;
-  questions.keep(Relaxation{.key = "limits.copy_error_mm",
-                            .demanded = demanded,
-                            .sentence = left_out("limits.copy_error_mm", demanded, questions.unit()),
-                            .design = *design});
-}
-
-void relax_copy_error(Questions& questions) {
-  const auto demanded = questions.limits().copy_error;
+/// A limit relaxed or, where no value that it may have is enough, left out; `limit`: of the spec.
+void relax_or_leave_out(Questions& questions, Goal goal, std::optional<double> Limits::*limit) {
+  const MovableLimit& moved = limit_of(goal);
+  const auto demanded = value_of(questions.limits(), questions.spec(), goal);
   if (!demanded || questions.stopped()) return;
-  auto found = relaxed(questions, limit_of(Goal::copy_error));
+  auto found = relaxed(questions, moved);
   if (found) return questions.keep(std::move(found));
-  questions.note("limits.copy_error_mm");
-  without_copy_error(questions, *demanded);
+  questions.note(moved.key);
+  Spec spec = questions.spec();
+  spec.limits.*limit = std::nullopt;
+  const auto design = questions.best_of(spec);
+  if (!design || questions.permits(*design)) return;
+  questions.keep(Relaxation{.key = moved.key,
+                            .demanded = *demanded,
+                            .sentence = left_out(moved.key, *demanded, questions.unit()),
+                            .design = *design});
 }
 
 /// No search makes the sag small: the design without the limit tells what would do.
@@ -210,12 +208,12 @@ void relax_longest(Questions& questions) {
 /// First the limits that take longest to evaluate: a search without them is quick.
 void relax_limits(Questions& questions) {
   relax_sag(questions);
-  questions.keep(relaxed(questions, limit_of(Goal::load_error)));
+  relax_or_leave_out(questions, Goal::load_error, &Limits::load_error);
   for (const Goal goal : {Goal::transmission, Goal::clearance})
     questions.keep(relaxed(questions, limit_of(goal)));
   relax_longest(questions);
   relax_copy_gap(questions);
-  relax_copy_error(questions);
+  relax_or_leave_out(questions, Goal::copy_error, &Limits::copy_error);
   questions.keep(relaxed(questions, limit_of(Goal::pole_margin)));
 }
 

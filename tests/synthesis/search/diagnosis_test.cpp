@@ -82,6 +82,8 @@ Spec as_told(Spec spec, const std::string& key, const std::string& sentence) {
     spec.limits.copy_gap = left_out ? std::nullopt : std::optional<double>(value());
   if (key == "limits.copy_error_mm")
     spec.limits.copy_error = left_out ? std::nullopt : std::optional<double>(value());
+  if (key == "limits.load_error_mm")
+    spec.limits.load_error = left_out ? std::nullopt : std::optional<double>(value());
   if (key == "links.longest_mm") spec.links.longest = value();
   if (key == "limits.longest_strip_mm") spec.limits.longest_strip = value();
   if (key == "links.hardware") {
@@ -422,6 +424,25 @@ TEST(Diagnosis, AnEvaluationAmongObstaclesCountsAsSeveral) {
   EXPECT_TRUE(whole.diagnosed);
   EXPECT_FALSE(cut.diagnosed);
   EXPECT_LE(cut.evaluations, whole.evaluations);
+}
+
+/// Links so thin that no value which may be stated is enough.
+TEST(Diagnosis, ALimitOnTheLoadErrorThatNoStatedValueHelpsIsLeftOut) {
+  Spec spec;
+  spec.copy = Copy::of(0.5, 0);
+  spec.region = Region::rectangle(Point(100, -20), Point(40, 40));
+  spec.pole.place = Point(0, 0);
+  spec.links.style = {.width = 3, .pin_diameter = 1.5, .thickness = 0.2};
+  spec.links.layers = 3;
+  spec.material = Material{"acrylic", 3000, 1190, 70};
+  spec.load = Load{.pen_force = 400};
+  spec.limits.load_error = 500;
+  const NoDesign none = nothing_for(spec);
+  ASSERT_FALSE(none.relaxations.empty());
+  EXPECT_EQ(none.relaxations.front().sentence,
+            "limits.load_error_mm = 500 is in the way; left out, a design exists");
+  EXPECT_FALSE(none.relaxations.front().possible);
+  check(spec, none);
 }
 
 /// Every single key that restricts designs, left out or at the loosest value that a spec may state.
