@@ -392,11 +392,13 @@ bool ObstacleLeaves::keeps_off(PartName part, std::size_t obstacle, const Middle
 }
 
 /// How much farther than it needs a part keeps from an obstacle, or from the edges of one that is looked at by these, mm; no more than 0 where
-/// it comes as near as that. What is more than the design moves may be less than it is.
+/// it comes as near as that. What is more than the design moves may be less than it is, and what a circle around the obstacle tells is as much
+/// as that.
 double ObstacleLeaves::gap_to(PartName part, std::size_t obstacle, const Middle& middle) const {
   const Target& target = targets_[obstacle];
   const double beyond = middle.moves + target.left_out;
   if (keeps_off(part, obstacle, middle, beyond)) return infinity;
+  if (keeps_off(part, obstacle, middle, 0)) return beyond;
   const double need = needed(part, obstacle);
   const Point origin = carrier_place(target, middle);
   double least = infinity;
